@@ -1,0 +1,441 @@
+//! Packs of shots: eight or four numbers in one register, chosen at run time by what the CPU has.
+//!
+//! [`dispatch`] enters a [`Kernel`] with the widest type there is. Everything below must be `#[inline(always)]`: CPU
+//! features hold for the function that enables them and for what is inlined into it, not for what it calls.
+
+use crate::elementary::{self, Primal};
+use crate::scalar::{Mask, Scalar};
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// A scalar without derivatives that can be filled and read lane by lane.
+pub trait Lanes: Primal {
+    /// A pack whose lane `i` is `value(i)`.
+    fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
+}
+
+/// A computation that [`dispatch`] runs with the widest lanes of this CPU.
+pub trait Kernel {
+    /// What it returns.
+    type Output;
+    /// The computation; implement with `#[inline(always)]`.
+    fn run<S: Lanes>(self) -> Self::Output;
+}
+
+/// Runs a kernel with eight lanes (AVX-512), four (AVX2) or one.
+pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
+    #[cfg(target_arch = "x86_64")]
+    {
+        if x86::has_eight() {
+            // SAFETY: the features the function enables were found on this CPU.
+            return unsafe { x86::run_eight(kernel) };
+        }
+        if x86::has_four() {
+            // SAFETY: as above.
+            return unsafe { x86::run_four(kernel) };
+        }
+    }
+    kernel.run::<f64>()
+}
+
+/// Operators, elementary functions and selection of a primal type, from its few basic operations.
+macro_rules! primal_operators {
+    ($type:ty) => {
+        impl Add<f64> for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn add(self, other: f64) -> Self {
+                self + Self::from_f64(other)
+            }
+        }
+        impl Sub<f64> for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn sub(self, other: f64) -> Self {
+                self - Self::from_f64(other)
+            }
+        }
+        impl Mul<f64> for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn mul(self, other: f64) -> Self {
+                self * Self::from_f64(other)
+            }
+        }
+        impl Div<f64> for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn div(self, other: f64) -> Self {
+                self / Self::from_f64(other)
+            }
+        }
+        impl AddAssign for $type {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+        impl SubAssign for $type {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+    };
+}
+
+impl Primal for f64 {
+    #[inline(always)]
+    fn pow2_shifted(shifted: Self) -> Self {
+        f64::from_bits(shifted.to_bits().wrapping_add(1023) << 52)
+    }
+}
+
+impl Lanes for f64 {
+    #[inline(always)]
+    fn from_fn(mut value: impl FnMut(usize) -> f64) -> Self {
+        value(0)
+    }
+}
+
+impl Scalar for f64 {
+    type Mask = bool;
+    const LANES: usize = 1;
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn lane(self, _index: usize) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn primal(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn le(self, other: Self) -> bool {
+        self <= other
+    }
+    #[inline(always)]
+    fn select(mask: bool, a: Self, b: Self) -> Self {
+        if mask {
+            a
+        } else {
+            b
+        }
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        elementary::exp(self)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        f64::ln(self)
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        elementary::sin_cos(self)
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        elementary::atan2(self, x)
+    }
+}
+
+/// AVX2 and AVX-512 packs.
+#[cfg(target_arch = "x86_64")]
+pub mod x86 {
+    use super::{
+        elementary, Add, AddAssign, Div, Kernel, Lanes, Mask, Mul, Neg, Primal, Scalar, Sub, SubAssign,
+    };
+    use core::arch::x86_64::*;
+
+    /// Whether this CPU runs [`F64x8`].
+    #[must_use]
+    pub fn has_eight() -> bool {
+        is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq")
+    }
+    /// Whether this CPU runs [`F64x4`].
+    #[must_use]
+    pub fn has_four() -> bool {
+        is_x86_feature_detected!("avx2")
+    }
+    /// Runs a kernel with eight lanes.
+    ///
+    /// # Safety
+    /// [`has_eight`] must hold.
+    #[target_feature(enable = "avx2,avx512f,avx512dq")]
+    pub unsafe fn run_eight<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<F64x8>()
+    }
+    /// Runs a kernel with four lanes.
+    ///
+    /// # Safety
+    /// [`has_four`] must hold.
+    #[target_feature(enable = "avx2")]
+    pub unsafe fn run_four<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<F64x4>()
+    }
+
+    /// Four numbers (AVX2). Only for use below [`super::dispatch`] or after [`has_four`].
+    #[derive(Clone, Copy, Debug)]
+    pub struct F64x4(__m256d);
+    /// Eight numbers (AVX-512). Only for use below [`super::dispatch`] or after [`has_eight`].
+    #[derive(Clone, Copy, Debug)]
+    pub struct F64x8(__m512d);
+    /// Four truth values.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Mask4(__m256d);
+    /// Eight truth values.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Mask8(__mmask8);
+
+    macro_rules! binary {
+        ($type:ident, $trait:ident, $method:ident, $intrinsic:ident) => {
+            impl $trait for $type {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: Self) -> Self {
+                    // SAFETY: packs exist only where the CPU has the feature (see the type).
+                    Self(unsafe { $intrinsic(self.0, other.0) })
+                }
+            }
+        };
+    }
+
+    macro_rules! pack {
+        ($type:ident, $mask:ident, $lanes:literal, $load:ident, $store:ident, $set:ident, $sqrt:ident,
+         $add:ident, $sub:ident, $mul:ident, $div:ident) => {
+            binary!($type, Add, add, $add);
+            binary!($type, Sub, sub, $sub);
+            binary!($type, Mul, mul, $mul);
+            binary!($type, Div, div, $div);
+            primal_operators!($type);
+
+            impl Neg for $type {
+                type Output = Self;
+                #[inline(always)]
+                fn neg(self) -> Self {
+                    self.negated()
+                }
+            }
+            impl $type {
+                #[inline(always)]
+                fn to_array(self) -> [f64; $lanes] {
+                    let mut values = [0.0; $lanes];
+                    // SAFETY: the array holds exactly one pack; see the type for the feature.
+                    unsafe { $store(values.as_mut_ptr(), self.0) };
+                    values
+                }
+                #[inline(always)]
+                fn from_array(values: [f64; $lanes]) -> Self {
+                    // SAFETY: as above.
+                    Self(unsafe { $load(values.as_ptr()) })
+                }
+            }
+            impl Lanes for $type {
+                #[inline(always)]
+                fn from_fn(mut value: impl FnMut(usize) -> f64) -> Self {
+                    let mut values = [0.0; $lanes];
+                    for i in 0..$lanes {
+                        values[i] = value(i);
+                    }
+                    Self::from_array(values)
+                }
+            }
+            impl Scalar for $type {
+                type Mask = $mask;
+                const LANES: usize = $lanes;
+                #[inline(always)]
+                fn from_f64(value: f64) -> Self {
+                    // SAFETY: see the type for the feature.
+                    Self(unsafe { $set(value) })
+                }
+                #[inline(always)]
+                fn lane(self, index: usize) -> f64 {
+                    self.to_array()[index]
+                }
+                #[inline(always)]
+                fn primal(self) -> Self {
+                    self
+                }
+                #[inline(always)]
+                fn lt(self, other: Self) -> $mask {
+                    self.less::<_CMP_LT_OQ>(other)
+                }
+                #[inline(always)]
+                fn le(self, other: Self) -> $mask {
+                    self.less::<_CMP_LE_OQ>(other)
+                }
+                #[inline(always)]
+                fn select(mask: $mask, a: Self, b: Self) -> Self {
+                    Self::blend(mask, a, b)
+                }
+                #[inline(always)]
+                fn sqrt(self) -> Self {
+                    // SAFETY: see the type for the feature.
+                    Self(unsafe { $sqrt(self.0) })
+                }
+                #[inline(always)]
+                fn exp(self) -> Self {
+                    elementary::exp(self)
+                }
+                #[inline(always)]
+                fn ln(self) -> Self {
+                    Self::from_array(self.to_array().map(f64::ln))
+                }
+                #[inline(always)]
+                fn sin_cos(self) -> (Self, Self) {
+                    elementary::sin_cos(self)
+                }
+                #[inline(always)]
+                fn atan2(self, x: Self) -> Self {
+                    elementary::atan2(self, x)
+                }
+            }
+        };
+    }
+
+    pack!(
+        F64x4,
+        Mask4,
+        4,
+        _mm256_loadu_pd,
+        _mm256_storeu_pd,
+        _mm256_set1_pd,
+        _mm256_sqrt_pd,
+        _mm256_add_pd,
+        _mm256_sub_pd,
+        _mm256_mul_pd,
+        _mm256_div_pd
+    );
+    pack!(
+        F64x8,
+        Mask8,
+        8,
+        _mm512_loadu_pd,
+        _mm512_storeu_pd,
+        _mm512_set1_pd,
+        _mm512_sqrt_pd,
+        _mm512_add_pd,
+        _mm512_sub_pd,
+        _mm512_mul_pd,
+        _mm512_div_pd
+    );
+
+    // SAFETY of every block below: packs exist only where the CPU has the feature (see the types).
+    impl F64x4 {
+        #[inline(always)]
+        fn negated(self) -> Self {
+            Self(unsafe { _mm256_xor_pd(self.0, _mm256_set1_pd(-0.0)) })
+        }
+        #[inline(always)]
+        fn less<const OP: i32>(self, other: Self) -> Mask4 {
+            Mask4(unsafe { _mm256_cmp_pd::<OP>(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn blend(mask: Mask4, a: Self, b: Self) -> Self {
+            Self(unsafe { _mm256_blendv_pd(b.0, a.0, mask.0) })
+        }
+    }
+    impl F64x8 {
+        #[inline(always)]
+        fn negated(self) -> Self {
+            Self(unsafe { _mm512_xor_pd(self.0, _mm512_set1_pd(-0.0)) })
+        }
+        #[inline(always)]
+        fn less<const OP: i32>(self, other: Self) -> Mask8 {
+            Mask8(unsafe { _mm512_cmp_pd_mask::<OP>(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn blend(mask: Mask8, a: Self, b: Self) -> Self {
+            Self(unsafe { _mm512_mask_blend_pd(mask.0, b.0, a.0) })
+        }
+    }
+    impl Primal for F64x4 {
+        #[inline(always)]
+        fn pow2_shifted(shifted: Self) -> Self {
+            unsafe {
+                let bits = _mm256_add_epi64(_mm256_castpd_si256(shifted.0), _mm256_set1_epi64x(1023));
+                Self(_mm256_castsi256_pd(_mm256_slli_epi64::<52>(bits)))
+            }
+        }
+    }
+    impl Primal for F64x8 {
+        #[inline(always)]
+        fn pow2_shifted(shifted: Self) -> Self {
+            unsafe {
+                let bits = _mm512_add_epi64(_mm512_castpd_si512(shifted.0), _mm512_set1_epi64(1023));
+                Self(_mm512_castsi512_pd(_mm512_slli_epi64::<52>(bits)))
+            }
+        }
+    }
+    impl Mask for Mask4 {
+        #[inline(always)]
+        fn any(self) -> bool {
+            unsafe { _mm256_movemask_pd(self.0) != 0 }
+        }
+        #[inline(always)]
+        fn all(self) -> bool {
+            unsafe { _mm256_movemask_pd(self.0) == 0b1111 }
+        }
+        #[inline(always)]
+        fn and(self, other: Self) -> Self {
+            Self(unsafe { _mm256_and_pd(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn or(self, other: Self) -> Self {
+            Self(unsafe { _mm256_or_pd(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn not(self) -> Self {
+            Self(unsafe { _mm256_xor_pd(self.0, Self::splat(true).0) })
+        }
+        #[inline(always)]
+        fn splat(value: bool) -> Self {
+            Self(unsafe { _mm256_castsi256_pd(_mm256_set1_epi64x(-i64::from(value))) })
+        }
+        #[inline(always)]
+        fn lane(self, index: usize) -> bool {
+            unsafe { (_mm256_movemask_pd(self.0) >> index) & 1 == 1 }
+        }
+    }
+    impl Mask for Mask8 {
+        #[inline(always)]
+        fn any(self) -> bool {
+            self.0 != 0
+        }
+        #[inline(always)]
+        fn all(self) -> bool {
+            self.0 == 0xff
+        }
+        #[inline(always)]
+        fn and(self, other: Self) -> Self {
+            Self(self.0 & other.0)
+        }
+        #[inline(always)]
+        fn or(self, other: Self) -> Self {
+            Self(self.0 | other.0)
+        }
+        #[inline(always)]
+        fn not(self) -> Self {
+            Self(!self.0)
+        }
+        #[inline(always)]
+        fn splat(value: bool) -> Self {
+            Self(if value { 0xff } else { 0 })
+        }
+        #[inline(always)]
+        fn lane(self, index: usize) -> bool {
+            (self.0 >> index) & 1 == 1
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! Arithmetic that physics is written on: one [`Scalar`] trait that `f64`, packs of shots ([`lanes`]) and dual
+//! numbers ([`Dual`]) implement, small vectors and matrices over it, and ODE steppers that treat every lane on its own.
+
+pub mod dual;
+pub mod elementary;
+pub mod lanes;
+pub mod mat3;
+pub mod ode;
+pub mod quat;
+pub mod scalar;
+pub mod vec3;
+
+pub use dual::Dual;
+pub use lanes::{dispatch, Kernel, Lanes};
+pub use mat3::Mat3;
+pub use quat::Quat;
+pub use scalar::{Mask, Scalar};
+pub use vec3::Vec3;
