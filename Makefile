@@ -1,0 +1,62 @@
+# Everything happens in .venv and target; `make demo` and `make test` need no other set-up.
+
+SHELL := /bin/bash
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.PHONY: help setup build demo test check bench docs study clean
+
+VENV := .venv
+BIN := $(VENV)/bin
+PYTHON := $(BIN)/python
+export VIRTUAL_ENV := $(CURDIR)/$(VENV)
+export PYO3_PYTHON := $(CURDIR)/$(PYTHON)
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+export PIP_CONSTRAINT := $(CURDIR)/constraints-dev.txt
+export PATH := $(CURDIR)/$(BIN):$(PATH)
+
+RUST_SOURCES := $(wildcard Cargo.toml Cargo.lock crates/*/Cargo.toml) $(shell find crates -name '*.rs')
+RUST_TESTED := --workspace --exclude clubface-python --locked
+
+help: ## list the targets
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r name text; do printf '%-8s %s\n' "$$name" "$$text"; done
+
+setup: $(VENV)/.setup ## make the virtual environment; say which tools are missing
+build: $(VENV)/.build ## compile the core and install the package into the virtual environment
+
+$(VENV)/.setup: constraints-dev.txt scripts/find-tools.sh
+	@python=$$(scripts/find-tools.sh) && $$python -m venv $(VENV)
+	@$(PYTHON) -m pip install --quiet maturin
+	@touch $@
+
+$(VENV)/.build: $(VENV)/.setup pyproject.toml $(RUST_SOURCES)
+	$(BIN)/maturin develop --release --extras all,dev
+	@touch $@
+
+demo: build ## the published tour averages by every model; tables and pictures in out/
+	$(BIN)/clubface tour --output out/
+
+test: build ## all tests; the last line is "N passed, N failed"
+	@$(PYTHON) scripts/run_tests.py
+
+check: build ## formatting, lints, types, documentation
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets --locked -- -D warnings
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/pyright --pythonpath $(PYTHON)
+	$(BIN)/sphinx-build -W --keep-going -q -E docs docs/_build
+
+docs: build ## the documentation as web pages in docs/_build
+	$(BIN)/sphinx-build -W --keep-going -q docs docs/_build
+	@echo "docs/_build/index.html"
+
+bench: build ## speed, printed beside the computed results
+	cargo bench $(RUST_TESTED)
+	$(PYTHON) -m pytest benchmarks --benchmark-only
+
+study: build ## the tests that take minutes
+	cargo test $(RUST_TESTED) --release -- --ignored
+	$(PYTHON) -m pytest -m study
+
+clean: ## remove everything that was built
+	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks
