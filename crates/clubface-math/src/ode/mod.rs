@@ -1,1 +1,165 @@
 //! Runge-Kutta and Rosenbrock steppers in which every lane has its own step.
+//!
+//! A pack of shots advances together, but each lane accepts, rejects and sizes its own steps and is frozen once it
+//! has finished, so its result does not depend on its neighbours, bit for bit. Step sizes carry no derivatives.
+
+mod rosenbrock;
+mod runge_kutta;
+
+pub use rosenbrock::Rosenbrock;
+pub use runge_kutta::{RungeKutta, BOGACKI_SHAMPINE, DORMAND_PRINCE, RK4};
+
+use crate::scalar::{Mask, Scalar};
+
+/// An autonomous system of ordinary differential equations.
+pub trait System<S: Scalar, const N: usize> {
+    /// Time derivative of the state, per second.
+    fn rhs(&self, y: &[S; N]) -> [S; N];
+}
+
+/// A system whose stiff part is known: an approximation `A` of its Jacobian that is cheap to invert.
+pub trait StiffSystem<S: Scalar, const N: usize>: System<S, N> {
+    /// `A` at one state.
+    type Jacobian;
+    /// What solving with `I - g A` needs.
+    type Solver;
+    /// `A` at state `y`.
+    fn linearize(&self, y: &[S; N]) -> Self::Jacobian;
+    /// Prepares to solve with `I - g A`, `g` in seconds.
+    fn factor(&self, jacobian: &Self::Jacobian, g: S) -> Self::Solver;
+    /// `(I - g A)^-1 b`.
+    fn solve(&self, solver: &Self::Solver, b: &[S; N]) -> [S; N];
+}
+
+/// One attempted step.
+pub struct Attempt<S, const N: usize> {
+    /// State at its end.
+    pub y: [S; N],
+    /// Estimated error of that state.
+    pub error: [S; N],
+    /// Time derivative at its end.
+    pub rate: [S; N],
+}
+
+/// A one-step method for problem `P`.
+pub trait Method<P, S: Scalar, const N: usize> {
+    /// Order of the error estimate, which sizes the steps; 0 for fixed steps.
+    const ERROR_ORDER: u32;
+    /// Tries a step of `h` seconds from state `y` with time derivative `rate`.
+    fn attempt(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S) -> Attempt<S, N>;
+}
+
+/// Sees every accepted step and says which lanes are done.
+pub trait Observer<S: Scalar, const N: usize> {
+    /// Called after a step; `accepted` are the lanes that took it. Returns the lanes that need no more.
+    fn observe(
+        &mut self,
+        accepted: S::Mask,
+        time: S,
+        h: S,
+        start: (&[S; N], &[S; N]),
+        end: (&[S; N], &[S; N]),
+    ) -> S::Mask;
+}
+
+/// How steps are sized.
+#[derive(Clone, Copy, Debug)]
+pub struct Control<S, const N: usize> {
+    /// Tolerated error of a step, relative to `scale + |y|`.
+    pub tolerance: f64,
+    /// Natural size of each state component.
+    pub scale: [S; N],
+    /// First step, s.
+    pub first: S,
+    /// Longest step, s.
+    pub longest: S,
+    /// Steps, rejected ones included, after which lanes that have not finished are given up.
+    pub max_steps: usize,
+}
+
+/// How an integration ended.
+#[derive(Clone, Copy, Debug)]
+pub struct Outcome<M> {
+    /// Lanes that finished (the others ran out of steps or met a number that is not finite).
+    pub finished: M,
+    /// Steps taken by the pack, rejected ones included.
+    pub steps: usize,
+}
+
+/// Integrates from `y` until the observer has finished every lane.
+#[inline(always)]
+pub fn integrate<P, M, O, S, const N: usize>(
+    method: &M,
+    problem: &P,
+    mut y: [S; N],
+    control: &Control<S, N>,
+    observer: &mut O,
+) -> Outcome<S::Mask>
+where
+    S: Scalar,
+    P: System<S, N>,
+    M: Method<P, S, N>,
+    O: Observer<S, N>,
+{
+    let mut rate = problem.rhs(&y);
+    let mut time = S::zero();
+    let mut h = control.first.primal();
+    let mut finished = S::Mask::splat(false);
+    let mut steps = 0;
+    while steps < control.max_steps {
+        steps += 1;
+        let attempt = method.attempt(problem, &y, &rate, h);
+        let (accepted, factor) = if M::ERROR_ORDER == 0 {
+            (S::Mask::splat(true), S::one())
+        } else {
+            let error = error_norm(&attempt.error, &y, &attempt.y, control);
+            // A NaN error compares false: the step is rejected and shortened until the lane is given up.
+            (error.le(S::one()), step_factor(error, M::ERROR_ORDER))
+        };
+        let accepted = accepted.and(finished.not());
+        if accepted.any() {
+            let done = observer.observe(accepted, time, h, (&y, &rate), (&attempt.y, &attempt.rate));
+            finished = finished.or(done.and(accepted));
+            for i in 0..N {
+                y[i] = S::select(accepted, attempt.y[i], y[i]);
+                rate[i] = S::select(accepted, attempt.rate[i], rate[i]);
+            }
+            time = S::select(accepted, time + h, time);
+        }
+        if finished.all() {
+            break;
+        }
+        h = (h * factor).min(control.longest.primal());
+    }
+    Outcome { finished, steps }
+}
+
+/// Largest error over the components, in units of the tolerance.
+#[inline(always)]
+fn error_norm<S: Scalar, const N: usize>(
+    error: &[S; N],
+    before: &[S; N],
+    after: &[S; N],
+    control: &Control<S, N>,
+) -> S {
+    let mut largest = S::zero();
+    for i in 0..N {
+        let size = before[i].primal().abs().max(after[i].primal().abs());
+        let ratio = error[i].primal().abs() / (control.scale[i].primal() + size);
+        // A NaN ratio must win: `largest.max(ratio)` keeps its argument where either is NaN.
+        largest = S::select(ratio.le(largest), largest, ratio);
+    }
+    largest / control.tolerance
+}
+
+/// Factor for the next step: 0.9 error^-(about 1/order), within 0.2 to 5. Powers come from square roots alone
+/// (3/8 for order 3, 3/16 for order 5), since a step controller needs no exact exponent and lanes have no power.
+#[inline(always)]
+fn step_factor<S: Scalar>(error: S, order: u32) -> S {
+    let fourth = error.max(S::from_f64(1e-12)).sqrt().sqrt();
+    let eighth = fourth.sqrt();
+    let root = if order <= 3 { fourth * eighth } else { eighth * eighth.sqrt() };
+    let factor = (S::from_f64(0.9) / root).min(S::from_f64(5.0));
+    // `max` returns its argument for a NaN error: shorten.
+    factor.max(S::from_f64(0.2))
+}
