@@ -1,0 +1,152 @@
+"""What clubs and balls share: reading, writing and changing an object whose fields are quantities with units."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Iterable, Mapping
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any, NamedTuple, TypeVar
+
+from clubface import units
+from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.strict_toml import Document, quoted
+
+DATA = Path(__file__).parent / "data"
+HANDS = {"right": 1, "left": -1}
+FLAT = "flat"
+T = TypeVar("T")
+
+
+class Quantity(NamedTuple):
+    """One number of a description.
+
+    Attributes:
+        dimension: as in ``units``.
+        unit: the unit it is written in.
+        meaning: one line for the template.
+        example: a value for the template.
+        required: whether a file must give it.
+    """
+
+    dimension: str
+    unit: str
+    meaning: str
+    example: str
+    required: bool = True
+
+
+Quantities = Mapping[str, Quantity]
+
+
+def from_document(kind: type[T], document: Document, quantities: Quantities) -> T:
+    """The object a TOML document describes; every error carries file and line."""
+    data = dict(document.data)
+    texts = [each.name for each in fields(kind) if each.name not in quantities and each.name != "sources"]  # pyright: ignore
+    required = ["name"] + (["kind"] if "kind" in texts else []) + [k for k, q in quantities.items() if q.required]
+    document.check_keys(data, [*texts, *quantities, "sources"], required)
+    document.check_text(data, texts)
+    sources = data.get("sources", {})
+    if not isinstance(sources, dict):
+        raise document.error("sources must be a table of texts", "sources")
+    document.check_keys(sources, list(quantities), (), "sources")
+    document.check_text(sources, sources, "sources")
+    try:
+        return kind(**converted(data, quantities))
+    except ClubfaceError as error:
+        raise document.wrap(error) from error
+
+
+def converted(values: Mapping[str, Any], quantities: Quantities) -> dict[str, Any]:
+    """``values`` with quantities in SI and the hand as +1 or -1."""
+    result = dict(values)
+    for key, value in values.items():
+        if key in quantities:
+            flat = key in ("bulge", "roll") and (value == FLAT or value == math.inf)
+            absent = value is None and not quantities[key].required
+            if not absent:
+                result[key] = math.inf if flat else units.parse(value, quantities[key].dimension, name=key)
+    if isinstance(values.get("hand"), str):
+        check_choice("hand", values["hand"], HANDS)
+        result["hand"] = HANDS[values["hand"]]
+    return result
+
+
+def changed(subject: T, changes: Mapping[str, Any], quantities: Quantities) -> T:
+    """``subject`` with some fields changed; a changed quantity loses its source."""
+    names = [each.name for each in fields(subject)]  # pyright: ignore
+    for key in changes:
+        if key not in names:
+            raise UnknownNameError("field", key, names)
+    kept = {k: v for k, v in subject.sources.items() if k not in changes}  # pyright: ignore
+    return replace(subject, **{"sources": kept, **converted(changes, quantities)})  # pyright: ignore
+
+
+def to_toml(subject: Any, quantities: Quantities, texts: Mapping[str, str]) -> str:
+    """TOML text that reads back as ``subject``, bit by bit."""
+    lines = [f"{key} = {quoted(value)}" for key, value in {"name": subject.name, **texts}.items()]
+    if subject.description:
+        lines.append(f"description = {quoted(subject.description)}")
+    lines.append("")
+    for key, quantity in quantities.items():
+        value = getattr(subject, key)
+        if value is not None:
+            lines.append(f"{key} = {quoted(written(value, quantity))}")
+    if subject.sources:
+        lines += ["", "[sources]", *(f"{key} = {quoted(text)}" for key, text in subject.sources.items())]
+    return "\n".join(lines) + "\n"
+
+
+def written(value: float, quantity: Quantity) -> str:
+    """``value`` [SI] as text that parses to the same bits: in the usual unit where that is exact, else in SI."""
+    if math.isinf(value):
+        return FLAT
+    for unit in (quantity.unit, units.SI_UNITS[quantity.dimension]):
+        number = float(f"{units.from_si(value, unit):.15g}")
+        text = f"{number:.15g}" + ("" if unit == "1" else f" {unit}")
+        if math.isfinite(number) and units.parse(text, quantity.dimension) == value:
+            return text
+    return f"{value!r} {units.SI_UNITS[quantity.dimension]}"
+
+
+def template_lines(quantities: Quantities) -> list[str]:
+    """One commented line a quantity, then an example of sources; optional keys are commented out."""
+    lines = []
+    for key, quantity in quantities.items():
+        entry = f"{key} = {quoted(quantity.example)}"
+        lines.append(f"{entry if quantity.required else '# ' + entry:<28}# {quantity.meaning}")
+    return [*lines, "", "[sources]                   # where each value comes from", '# mass = "weighed"', ""]
+
+
+def check_name(name: object) -> None:
+    """Refuse a name that is empty, not text, or not printable."""
+    if not (isinstance(name, str) and name.strip() and name.isprintable()):
+        raise InputError("name", name, "printable text, not empty")
+
+
+def check_text(parameter: str, value: object) -> None:
+    """Refuse what is not text that a file can hold (a lone surrogate cannot be written)."""
+    if not isinstance(value, str) or any("\ud800" <= c <= "\udfff" for c in value):
+        raise InputError(parameter, value, "text")
+
+
+def check_choice(parameter: str, value: object, known: Iterable[str]) -> None:
+    """Refuse a value that is not one of the ``known`` words."""
+    if value not in (known := tuple(known)):
+        raise UnknownNameError(parameter, value, known)
+
+
+def builtin_names(folder: str) -> tuple[str, ...]:
+    """Names of the descriptions shipped in ``data/<folder>``, in alphabetical order."""
+    return tuple(sorted(path.stem for path in (DATA / folder).glob("*.toml")))
+
+
+_given: set[str] = set()
+
+
+def warn_once(message: str, category: type[Warning]) -> None:
+    """Warn, but say the same thing only once in a process."""
+    if message not in _given:
+        _given.add(message)
+        warnings.warn(message, category, stacklevel=5)

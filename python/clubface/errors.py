@@ -1,0 +1,104 @@
+"""What can go wrong, said so that a person can mend it: which parameter, its value, what is allowed, which file and line.
+
+Every error of the package is a :class:`ClubfaceError`; those about a value are a ``ValueError`` as well, so that code
+which knows nothing of clubface still catches them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+
+class ClubfaceError(Exception):
+    """The root of every error clubface raises on purpose."""
+
+
+class InputError(ClubfaceError, ValueError):
+    """A value that cannot be used.
+
+    Attributes:
+        parameter: the name of the quantity, as the caller wrote it.
+        value: the value that was given.
+        allowed: what would have been accepted, completing the sentence "it must be ...".
+    """
+
+    def __init__(self, parameter: str, value: object, allowed: str) -> None:
+        super().__init__(parameter, value, allowed)
+        self.parameter = parameter
+        self.value = value
+        self.allowed = allowed
+
+    def __str__(self) -> str:
+        return f"{self.parameter} is {_shown(self.value)}; it must be {self.allowed}"
+
+
+class UnitError(InputError):
+    """A unit that is unknown or that belongs to another kind of quantity."""
+
+
+class UnknownNameError(InputError, KeyError):
+    """A name (of a club, ball, model, parameter, key) that does not exist; the nearest ones are named.
+
+    Attributes:
+        known: the names that exist.
+        nearest: those that resemble the one given, the best first.
+    """
+
+    def __init__(self, parameter: str, value: object, known: Iterable[str]) -> None:
+        self.known = tuple(known)
+        self.nearest = nearest_names(str(value), self.known)
+        super().__init__(parameter, value, "one of " + ", ".join(self.known) if self.known else "left out")
+        self.args = (parameter, value, self.known)
+
+    def __str__(self) -> str:
+        hint = f" (did you mean {' or '.join(self.nearest)}?)" if self.nearest else ""
+        return f"unknown {self.parameter} {_shown(self.value)}{hint}; it must be {self.allowed}"
+
+
+class FileError(ClubfaceError, ValueError):
+    """A file that cannot be read or that holds something unusable.
+
+    Attributes:
+        path: the file.
+        line: the line, counted from 1, or None where it is not known.
+        message: what is wrong there.
+        parameter: the key it is about, or None.
+    """
+
+    def __init__(self, path: str, line: int | None, message: str, parameter: str | None = None) -> None:
+        super().__init__(path, line, message, parameter)
+        self.path = path
+        self.line = line
+        self.message = message
+        self.parameter = parameter
+
+    def __str__(self) -> str:
+        place = self.path if self.line is None else f"{self.path}:{self.line}"
+        return f"{place}: {self.message}"
+
+
+class RuleWarning(UserWarning):
+    """A club or ball outside the Rules of Golf; it is computed all the same."""
+
+
+class ImplausibleWarning(UserWarning):
+    """A value no real club has, most often a unit left out (``mass = 204`` means 204 kg)."""
+
+
+def nearest_names(name: str, known: Iterable[str], count: int = 3) -> tuple[str, ...]:
+    """Up to ``count`` of the ``known`` names that resemble ``name``, the best first; letter case is ignored."""
+    from difflib import get_close_matches
+
+    spelled: dict[str, str] = {}
+    for candidate in known:
+        spelled.setdefault(candidate.lower(), candidate)
+    return tuple(spelled[match] for match in get_close_matches(name[:80].lower(), spelled, count, 0.5))
+
+
+def _shown(value: object) -> str:
+    """``repr`` of a value, cut to a length that still fits a line."""
+    try:
+        text = repr(value)
+    except Exception:
+        text = f"a {type(value).__name__}"
+    return text if len(text) <= 80 else text[:77] + "..."

@@ -1,0 +1,83 @@
+"""The registry of impact models, as the core declares it: names, parameters, units, bounds, sources."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+from clubface.errors import InputError, UnknownNameError
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter of a model.
+
+    Attributes:
+        name: as in files and in ``replace``.
+        unit: the SI unit its value is held in.
+        meaning: one line.
+        default: the value used where nothing else is said [SI].
+        lower, upper: the values allowed, both included [SI].
+        source: where the default and the bounds come from.
+    """
+
+    name: str
+    unit: str
+    meaning: str
+    default: float
+    lower: float
+    upper: float
+    source: str
+
+
+@dataclass(frozen=True)
+class Model:
+    """One impact model.
+
+    Attributes:
+        name: the word that selects it.
+        title: the name for headings.
+        kind: "impulse" (launch only) or "contact" (histories as well).
+        summary: one sentence.
+        reference: the publication it follows.
+        laws: the laws it obeys, of "momentum", "angular_momentum", "energy", "friction_cone".
+        page: its page in the documentation.
+        parameters: in the order of the core's columns.
+    """
+
+    name: str
+    title: str
+    kind: str
+    summary: str
+    reference: str
+    laws: tuple[str, ...]
+    page: str
+    parameters: tuple[Parameter, ...]
+
+    def parameter(self, name: str) -> Parameter:
+        """The parameter called ``name``."""
+        for each in self.parameters:
+            if each.name == name:
+                return each
+        raise UnknownNameError(f"parameter of {self.name}", name, [each.name for each in self.parameters])
+
+
+@cache
+def models() -> dict[str, Model]:
+    """All models by name, in the order of the registry."""
+    from clubface import _core  # pyright: ignore[reportAttributeAccessIssue]
+
+    found = {}
+    for entry in _core.models():
+        parameters = tuple(Parameter(**each) for each in entry["parameters"])
+        found[entry["name"]] = Model(**{**entry, "laws": tuple(entry["laws"]), "parameters": parameters})
+    return found
+
+
+def model(name: str) -> Model:
+    """The model called ``name``; an unknown one is an error that names the nearest."""
+    if not isinstance(name, str):
+        raise InputError("model", name, "one of " + ", ".join(models()))
+    if name not in models():
+        raise UnknownNameError("model", name, models())
+    return models()[name]

@@ -1,0 +1,251 @@
+"""The only conversions of the package: text with a unit to SI and radians, and back.
+
+Inside, everything is SI; a person writes ``"108 mph"`` or ``"2 deg"``. A bare number is SI. The units are a plain table,
+which costs nothing at start-up. Each factor is a fraction, so that ``"204 g"`` is ``0.204`` to the last bit.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from clubface.errors import InputError, UnitError, nearest_names
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+DIMENSIONLESS = "dimensionless"
+
+
+class Unit(NamedTuple):
+    """One unit: SI value = value * numerator / denominator + offset."""
+
+    symbol: str
+    dimension: str
+    numerator: float
+    denominator: float
+    offset: float
+
+
+def _table() -> dict[str, Unit]:
+    units: dict[str, Unit] = {}
+
+    def add(dimension: str, spellings: str, numerator: float = 1.0, denominator: float = 1.0, offset: float = 0.0):
+        names = spellings.split(",")
+        unit = Unit(names[0], dimension, numerator, denominator, offset)
+        for name in names:
+            units[_key(name)] = unit
+
+    add("speed", "m/s,mps,m_s")
+    add("speed", "mph,mi/h,MPH", 44704.0, 1e5)
+    add("speed", "km/h,kmh,kph,km_h", 10.0, 36.0)
+    add("speed", "ft/s,fps,ft_s", 3048.0, 1e4)
+    add("angle", "rad,radians")
+    add("angle", "deg,degrees,degree,°", math.pi, 180.0)
+    add("length", "m,metres,meters")
+    add("length", "mm", 1.0, 1e3)
+    add("length", "cm", 1.0, 1e2)
+    add("length", "in,inch,inches", 254.0, 1e4)
+    add("length", "yd,yard,yards,yds", 9144.0, 1e4)
+    add("length", "ft,feet,foot", 3048.0, 1e4)
+    add("mass", "kg")
+    add("mass", "g,grams,gram", 1.0, 1e3)
+    add("mass", "oz", 28349523125.0, 1e12)
+    add("inertia", "kg m2")
+    add("inertia", "g cm2", 1.0, 1e7)
+    add("angular rate", "rad/s,radps,rad_s")
+    add("angular rate", "deg/s,degps,deg_s,°/s", math.pi, 180.0)
+    add("angular rate", "rpm,rev/min,RPM", math.pi, 30.0)
+    add("temperature", "K,kelvin")
+    add("temperature", "degC,C,°C,degc,celsius", offset=273.15)
+    add("temperature", "degF,F,°F,degf,fahrenheit", 5.0, 9.0, 273.15 - 160.0 / 9.0)
+    add("pressure", "Pa,pa")
+    add("pressure", "hPa,mbar,hpa", 100.0)
+    add("pressure", "kPa,kpa", 1e3)
+    add("pressure", "MPa,N/mm2", 1e6)
+    add("pressure", "GPa", 1e9)
+    add("pressure", "inHg,inhg", 3386.389)
+    add("time", "s,seconds,sec")
+    add("time", "ms", 1.0, 1e3)
+    add("time", "us,µs,μs", 1.0, 1e6)
+    add("force", "N,n")
+    add("force", "kN,kn", 1e3)
+    add("energy", "J")
+    add("volumetric stiffness", "N/m3")
+    add("inverse speed", "s/m")
+    add("inverse speed", "ms/m", 1.0, 1e3)
+    add("rotary stiffness", "N m/rad,N m")
+    add("rotary damping", "N m s/rad,N m s")
+    add("area damping", "N s/m2,Pa s")
+    add(DIMENSIONLESS, "1,-")
+    add(DIMENSIONLESS, "%,percent,pct", 1.0, 1e2)
+    return units
+
+
+_SUPERSCRIPTS = str.maketrans({"²": "2", "³": "3", "^": None, "*": None, "·": None, "⋅": None, " ": None, "\t": None})
+
+
+def _key(spelling: str) -> str:
+    """One spelling of ``kg m2``, ``kg m^2``, ``kg·m²`` and ``kg*m^2``."""
+    return spelling.translate(_SUPERSCRIPTS)
+
+
+_UNITS = _table()
+
+SI_UNITS: dict[str, str] = {
+    unit.dimension: unit.symbol
+    for unit in reversed(_UNITS.values())
+    if unit.numerator == unit.denominator and not unit.offset
+}
+"""The SI unit of each dimension."""
+
+_DISPLAY_UNITS = {"angle": "deg", "angular rate": "rpm", "inertia": "g cm2", "mass": "g", "temperature": "degC", "pressure": "hPa"}
+_DISPLAY_UNITS_BY_NAME = {
+    "closure": "deg/s", "pitch_rate": "deg/s", "lie_rate": "deg/s",
+    "toe": "mm", "high": "mm", "bulge": "mm", "roll": "mm", "face_width": "mm", "face_height": "mm",
+    "cg_x": "mm", "cg_y": "mm", "cg_z": "mm", "dcg_x": "mm", "dcg_y": "mm", "dcg_z": "mm",
+    "ball_radius": "mm", "radius": "mm", "cover_thickness": "mm", "penetration": "mm",
+    "contact_time": "us", "peak_force": "kN", "shear_modulus": "MPa", "ring_modulus": "MPa", "humidity": "%",
+}  # fmt: skip
+
+
+def unit(symbol: str, *, name: str = "unit") -> Unit:
+    """The unit written ``symbol``; an unknown one is a :class:`UnitError` that names the nearest."""
+    found = _UNITS.get(_key(symbol)) if symbol.strip() else _UNITS["1"]
+    if found is None:
+        known = sorted({each.symbol for each in _UNITS.values()})
+        near = nearest_names(symbol, known)
+        hint = f" (did you mean {' or '.join(near)}?)" if near else ""
+        raise UnitError(name, symbol, f"in a known unit{hint}: {', '.join(known)}")
+    return found
+
+
+def symbols(dimension: str) -> tuple[str, ...]:
+    """The units of one dimension, the SI unit first."""
+    found = {each.symbol: None for each in _UNITS.values() if each.dimension == dimension}
+    return tuple(found)
+
+
+def parse(value: object, dimension: str, *, name: str = "value") -> float:
+    """``"108 mph"``, ``"2 deg"`` or a bare SI number as a finite float in SI.
+
+    Args:
+        value: text with a unit, text without one (SI), or a real number (SI).
+        dimension: one of ``SI_UNITS``: ``"speed"``, ``"angle"``, ``"length"``, ...
+        name: what the quantity is called in an error.
+
+    Raises:
+        UnitError: an unknown unit, or one of another dimension.
+        InputError: not a number, NaN, infinite, or too large for a float.
+    """
+    if dimension not in SI_UNITS:
+        raise ValueError(f"unknown dimension {dimension!r}; known: {', '.join(SI_UNITS)}")
+    wanted = f"a finite number, in {' or '.join(symbols(dimension))}"
+    if isinstance(value, str):
+        number, symbol = _split(value)
+        if number is None:
+            raise InputError(name, value, wanted)
+        if symbol:
+            found = unit(symbol, name=name)
+            if found.dimension != dimension:
+                raise UnitError(name, value, f"a {dimension} ({', '.join(symbols(dimension))}), not a {found.dimension}")
+            number = number * found.numerator / found.denominator + found.offset
+    elif isinstance(value, bool) or not hasattr(value, "__float__"):
+        raise InputError(name, value, wanted)
+    else:
+        try:
+            number = float(value)  # pyright: ignore[reportArgumentType]
+        except (TypeError, ValueError, OverflowError):
+            raise InputError(name, value, wanted) from None
+    if not math.isfinite(number):
+        raise InputError(name, value, wanted)
+    return number
+
+
+def parse_values(value: object, dimension: str, *, name: str = "value") -> float | NDArray[Any]:
+    """As :func:`parse`, but a list or array gives a float64 array of the same shape.
+
+    Elements that are NaN or infinite pass: one bad row of a batch is reported with the batch, not refused here.
+    """
+    if isinstance(value, str) or not hasattr(value, "__len__"):
+        return parse(value, dimension, name=name)
+    import numpy as np
+
+    given = np.asarray(value)
+    if given.dtype.kind in "iuf":
+        return given.astype(np.float64)
+    flat = [
+        each if isinstance(each, float) else parse(each, dimension, name=f"{name}[{index}]")
+        for index, each in enumerate(given.ravel().tolist())
+    ]
+    return np.array(flat, dtype=np.float64).reshape(given.shape)
+
+
+def from_si(value: Any, symbol: str) -> Any:
+    """An SI value (number or array) expressed in the unit ``symbol``."""
+    found = unit(symbol)
+    return (value - found.offset) * found.denominator / found.numerator
+
+
+def show(value: float, symbol: str, digits: int = 6) -> str:
+    """An SI value as text in the unit ``symbol``, to ``digits`` significant digits."""
+    suffix = "" if symbol in ("", "1") else f" {symbol}"
+    return f"{from_si(value, symbol):.{digits}g}{suffix}"
+
+
+def display_unit(quantity: str, si_unit: str) -> str:
+    """The unit in which people read ``quantity``, whose value is held in ``si_unit``: spin in rpm, loft in degrees."""
+    if quantity in _DISPLAY_UNITS_BY_NAME:
+        return _DISPLAY_UNITS_BY_NAME[quantity]
+    found = unit(si_unit)
+    return _DISPLAY_UNITS.get(found.dimension, found.symbol)
+
+
+def parse_column_name(column: str, names: Collection[str] = ()) -> tuple[str, str | None]:
+    """The quantity and the unit a column heading names.
+
+    ``"club_speed_mph"``, ``"club_speed [mph]"`` and ``"club_speed (mph)"`` give ``("club_speed", "mph")``;
+    ``"club_speed"`` gives ``("club_speed", None)``, which means SI. A heading found in ``names`` has no unit.
+    """
+    text = column.strip()
+    if text in names:
+        return text, None
+    for opening, closing in ("[]", "()"):
+        if text.endswith(closing) and opening in text:
+            name, _, inner = text[:-1].rpartition(opening)
+            return name.strip(), unit(inner, name=f"column {column!r}").symbol
+    words = text.split("_")
+    for count in (2, 1):
+        suffix = "_".join(words[-count:])
+        if len(words) > count and suffix not in ("1", "-") and suffix in _UNITS:
+            return "_".join(words[:-count]), _UNITS[suffix].symbol
+    return text, None
+
+
+def _split(text: str) -> tuple[float | None, str]:
+    """The leading number of ``text`` (None where there is none) and what follows it, stripped."""
+    text = text.strip().replace("−", "-")
+    digits = "0123456789"
+    end, size = 0, len(text)
+    if end < size and text[end] in "+-":
+        end += 1
+    start = end
+    while end < size and text[end] in digits:
+        end += 1
+    if end < size and text[end] == ".":
+        end += 1
+        while end < size and text[end] in digits:
+            end += 1
+    if text[start:end] in ("", "."):
+        return None, text
+    if end < size and text[end] in "eE":
+        exponent = end + 1
+        if exponent < size and text[exponent] in "+-":
+            exponent += 1
+        last = exponent
+        while last < size and text[last] in digits:
+            last += 1
+        if last > exponent:
+            end = last
+    return float(text[:end]), text[end:].strip()
