@@ -1,0 +1,26 @@
+"""Sphinx configuration: Markdown pages, formulas, and an API reference read from the docstrings."""
+
+import sys
+from importlib.metadata import version as installed_version
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent / "_ext"))
+
+project = "clubface"
+author = "The clubface authors"
+copyright = author
+version = release = installed_version("clubface")
+
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "sphinx.ext.napoleon", "core_tables"]
+exclude_patterns = ["_build"]
+html_theme = "furo"
+html_title = f"clubface {release}"
+
+myst_enable_extensions = ["amsmath", "attrs_block", "colon_fence", "deflist", "dollarmath"]
+myst_heading_anchors = 3
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "description"
+autodoc_typehints_description_target = "documented_params"
+napoleon_google_docstring = False
+napoleon_use_rtype = False
