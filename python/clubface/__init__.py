@@ -1,4 +1,4 @@
-"""clubface: what happens in the half millisecond in which a golf club meets a ball, and what the ball does next.
+"""clubface: how a golf club meets a ball in half a millisecond, and what the ball does next.
 
 Every public name is loaded when it is first used, so that ``import clubface`` costs next to nothing.
 """
@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from clubface import errors as errors
     from clubface import units as units
-    from clubface.clubs import Ball as Ball
+    from clubface.balls import Ball as Ball
+    from clubface.balls import ball as ball
     from clubface.clubs import Club as Club
-    from clubface.clubs import ball as ball
     from clubface.clubs import club as club
     from clubface.errors import ClubfaceError as ClubfaceError
     from clubface.models import Model as Model
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOME = {
-    "Ball": "clubs",
+    "Ball": "balls",
     "Club": "clubs",
     "ClubfaceError": "errors",
     "Delivery": "impact",
@@ -34,7 +34,7 @@ _HOME = {
     "Launch": "impact",
     "Model": "models",
     "ParameterSet": "parameters",
-    "ball": "clubs",
+    "ball": "balls",
     "club": "clubs",
     "fly": "flight",
     "history": "impact",

@@ -1,7 +1,7 @@
-"""Clubheads and balls: from TOML, from code, or built in, checked so that only possible bodies reach the physics.
+"""Clubheads: from TOML, from code or built in, checked so that only possible bodies reach the core.
 
-The published driver, 7-iron and ball are those of "Three-dimensional golf clubhead-ball impact models for drivers and
-irons", Table 1.
+The built-in driver and 7-iron are those of "Three-dimensional golf clubhead-ball impact models for
+drivers and irons", Table 1.
 """
 
 from __future__ import annotations
@@ -10,53 +10,48 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Self
 
-from clubface import units
+from clubface.balls import Ball as Ball
+from clubface.balls import ball as ball
 from clubface.equipment import (
-    DATA,
     Quantity,
-    builtin_names,
+    builtin_path,
     changed,
     check_choice,
     check_name,
     check_text,
     from_document,
+    is_path,
     template_lines,
     to_toml,
     warn_once,
 )
-from clubface.errors import ImplausibleWarning, InputError, RuleWarning, UnknownNameError
+from clubface.errors import ImplausibleWarning, InputError, RuleWarning
 from clubface.mass_properties import Tensor, check_inertia, check_positive
 from clubface.strict_toml import Document, quoted
 
 KINDS = ("wood", "hybrid", "iron")
 FAMILIES = ("driver", "7-iron")
 CLUB_NAMES = (
-    "driver", "3-wood", "5-wood", "hybrid", "3-iron", "4-iron", "5-iron", "6-iron", "7-iron", "8-iron", "9-iron",
-    "pitching-wedge",
+    "driver", "3-wood", "5-wood", "hybrid", "3-iron", "4-iron", "5-iron", "6-iron", "7-iron", "8-iron",
+    "9-iron", "pitching-wedge",
 )  # fmt: skip
 """The built-in clubs, one for each row of the tour averages, in that order."""
 
 MOI_LIMIT = 5900e-7
-"""kg m2 about the vertical axis, wood-type clubs; USGA notice on clubhead moment of inertia, with ``MOI_TOLERANCE``."""
+"""kg m2 about the vertical axis, wood-type clubs, with ``MOI_TOLERANCE``; USGA notice on clubhead inertia."""
 MOI_TOLERANCE = 100e-7
 COR_LIMIT = 0.83
 """Coefficient of restitution; The Equipment Rules."""
-BALL_MASS_LIMIT = 45.93e-3
-"""kg, at most (1.620 oz); The Equipment Rules."""
-BALL_DIAMETER_LIMIT = 42.67e-3
-"""m, at least (1.680 in); The Equipment Rules."""
-
 
 CLUB_QUANTITIES = {
     "mass": Quantity("mass", "g", "mass of the clubhead", "204 g"),
     "cg_x": Quantity("length", "mm", "from the CG to the face centre, towards the target", "40.8 mm"),
     "cg_y": Quantity("length", "mm", "the same, up", "11.4 mm"),
     "cg_z": Quantity("length", "mm", "the same, to the right of the target line (towards the toe)", "1.0 mm"),
-    "ixx": Quantity("inertia", "g cm2", "inertia about the CG, axes as above, club at its static loft", "2843 g cm2"),
+    "ixx": Quantity("inertia", "g cm2", "inertia about the CG, same axes, at the static loft", "2843 g cm2"),
     "iyy": Quantity("inertia", "g cm2", "about the vertical axis: the MOI the rules limit", "5679 g cm2"),
     "izz": Quantity("inertia", "g cm2", "about the heel-toe axis", "4085 g cm2"),
     "ixy": Quantity("inertia", "g cm2", "element of the tensor (minus the integral of x y dm)", "-733 g cm2"),
@@ -67,14 +62,9 @@ CLUB_QUANTITIES = {
     "roll": Quantity("length", "mm", 'radius of the face from sole to crown, or "flat"', "305 mm"),
     "face_width": Quantity("length", "mm", "width of the face, heel to toe", "105 mm"),
     "face_height": Quantity("length", "mm", "height of the face, along the face", "55 mm"),
-    "cor": Quantity("dimensionless", "1", "coefficient of restitution as tested, compared with the rule limit", "0.83", False),
+    "cor": Quantity("dimensionless", "1", "coefficient of restitution, compared with the rules", "0.83", False),
 }  # fmt: skip
 
-BALL_QUANTITIES = {
-    "mass": Quantity("mass", "g", "mass", "45.93 g"),
-    "radius": Quantity("length", "mm", "radius", "21.335 mm"),
-    "inertia": Quantity("inertia", "g cm2", "moment of inertia about the centre", "83.6 g cm2"),
-}
 
 @dataclass(frozen=True, kw_only=True)
 class Club:
@@ -82,20 +72,34 @@ class Club:
 
     Axes at the static loft: x to the target, y up, z to the right of the target line, which is the toe side.
 
-    Attributes:
-        name: what it is called in tables.
-        kind: "wood", "hybrid" or "iron".
-        mass: [kg].
-        cg_x, cg_y, cg_z: vector from the CG to the face centre [m].
-        ixx, iyy, izz, ixy, ixz, iyz: elements of the inertia tensor about the CG [kg m2].
-        loft: static loft [rad].
-        bulge, roll: radii of the face [m]; ``math.inf`` is flat.
-        face_width, face_height: outline of the face [m].
-        hand: +1 right, -1 left.
-        parameters: the family of parameter sets used by default, "driver" or "7-iron".
-        cor: coefficient of restitution as tested, or None; only compared with the rule limit.
-        description: a sentence for lists.
-        sources: where each value comes from, by field name.
+    Attributes
+    ----------
+    name
+        What it is called in tables.
+    kind
+        "wood", "hybrid" or "iron".
+    mass
+        [kg].
+    cg_x, cg_y, cg_z
+        Vector from the CG to the face centre [m].
+    ixx, iyy, izz, ixy, ixz, iyz
+        Elements of the inertia tensor about the CG [kg m2].
+    loft
+        Static loft [rad].
+    bulge, roll
+        Radii of the face [m]; ``math.inf`` is flat.
+    face_width, face_height
+        Outline of the face [m].
+    hand
+        +1 right, -1 left.
+    parameters
+        The family of parameter sets used by default, "driver" or "7-iron".
+    cor
+        Coefficient of restitution as tested, or None; only compared with the rule limit.
+    description
+        A sentence for lists.
+    sources
+        Where each value comes from, by field name.
     """
 
     name: str
@@ -150,8 +154,8 @@ class Club:
     def _warn(self) -> None:
         if self.kind != "iron" and self.iyy > MOI_LIMIT + MOI_TOLERANCE:
             warn_once(
-                f"{self.name}: moment of inertia about the vertical axis {self.iyy * 1e7:.0f} g cm2 is above the rule"
-                f" limit of 5900 g cm2 (tolerance 100)",
+                f"{self.name}: moment of inertia about the vertical axis {self.iyy * 1e7:.0f} g cm2 is above"
+                " the rule limit of 5900 g cm2 (tolerance 100)",
                 RuleWarning,
             )
         if self.cor is not None and self.cor > COR_LIMIT:
@@ -174,38 +178,38 @@ class Club:
         )
 
     def inputs(self) -> dict[str, float]:
-        """The values the models take, SI, under the core's names and in its order."""
+        """Return the values the models take, SI, under the core's names and in its order."""
         renamed = {"mass": "club_mass", "loft": "static_loft"}
         values = {renamed.get(key, key): getattr(self, key) for key in CLUB_QUANTITIES if key != "cor"}
         return {**values, "hand": float(self.hand)}
 
     def replace(self, **changes: Any) -> Self:
-        """This club with some fields changed; a quantity is text with a unit or an SI number: ``mass="200 g"``."""
+        """Return the club with fields changed, as text with a unit or an SI number: ``mass="200 g"``."""
         return changed(self, changes, CLUB_QUANTITIES)
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Self:
-        """The club described in a TOML file; see :meth:`template` for its form."""
+        """Read the club described in a TOML file; see :meth:`template` for its form."""
         return from_document(cls, Document.read(path), CLUB_QUANTITIES)
 
     @classmethod
     def from_text(cls, text: str, path: str = "<text>") -> Self:
-        """The club described in TOML text; ``path`` names it in errors."""
+        """Read the club described in TOML text; ``path`` names it in errors."""
         return from_document(cls, Document(text, path), CLUB_QUANTITIES)
 
     def to_toml(self) -> str:
-        """The club as TOML text, which :meth:`from_text` reads back exactly."""
+        """Write the club as TOML text, which :meth:`from_text` reads back exactly."""
         hand = "right" if self.hand > 0 else "left"
         return to_toml(self, CLUB_QUANTITIES, {"kind": self.kind, "hand": hand, "parameters": self.parameters})
 
     @classmethod
     def builtin(cls, name: str) -> Self:
-        """A club that comes with the package, such as ``"driver"``."""
-        return cls.from_toml(_builtin("club", name, CLUB_NAMES))
+        """Return a club that comes with the package, such as ``"driver"``."""
+        return cls.from_toml(builtin_path("club", name, CLUB_NAMES))
 
     @staticmethod
     def template(name: str = "my-club") -> str:
-        """TOML text to start one's own club from: the published driver, every key explained."""
+        """Return TOML text to start one's own club from: the published driver, every key explained."""
         check_name(name)
         head = [
             "# A clubhead, described as a right-handed club at its static loft.",
@@ -221,109 +225,8 @@ class Club:
         return "\n".join(head + template_lines(CLUB_QUANTITIES))
 
 
-@dataclass(frozen=True, kw_only=True)
-class Ball:
-    """A golf ball, SI.
-
-    Attributes:
-        name: what it is called in tables.
-        mass: [kg].
-        radius: [m].
-        inertia: moment of inertia about the centre [kg m2].
-        description: a sentence for lists.
-        sources: where each value comes from, by field name.
-    """
-
-    name: str
-    mass: float
-    radius: float
-    inertia: float
-    description: str = ""
-    sources: Mapping[str, str] = field(default_factory=dict, hash=False)
-
-    def __post_init__(self) -> None:
-        check_name(self.name)
-        check_text("description", self.description)
-        object.__setattr__(self, "sources", MappingProxyType(dict(self.sources)))
-        for each, symbol in (("mass", "kg"), ("radius", "m"), ("inertia", "kg m2")):
-            check_positive(each, getattr(self, each), symbol)
-        shell = 2.0 / 3.0 * self.mass * self.radius**2
-        if self.inertia > shell * (1.0 + 1e-9):
-            allowed = f"at most that of a thin shell of this mass and radius, {units.show(shell, 'g cm2')}"
-            raise InputError("inertia", units.show(self.inertia, "g cm2"), allowed)
-        if self.mass > BALL_MASS_LIMIT * (1.0 + 1e-9):
-            warn_once(f"{self.name}: ball mass {self.mass * 1e3:.2f} g is above the rule limit of 45.93 g", RuleWarning)
-        if 2.0 * self.radius < BALL_DIAMETER_LIMIT * (1.0 - 1e-9):
-            warn_once(
-                f"{self.name}: ball diameter {self.radius * 2e3:.2f} mm is below the rule limit of 42.67 mm", RuleWarning
-            )
-
-    def inputs(self) -> dict[str, float]:
-        """The values the models take, SI, under the core's names and in its order."""
-        return {f"ball_{key}": getattr(self, key) for key in BALL_QUANTITIES}
-
-    def replace(self, **changes: Any) -> Self:
-        """This ball with some fields changed; a quantity is text with a unit or an SI number: ``mass="45.5 g"``."""
-        return changed(self, changes, BALL_QUANTITIES)
-
-    @classmethod
-    def from_toml(cls, path: str | os.PathLike[str]) -> Self:
-        """The ball described in a TOML file; see :meth:`template` for its form."""
-        return from_document(cls, Document.read(path), BALL_QUANTITIES)
-
-    @classmethod
-    def from_text(cls, text: str, path: str = "<text>") -> Self:
-        """The ball described in TOML text; ``path`` names it in errors."""
-        return from_document(cls, Document(text, path), BALL_QUANTITIES)
-
-    def to_toml(self) -> str:
-        """The ball as TOML text, which :meth:`from_text` reads back exactly."""
-        return to_toml(self, BALL_QUANTITIES, {})
-
-    @classmethod
-    def builtin(cls, name: str) -> Self:
-        """A ball that comes with the package, such as ``"conforming"``."""
-        return cls.from_toml(_builtin("ball", name, ball_names()))
-
-    @staticmethod
-    def template(name: str = "my-ball") -> str:
-        """TOML text to start one's own ball from, every key explained."""
-        check_name(name)
-        head = [
-            "# A ball. A value is text with a unit; a bare number is SI (kg, m, kg m2).",
-            f"name = {quoted(name)}",
-            'description = ""',
-            "",
-        ]
-        return "\n".join(head + template_lines(BALL_QUANTITIES))
-
-
 def club(which: str | os.PathLike[str] | Club) -> Club:
-    """The club meant by a built-in name, by the path of a TOML file, or by a :class:`Club` itself."""
+    """Return the club meant by a built-in name, by the path of a TOML file, or by a :class:`Club` itself."""
     if isinstance(which, Club):
         return which
-    return Club.from_toml(which) if _is_path(which) else Club.builtin(str(which))
-
-
-def ball(which: str | os.PathLike[str] | Ball) -> Ball:
-    """The ball meant by a built-in name, by the path of a TOML file, or by a :class:`Ball` itself."""
-    if isinstance(which, Ball):
-        return which
-    return Ball.from_toml(which) if _is_path(which) else Ball.builtin(str(which))
-
-
-def ball_names() -> tuple[str, ...]:
-    """The built-in balls."""
-    return builtin_names("balls")
-
-
-def _is_path(which: object) -> bool:
-    return isinstance(which, os.PathLike) or (
-        isinstance(which, str) and (which.endswith(".toml") or "/" in which or os.sep in which)
-    )
-
-
-def _builtin(what: str, name: str, known: tuple[str, ...]) -> Path:
-    if name not in known:
-        raise UnknownNameError(what, name, known)
-    return DATA / f"{what}s" / f"{name}.toml"
+    return Club.from_toml(which) if is_path(which) else Club.builtin(str(which))

@@ -1,8 +1,9 @@
-"""What clubs and balls share: reading, writing and changing an object whose fields are quantities with units."""
+"""What clubs and balls share: reading, writing and changing an object made of quantities with units."""
 
 from __future__ import annotations
 
 import math
+import os
 import warnings
 from collections.abc import Iterable, Mapping
 from dataclasses import fields, replace
@@ -17,17 +18,25 @@ DATA = Path(__file__).parent / "data"
 HANDS = {"right": 1, "left": -1}
 FLAT = "flat"
 T = TypeVar("T")
+SOURCE_GROUPS = {"cg": ("cg_x", "cg_y", "cg_z"), "inertia": ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")}
+"""Words that stand for several fields under [sources]."""
 
 
 class Quantity(NamedTuple):
     """One number of a description.
 
-    Attributes:
-        dimension: as in ``units``.
-        unit: the unit it is written in.
-        meaning: one line for the template.
-        example: a value for the template.
-        required: whether a file must give it.
+    Attributes
+    ----------
+    dimension
+        As in ``units``.
+    unit
+        The unit it is written in.
+    meaning
+        One line for the template.
+    example
+        A value for the template.
+    required
+        Whether a file must give it.
     """
 
     dimension: str
@@ -41,7 +50,7 @@ Quantities = Mapping[str, Quantity]
 
 
 def from_document(kind: type[T], document: Document, quantities: Quantities) -> T:
-    """The object a TOML document describes; every error carries file and line."""
+    """Read the object a TOML document describes; every error carries file and line."""
     data = dict(document.data)
     texts = [each.name for each in fields(kind) if each.name not in quantities and each.name != "sources"]  # pyright: ignore
     required = ["name"] + (["kind"] if "kind" in texts else []) + [k for k, q in quantities.items() if q.required]
@@ -50,8 +59,11 @@ def from_document(kind: type[T], document: Document, quantities: Quantities) -> 
     sources = data.get("sources", {})
     if not isinstance(sources, dict):
         raise document.error("sources must be a table of texts", "sources")
-    document.check_keys(sources, list(quantities), (), "sources")
+    groups = {key: names for key, names in SOURCE_GROUPS.items() if names[0] in quantities}
+    document.check_keys(sources, [*quantities, *groups], (), "sources")
     document.check_text(sources, sources, "sources")
+    if sources:
+        data["sources"] = {name: text for key, text in sources.items() for name in groups.get(key, (key,))}
     try:
         return kind(**converted(data, quantities))
     except ClubfaceError as error:
@@ -59,7 +71,7 @@ def from_document(kind: type[T], document: Document, quantities: Quantities) -> 
 
 
 def converted(values: Mapping[str, Any], quantities: Quantities) -> dict[str, Any]:
-    """``values`` with quantities in SI and the hand as +1 or -1."""
+    """Return ``values`` with quantities in SI and the hand as +1 or -1."""
     result = dict(values)
     for key, value in values.items():
         if key in quantities:
@@ -74,7 +86,7 @@ def converted(values: Mapping[str, Any], quantities: Quantities) -> dict[str, An
 
 
 def changed(subject: T, changes: Mapping[str, Any], quantities: Quantities) -> T:
-    """``subject`` with some fields changed; a changed quantity loses its source."""
+    """Return ``subject`` with some fields changed; a changed quantity loses its source."""
     names = [each.name for each in fields(subject)]  # pyright: ignore
     for key in changes:
         if key not in names:
@@ -84,7 +96,7 @@ def changed(subject: T, changes: Mapping[str, Any], quantities: Quantities) -> T
 
 
 def to_toml(subject: Any, quantities: Quantities, texts: Mapping[str, str]) -> str:
-    """TOML text that reads back as ``subject``, bit by bit."""
+    """Write TOML text that reads back as ``subject``, bit by bit."""
     lines = [f"{key} = {quoted(value)}" for key, value in {"name": subject.name, **texts}.items()]
     if subject.description:
         lines.append(f"description = {quoted(subject.description)}")
@@ -93,13 +105,19 @@ def to_toml(subject: Any, quantities: Quantities, texts: Mapping[str, str]) -> s
         value = getattr(subject, key)
         if value is not None:
             lines.append(f"{key} = {quoted(written(value, quantity))}")
-    if subject.sources:
-        lines += ["", "[sources]", *(f"{key} = {quoted(text)}" for key, text in subject.sources.items())]
+    sources = dict(subject.sources)
+    for group, names in SOURCE_GROUPS.items():
+        if names[0] in sources and all(sources.get(name) == sources[names[0]] for name in names):
+            sources = {
+                name if name != names[0] else group: text for name, text in sources.items() if name not in names[1:]
+            }
+    if sources:
+        lines += ["", "[sources]", *(f"{key} = {quoted(text)}" for key, text in sources.items())]
     return "\n".join(lines) + "\n"
 
 
 def written(value: float, quantity: Quantity) -> str:
-    """``value`` [SI] as text that parses to the same bits: in the usual unit where that is exact, else in SI."""
+    """Write ``value`` [SI] as text that parses to the same bits, in the usual unit where that is exact."""
     if math.isinf(value):
         return FLAT
     for unit in (quantity.unit, units.SI_UNITS[quantity.dimension]):
@@ -111,7 +129,7 @@ def written(value: float, quantity: Quantity) -> str:
 
 
 def template_lines(quantities: Quantities) -> list[str]:
-    """One commented line a quantity, then an example of sources; optional keys are commented out."""
+    """Write one commented line a quantity, then an example of sources; optional keys are commented out."""
     lines = []
     for key, quantity in quantities.items():
         entry = f"{key} = {quoted(quantity.example)}"
@@ -138,8 +156,22 @@ def check_choice(parameter: str, value: object, known: Iterable[str]) -> None:
 
 
 def builtin_names(folder: str) -> tuple[str, ...]:
-    """Names of the descriptions shipped in ``data/<folder>``, in alphabetical order."""
+    """List the names of the descriptions shipped in ``data/<folder>``, in alphabetical order."""
     return tuple(sorted(path.stem for path in (DATA / folder).glob("*.toml")))
+
+
+def builtin_path(what: str, name: str, known: tuple[str, ...]) -> Path:
+    """Return the file of the built-in club or ball called ``name``."""
+    if name not in known:
+        raise UnknownNameError(what, name, known)
+    return DATA / f"{what}s" / f"{name}.toml"
+
+
+def is_path(which: object) -> bool:
+    """Tell a path from the name of a built-in."""
+    return isinstance(which, os.PathLike) or (
+        isinstance(which, str) and (which.endswith(".toml") or "/" in which or os.sep in which)
+    )
 
 
 _given: set[str] = set()

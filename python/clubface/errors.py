@@ -1,7 +1,7 @@
-"""What can go wrong, said so that a person can mend it: which parameter, its value, what is allowed, which file and line.
+"""What can go wrong, told so that a person can mend it: the parameter, its value, what is allowed, the line.
 
-Every error of the package is a :class:`ClubfaceError`; those about a value are a ``ValueError`` as well, so that code
-which knows nothing of clubface still catches them.
+Every error of the package is a :class:`ClubfaceError`; those about a value are a ``ValueError`` as well, so
+that code which knows nothing of clubface still catches them.
 """
 
 from __future__ import annotations
@@ -16,10 +16,14 @@ class ClubfaceError(Exception):
 class InputError(ClubfaceError, ValueError):
     """A value that cannot be used.
 
-    Attributes:
-        parameter: the name of the quantity, as the caller wrote it.
-        value: the value that was given.
-        allowed: what would have been accepted, completing the sentence "it must be ...".
+    Attributes
+    ----------
+    parameter
+        The name of the quantity, as the caller wrote it.
+    value
+        The value that was given.
+    allowed
+        What would have been accepted, completing the sentence "it must be ...".
     """
 
     def __init__(self, parameter: str, value: object, allowed: str) -> None:
@@ -39,9 +43,12 @@ class UnitError(InputError):
 class UnknownNameError(InputError, KeyError):
     """A name (of a club, ball, model, parameter, key) that does not exist; the nearest ones are named.
 
-    Attributes:
-        known: the names that exist.
-        nearest: those that resemble the one given, the best first.
+    Attributes
+    ----------
+    known
+        The names that exist.
+    nearest
+        Those that resemble the one given, the best first.
     """
 
     def __init__(self, parameter: str, value: object, known: Iterable[str]) -> None:
@@ -58,11 +65,16 @@ class UnknownNameError(InputError, KeyError):
 class FileError(ClubfaceError, ValueError):
     """A file that cannot be read or that holds something unusable.
 
-    Attributes:
-        path: the file.
-        line: the line, counted from 1, or None where it is not known.
-        message: what is wrong there.
-        parameter: the key it is about, or None.
+    Attributes
+    ----------
+    path
+        The file.
+    line
+        The line, counted from 1, or None where it is not known.
+    message
+        What is wrong there.
+    parameter
+        The key it is about, or None.
     """
 
     def __init__(self, path: str, line: int | None, message: str, parameter: str | None = None) -> None:
@@ -86,7 +98,7 @@ class ImplausibleWarning(UserWarning):
 
 
 def nearest_names(name: str, known: Iterable[str], count: int = 3) -> tuple[str, ...]:
-    """Up to ``count`` of the ``known`` names that resemble ``name``, the best first; letter case is ignored."""
+    """Return up to ``count`` of the ``known`` names that resemble ``name``, best first, in any letter case."""
     from difflib import get_close_matches
 
     spelled: dict[str, str] = {}
@@ -96,7 +108,7 @@ def nearest_names(name: str, known: Iterable[str], count: int = 3) -> tuple[str,
 
 
 def _shown(value: object) -> str:
-    """``repr`` of a value, cut to a length that still fits a line."""
+    """Return ``repr`` of a value, cut to a length that still fits a line."""
     try:
         text = repr(value)
     except Exception:

@@ -1,4 +1,4 @@
-"""Which masses and inertia tensors a rigid body can have; pure Python, so that checking a club loads no numpy."""
+"""Which masses and inertia tensors a rigid body can have; pure Python, so that no check loads numpy."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ROUNDING = 1e-9
 
 
 def principal_moments(tensor: Tensor) -> tuple[float, float, float]:
-    """The eigenvalues [kg m2] of a symmetric 3x3 tensor, ascending, by Jacobi rotations (relative error about 1e-15)."""
+    """Return the eigenvalues [kg m2] of a symmetric tensor, ascending (Jacobi rotations, error about 1e-15)."""
     a = [list(row) for row in tensor]
     for _ in range(30):
         off = max(abs(a[0][1]), abs(a[0][2]), abs(a[1][2]))
@@ -41,15 +41,17 @@ def check_positive(parameter: str, value: float, unit: str) -> None:
 def check_inertia(tensor: Tensor) -> None:
     """Refuse an inertia tensor [kg m2] no rigid body has.
 
-    Its principal moments must be positive, and each at most the sum of the other two: mass is nowhere negative.
+    Its principal moments must be positive, and each at most the sum of the other two: no mass is negative.
     """
     moments = principal_moments(tensor)
     shown = ", ".join(f"{moment * 1e7:.5g}" for moment in moments)
     if moments[0] <= 0.0:
-        raise InputError("inertia", f"principal moments {shown} g cm2", "positive definite: every principal moment above 0")
+        raise InputError(
+            "inertia", f"principal moments {shown} g cm2", "positive definite: every principal moment above 0"
+        )
     if moments[2] > (moments[0] + moments[1]) * (1.0 + ROUNDING):
         raise InputError(
             "inertia",
             f"principal moments {shown} g cm2",
-            "such that the largest principal moment is at most the sum of the other two (triangle inequality)",
+            "one whose largest principal moment is at most the sum of the others (triangle inequality)",
         )

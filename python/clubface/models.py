@@ -12,13 +12,20 @@ from clubface.errors import InputError, UnknownNameError
 class Parameter:
     """One parameter of a model.
 
-    Attributes:
-        name: as in files and in ``replace``.
-        unit: the SI unit its value is held in.
-        meaning: one line.
-        default: the value used where nothing else is said [SI].
-        lower, upper: the values allowed, both included [SI].
-        source: where the default and the bounds come from.
+    Attributes
+    ----------
+    name
+        As in files and in ``replace``.
+    unit
+        The SI unit its value is held in.
+    meaning
+        One line.
+    default
+        The value used where nothing else is said [SI].
+    lower, upper
+        The values allowed, both included [SI].
+    source
+        Where the default and the bounds come from.
     """
 
     name: str
@@ -34,15 +41,24 @@ class Parameter:
 class Model:
     """One impact model.
 
-    Attributes:
-        name: the word that selects it.
-        title: the name for headings.
-        kind: "impulse" (launch only) or "contact" (histories as well).
-        summary: one sentence.
-        reference: the publication it follows.
-        laws: the laws it obeys, of "momentum", "angular_momentum", "energy", "friction_cone".
-        page: its page in the documentation.
-        parameters: in the order of the core's columns.
+    Attributes
+    ----------
+    name
+        The word that selects it.
+    title
+        The name for headings.
+    kind
+        "impulse" (launch only) or "contact" (histories as well).
+    summary
+        One sentence.
+    reference
+        The publication it follows.
+    laws
+        The laws it obeys, of "momentum", "angular_momentum", "energy", "friction_cone".
+    page
+        Its page in the documentation.
+    parameters
+        In the order of the core's columns.
     """
 
     name: str
@@ -55,7 +71,7 @@ class Model:
     parameters: tuple[Parameter, ...]
 
     def parameter(self, name: str) -> Parameter:
-        """The parameter called ``name``."""
+        """Return the parameter called ``name``."""
         for each in self.parameters:
             if each.name == name:
                 return each
@@ -64,7 +80,7 @@ class Model:
 
 @cache
 def models() -> dict[str, Model]:
-    """All models by name, in the order of the registry."""
+    """Return all models by name, in the order of the registry."""
     from clubface import _core  # pyright: ignore[reportAttributeAccessIssue]
 
     found = {}
@@ -75,7 +91,7 @@ def models() -> dict[str, Model]:
 
 
 def model(name: str) -> Model:
-    """The model called ``name``; an unknown one is an error that names the nearest."""
+    """Return the model called ``name``; an unknown one is an error that names the nearest."""
     if not isinstance(name, str):
         raise InputError("model", name, "one of " + ", ".join(models()))
     if name not in models():

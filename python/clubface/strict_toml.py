@@ -15,9 +15,12 @@ MAXIMUM_SIZE = 1_000_000
 class Document:
     """One TOML file: its content, and where each key stands.
 
-    Attributes:
-        data: the parsed content.
-        path: the name used in errors.
+    Attributes
+    ----------
+    data
+        The parsed content.
+    path
+        The name used in errors.
     """
 
     def __init__(self, text: str, path: str = "<text>") -> None:
@@ -33,7 +36,7 @@ class Document:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Document:
-        """The file at ``path``; one that is missing, unreadable, too large or not UTF-8 is a :class:`FileError`."""
+        """Read the file at ``path``; one missing, too large or not UTF-8 is a :class:`FileError`."""
         name = os.fspath(path)
         try:
             with open(name, "rb") as file:
@@ -51,7 +54,7 @@ class Document:
         return cls(text, name)
 
     def line(self, key: str, table: str = "", occurrence: int = 0) -> int | None:
-        """The line (from 1) on which ``key`` of ``table`` is set, in that table's ``occurrence``, or None."""
+        """Find the line (from 1) that sets ``key`` in the given ``occurrence`` of ``table``, or None."""
         here, seen = "", {"": 0}
         for number, line in enumerate(self._lines, 1):
             text = line.strip()
@@ -63,7 +66,7 @@ class Document:
         return None
 
     def error(self, message: str, key: str | None = None, table: str = "", occurrence: int = 0) -> FileError:
-        """A :class:`FileError` at the line of ``key``."""
+        """Make a :class:`FileError` at the line of ``key``."""
         line = self.line(key, table, occurrence) if key is not None else None
         return FileError(self.path, line, message, key)
 
@@ -75,7 +78,7 @@ class Document:
         table: str = "",
         occurrence: int = 0,
     ) -> None:
-        """Refuse a key that is not ``known`` (naming the nearest) and list every ``required`` key that is missing."""
+        """Refuse a key that is not ``known``, naming the nearest, and list the ``required`` keys that are missing."""
         for key in values:
             if key not in known:
                 raise self.error(str(UnknownNameError("key", key, known)), key, table, occurrence)
@@ -91,19 +94,19 @@ class Document:
                 raise self.error(f"{key} must be text in quotes, not {values[key]!r:.60}", key, table, occurrence)
 
     def wrap(self, error: ClubfaceError, table: str = "", occurrence: int = 0) -> FileError:
-        """``error`` about one value, told with file and line."""
+        """Tell ``error`` about one value with file and line."""
         key = getattr(error, "parameter", None)
         return self.error(str(error), key, table, occurrence)
 
 
 def quoted(text: str) -> str:
-    """``text`` as a TOML string, in quotes."""
+    """Write ``text`` as a TOML string, in quotes."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
     return '"' + "".join(c if c >= " " and c != "\x7f" else f"\\u{ord(c):04X}" for c in escaped) + '"'
 
 
 def _line_in(message: str) -> int | None:
-    """The line number in tomllib's "... (at line 3, column 5)"."""
+    """Find the line number in tomllib's "... (at line 3, column 5)"."""
     _, found, rest = message.partition("at line ")
     digits = rest.split(",")[0]
     return int(digits) if found and digits.isdigit() else None

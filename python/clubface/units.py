@@ -1,7 +1,7 @@
 """The only conversions of the package: text with a unit to SI and radians, and back.
 
-Inside, everything is SI; a person writes ``"108 mph"`` or ``"2 deg"``. A bare number is SI. The units are a plain table,
-which costs nothing at start-up. Each factor is a fraction, so that ``"204 g"`` is ``0.204`` to the last bit.
+Inside, everything is SI; a person writes ``"108 mph"`` or ``"2 deg"``. A bare number is SI. The units are a
+plain table, which costs nothing at start-up. Each factor is a fraction: ``"204 g"`` is ``0.204`` to the last bit.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ _SUPERSCRIPTS = str.maketrans({"²": "2", "³": "3", "^": None, "*": None, "·":
 
 
 def _key(spelling: str) -> str:
-    """One spelling of ``kg m2``, ``kg m^2``, ``kg·m²`` and ``kg*m^2``."""
+    """Return one spelling of ``kg m2``, ``kg m^2``, ``kg·m²`` and ``kg*m^2``."""
     return spelling.translate(_SUPERSCRIPTS)
 
 
@@ -100,7 +100,14 @@ SI_UNITS: dict[str, str] = {
 }
 """The SI unit of each dimension."""
 
-_DISPLAY_UNITS = {"angle": "deg", "angular rate": "rpm", "inertia": "g cm2", "mass": "g", "temperature": "degC", "pressure": "hPa"}
+_DISPLAY_UNITS = {
+    "angle": "deg",
+    "angular rate": "rpm",
+    "inertia": "g cm2",
+    "mass": "g",
+    "temperature": "degC",
+    "pressure": "hPa",
+}
 _DISPLAY_UNITS_BY_NAME = {
     "closure": "deg/s", "pitch_rate": "deg/s", "lie_rate": "deg/s",
     "toe": "mm", "high": "mm", "bulge": "mm", "roll": "mm", "face_width": "mm", "face_height": "mm",
@@ -111,7 +118,7 @@ _DISPLAY_UNITS_BY_NAME = {
 
 
 def unit(symbol: str, *, name: str = "unit") -> Unit:
-    """The unit written ``symbol``; an unknown one is a :class:`UnitError` that names the nearest."""
+    """Return the unit written ``symbol``; an unknown one is a :class:`UnitError` that names the nearest."""
     found = _UNITS.get(_key(symbol)) if symbol.strip() else _UNITS["1"]
     if found is None:
         known = sorted({each.symbol for each in _UNITS.values()})
@@ -122,22 +129,29 @@ def unit(symbol: str, *, name: str = "unit") -> Unit:
 
 
 def symbols(dimension: str) -> tuple[str, ...]:
-    """The units of one dimension, the SI unit first."""
+    """List the units of one dimension, the SI unit first."""
     found = {each.symbol: None for each in _UNITS.values() if each.dimension == dimension}
     return tuple(found)
 
 
 def parse(value: object, dimension: str, *, name: str = "value") -> float:
-    """``"108 mph"``, ``"2 deg"`` or a bare SI number as a finite float in SI.
+    """Convert ``"108 mph"``, ``"2 deg"`` or a bare SI number to a finite float in SI.
 
-    Args:
-        value: text with a unit, text without one (SI), or a real number (SI).
-        dimension: one of ``SI_UNITS``: ``"speed"``, ``"angle"``, ``"length"``, ...
-        name: what the quantity is called in an error.
+    Parameters
+    ----------
+    value
+        Text with a unit, text without one (SI), or a real number (SI).
+    dimension
+        One of ``SI_UNITS``: ``"speed"``, ``"angle"``, ``"length"``, ...
+    name
+        What the quantity is called in an error.
 
-    Raises:
-        UnitError: an unknown unit, or one of another dimension.
-        InputError: not a number, NaN, infinite, or too large for a float.
+    Raises
+    ------
+    UnitError
+        An unknown unit, or one of another dimension.
+    InputError
+        Not a number, NaN, infinite, or too large for a float.
     """
     if dimension not in SI_UNITS:
         raise ValueError(f"unknown dimension {dimension!r}; known: {', '.join(SI_UNITS)}")
@@ -149,7 +163,9 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
         if symbol:
             found = unit(symbol, name=name)
             if found.dimension != dimension:
-                raise UnitError(name, value, f"a {dimension} ({', '.join(symbols(dimension))}), not a {found.dimension}")
+                raise UnitError(
+                    name, value, f"a {dimension} ({', '.join(symbols(dimension))}), not a {found.dimension}"
+                )
             number = number * found.numerator / found.denominator + found.offset
     elif isinstance(value, bool) or not hasattr(value, "__float__"):
         raise InputError(name, value, wanted)
@@ -164,9 +180,9 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
 
 
 def parse_values(value: object, dimension: str, *, name: str = "value") -> float | NDArray[Any]:
-    """As :func:`parse`, but a list or array gives a float64 array of the same shape.
+    """Convert as :func:`parse`, but a list or array gives a float64 array of the same shape.
 
-    Elements that are NaN or infinite pass: one bad row of a batch is reported with the batch, not refused here.
+    Elements that are NaN or infinite pass: a bad row of a batch is reported with the batch, not refused here.
     """
     if isinstance(value, str) or not hasattr(value, "__len__"):
         return parse(value, dimension, name=name)
@@ -183,19 +199,19 @@ def parse_values(value: object, dimension: str, *, name: str = "value") -> float
 
 
 def from_si(value: Any, symbol: str) -> Any:
-    """An SI value (number or array) expressed in the unit ``symbol``."""
+    """Express an SI value (number or array) in the unit ``symbol``."""
     found = unit(symbol)
     return (value - found.offset) * found.denominator / found.numerator
 
 
 def show(value: float, symbol: str, digits: int = 6) -> str:
-    """An SI value as text in the unit ``symbol``, to ``digits`` significant digits."""
+    """Write an SI value as text in the unit ``symbol``, to ``digits`` significant digits."""
     suffix = "" if symbol in ("", "1") else f" {symbol}"
     return f"{from_si(value, symbol):.{digits}g}{suffix}"
 
 
 def display_unit(quantity: str, si_unit: str) -> str:
-    """The unit in which people read ``quantity``, whose value is held in ``si_unit``: spin in rpm, loft in degrees."""
+    """Return the unit people read ``quantity`` (held in ``si_unit``) in: spin in rpm, loft in degrees."""
     if quantity in _DISPLAY_UNITS_BY_NAME:
         return _DISPLAY_UNITS_BY_NAME[quantity]
     found = unit(si_unit)
@@ -203,7 +219,7 @@ def display_unit(quantity: str, si_unit: str) -> str:
 
 
 def parse_column_name(column: str, names: Collection[str] = ()) -> tuple[str, str | None]:
-    """The quantity and the unit a column heading names.
+    """Split a column heading into quantity and unit.
 
     ``"club_speed_mph"``, ``"club_speed [mph]"`` and ``"club_speed (mph)"`` give ``("club_speed", "mph")``;
     ``"club_speed"`` gives ``("club_speed", None)``, which means SI. A heading found in ``names`` has no unit.
@@ -224,7 +240,7 @@ def parse_column_name(column: str, names: Collection[str] = ()) -> tuple[str, st
 
 
 def _split(text: str) -> tuple[float | None, str]:
-    """The leading number of ``text`` (None where there is none) and what follows it, stripped."""
+    """Split off the leading number of ``text`` (None where there is none) and what follows it, stripped."""
     text = text.strip().replace("−", "-")
     digits = "0123456789"
     end, size = 0, len(text)
