@@ -55,7 +55,7 @@ class ModelList(CoreTable):
             heads,
             (
                 (
-                    f"[`{model['name']}`](models/{model['name']}.md)",
+                    f"[`{model['name']}`](/models/{model['name']}.md)",
                     model["kind"],
                     model["summary"],
                     ", ".join(law.replace("_", " ") for law in model["laws"]),
