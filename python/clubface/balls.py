@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import Any, Self
 
 from clubface import units
@@ -20,6 +19,7 @@ from clubface.equipment import (
     changed,
     check_name,
     check_text,
+    convert,
     from_document,
     is_path,
     template_lines,
@@ -70,9 +70,9 @@ class Ball:
     sources: Mapping[str, str] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
+        convert(self, BALL_QUANTITIES)
         check_name(self.name)
         check_text("description", self.description)
-        object.__setattr__(self, "sources", MappingProxyType(dict(self.sources)))
         for each, symbol in (("mass", "kg"), ("radius", "m"), ("inertia", "kg m2")):
             check_positive(each, getattr(self, each), symbol)
         shell = 2.0 / 3.0 * self.mass * self.radius**2
@@ -96,7 +96,7 @@ class Ball:
 
     def replace(self, **changes: Any) -> Self:
         """Return the ball with fields changed, as text with a unit or an SI number: ``mass="45.5 g"``."""
-        return changed(self, changes, BALL_QUANTITIES)
+        return changed(self, changes)
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Self:

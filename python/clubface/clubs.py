@@ -10,7 +10,6 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import Any, Self
 
 from clubface.balls import Ball as Ball
@@ -22,6 +21,7 @@ from clubface.equipment import (
     check_choice,
     check_name,
     check_text,
+    convert,
     from_document,
     is_path,
     template_lines,
@@ -126,6 +126,7 @@ class Club:
     sources: Mapping[str, str] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
+        convert(self, CLUB_QUANTITIES)
         check_name(self.name)
         check_choice("kind", self.kind, KINDS)
         if not self.parameters:
@@ -133,12 +134,8 @@ class Club:
         check_choice("parameters", self.parameters, FAMILIES)
         if self.hand not in (1, -1):
             raise InputError("hand", self.hand, "+1 (right) or -1 (left)")
-        object.__setattr__(self, "sources", MappingProxyType(dict(self.sources)))
         check_text("description", self.description)
         check_positive("mass", self.mass, "kg")
-        for each in ("cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz", "loft"):
-            if not math.isfinite(getattr(self, each)):
-                raise InputError(each, getattr(self, each), "a finite number")
         check_inertia(self.inertia)
         if not 0.0 <= self.loft <= math.radians(75.0):
             raise InputError("loft", f"{math.degrees(self.loft):.6g} deg", "from 0 to 75 deg")
@@ -185,7 +182,7 @@ class Club:
 
     def replace(self, **changes: Any) -> Self:
         """Return the club with fields changed, as text with a unit or an SI number: ``mass="200 g"``."""
-        return changed(self, changes, CLUB_QUANTITIES)
+        return changed(self, changes)
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Self:

@@ -8,6 +8,7 @@ import warnings
 from collections.abc import Iterable, Mapping
 from dataclasses import fields, replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple, TypeVar
 
 from clubface import units
@@ -65,34 +66,35 @@ def from_document(kind: type[T], document: Document, quantities: Quantities) -> 
     if sources:
         data["sources"] = {name: text for key, text in sources.items() for name in groups.get(key, (key,))}
     try:
-        return kind(**converted(data, quantities))
+        return kind(**data)
     except ClubfaceError as error:
         raise document.wrap(error) from error
 
 
-def converted(values: Mapping[str, Any], quantities: Quantities) -> dict[str, Any]:
-    """Return ``values`` with quantities in SI and the hand as +1 or -1."""
-    result = dict(values)
-    for key, value in values.items():
-        if key in quantities:
-            flat = key in ("bulge", "roll") and (value == FLAT or value == math.inf)
-            absent = value is None and not quantities[key].required
-            if not absent:
-                result[key] = math.inf if flat else units.parse(value, quantities[key].dimension, name=key)
-    if isinstance(values.get("hand"), str):
-        check_choice("hand", values["hand"], HANDS)
-        result["hand"] = HANDS[values["hand"]]
-    return result
+def convert(subject: Any, quantities: Quantities) -> None:
+    """Turn the quantities of a new (frozen) object into SI floats, its hand into +1 or -1, and freeze its sources."""
+    for key, quantity in quantities.items():
+        value = getattr(subject, key)
+        if value is None and not quantity.required:
+            continue
+        flat = key in ("bulge", "roll") and (value == FLAT or value == math.inf)
+        number = math.inf if flat else units.parse(value, quantity.dimension, name=key)
+        object.__setattr__(subject, key, number)
+    hand = getattr(subject, "hand", None)
+    if isinstance(hand, str):
+        check_choice("hand", hand, HANDS)
+        object.__setattr__(subject, "hand", HANDS[hand])
+    object.__setattr__(subject, "sources", MappingProxyType(dict(subject.sources)))
 
 
-def changed(subject: T, changes: Mapping[str, Any], quantities: Quantities) -> T:
+def changed(subject: T, changes: Mapping[str, Any]) -> T:
     """Return ``subject`` with some fields changed; a changed quantity loses its source."""
     names = [each.name for each in fields(subject)]  # pyright: ignore
     for key in changes:
         if key not in names:
             raise UnknownNameError("field", key, names)
     kept = {k: v for k, v in subject.sources.items() if k not in changes}  # pyright: ignore
-    return replace(subject, **{"sources": kept, **converted(changes, quantities)})  # pyright: ignore
+    return replace(subject, **{"sources": kept, **changes})  # pyright: ignore
 
 
 def to_toml(subject: Any, quantities: Quantities, texts: Mapping[str, str]) -> str:

@@ -7,6 +7,9 @@ from functools import cache
 
 from clubface.errors import InputError, UnknownNameError
 
+PARAMETER_KEYS = ("name", "unit", "meaning", "default", "lower", "upper", "source")
+MODEL_KEYS = ("name", "title", "kind", "summary", "reference", "page")
+
 
 @dataclass(frozen=True)
 class Parameter:
@@ -85,8 +88,9 @@ def models() -> dict[str, Model]:
 
     found = {}
     for entry in _core.models():
-        parameters = tuple(Parameter(**each) for each in entry["parameters"])
-        found[entry["name"]] = Model(**{**entry, "laws": tuple(entry["laws"]), "parameters": parameters})
+        parameters = tuple(Parameter(**{key: each[key] for key in PARAMETER_KEYS}) for each in entry["parameters"])
+        plain = {key: entry[key] for key in MODEL_KEYS}
+        found[entry["name"]] = Model(**plain, laws=tuple(entry["laws"]), parameters=parameters)
     return found
 
 

@@ -163,9 +163,9 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
         if symbol:
             found = unit(symbol, name=name)
             if found.dimension != dimension:
-                raise UnitError(
-                    name, value, f"a {dimension} ({', '.join(symbols(dimension))}), not a {found.dimension}"
-                )
+                article = "an" if found.dimension[0] in "aei" else "a"
+                wanted = f"in {' or '.join(symbols(dimension))}, not {article} {found.dimension}"
+                raise UnitError(name, value, wanted)
             number = number * found.numerator / found.denominator + found.offset
     elif isinstance(value, bool) or not hasattr(value, "__float__"):
         raise InputError(name, value, wanted)

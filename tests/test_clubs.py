@@ -1,0 +1,353 @@
+"""Clubs and balls: the built-in ones, what is refused, and reading back what was written."""
+
+import contextlib
+import csv
+import math
+import warnings
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from clubface import equipment, units
+from clubface.balls import Ball, ball, ball_names
+from clubface.clubs import CLUB_NAMES, CLUB_QUANTITIES, Club, club
+from clubface.errors import (
+    FileError,
+    ImplausibleWarning,
+    InputError,
+    RuleWarning,
+    UnitError,
+    UnknownNameError,
+)
+from clubface.mass_properties import principal_moments
+
+
+@pytest.fixture(autouse=True)
+def _nothing_said_yet(monkeypatch):
+    monkeypatch.setattr(equipment, "_given", set())
+
+
+def test_the_driver_and_the_7_iron_are_those_of_table_1():
+    driver, iron = club("driver"), club("7-iron")
+    # 1e-15: one rounding of the conversion.
+    assert driver.cg == pytest.approx((0.0408, 0.0114, 0.001), rel=1e-15)
+    assert iron.cg == pytest.approx((0.00361, 0.00485, 0.00112), rel=1e-15)
+    assert (driver.mass, iron.mass) == (0.204, 0.264)
+    expected = [[2843, -733, 530.2], [-733, 5679, 0.5], [530.2, 0.5, 4085]]
+    assert np.array(driver.inertia) * 1e7 == pytest.approx(np.array(expected), rel=1e-15)
+    expected = [[2752, -51, -53], [-51, 2889, -429], [-53, -429, 576.6]]
+    assert np.array(iron.inertia) * 1e7 == pytest.approx(np.array(expected), rel=1e-15)
+    assert math.degrees(driver.loft) == pytest.approx(9.8, rel=1e-15)
+    assert math.degrees(iron.loft) == pytest.approx(30.5, rel=1e-15)
+    assert (driver.bulge, driver.roll, iron.bulge, iron.roll) == (0.305, 0.305, math.inf, math.inf)
+
+
+def test_the_published_ball_is_that_of_table_1():
+    with pytest.warns(RuleWarning, match=r"42\.60 mm"):
+        published = ball("published")
+    assert published.inputs() == pytest.approx(
+        {"ball_mass": 0.0459, "ball_radius": 0.0213, "ball_inertia": 83.36e-7}, rel=1e-15
+    )
+
+
+def test_the_conforming_ball_breaks_no_rule_and_is_a_uniform_sphere():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        conforming = ball("conforming")
+    # The file gives six digits.
+    assert conforming.inertia == pytest.approx(0.4 * conforming.mass * conforming.radius**2, rel=1e-6)
+
+
+def test_there_is_a_club_for_every_row_of_the_tour_averages():
+    lines = (equipment.DATA / "tour_averages.csv").read_text().splitlines()
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    assert tuple(row["club"] for row in rows) == CLUB_NAMES == tuple(club(name).name for name in CLUB_NAMES)
+    assert {club(name).name for name in CLUB_NAMES} == set(equipment.builtin_names("clubs"))
+
+
+@pytest.mark.parametrize("name", CLUB_NAMES)
+def test_every_value_of_a_built_in_club_has_a_source(name):
+    assert set(club(name).sources) == set(CLUB_QUANTITIES) - {"cor"}
+
+
+@pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+@pytest.mark.parametrize("name", ball_names())
+def test_every_value_of_a_built_in_ball_has_a_source(name):
+    assert set(Ball.builtin(name).sources) == {"mass", "radius", "inertia"}
+
+
+# Values in the files have six digits: 1e-5 leaves room for two such roundings.
+SIX_DIGITS = 1e-5
+
+
+@pytest.mark.parametrize(("name", "loft", "volume"), [("3-wood", 15, 165), ("5-wood", 18, 150), ("hybrid", 18, 100)])
+def test_woods_follow_the_scaling_rules_their_files_state(name, loft, volume):
+    driver, iron, wood = club("driver"), club("7-iron"), club(name)
+    length = (volume / 460.0) ** (1.0 / 3.0)
+    share = (wood.loft - driver.loft) / (iron.loft - driver.loft)
+    assert math.degrees(wood.loft) == pytest.approx(loft)
+    assert wood.mass == pytest.approx(driver.mass + share * (iron.mass - driver.mass), abs=0.5001e-3)
+    assert np.array(wood.cg) == pytest.approx(length * np.array(driver.cg), rel=SIX_DIGITS)
+    scaled = np.array(driver.inertia) * (wood.mass / driver.mass) * length**2
+    assert np.array(wood.inertia) == pytest.approx(scaled, rel=SIX_DIGITS)
+
+
+@pytest.mark.parametrize("name", [name for name in CLUB_NAMES if "iron" in name or "wedge" in name])
+def test_irons_follow_the_scaling_rules_their_files_state(name):
+    seven, iron = club("7-iron"), club(name)
+    steps = (10 if "wedge" in name else int(name[0])) - 7
+    angle = iron.loft - seven.loft
+    turn = np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]])
+    normal = np.array([math.cos(seven.loft), math.sin(seven.loft), 0.0])
+    assert iron.mass == pytest.approx(seven.mass + 0.007 * steps, rel=1e-12)
+    assert np.array(iron.cg) == pytest.approx(turn @ (seven.cg - 0.207e-3 * steps * normal), rel=SIX_DIGITS)
+    scaled = turn @ np.array(seven.inertia) @ turn.T * iron.mass / seven.mass
+    assert np.array(iron.inertia) == pytest.approx(scaled, rel=SIX_DIGITS)
+
+
+def test_the_set_grows_in_loft_and_mass_from_driver_to_wedge():
+    lofts = [club(name).loft for name in CLUB_NAMES if name != "hybrid"]
+    masses = [club(name).mass for name in CLUB_NAMES]
+    assert lofts == sorted(lofts)
+    assert masses == sorted(masses)
+
+
+@st.composite
+def clubs(draw):
+    """Clubs with the inertia of a cloud of point masses, which is what makes a tensor possible."""
+    points = np.array(draw(st.lists(st.tuples(*[st.floats(-0.06, 0.06)] * 3), min_size=6, max_size=6)))
+    points = np.vstack([points, 0.03 * np.eye(3), -0.03 * np.eye(3)])
+    tensor = sum(0.02 * (p @ p * np.eye(3) - np.outer(p, p)) for p in points)
+    length, text = st.floats(-0.1, 0.1), st.text(st.characters(exclude_categories=["Cs"]))
+    radius = st.one_of(st.just(math.inf), st.floats(1e-3, 10.0))
+    return Club(
+        name=draw(st.text(min_size=1).filter(lambda t: t.strip() and t.isprintable())),
+        kind=draw(st.sampled_from(["wood", "hybrid", "iron"])),
+        mass=draw(st.floats(1e-6, 0.9)),
+        cg_x=draw(length), cg_y=draw(length), cg_z=draw(length),
+        ixx=tensor[0, 0], iyy=tensor[1, 1], izz=tensor[2, 2],
+        ixy=tensor[0, 1], ixz=tensor[0, 2], iyz=tensor[1, 2],
+        loft=draw(st.floats(0.0, 1.3)), bulge=draw(radius), roll=draw(radius),
+        face_width=draw(st.floats(1e-3, 1.0)), face_height=draw(st.floats(1e-3, 1.0)),
+        hand=draw(st.sampled_from([1, -1])), parameters=draw(st.sampled_from(["driver", "7-iron"])),
+        cor=draw(st.none() | st.floats(0.0, 0.8)), description=draw(text),
+        sources=draw(st.dictionaries(st.sampled_from(sorted(CLUB_QUANTITIES)), text)),
+    )  # fmt: skip
+
+
+@pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+@given(clubs())
+def test_a_club_reads_back_as_it_was_written_bit_by_bit(subject):
+    assert Club.from_text(subject.to_toml()) == subject
+
+
+@pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+@given(st.floats(1e-9, 1.0), st.floats(1e-6, 1.0), st.floats(1e-3, 0.6))
+def test_a_ball_reads_back_as_it_was_written_bit_by_bit(mass, radius, factor):
+    subject = Ball(name="b", mass=mass, radius=radius, inertia=factor * mass * radius**2)
+    assert Ball.from_text(subject.to_toml()) == subject
+
+
+def test_templates_describe_usable_club_and_ball():
+    mine = Club.from_text(Club.template("mine"))
+    assert mine.replace(name="driver", description="", sources={}) == club("driver").replace(description="", sources={})
+    assert Ball.from_text(Ball.template()).name == "my-ball"
+
+
+@given(st.text())
+def test_any_text_is_a_club_or_a_file_error(text):
+    with pytest.raises(FileError):
+        Club.from_text(text)
+
+
+ANYTHING = st.one_of(
+    st.text(),
+    st.integers(),
+    st.floats(),
+    st.booleans(),
+    st.lists(st.integers()),
+    st.dictionaries(st.text(), st.text()),
+)
+
+
+def _toml(value):
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, float):
+        return {"nan": "nan", "inf": "inf", "-inf": "-inf"}.get(repr(value), repr(value))
+    if isinstance(value, str):
+        return '"' + "".join(f"\\U{ord(c):08X}" for c in value if not "\ud800" <= c <= "\udfff") + '"'
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_toml(k)} = {_toml(v)}" for k, v in value.items()) + "}"
+    return str(value)
+
+
+KEYS = st.sampled_from([*CLUB_QUANTITIES, "name", "kind", "hand", "parameters", "description", "sources", "extra"])
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@given(st.dictionaries(KEYS, ANYTHING, min_size=1, max_size=4))
+def test_a_club_file_with_anything_in_it_is_a_club_or_a_file_error(changes):
+    lines = [line for line in club("driver").to_toml().split("\n[sources]")[0].splitlines() if line]
+    kept = [line for line in lines if line.split(" = ")[0] not in changes]
+    text = "\n".join([*kept, *(f"{key} = {_toml(value)}" for key, value in changes.items())])
+    with contextlib.suppress(FileError):
+        Club.from_text(text)
+
+
+@pytest.mark.parametrize("content", [b"\xff\xfe", b"a = " + b"[" * 5000, b"x" * 1_000_001, b"a = 1" + b"0" * 5000])
+def test_unreadable_content_is_a_file_error(tmp_path, content):
+    path = tmp_path / "bad.toml"
+    path.write_bytes(content)
+    with pytest.raises(FileError, match=r"bad\.toml"):
+        Club.from_toml(path)
+
+
+def test_a_missing_file_is_a_file_error(tmp_path):
+    for path in (tmp_path / "none.toml", tmp_path, "nul\0.toml"):
+        with pytest.raises(FileError, match="cannot be read"):
+            club(path)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "message"),
+    [
+        ("mass = ", "mas = ", 6, "unknown key 'mas' .*did you mean mass"),
+        (
+            'mass = "204 g"',
+            'mass = "204 mm"',
+            6,
+            "mass is '204 mm'; it must be in kg or g or oz, not a length",
+        ),
+        ('mass = "204 g"', "mass = 0", 6, "mass is 0.0; it must be above 0 kg"),
+        ('mass = "204 g"', 'mass = "-204 g"', 6, "above 0 kg"),
+        ('mass = "204 g"', "mass = nan", 6, "finite"),
+        ('loft = "9.8 deg"', 'loft = "95 deg"', 16, "loft is '95 deg'; it must be from 0 to 75 deg"),
+        ('bulge = "305 mm"', 'bulge = "-305 mm"', 17, 'bulge .* above 0 m, or "flat"'),
+        ('bulge = "305 mm"', 'bulge = "round"', 17, "bulge is 'round'"),
+        ('face_width = "105 mm"', 'face_width = "0 mm"', 19, "face_width .* above 0 m"),
+        ('kind = "wood"', 'kind = "wod"', 2, "unknown kind 'wod' .*did you mean wood"),
+        ('hand = "right"', 'hand = "rihgt"', 3, "did you mean right"),
+        ('hand = "right"', "hand = 1", 3, "must be text"),
+        ('parameters = "driver"', 'parameters = "putter"', 4, "driver, 7-iron"),
+        ('iyy = "5679 g cm2"', 'iyy = "50 g cm2"', None, "positive definite"),
+        ('iyy = "5679 g cm2"', 'iyy = "9000 g cm2"', None, "triangle inequality"),
+        ('iyy = "5679 g cm2"', "", None, "keys are missing: iyy"),
+        ('loft = "9.8 deg"', 'loft = "9.8', 16, "not TOML"),
+        ('mass = "Table', 'mas = "Table', 23, "unknown key 'mas'"),
+    ],
+)
+def test_a_mistake_in_a_file_is_told_with_line_and_remedy(tmp_path, old, new, line, message):
+    text = club("driver").replace(description="").to_toml()
+    assert text.count(old) == 1 or old in ("mass = ",)
+    path = tmp_path / "mine.toml"
+    path.write_text(text.replace(old, new, 1))
+    with pytest.raises(FileError, match=message) as caught:
+        club(path)
+    assert caught.value.path == str(path)
+    assert caught.value.line == line
+
+
+@pytest.mark.parametrize(
+    ("changes", "error"),
+    [
+        ({"mass": "0 g"}, InputError),
+        ({"mass": math.inf}, InputError),
+        ({"mass": "200 mph"}, UnitError),
+        ({"masss": "200 g"}, UnknownNameError),
+        ({"loft": "95 deg"}, InputError),
+        ({"cg_x": math.nan}, InputError),
+        ({"roll": 0}, InputError),
+        ({"hand": "up"}, UnknownNameError),
+        ({"hand": 0}, InputError),
+        ({"cor": 1.2}, InputError),
+        ({"name": ""}, InputError),
+        ({"description": "\ud800"}, InputError),
+    ],
+)
+def test_an_impossible_change_is_refused(changes, error):
+    with pytest.raises(error, match=next(iter(changes))):
+        club("driver").replace(**changes)
+
+
+def test_a_change_takes_units_and_drops_the_source_of_what_it_changed():
+    changed = club("driver").replace(mass="190 g", bulge="flat", hand="left")
+    assert (changed.mass, changed.bulge, changed.hand) == (0.19, math.inf, -1)
+    assert "mass" not in changed.sources
+    assert "loft" in changed.sources
+
+
+def test_a_flat_plate_meets_the_triangle_inequality():
+    plate = {"ixx": 3e-4, "iyy": 2e-4, "izz": 1e-4, "ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
+    assert club("driver").replace(**plate).ixx == 3e-4
+    with pytest.raises(InputError, match="triangle"):
+        club("driver").replace(**{**plate, "ixx": 3.000001e-4})
+
+
+@given(st.lists(st.floats(-1.0, 1.0), min_size=6, max_size=6))
+def test_principal_moments_are_the_eigenvalues(elements):
+    a, b, c, d, e, f = elements
+    tensor = ((a, d, e), (d, b, f), (e, f, c))
+    # Jacobi rotations and LAPACK are both backward stable: some 1e-15 of the norm (here up to 3).
+    assert principal_moments(tensor) == pytest.approx(np.linalg.eigvalsh(np.array(tensor)), abs=2e-14)
+
+
+def test_a_ball_heavier_at_the_rim_than_a_shell_is_refused():
+    with pytest.raises(InputError, match="thin shell"):
+        ball("conforming").replace(inertia="150 g cm2")
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [({"iyy": "6001 g cm2", "izz": "5000 g cm2"}, "5900"), ({"cor": "0.84"}, r"0\.83")],
+)
+def test_a_club_outside_the_rules_is_a_warning_given_once(changes, message):
+    with pytest.warns(RuleWarning, match=message):
+        club("driver").replace(**changes)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        club("driver").replace(**changes)
+
+
+@pytest.mark.parametrize("changes", [{"iyy": "5999 g cm2"}, {"cor": "0.83"}, {"iyy": "6500 g cm2", "kind": "iron"}])
+def test_the_tolerance_is_kept_and_the_inertia_of_irons_is_free(changes):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        club("driver").replace(izz="5000 g cm2", **changes)
+
+
+def test_a_ball_outside_the_rules_is_a_warning():
+    with pytest.warns(RuleWarning, match=r"45\.93 g"):
+        ball("conforming").replace(mass="46 g")
+    with pytest.warns(RuleWarning, match=r"42\.67 mm"):
+        ball("conforming").replace(radius="21.3 mm")
+
+
+def test_a_forgotten_unit_is_noticed():
+    with pytest.warns(ImplausibleWarning, match="204 kg"):
+        club("driver").replace(mass=204)
+
+
+def test_an_unknown_name_gives_the_nearest():
+    with pytest.raises(UnknownNameError, match=r"did you mean driver"):
+        club("drivr")
+    with pytest.raises(UnknownNameError, match="conforming"):
+        ball("conform")
+
+
+def test_a_club_is_taken_by_name_path_or_itself(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text(Club.template("mine"))
+    assert club(path) == club(str(path)) == club(club(path))
+
+
+def test_inputs_are_in_the_order_of_the_columns():
+    names = "club_mass cg_x cg_y cg_z ixx iyy izz ixy ixz iyz static_loft bulge roll face_width face_height hand"
+    assert list(club("driver").inputs()) == names.split()
+    assert list(ball("conforming").inputs()) == ["ball_mass", "ball_radius", "ball_inertia"]
+    assert club("driver").inputs()["hand"] == 1.0
+    assert units.from_si(club("driver").inputs()["iyy"], "g cm2") == pytest.approx(5679)

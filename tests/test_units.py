@@ -1,0 +1,154 @@
+"""Conversions against the definitions of the units, and what is refused."""
+
+import contextlib
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from clubface import units
+from clubface.errors import InputError, UnitError
+
+# Definitions: international yard and pound (exact), inHg at 0 degC (NIST SP 811), the rest SI prefixes.
+DEFINITIONS = [
+    ("1 mph", "speed", 0.44704),
+    ("36 km/h", "speed", 10.0),
+    ("1 ft/s", "speed", 0.3048),
+    ("180 deg", "angle", math.pi),
+    ("1 in", "length", 0.0254),
+    ("1 yd", "length", 0.9144),
+    ("305 mm", "length", 0.305),
+    ("204 g", "mass", 0.204),
+    ("1 oz", "mass", 0.028349523125),
+    ("1 g cm2", "inertia", 1e-7),
+    ("60 rpm", "angular rate", 2.0 * math.pi),
+    ("2400 deg/s", "angular rate", 2400.0 * math.pi / 180.0),
+    ("25 degC", "temperature", 298.15),
+    ("32 degF", "temperature", 273.15),
+    ("212 degF", "temperature", 373.15),
+    ("1013.25 hPa", "pressure", 101325.0),
+    ("5.58e-2 GPa", "pressure", 5.58e7),
+    ("29.92 inHg", "pressure", 101320.75888),
+    ("450 us", "time", 450e-6),
+    ("12 kN", "force", 12000.0),
+    ("6.25e9 N/m^3", "volumetric stiffness", 6.25e9),
+    ("6.42 ms/m", "inverse speed", 6.42e-3),
+    ("13.5 N·m/rad", "rotary stiffness", 13.5),
+    ("2.53e-3 N m s/rad", "rotary damping", 2.53e-3),
+    ("1.32e5 N s/m2", "area damping", 1.32e5),
+    ("83 %", "dimensionless", 0.83),
+    ("0.83", "dimensionless", 0.83),
+]
+ALL_UNITS = sorted({each.symbol for each in units._UNITS.values()})
+
+
+@pytest.mark.parametrize(("text", "dimension", "expected"), DEFINITIONS)
+def test_a_unit_has_its_defined_size(text, dimension, expected):
+    # Two or three roundings of 1.1e-16 each.
+    assert units.parse(text, dimension) == pytest.approx(expected, rel=4e-16, abs=0)
+
+
+def test_grams_and_millimetres_convert_to_the_last_bit():
+    assert units.parse("204 g", "mass") == 0.204
+    assert units.parse("305mm", "length") == 0.305
+    assert units.parse("5900 g cm²", "inertia") == 5900e-7
+
+
+@given(st.sampled_from(ALL_UNITS), st.floats(-1e12, 1e12, allow_subnormal=False))
+def test_text_in_any_unit_comes_back_from_si(symbol, number):
+    found = units.unit(symbol)
+    value = units.parse(f"{number!r} {symbol}", found.dimension)
+    # Each direction rounds three times (eps 1.1e-16); an offset of up to 273 K adds its own rounding, about 1e-13.
+    # Below 1e-300 a scaled value is subnormal and loses digits.
+    tolerance = 8e-16 * abs(number) + (3e-13 if found.offset else 1e-300)
+    assert abs(units.from_si(value, symbol) - number) <= tolerance
+
+
+def test_a_bare_number_is_si():
+    assert units.parse(50, "speed") == 50.0
+    assert units.parse("50", "speed") == 50.0
+    assert units.parse(np.float32(0.5), "angle") == 0.5
+
+
+@pytest.mark.parametrize("text", ["-1.3deg", "−1.3 deg", " -1.3   deg ", "-13e-1 °", "-1.3degrees"])
+def test_spacing_and_spelling_do_not_matter(text):
+    assert units.parse(text, "angle") == pytest.approx(-1.3 * math.pi / 180.0, rel=4e-16)
+
+
+def test_a_unit_of_the_wrong_dimension_names_parameter_and_what_is_allowed():
+    with pytest.raises(UnitError, match=r"club_speed is .108 deg.; .*mph.*, not an angle") as caught:
+        units.parse("108 deg", "speed", name="club_speed")
+    assert caught.value.parameter == "club_speed"
+    assert caught.value.value == "108 deg"
+
+
+def test_an_unknown_unit_names_the_nearest():
+    with pytest.raises(UnitError, match=r"did you mean .*mph"):
+        units.parse("108 mphh", "speed")
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, "nan", "inf m/s", "1e999 m/s", 10**400, None])
+def test_what_is_not_a_finite_number_is_refused(value):
+    with pytest.raises(InputError, match="speed"):
+        units.parse(value, "speed", name="speed")
+
+
+@pytest.mark.parametrize("value", [True, [1.0], {}, b"1", "", "fast", "1,000 m/s", "--1", "m/s", 1j])
+def test_what_is_not_a_number_is_refused(value):
+    with pytest.raises(InputError):
+        units.parse(value, "speed")
+
+
+@given(st.text())
+def test_any_text_is_a_finite_number_or_an_error(text):
+    with contextlib.suppress(InputError):
+        assert math.isfinite(units.parse(text, "speed"))
+
+
+def test_arrays_keep_their_shape_and_their_bad_rows():
+    given_texts = [["100 mph", "50"], ["0 m/s", "36 km/h"]]
+    assert units.parse_values(given_texts, "speed") == pytest.approx(np.array([[44.704, 50.0], [0.0, 10.0]]))
+    assert np.isnan(units.parse_values(np.array([1.0, np.nan]), "speed")[1])
+    with pytest.raises(InputError, match=r"speed\[1\]"):
+        units.parse_values(["1", "x"], "speed", name="speed")
+
+
+@pytest.mark.parametrize(
+    ("column", "expected"),
+    [
+        ("club_speed_mph", ("club_speed", "mph")),
+        ("club_speed [mph]", ("club_speed", "mph")),
+        ("club_speed (mph)", ("club_speed", "mph")),
+        (" club_speed ", ("club_speed", None)),
+        ("ball_speed_mps", ("ball_speed", "m/s")),
+        ("closure_deg_s", ("closure", "deg/s")),
+        ("izz_gcm2", ("izz", "g cm2")),
+        ("peak_force_n", ("peak_force", "N")),
+        ("backspin_rpm", ("backspin", "rpm")),
+        ("iyy [g cm^2]", ("iyy", "g cm2")),
+        ("face", ("face", None)),
+        ("cg_x", ("cg_x", None)),
+        ("mph", ("mph", None)),
+        ("toe (in)", ("toe", "in")),
+    ],
+)
+def test_a_column_heading_carries_its_unit(column, expected):
+    assert units.parse_column_name(column) == expected
+
+
+def test_a_known_column_name_is_never_taken_apart():
+    assert units.parse_column_name("time_s", {"time_s"}) == ("time_s", None)
+
+
+def test_an_unknown_unit_in_a_heading_is_an_error():
+    with pytest.raises(UnitError, match="club_speed"):
+        units.parse_column_name("club_speed [knots]")
+
+
+def test_people_read_spin_in_rpm_and_closure_in_degrees_a_second():
+    assert units.display_unit("backspin", "rad/s") == "rpm"
+    assert units.display_unit("closure", "rad/s") == "deg/s"
+    assert units.display_unit("ball_speed", "m/s") == "m/s"
+    assert units.show(0.204, "g") == "204 g"
