@@ -351,3 +351,8 @@ def test_inputs_are_in_the_order_of_the_columns():
     assert list(ball("conforming").inputs()) == ["ball_mass", "ball_radius", "ball_inertia"]
     assert club("driver").inputs()["hand"] == 1.0
     assert units.from_si(club("driver").inputs()["iyy"], "g cm2") == pytest.approx(5679)
+
+
+def test_woods_take_the_published_driver_sets_and_irons_the_7_iron_sets():
+    for kind, family in (("wood", "driver"), ("hybrid", "driver"), ("iron", "7-iron")):
+        assert club("driver").replace(kind=kind, parameters="").parameters == family

@@ -55,7 +55,6 @@ class UnknownNameError(InputError, KeyError):
         self.known = tuple(known)
         self.nearest = nearest_names(str(value), self.known)
         super().__init__(parameter, value, "one of " + ", ".join(self.known) if self.known else "left out")
-        self.args = (parameter, value, self.known)
 
     def __str__(self) -> str:
         hint = f" (did you mean {' or '.join(self.nearest)}?)" if self.nearest else ""
