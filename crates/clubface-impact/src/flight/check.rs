@@ -1,0 +1,54 @@
+//! Whether the inputs of a flight make sense.
+
+use super::shot::{FlightInput, INPUTS, INPUT_COUNT};
+use crate::error::ImpactError;
+
+/// First input of a shot that is not allowed.
+///
+/// # Errors
+/// Names the input, its value and what is allowed.
+pub fn check(inputs: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
+    for (input, &value) in INPUTS.iter().zip(inputs) {
+        check_range(input, value)?;
+    }
+    let [mass, radius, inertia, vx, vy, vz, ..] = *inputs;
+    let largest = 2.0 / 3.0 * mass * radius.powi(2);
+    if inertia > largest {
+        return Err(ImpactError::new(
+            "ball_inertia",
+            format!(
+                "{inertia} kg m2 is more than {largest:.4e}, that of a hollow shell of this mass and radius; \
+                 check the units"
+            ),
+        ));
+    }
+    if vx == 0.0 && vy == 0.0 && vz == 0.0 {
+        return Err(ImpactError::new(
+            "velocity_x",
+            "the ball does not move: give it a launch velocity other than (0, 0, 0) m/s",
+        ));
+    }
+    Ok(())
+}
+
+fn check_range(input: &FlightInput, value: f64) -> Result<(), ImpactError> {
+    let (lower, upper) = (input.bounds.lower, input.bounds.upper);
+    if (lower..=upper).contains(&value) {
+        return Ok(());
+    }
+    let unit = if input.unit == "1" { String::new() } else { format!(" {}", input.unit) };
+    let message = if value.is_nan() {
+        format!("is not a number; allowed is {lower} to {upper}{unit}")
+    } else {
+        format!("{value}{unit} is not allowed; allowed is {lower} to {upper}{unit}")
+    };
+    Err(ImpactError::new(input.name, message))
+}
+
+/// Error of a ball that is still in the air when the integration gives up.
+pub(super) fn never_lands() -> ImpactError {
+    ImpactError::new(
+        "wind_y",
+        "the ball does not come down: the air rises too fast for it; reduce the vertical wind",
+    )
+}

@@ -1,0 +1,25 @@
+//! What the ball does after impact: flight through moist air and wind, bounces, roll.
+//!
+//! World axes: x to the target, y up, z right of the target line; the ball starts at the origin and lands where its
+//! height returns to zero. Everything is generic over [`clubface_math::Scalar`], so one shot, packs of shots and
+//! exact derivatives run through the same code.
+
+pub mod aerodynamics;
+pub mod air;
+mod batch;
+mod check;
+pub mod ground;
+mod record;
+mod shot;
+pub mod trajectory;
+
+#[cfg(test)]
+mod tests;
+
+pub use batch::{fly_batch, Batch, BatchError, Column, Problem};
+pub use check::check;
+pub use record::{trajectory, Track};
+pub use shot::{
+    default_inputs, fly, sensitivity, Bounds, FlightInput, FlightOutput, FlightShot, Flown, Sensitivity,
+    INPUTS, INPUT_COUNT, OUTPUTS, OUTPUT_COUNT,
+};

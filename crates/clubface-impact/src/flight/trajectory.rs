@@ -1,0 +1,286 @@
+//! From launch to the ground: position, velocity and spin under gravity and air.
+//!
+//! The torque of the air opposes the spin, so the spin keeps its axis and one number, the part of it that is left,
+//! joins position and velocity in the state. Dormand and Prince's steps are sized by error for every ball on its
+//! own; the last is shortened by Newton's method until it ends on the ground. The final Newton correction is made in
+//! full arithmetic, so derivatives go through the landing event exactly.
+
+use super::aerodynamics::{air_load, outside_fit, spin_parameter};
+use crate::ball::Ball;
+use clubface_math::ode::{integrate, Control, Method, Observer, System, DORMAND_PRINCE};
+use clubface_math::{Mask, Scalar, Vec3};
+use core::f64::consts::PI;
+
+/// Standard acceleration of gravity, m/s2 (ISO 80000-3).
+pub const GRAVITY: f64 = 9.806_65;
+/// Tolerated error of a step, relative to 1 m, 1 m/s or the launch spin plus the value itself. The carry of a drive
+/// is then within 1 mm of the limit of small steps.
+pub const TOLERANCE: f64 = 1e-7;
+/// Longest step, s.
+const LONGEST_STEP: f64 = 2.0;
+/// Steps after which a ball that has not come down is given up (strong rising air).
+const MAX_STEPS: usize = 1000;
+
+/// Position, velocity, part of the launch spin left.
+pub const STATES: usize = 7;
+const HEIGHT: usize = 1;
+const CLIMB: usize = 4;
+const SPIN: usize = 6;
+
+/// Air that moves as one.
+#[derive(Clone, Copy, Debug)]
+pub struct Air<S> {
+    /// Density, kg/m3.
+    pub density: S,
+    /// Wind velocity, m/s, the same at all heights.
+    pub wind: Vec3<S>,
+}
+
+/// A ball in flight.
+#[derive(Clone, Copy, Debug)]
+pub struct Flight<S> {
+    radius: S,
+    wind: Vec3<S>,
+    launch_spin: Vec3<S>,
+    launch_spin_speed: S,
+    /// 0.5 rho A / m, 1/m.
+    per_mass: S,
+    /// 0.5 rho A / I, 1/m3: the decay of the air is in m3/s.
+    per_inertia: S,
+}
+
+impl<S: Scalar> Flight<S> {
+    /// A ball launched with `spin` [rad/s] into `air`.
+    #[inline(always)]
+    pub fn new(ball: &Ball<S>, spin: Vec3<S>, air: &Air<S>) -> Self {
+        let half_density_area = air.density * ball.radius.squared() * (0.5 * PI);
+        Self {
+            radius: ball.radius,
+            wind: air.wind,
+            launch_spin: spin,
+            launch_spin_speed: spin.norm(),
+            per_mass: half_density_area / ball.mass,
+            per_inertia: half_density_area / ball.inertia,
+        }
+    }
+
+    /// Spin parameter of a state.
+    #[inline(always)]
+    fn spin_parameter(&self, y: &[S; STATES]) -> S {
+        let speed = (Vec3::of(y, 3) - self.wind).norm();
+        spin_parameter(self.radius, self.launch_spin_speed * y[SPIN], speed)
+    }
+}
+
+impl<S: Scalar> System<S, STATES> for Flight<S> {
+    #[inline(always)]
+    fn rhs(&self, y: &[S; STATES]) -> [S; STATES] {
+        let velocity = Vec3::of(y, 3);
+        let left = y[SPIN];
+        let load = air_load(
+            self.radius,
+            velocity - self.wind,
+            self.launch_spin * left,
+            self.launch_spin_speed * left,
+        );
+        let acceleration = load.force * self.per_mass;
+        [
+            velocity.x,
+            velocity.y,
+            velocity.z,
+            acceleration.x,
+            acceleration.y - GRAVITY,
+            acceleration.z,
+            -(load.decay * self.per_inertia * left),
+        ]
+    }
+}
+
+/// Where and how the ball comes down.
+#[derive(Clone, Copy, Debug)]
+pub struct Landing<S: Scalar> {
+    /// Time since launch, s.
+    pub time: S,
+    /// Place, m; its height is zero.
+    pub position: Vec3<S>,
+    /// Velocity, m/s.
+    pub velocity: Vec3<S>,
+    /// Angular velocity, rad/s.
+    pub spin: Vec3<S>,
+    /// Greatest height, m.
+    pub apex: S,
+    /// Balls whose spin parameter left the range of the aerodynamic fit.
+    pub outside_fit: S::Mask,
+    /// Balls that came down; the others are still up after all steps.
+    pub landed: S::Mask,
+}
+
+/// A step of the integration in which something happens.
+#[derive(Clone, Copy)]
+struct Step<S> {
+    time: S,
+    h: S,
+    start: ([S; STATES], [S; STATES]),
+    end: ([S; STATES], [S; STATES]),
+}
+
+impl<S: Scalar> Step<S> {
+    #[inline(always)]
+    fn empty() -> Self {
+        let none = [S::zero(); STATES];
+        Self { time: S::zero(), h: S::zero(), start: (none, none), end: (none, none) }
+    }
+
+    #[inline(always)]
+    fn replace(&mut self, mask: S::Mask, new: &Self) {
+        self.time = S::select(mask, new.time, self.time);
+        self.h = S::select(mask, new.h, self.h);
+        for i in 0..STATES {
+            self.start.0[i] = S::select(mask, new.start.0[i], self.start.0[i]);
+            self.start.1[i] = S::select(mask, new.start.1[i], self.start.1[i]);
+            self.end.0[i] = S::select(mask, new.end.0[i], self.end.0[i]);
+            self.end.1[i] = S::select(mask, new.end.1[i], self.end.1[i]);
+        }
+    }
+
+    /// Zero of component `i`, which falls through zero in this step, on the cubic that joins its ends.
+    #[inline(always)]
+    fn zero_of_cubic(&self, i: usize) -> S {
+        let (a, b) = (self.start.0[i].primal(), self.end.0[i].primal());
+        let h = self.h.primal();
+        let (slope_a, slope_b) = (self.start.1[i].primal() * h, self.end.1[i].primal() * h);
+        let quadratic = (b - a) * 3.0 - slope_a * 2.0 - slope_b;
+        let cubic = (a - b) * 2.0 + slope_a + slope_b;
+        // From the end of the step Newton comes down to the last zero, not to the launch.
+        let mut x = S::one();
+        for _ in 0..6 {
+            let value = ((cubic * x + quadratic) * x + slope_a) * x + a;
+            let slope = (cubic * x * 3.0 + quadratic * 2.0) * x + slope_a;
+            x = (x - value / slope).min(S::one()).max(S::zero());
+        }
+        x * h
+    }
+
+    /// Time since launch and state where component `i` vanishes.
+    #[inline(always)]
+    fn at_zero_of(&self, i: usize, flight: &Flight<S>) -> (S, [S; STATES]) {
+        let (y, rate) = &self.start;
+        let mut h = self.zero_of_cubic(i);
+        let mut time = self.time;
+        let mut state = *y;
+        // The cubic is good to 1e-4 s or better, so the second correction already ends at rounding error; the
+        // third carries the derivatives alone.
+        for _ in 0..3 {
+            let trial = DORMAND_PRINCE.attempt(flight, y, rate, h);
+            let correction = -(trial.y[i] / trial.rate[i]);
+            time = self.time + h + correction;
+            for n in 0..STATES {
+                state[n] = trial.y[n] + trial.rate[n] * correction;
+            }
+            h = (h + correction).primal();
+        }
+        (time, state)
+    }
+}
+
+/// Remembers the steps of the apex and of the landing.
+struct ToGround<'a, S: Scalar, F> {
+    flight: &'a Flight<S>,
+    grounded: S::Mask,
+    apex: Step<S>,
+    landing: Step<S>,
+    outside_fit: S::Mask,
+    on_step: F,
+}
+
+impl<S, F> Observer<S, STATES> for ToGround<'_, S, F>
+where
+    S: Scalar,
+    F: FnMut(S, &[S; STATES]),
+{
+    #[inline(always)]
+    fn observe(
+        &mut self,
+        accepted: S::Mask,
+        time: S,
+        h: S,
+        start: (&[S; STATES], &[S; STATES]),
+        end: (&[S; STATES], &[S; STATES]),
+    ) -> S::Mask {
+        let zero = S::zero();
+        let step = Step { time, h, start: (*start.0, *start.1), end: (*end.0, *end.1) };
+        let landing = accepted.and(end.0[HEIGHT].le(zero));
+        let apex = accepted.and(start.0[CLIMB].gt(zero)).and(end.0[CLIMB].le(zero));
+        if apex.any() {
+            // With more than one apex the highest counts.
+            let higher = step.start.0[HEIGHT].ge(self.apex.start.0[HEIGHT]);
+            self.apex.replace(apex.and(higher), &step);
+        }
+        if landing.any() {
+            self.landing.replace(landing, &step);
+        }
+        let done = landing.or(self.grounded);
+        let flying = accepted.and(done.not());
+        self.outside_fit = self.outside_fit.or(flying.and(outside_fit(self.flight.spin_parameter(end.0))));
+        if flying.any() {
+            (self.on_step)(time + h, end.0);
+        }
+        done
+    }
+}
+
+/// Flies a ball from the origin to the ground, with steps of at most `longest` [s]; `on_step` sees the time and state
+/// after every step in the air.
+#[inline(always)]
+pub fn fly_to_ground<S: Scalar>(
+    flight: &Flight<S>,
+    velocity: Vec3<S>,
+    tolerance: f64,
+    longest: f64,
+    on_step: impl FnMut(S, &[S; STATES]),
+) -> Landing<S> {
+    let (zero, one) = (S::zero(), S::one());
+    let launch = [zero, zero, zero, velocity.x, velocity.y, velocity.z, one];
+    // A ball struck downwards, or level without lift enough, is on the ground at once.
+    let climb = flight.rhs(&launch)[CLIMB];
+    let level = velocity.y.le(zero).and(velocity.y.lt(zero).not());
+    let grounded = velocity.y.lt(zero).or(level.and(climb.le(zero)));
+    let max_steps = if longest < LONGEST_STEP { MAX_STEPS * 100 } else { MAX_STEPS };
+    let longest = S::from_f64(longest.min(LONGEST_STEP));
+    let control = Control {
+        tolerance,
+        scale: [one; STATES],
+        // A small part of the flight in a vacuum, 2 v_y / g.
+        first: (velocity.y * (0.1 / GRAVITY)).max(S::from_f64(1e-3)).min(longest),
+        longest,
+        max_steps,
+    };
+    let mut observer = ToGround {
+        flight,
+        grounded,
+        apex: Step::empty(),
+        landing: Step::empty(),
+        outside_fit: grounded.not().and(outside_fit(flight.spin_parameter(&launch))),
+        on_step,
+    };
+    let outcome = integrate(&DORMAND_PRINCE, flight, launch, &control, &mut observer);
+    let mut events = [(zero, launch); 2];
+    for (event, (step, component)) in
+        events.iter_mut().zip([(&observer.apex, CLIMB), (&observer.landing, HEIGHT)])
+    {
+        *event = step.at_zero_of(component, flight);
+    }
+    let [(_, top), (time, touch)] = events;
+    let parameter = flight.spin_parameter(&touch);
+    let landed_outside = grounded.not().and(outside_fit(parameter));
+    let state = |i: usize| S::select(grounded, launch[i], touch[i]);
+    Landing {
+        time: S::select(grounded, zero, time),
+        position: Vec3::new(state(0), zero, state(2)),
+        velocity: Vec3::new(state(3), state(CLIMB), state(5)),
+        spin: flight.launch_spin * state(SPIN),
+        apex: S::select(grounded, zero, top[HEIGHT]),
+        outside_fit: observer.outside_fit.or(landed_outside),
+        landed: outcome.finished,
+    }
+}
