@@ -1,0 +1,266 @@
+//! One contact with its history: what an integrator of the bodies' motion holds and asks.
+
+use super::friction::{Change, Effort, Friction};
+use super::influence::Influence;
+use clubface_math::Scalar;
+use core::any::TypeId;
+use std::f64::consts::PI;
+
+/// Friction and tangential elasticity of the surfaces.
+#[derive(Clone, Copy, Debug)]
+pub struct RingMaterial<S> {
+    /// Coefficient of friction mu, 1. At zero there is no force and no derivative.
+    pub friction: S,
+    /// Effective Poisson's ratio nu, 1.
+    pub poisson: S,
+    /// Effective shear modulus G of the tangential compliance (2 - nu)/(8 G), Pa.
+    pub modulus: S,
+}
+
+/// Normal load at one instant.
+#[derive(Clone, Copy, Debug)]
+pub struct Load<S> {
+    /// Normal force F_N, N; not positive without contact. The pressure is 3 F_N/(2 pi a^2) sqrt(1 - r^2/a^2).
+    pub force: S,
+    /// Contact radius a, m.
+    pub radius: S,
+}
+
+/// Rings between two bodies, with the displacements they had at the last committed instant.
+#[derive(Clone, Debug)]
+pub struct RingContact<S> {
+    material: RingMaterial<S>,
+    largest_radius: S,
+    friction: Friction,
+    past: Past<S>,
+    now: Now<S>,
+    bound: Vec<f64>,
+    free: [Vec<f64>; 2],
+}
+
+/// The committed instant.
+#[derive(Clone, Debug)]
+struct Past<S> {
+    /// Sliding distance, m.
+    position: [S; 2],
+    /// Displacement u of every ring, m.
+    displacement: [Vec<S>; 2],
+    /// Its last change per change of `squared_radius` while the contact grew, 1/m.
+    drift: [Vec<S>; 2],
+    /// Squared contact radius, m2, and the number of rings within.
+    squared_radius: S,
+    contact: usize,
+}
+
+/// The instant of the last call of `force`.
+#[derive(Clone, Debug)]
+struct Now<S> {
+    position: [S; 2],
+    squared_radius: S,
+    /// Tractions in units of `stress`; only those of rings in contact are meant.
+    traction: [Vec<S>; 2],
+    /// mu p0, Pa.
+    stress: S,
+    /// (2 - nu)/(8 G) a_max mu p0, m.
+    length: S,
+}
+
+impl<S: Scalar> RingContact<S> {
+    /// `rings` untouched rings up to `largest_radius` (m), which the contact radius should not exceed: tractions beyond
+    /// it are left out.
+    #[must_use]
+    pub fn new(rings: usize, material: RingMaterial<S>, largest_radius: S) -> Self {
+        let zero = S::zero();
+        let plane = || [vec![zero; rings], vec![zero; rings]];
+        Self {
+            material,
+            largest_radius,
+            friction: Friction::new(Influence::shared(rings)),
+            past: Past {
+                position: [zero; 2],
+                displacement: plane(),
+                drift: plane(),
+                squared_radius: zero,
+                contact: 0,
+            },
+            now: Now {
+                position: [zero; 2],
+                squared_radius: zero,
+                traction: plane(),
+                stress: zero,
+                length: zero,
+            },
+            bound: Vec::with_capacity(rings),
+            free: [Vec::with_capacity(rings), Vec::with_capacity(rings)],
+        }
+    }
+
+    /// Friction force (N) along y' and z' on the first body, after the first body has slid over the second by
+    /// `position` (m, from any origin that stays). A function of its arguments and the committed history alone.
+    ///
+    /// Never beyond mu F_N: the quadrature over rings, which would be by up to 1.6% (20 rings, a > a_max/5) while a new
+    /// ring is half loaded, is cut off there.
+    pub fn force(&mut self, position: [S; 2], load: Load<S>) -> [S; 2] {
+        let touches = load.force.re() > 0.0 && load.radius.re() > 0.0;
+        self.now.position = position;
+        self.now.squared_radius = if touches { load.radius.squared() } else { S::zero() };
+        let radius = self.friction.influence().radius();
+        let contact = if touches && self.material.friction.re() > 0.0 {
+            let fraction = load.radius.re() / self.largest_radius.re();
+            radius.partition_point(|&r| r < fraction)
+        } else {
+            0
+        };
+        if contact == 0 {
+            self.friction.lift_off();
+            return [S::zero(); 2];
+        }
+        let limit = self.material.friction * load.force;
+        self.now.stress = limit * (1.5 / PI) / self.now.squared_radius;
+        let compliance = (-self.material.poisson + 2.0) / (self.material.modulus * 8.0);
+        self.now.length = compliance * self.largest_radius * self.now.stress;
+        self.solve(contact);
+        let influence = self.friction.influence();
+        let unit = self.now.stress * self.largest_radius.squared();
+        let force = [0, 1].map(|axis| {
+            let mut sum = S::zero();
+            for (traction, weight) in self.now.traction[axis][..contact].iter().zip(influence.force()) {
+                sum += *traction * *weight;
+            }
+            sum * unit
+        });
+        let squared = force[0].squared() + force[1].squared();
+        if squared.re() > limit.re() * limit.re() {
+            let scale = limit / squared.sqrt();
+            return force.map(|component| component * scale);
+        }
+        force
+    }
+
+    /// Tractions of the first `contact` rings.
+    fn solve(&mut self, contact: usize) {
+        let radius = &self.friction.influence().radius()[..contact];
+        let squared_ratio = self.largest_radius.squared() / self.now.squared_radius;
+        let inverse = self.now.length.recip();
+        let slid = [0, 1].map(|axis| self.now.position[axis] - self.past.position[axis]);
+        // What a ring without traction would have slipped by since its history began: at the last commit, or later,
+        // when it was touched.
+        let bound = |j: usize| (-(squared_ratio * (radius[j] * radius[j])) + 1.0).sqrt();
+        let free = |axis: usize, j: usize| {
+            let displacement = self.past.displacement[axis][j];
+            if j < self.past.contact {
+                return (slid[axis] - displacement) * inverse;
+            }
+            let wait = self.largest_radius.squared() * (radius[j] * radius[j]) - self.past.squared_radius;
+            let waited = wait / (self.now.squared_radius - self.past.squared_radius);
+            let displacement = displacement + self.past.drift[axis][j] * wait;
+            (slid[axis] * (-waited + 1.0) - displacement) * inverse
+        };
+        self.bound.clear();
+        self.bound.extend((0..contact).map(|j| bound(j).re()));
+        for axis in 0..2 {
+            self.free[axis].clear();
+            self.free[axis].extend((0..contact).map(|j| free(axis, j).re()));
+        }
+        let change = (TypeId::of::<S>() != TypeId::of::<f64>()).then(|| {
+            let change = |value: S| value - value.primal();
+            Change {
+                bound: (0..contact).map(|j| change(bound(j))).collect(),
+                free: [0, 1].map(|axis| (0..contact).map(|j| change(free(axis, j))).collect()),
+            }
+        });
+        self.friction.solve(&self.bound, [&self.free[0], &self.free[1]]);
+        let traction = &mut self.now.traction;
+        match change {
+            Some(change) => self.friction.differentiate(&self.bound, &change, traction),
+            None => traction.iter_mut().for_each(|axis| axis[..contact].fill(S::zero())),
+        }
+        for (traction, values) in traction.iter_mut().zip(self.friction.traction()) {
+            for (traction, value) in traction[..contact].iter_mut().zip(values) {
+                *traction = *traction + *value;
+            }
+        }
+    }
+
+    /// Makes the instant of the last call of [`Self::force`] the history that later slips start from.
+    pub fn commit(&mut self) {
+        let influence = self.friction.influence();
+        let contact = self.friction.contact();
+        let growth = self.now.squared_radius - self.past.squared_radius;
+        for axis in 0..2 {
+            let (displacement, drift) = (&mut self.past.displacement[axis], &mut self.past.drift[axis]);
+            // Where the contact grows, `drift` holds the displacement before until its change is known.
+            let grows = growth.re() > 0.0;
+            if grows {
+                drift.copy_from_slice(displacement);
+            }
+            displacement.fill(S::zero());
+            let columns = influence.displacement().chunks_exact(influence.stride());
+            for (column, traction) in columns.zip(&self.now.traction[axis][..contact]) {
+                let traction = *traction * self.now.length;
+                for (entry, factor) in displacement.iter_mut().zip(column) {
+                    *entry += traction * *factor;
+                }
+            }
+            if grows {
+                let inverse = growth.recip();
+                for (drift, displacement) in drift.iter_mut().zip(&*displacement) {
+                    *drift = (*displacement - *drift) * inverse;
+                }
+            }
+        }
+        self.past.position = self.now.position;
+        self.past.squared_radius = self.now.squared_radius;
+        self.past.contact = contact;
+    }
+
+    /// Number of rings.
+    #[must_use]
+    pub fn rings(&self) -> usize {
+        self.friction.influence().rings()
+    }
+    /// Largest contact radius the rings reach to, a_max, m.
+    #[must_use]
+    pub fn largest_radius(&self) -> S {
+        self.largest_radius
+    }
+    /// Mid-radius of ring `j`, m.
+    #[must_use]
+    pub fn radius(&self, j: usize) -> S {
+        self.largest_radius * self.friction.influence().radius()[j]
+    }
+    /// Traction (Pa) of ring `j` on the first body at the last call of [`Self::force`].
+    #[must_use]
+    pub fn traction(&self, j: usize) -> [S; 2] {
+        if j >= self.friction.contact() {
+            return [S::zero(); 2];
+        }
+        [0, 1].map(|axis| self.now.traction[axis][j] * self.now.stress)
+    }
+    /// Slip (m) of ring `j` since the last commit, at the last call of [`Self::force`]: zero where it sticks or does
+    /// not touch.
+    #[must_use]
+    pub fn slip(&self, j: usize) -> [f64; 2] {
+        [0, 1].map(|axis| self.friction.slip()[axis][j] * self.now.length.re())
+    }
+    /// Whether ring `j` touched and stuck at the last call of [`Self::force`].
+    #[must_use]
+    pub fn sticks(&self, j: usize) -> bool {
+        j < self.friction.contact() && self.friction.sticks()[j]
+    }
+    /// Rings in contact at the last call of [`Self::force`]: the innermost ones.
+    #[must_use]
+    pub fn contact(&self) -> usize {
+        self.friction.contact()
+    }
+    /// Tangential displacement (m) of the first body's surface at ring `j` at the last commit.
+    #[must_use]
+    pub fn displacement(&self, j: usize) -> [S; 2] {
+        [0, 1].map(|axis| self.past.displacement[axis][j])
+    }
+    /// Work of the last call of [`Self::force`].
+    #[must_use]
+    pub fn effort(&self) -> Effort {
+        self.friction.effort()
+    }
+}

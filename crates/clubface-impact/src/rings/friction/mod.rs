@@ -1,0 +1,323 @@
+//! Which rings stick, which slip and where to: Coulomb friction of all rings at once, in the plane of contact.
+//!
+//! Dimensionless: tractions y_j are in units of mu p0, displacements and slips in units of (2 - nu)/(8 G) a_max mu p0.
+//! With M of [`Influence`], bounds b_j = p_j/p0 and g_j the slip of a ring without traction, ring j slips by
+//! s_j = g_j + (M y)_j, where either s_j = 0 and |y_j| <= b_j, or y_j = -b_j s_j/|s_j|.
+//!
+//! Newton's method on the set of sticking rings and the slip directions. Sticking rings are eliminated by the matrix
+//! exchanged on them (cached where they are the innermost ones, as they nearly always are); what is left is one
+//! unknown angle a slipping ring, and none where all slips are collinear. If the sets do not settle, projected
+//! Gauss-Seidel sweeps lead to the neighbourhood of the solution.
+
+mod directions;
+mod sweeps;
+
+pub use directions::Change;
+
+use super::influence::{exchange, Influence};
+use clubface_math::{dispatch, Kernel, Lanes};
+use std::sync::Arc;
+
+/// Largest accepted error of a traction, in units of mu p0: that of y_j against the projection of y_j - s_j/M_jj on the
+/// disc of radius b_j, which is zero for the exact solution and for it alone.
+pub const TOLERANCE: f64 = 1e-11;
+/// Newton steps before the first Gauss-Seidel sweeps: three times what is ever needed from a neighbouring solution.
+const NEWTON_STEPS: usize = 16;
+
+/// Two components along y' and z' for every ring.
+pub type Plane = [Vec<f64>; 2];
+
+/// Friction of the rings at one instant; keeps the last solution as the start of the next.
+#[derive(Clone, Debug)]
+pub struct Friction {
+    influence: Arc<Influence>,
+    /// Rings in contact at the last solve.
+    contact: usize,
+    /// Sticking rings.
+    sticks: Vec<bool>,
+    /// Direction of the traction of every slipping ring, a unit vector.
+    direction: Plane,
+    /// Tractions y.
+    traction: Plane,
+    /// Slips s.
+    slip: Plane,
+    /// What the exchanged matrix is applied to, and its result.
+    known: Plane,
+    unknown: Plane,
+    /// Number of innermost rings, all sticking, whose cached matrix is in use, or none if `matrix` is.
+    innermost: Option<usize>,
+    matrix: Vec<f64>,
+    /// Slipping rings, and the factors of the Jacobian of their slip directions.
+    slipping: Vec<usize>,
+    jacobian: Vec<f64>,
+    angle: Vec<f64>,
+    /// Work of the last solve.
+    effort: Effort,
+}
+
+/// What is wrong with a trial solution.
+enum Verdict {
+    Solved,
+    SetsChange,
+    DirectionsTurn,
+}
+
+/// Work of one solve.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Products with an exchanged matrix.
+    pub products: usize,
+    /// Linear solves for the slip directions.
+    pub directions: usize,
+    /// Gauss-Seidel sweeps.
+    pub sweeps: usize,
+}
+
+impl Friction {
+    /// Friction of rings that have not touched yet.
+    #[must_use]
+    pub fn new(influence: Arc<Influence>) -> Self {
+        let (n, stride) = (influence.rings(), influence.stride());
+        let plane = || [vec![0.0; stride], vec![0.0; stride]];
+        Self {
+            influence,
+            contact: 0,
+            sticks: vec![true; n],
+            direction: [vec![1.0; stride], vec![0.0; stride]],
+            traction: plane(),
+            slip: plane(),
+            known: plane(),
+            unknown: plane(),
+            innermost: Some(0),
+            matrix: Vec::new(),
+            slipping: Vec::with_capacity(n),
+            jacobian: vec![0.0; n * stride],
+            angle: vec![0.0; stride],
+            effort: Effort::default(),
+        }
+    }
+
+    /// Tractions, in units of mu p0, two components of [n] and padding; zero outside the contact.
+    #[must_use]
+    pub fn traction(&self) -> &Plane {
+        &self.traction
+    }
+    /// Slips of the rings in contact.
+    #[must_use]
+    pub fn slip(&self) -> &Plane {
+        &self.slip
+    }
+    /// Sticking rings; only those in contact count.
+    #[must_use]
+    pub fn sticks(&self) -> &[bool] {
+        &self.sticks
+    }
+    /// Rings in contact at the last solve.
+    #[must_use]
+    pub fn contact(&self) -> usize {
+        self.contact
+    }
+
+    /// The matrices of these rings.
+    #[must_use]
+    pub fn influence(&self) -> &Influence {
+        &self.influence
+    }
+
+    /// No ring touches any more.
+    pub fn lift_off(&mut self) {
+        self.start(0);
+        self.effort = Effort::default();
+    }
+
+    /// Work of the last solve.
+    #[must_use]
+    pub fn effort(&self) -> Effort {
+        self.effort
+    }
+
+    /// Solves for the tractions of the first `bound.len()` rings: `bound` > 0 is b_j, `free` is g_j.
+    pub fn solve(&mut self, bound: &[f64], free: [&[f64]; 2]) {
+        self.start(bound.len());
+        self.effort = Effort::default();
+        for _ in 0..8 {
+            if dispatch(Newton { friction: self, bound, free }) {
+                return;
+            }
+            self.gauss_seidel(bound, free, 1e-3, 50);
+        }
+        self.gauss_seidel(bound, free, TOLERANCE, 100_000);
+    }
+
+    /// Rings that have just come into contact do at first what their neighbour does.
+    fn start(&mut self, contact: usize) {
+        for j in self.contact..contact {
+            self.sticks[j] = j == 0 || self.sticks[j - 1];
+            for axis in 0..2 {
+                self.direction[axis][j] = self.direction[axis][j.saturating_sub(1)];
+            }
+        }
+        for axis in 0..2 {
+            self.traction[axis][contact..].fill(0.0);
+            self.slip[axis][contact..].fill(0.0);
+        }
+        self.contact = contact;
+    }
+
+    /// Newton's method from the present sets and directions; whether it converged.
+    #[inline(always)]
+    fn newton(&mut self, bound: &[f64], free: [&[f64]; 2]) -> bool {
+        for _ in 0..NEWTON_STEPS {
+            self.partition();
+            self.apply(bound, free);
+            match self.judge(bound) {
+                Verdict::Solved => return true,
+                Verdict::SetsChange => self.change_sets(bound),
+                Verdict::DirectionsTurn => {
+                    self.factor(bound);
+                    self.turn();
+                }
+            }
+        }
+        false
+    }
+
+    /// Chooses the matrix exchanged on the sticking rings.
+    #[inline(always)]
+    fn partition(&mut self) {
+        let m = self.contact;
+        let sticks = &self.sticks[..m];
+        self.slipping.clear();
+        self.slipping.extend((0..m).filter(|&j| !sticks[j]));
+        let count = m - self.slipping.len();
+        let innermost = sticks.iter().position(|&stick| !stick).unwrap_or(m);
+        if innermost == count {
+            self.innermost = Some(count);
+            return;
+        }
+        self.innermost = None;
+        let stride = self.influence.stride();
+        self.matrix.clear();
+        self.matrix.extend_from_slice(&self.influence.exchanged(count)[..stride * m]);
+        for j in 0..m {
+            if sticks[j] != (j < count) {
+                exchange(&mut self.matrix, stride, m, j);
+            }
+        }
+    }
+
+    fn exchanged(&self) -> &[f64] {
+        self.innermost.map_or(&self.matrix, |k| self.influence.exchanged(k))
+    }
+
+    /// Tractions and slips for the present sets and directions.
+    #[inline(always)]
+    fn apply(&mut self, bound: &[f64], free: [&[f64]; 2]) {
+        let m = self.contact;
+        self.effort.products += 1;
+        let sticks = &self.sticks[..m];
+        for axis in 0..2 {
+            let (known, free, direction) =
+                (&mut self.known[axis][..m], &free[axis][..m], &self.direction[axis][..m]);
+            for j in 0..m {
+                known[j] = if sticks[j] { -free[j] } else { bound[j] * direction[j] };
+            }
+        }
+        let matrix = self.innermost.map_or(&self.matrix[..], |k| self.influence.exchanged(k));
+        product(matrix, self.influence.stride(), m, &self.known, &mut self.unknown);
+        for axis in 0..2 {
+            let (known, unknown, free) = (&self.known[axis][..m], &self.unknown[axis][..m], &free[axis][..m]);
+            let (traction, slip) = (&mut self.traction[axis][..m], &mut self.slip[axis][..m]);
+            for j in 0..m {
+                traction[j] = if sticks[j] { unknown[j] } else { known[j] };
+                slip[j] = if sticks[j] { 0.0 } else { unknown[j] + free[j] };
+            }
+        }
+    }
+
+    /// What to do about the present tractions and slips.
+    #[inline(always)]
+    fn judge(&self, bound: &[f64]) -> Verdict {
+        let m = self.contact;
+        let (sticks, bound, diagonal) = (&self.sticks[..m], &bound[..m], &self.influence.diagonal()[..m]);
+        let [y, z] = [&self.traction[0][..m], &self.traction[1][..m]];
+        let [slip_y, slip_z] = [&self.slip[0][..m], &self.slip[1][..m]];
+        let (mut changes, mut turns) = (false, false);
+        for j in 0..m {
+            // Slip along and across the traction, times the bound; a sticking ring slips by zero.
+            let along = slip_y[j] * y[j] + slip_z[j] * z[j];
+            let across = slip_z[j] * y[j] - slip_y[j] * z[j];
+            let limit = bound[j] + TOLERANCE;
+            let beyond = y[j] * y[j] + z[j] * z[j] > limit * limit;
+            changes |= (sticks[j] & beyond) | (along > TOLERANCE * diagonal[j] * bound[j]);
+            turns |= across.abs() * bound[j] > TOLERANCE * (diagonal[j] * bound[j] * bound[j] - along);
+        }
+        if changes {
+            Verdict::SetsChange
+        } else if turns {
+            Verdict::DirectionsTurn
+        } else {
+            Verdict::Solved
+        }
+    }
+
+    /// Lets sticking rings slip whose traction is beyond the bound, and slipping rings stick or turn whose slip
+    /// is not opposed.
+    fn change_sets(&mut self, bound: &[f64]) {
+        for j in 0..self.contact {
+            let [y, z] = [self.traction[0][j], self.traction[1][j]];
+            let diagonal = self.influence.diagonal()[j];
+            let (y, z) = if self.sticks[j] {
+                if y * y + z * z <= (bound[j] + TOLERANCE) * (bound[j] + TOLERANCE) {
+                    continue;
+                }
+                (y, z)
+            } else {
+                let [slip_y, slip_z] = [self.slip[0][j], self.slip[1][j]];
+                if slip_y * y + slip_z * z <= TOLERANCE * diagonal * bound[j] {
+                    continue;
+                }
+                (y - slip_y / diagonal, z - slip_z / diagonal)
+            };
+            let length = (y * y + z * z).sqrt();
+            self.sticks[j] = length <= bound[j];
+            if !self.sticks[j] {
+                self.direction[0][j] = y / length;
+                self.direction[1][j] = z / length;
+            }
+        }
+    }
+}
+
+/// Newton's method as the CPU runs it best; the same bits on any.
+struct Newton<'a> {
+    friction: &'a mut Friction,
+    bound: &'a [f64],
+    free: [&'a [f64]; 2],
+}
+
+impl Kernel for Newton<'_> {
+    type Output = bool;
+    #[inline(always)]
+    fn run<S: Lanes>(self) -> bool {
+        self.friction.newton(self.bound, self.free)
+    }
+}
+
+/// `out` = the leading m x m block of `matrix` times `of`, both components.
+#[inline(always)]
+fn product(matrix: &[f64], stride: usize, m: usize, of: &Plane, out: &mut Plane) {
+    let [of_y, of_z] = [&of[0][..m], &of[1][..m]];
+    for start in (0..m).step_by(8) {
+        let (mut y, mut z) = ([0.0; 8], [0.0; 8]);
+        for ((column, of_y), of_z) in matrix.chunks_exact(stride).zip(of_y).zip(of_z) {
+            let column = &column[start..start + 8];
+            for lane in 0..8 {
+                y[lane] += column[lane] * of_y;
+                z[lane] += column[lane] * of_z;
+            }
+        }
+        out[0][start..start + 8].copy_from_slice(&y);
+        out[1][start..start + 8].copy_from_slice(&z);
+    }
+}

@@ -1,0 +1,217 @@
+//! Influence matrices of the rings: what a traction does to the surface of an elastic half-space.
+//!
+//! Tractions are sums of discs, q(r) = sum of Q_i sqrt(a_i^2 - r^2) over a_i > r (Maw, Barber and Fawcett 1976), with
+//! a_i = a_max i/n, collocated at mid-radii r_j = a_max (j - 1/2)/n. In units of a_max everything here is a constant of
+//! n: T (traction of a disc, upper triangular), C (displacement of a disc), M = C T^-1 (displacement of tractions) and
+//! the weights w (force of tractions). T and its inverse are triangular, so with m rings in contact, where only discs
+//! that end inside the contact carry traction, the leading m x m blocks are the exact matrices of that contact.
+
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+/// Matrices of n rings, dimensionless; columns are contiguous, each padded with zeros to [`Influence::stride`].
+#[derive(Debug)]
+pub struct Influence {
+    rings: usize,
+    stride: usize,
+    /// `exchanged[k]`: M with the first k rings exchanged (see [`Influence::exchanged`]); made when first asked for.
+    exchanged: Vec<OnceLock<Box<[f64]>>>,
+    diagonal: Vec<f64>,
+    force: Vec<f64>,
+    radius: Vec<f64>,
+}
+
+impl Influence {
+    /// The matrices of `rings` rings, made once and shared by everyone who asks.
+    #[must_use]
+    pub fn shared(rings: usize) -> Arc<Self> {
+        static MADE: Mutex<BTreeMap<usize, Arc<Influence>>> = Mutex::new(BTreeMap::new());
+        let mut made = MADE.lock().unwrap_or_else(PoisonError::into_inner);
+        Arc::clone(made.entry(rings).or_insert_with(|| Arc::new(Self::new(rings))))
+    }
+
+    fn new(rings: usize) -> Self {
+        let n = rings as f64;
+        let stride = rings.next_multiple_of(8);
+        let outer: Vec<f64> = (0..rings).map(|i| (i as f64 + 1.0) / n).collect();
+        let radius: Vec<f64> = (0..rings).map(|j| (j as f64 + 0.5) / n).collect();
+        // Inverse of T by back substitution, column by column: inverse[i][j], i <= j.
+        let traction = |j: usize, i: usize| (outer[i].powi(2) - radius[j].powi(2)).sqrt();
+        let mut inverse = vec![vec![0.0; rings]; rings];
+        for column in 0..rings {
+            inverse[column][column] = traction(column, column).recip();
+            for row in (0..column).rev() {
+                let sum: f64 = (row + 1..=column).map(|i| traction(row, i) * inverse[i][column]).sum();
+                inverse[row][column] = -sum / traction(row, row);
+            }
+        }
+        let mut displacement = vec![0.0; stride * rings].into_boxed_slice();
+        let mut force = vec![0.0; rings];
+        for column in 0..rings {
+            for row in 0..rings {
+                displacement[column * stride + row] =
+                    (0..=column).map(|i| disc_displacement(outer[i], radius[row]) * inverse[i][column]).sum();
+            }
+            force[column] =
+                (0..=column).map(|i| 2.0 * PI / 3.0 * outer[i].powi(3) * inverse[i][column]).sum();
+        }
+        let diagonal = (0..rings).map(|j| displacement[j * stride + j]).collect();
+        let exchanged: Vec<OnceLock<Box<[f64]>>> = (0..=rings).map(|_| OnceLock::new()).collect();
+        exchanged[0].get_or_init(|| displacement);
+        Self { rings, stride, exchanged, diagonal, force, radius }
+    }
+
+    /// Number of rings n.
+    #[must_use]
+    pub fn rings(&self) -> usize {
+        self.rings
+    }
+    /// Distance in memory between columns.
+    #[must_use]
+    pub fn stride(&self) -> usize {
+        self.stride
+    }
+    /// Mid-radii r_j / a_max, shape [n], increasing.
+    #[must_use]
+    pub fn radius(&self) -> &[f64] {
+        &self.radius
+    }
+    /// Weights w, shape [n]: the force of tractions q is a_max^2 sum of w_j q_j.
+    #[must_use]
+    pub fn force(&self) -> &[f64] {
+        &self.force
+    }
+    /// M, shape [n, n]: the displacement of tractions q is (2 - nu)/(8 G) a_max M q.
+    #[must_use]
+    pub fn displacement(&self) -> &[f64] {
+        self.exchanged(0)
+    }
+    /// M_jj, shape [n].
+    #[must_use]
+    pub fn diagonal(&self) -> &[f64] {
+        &self.diagonal
+    }
+    /// h = M q solved for (q of the first k rings, h of the others), given (h of the first k rings, q of the others):
+    /// what a contact needs whose first k rings stick, their displacement being known, and whose others slip, their
+    /// traction being known. Its leading m x m block is that of m rings.
+    #[must_use]
+    pub fn exchanged(&self, k: usize) -> &[f64] {
+        self.exchanged[k].get_or_init(|| {
+            let mut matrix: Box<[f64]> = self.exchanged(k - 1).into();
+            exchange(&mut matrix, self.stride, self.rings, k - 1);
+            matrix
+        })
+    }
+}
+
+/// Exchanges the known and the unknown of one ring (a principal pivot); doing it twice undoes it. Works on the leading
+/// `rings` x `rings` block.
+pub fn exchange(matrix: &mut [f64], stride: usize, rings: usize, ring: usize) {
+    let mut pivot_column = [0.0; 256];
+    let pivot_column = &mut pivot_column[..rings];
+    pivot_column.copy_from_slice(&matrix[ring * stride..][..rings]);
+    let inverse = pivot_column[ring].recip();
+    pivot_column[ring] = 0.0;
+    for column in 0..rings {
+        let column = &mut matrix[column * stride..][..rings];
+        let factor = -column[ring] * inverse;
+        for (value, pivot) in column.iter_mut().zip(&*pivot_column) {
+            *value += pivot * factor;
+        }
+        column[ring] = factor;
+    }
+    let column = &mut matrix[ring * stride..][..rings];
+    for (value, pivot) in column.iter_mut().zip(&*pivot_column) {
+        *value = pivot * inverse;
+    }
+    column[ring] = inverse;
+}
+
+/// U(r) of a disc of radius `a` and unit Q: its displacement is (2 - nu)/(8 G) Q U(r).
+fn disc_displacement(a: f64, r: f64) -> f64 {
+    let twice = 2.0 * a * a - r * r;
+    if r <= a {
+        PI / 2.0 * twice
+    } else {
+        twice * (a / r).asin() + a * (r * r - a * a).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// M applied to `q(r)` over the first m rings.
+    fn displaced(influence: &Influence, m: usize, q: impl Fn(f64) -> f64) -> Vec<f64> {
+        let (n, stride) = (influence.rings(), influence.stride());
+        let mut u = vec![0.0; n];
+        for i in 0..m {
+            for j in 0..n {
+                u[j] += influence.displacement()[i * stride + j] * q(influence.radius()[i]);
+            }
+        }
+        u
+    }
+
+    /// A disc of radius a_m is in the space of tractions, so displacement and force are exact up to rounding (n^2 eps).
+    #[test]
+    fn a_hertzian_traction_gives_its_closed_form_displacement_and_force() {
+        for (n, m) in [(1, 1), (20, 20), (20, 7), (64, 33)] {
+            let influence = Influence::shared(n);
+            let a = m as f64 / n as f64;
+            let q = |r: f64| (a * a - r * r).sqrt();
+            let u = displaced(&influence, m, q);
+            for j in 0..n {
+                let exact = disc_displacement(a, influence.radius()[j]);
+                assert!((u[j] - exact).abs() < 1e-12, "ring {j} of {n}: {} for {exact}", u[j]);
+            }
+            let force: f64 = (0..m).map(|j| influence.force()[j] * q(influence.radius()[j])).sum();
+            assert!((force - 2.0 * PI / 3.0 * a.powi(3)).abs() < 1e-13);
+        }
+    }
+
+    /// Both forms of U give pi a^2/2 and the slope -pi a where the disc ends; 1e-6 beyond it, nothing else is left but
+    /// terms of order (1e-6)^1.5.
+    #[test]
+    fn displacement_of_a_disc_and_its_slope_are_continuous_at_its_edge() {
+        let (a, step) = (0.7, 1e-6);
+        let expected = PI / 2.0 * a * a - PI * a * step;
+        assert!((disc_displacement(a, a + step) - expected).abs() < 1e-8);
+    }
+
+    /// A uniform displacement of the whole contact needs the traction 1/sqrt(a^2 - r^2) of a sticking punch, whose
+    /// stiffness is F = 8 a G u/(2 - nu), that is 1 in our units, reached like 1/n.
+    #[test]
+    fn uniform_sticking_has_the_stiffness_of_a_rigid_punch() {
+        let error = |n: usize| {
+            let influence = Influence::shared(n);
+            let inverse = influence.exchanged(n);
+            let force: f64 = (0..n)
+                .flat_map(|i| (0..n).map(move |j| (i, j)))
+                .map(|(i, j)| influence.force()[j] * inverse[i * influence.stride() + j])
+                .sum();
+            force - 1.0
+        };
+        assert!((error(40) / error(20) - 0.5).abs() < 0.01 && error(80).abs() < 0.003);
+    }
+
+    /// Exchanging all rings inverts the matrix: rounding only, the condition grows like n.
+    #[test]
+    fn exchanging_every_ring_inverts_the_matrix() {
+        let influence = Influence::shared(40);
+        let (n, stride) = (40, influence.stride());
+        let mut identity_error: f64 = 0.0;
+        for i in 0..n {
+            for j in 0..n {
+                let sum: f64 = (0..n)
+                    .map(|l| {
+                        influence.displacement()[l * stride + j] * influence.exchanged(n)[i * stride + l]
+                    })
+                    .sum();
+                identity_error = identity_error.max((sum - f64::from(i == j)).abs());
+            }
+        }
+        assert!(identity_error < 1e-12, "{identity_error}");
+    }
+}
