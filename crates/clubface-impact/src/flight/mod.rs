@@ -10,16 +10,18 @@ mod batch;
 mod check;
 pub mod ground;
 mod record;
+mod sensitivity;
 mod shot;
 pub mod trajectory;
 
 #[cfg(test)]
 mod tests;
 
-pub use batch::{fly_batch, Batch, BatchError, Column, Problem};
+pub use batch::FlightBatch;
 pub use check::check;
 pub use record::{trajectory, Track};
+pub use sensitivity::{sensitivity, FlightSensitivity};
 pub use shot::{
-    default_inputs, fly, sensitivity, Bounds, FlightInput, FlightOutput, FlightShot, Flown, Sensitivity,
-    INPUTS, INPUT_COUNT, OUTPUTS, OUTPUT_COUNT,
+    default_inputs, fly, Bounds, FlightInput, FlightOutput, FlightShot, Flown, INPUTS, INPUT_COUNT, OUTPUTS,
+    OUTPUT_COUNT,
 };

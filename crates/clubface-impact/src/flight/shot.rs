@@ -2,10 +2,9 @@
 
 use super::air::{density, DEFAULT_HUMIDITY, DEFAULT_PRESSURE, DEFAULT_TEMPERATURE};
 use super::ground::{run, Ground};
-use super::trajectory::{fly_to_ground, Air, Flight, Landing, TOLERANCE};
+use super::trajectory::{fly_to_ground, Air, Flight, Landing};
 use crate::ball::Ball;
-use crate::error::ImpactError;
-use clubface_math::{Dual, Kernel, Lanes, Scalar, Vec3};
+use clubface_math::{Scalar, Vec3};
 use core::f64::consts::PI;
 
 /// Allowed values of an input.
@@ -191,43 +190,4 @@ pub fn fly<S: Scalar>(shot: &FlightShot<S>, tolerance: f64) -> Flown<S> {
     let landing = fly_to_ground(&flight, shot.velocity, tolerance, f64::INFINITY, |_, _| {});
     let rest = run(&shot.ball, &shot.ground, landing.position, landing.velocity, landing.spin);
     Flown { landing, rest }
-}
-
-/// Outputs of one shot and their derivatives.
-#[derive(Clone, Debug)]
-pub struct Sensitivity {
-    /// Values in the order of [`OUTPUTS`].
-    pub values: [f64; OUTPUT_COUNT],
-    /// Derivative of output i with respect to input j, in SI units.
-    pub jacobian: [[f64; INPUT_COUNT]; OUTPUT_COUNT],
-}
-
-/// Outputs of one shot with their exact derivatives with respect to every input.
-///
-/// # Errors
-/// An input that is not allowed, or a ball that does not come down.
-pub fn sensitivity(inputs: &[f64; INPUT_COUNT]) -> Result<Sensitivity, ImpactError> {
-    super::check(inputs)?;
-    clubface_math::dispatch(Differentiate(inputs)).ok_or_else(super::check::never_lands)
-}
-
-struct Differentiate<'a>(&'a [f64; INPUT_COUNT]);
-
-impl Kernel for Differentiate<'_> {
-    type Output = Option<Sensitivity>;
-
-    // One shot, so no lanes; but the derivatives of a dual number fill vector registers.
-    #[inline(always)]
-    fn run<S: Lanes>(self) -> Self::Output {
-        let mut inputs = [Dual::<f64, INPUT_COUNT>::zero(); INPUT_COUNT];
-        for i in 0..INPUT_COUNT {
-            inputs[i] = Dual::variable(self.0[i], i);
-        }
-        let flown = fly(&FlightShot::from_inputs(&inputs), TOLERANCE);
-        let outputs = flown.outputs();
-        flown.landing.landed.then(|| Sensitivity {
-            values: outputs.map(|output| output.value),
-            jacobian: outputs.map(|output| output.tangent),
-        })
-    }
 }

@@ -1,7 +1,8 @@
 //! Batches: the same bits as one shot alone, and an answer for every row.
 
 use super::{column, drive, flown, launch, with, INPUT_COUNT};
-use crate::flight::{check, fly_batch, trajectory, Batch, BatchError, Column, OUTPUT_COUNT};
+use crate::batch::{Column, Reject};
+use crate::flight::{check, trajectory, FlightBatch, OUTPUT_COUNT};
 
 /// Shots from chips to drives, in all kinds of air, some with sidespin, some struck into the ground.
 fn shots(count: usize) -> Vec<[f64; INPUT_COUNT]> {
@@ -23,22 +24,32 @@ fn shots(count: usize) -> Vec<[f64; INPUT_COUNT]> {
         .collect()
 }
 
-fn run(shots: &[[f64; INPUT_COUNT]], threads: usize) -> Batch {
+/// Output i of shot j at [i][j].
+fn fly(inputs: &[Column<'_>], rows: usize) -> (Vec<Vec<f64>>, Vec<Reject>) {
+    let batch = FlightBatch { inputs };
+    batch.validate(rows).unwrap();
+    let mut outputs = vec![vec![0.0; rows]; OUTPUT_COUNT];
+    let rejects = batch.run(0..rows, outputs.iter_mut().map(Vec::as_mut_slice).collect());
+    (outputs, rejects)
+}
+
+fn run(shots: &[[f64; INPUT_COUNT]], threads: usize) -> (Vec<Vec<f64>>, Vec<Reject>) {
     let columns: Vec<Vec<f64>> =
         (0..INPUT_COUNT).map(|i| shots.iter().map(|shot| shot[i]).collect()).collect();
     let columns: Vec<Column<'_>> = columns.iter().map(|values| Column::Values(values)).collect();
-    fly_batch(&columns, shots.len(), threads, &mut |_| true).unwrap()
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| fly(&columns, shots.len()))
 }
 
 #[test]
 fn a_batch_gives_the_bits_of_each_shot_alone_on_any_number_of_threads() {
     // 2501 is no multiple of lanes or chunks.
     let shots = shots(2501);
-    let batch = run(&shots, 1);
-    assert!(batch.problems.is_empty());
+    let (outputs, rejects) = run(&shots, 1);
+    assert!(rejects.is_empty());
     for (row, shot) in shots.iter().enumerate() {
         for (i, alone) in flown(shot).outputs().into_iter().enumerate() {
-            let together = batch.outputs[i * shots.len() + row];
+            let together = outputs[i][row];
             assert_eq!(
                 together.to_bits(),
                 alone.to_bits(),
@@ -46,28 +57,27 @@ fn a_batch_gives_the_bits_of_each_shot_alone_on_any_number_of_threads() {
             );
         }
     }
-    for threads in [0, 2, 5] {
-        let other = run(&shots, threads);
-        assert!(batch.outputs.iter().zip(&other.outputs).all(|(a, b)| a.to_bits() == b.to_bits()));
+    for threads in [2, 5] {
+        assert_eq!(run(&shots, threads).0, outputs);
     }
 }
 
 #[test]
 fn bad_rows_are_nan_and_named_and_leave_their_neighbours_alone() {
     let mut shots = shots(30);
-    let good = run(&shots, 1);
+    let (good, _) = run(&shots, 1);
     shots[3] = with(shots[3], "humidity", 1.5);
     shots[4] = with(shots[4], "velocity_y", f64::NAN);
     shots[17] = with(shots[17], "pressure", -1.0);
     // Rising air that carries a chip away: the ball never comes down.
     shots[29] = with(launch(20.0, 45.0, 9000.0, 0.0), "wind_y", 60.0);
-    let batch = run(&shots, 1);
-    let named: Vec<_> = batch.problems.iter().map(|problem| (problem.row, problem.error.input)).collect();
+    let (outputs, rejects) = run(&shots, 2);
+    let named: Vec<_> = rejects.iter().map(|reject| (reject.row, reject.error.input)).collect();
     assert_eq!(named, [(3, "humidity"), (4, "velocity_y"), (17, "pressure"), (29, "wind_y")]);
     for row in 0..shots.len() {
         let bad = [3, 4, 17, 29].contains(&row);
         for i in 0..OUTPUT_COUNT {
-            let (now, before) = (batch.outputs[i * shots.len() + row], good.outputs[i * shots.len() + row]);
+            let (now, before) = (outputs[i][row], good[i][row]);
             assert!(
                 if bad { now.is_nan() } else { now.to_bits() == before.to_bits() },
                 "output {i} of shot {row}"
@@ -77,36 +87,29 @@ fn bad_rows_are_nan_and_named_and_leave_their_neighbours_alone() {
 }
 
 #[test]
-fn constants_are_columns_too_and_an_empty_batch_is_one() {
+fn constants_are_columns_too_parts_make_the_whole_and_an_empty_batch_is_one() {
     let shot = drive();
-    let columns = shot.map(Column::Constant);
-    let batch = fly_batch(&columns, 3, 1, &mut |_| true).unwrap();
-    assert_eq!(batch.outputs[..3], [flown(&shot).outputs()[0]; 3]);
-    assert!(fly_batch(&columns, 0, 1, &mut |_| true).unwrap().outputs.is_empty());
-}
-
-#[test]
-fn progress_counts_shots_and_stops_the_batch() {
-    let columns = drive().map(Column::Constant);
-    let mut seen = Vec::new();
-    let result = fly_batch(&columns, 10_000, 2, &mut |done| {
-        seen.push(done);
-        seen.len() < 3
-    });
-    assert_eq!(seen, [2048, 4096, 6144]);
-    assert_eq!(result.unwrap_err(), BatchError::Interrupted(6144));
+    let speeds: Vec<f64> = (0..3000).map(|i| 20.0 + 0.01 * f64::from(i)).collect();
+    let mut columns = shot.map(Column::Constant);
+    columns[column("velocity_x")] = Column::Values(&speeds);
+    let (whole, _) = fly(&columns, 3000);
+    assert_eq!(whole[0][1234], flown(&with(shot, "velocity_x", speeds[1234])).outputs()[0]);
+    let mut part = vec![vec![0.0; 1500]; OUTPUT_COUNT];
+    let slices = part.iter_mut().map(Vec::as_mut_slice).collect();
+    assert!(FlightBatch { inputs: &columns }.run(700..2200, slices).is_empty());
+    for i in 0..OUTPUT_COUNT {
+        assert_eq!(part[i], whole[i][700..2200]);
+    }
+    assert_eq!(fly(&shot.map(Column::Constant), 0), (vec![vec![]; OUTPUT_COUNT], vec![]));
 }
 
 #[test]
 fn misuse_of_the_call_is_told_from_bad_shots() {
-    let columns = drive().map(Column::Constant);
-    assert_eq!(fly_batch(&columns[1..], 3, 1, &mut |_| true).unwrap_err(), BatchError::Columns(18));
-    let mut short = columns;
-    short[column("spin_z")] = Column::Values(&[1.0, 2.0]);
-    let error = fly_batch(&short, 3, 1, &mut |_| true).unwrap_err();
-    assert_eq!(error.to_string(), "column spin_z has 2 values, but the batch has 3 shots");
-    let huge = fly_batch(&columns, usize::MAX / 64, 1, &mut |_| true).unwrap_err();
-    assert!(matches!(huge, BatchError::Memory(_)));
+    let mut columns = drive().map(Column::Constant);
+    let error = |inputs: &[Column<'_>]| FlightBatch { inputs }.validate(3).unwrap_err().to_string();
+    assert_eq!(error(&columns[1..]), "inputs: 18 columns given, 19 needed");
+    columns[column("spin_z")] = Column::Values(&[1.0, 2.0]);
+    assert_eq!(error(&columns), "spin_z: the column has 2 rows, the batch 3");
 }
 
 #[test]
