@@ -3,7 +3,7 @@
 //! `Dual<f64, N>` carries N derivatives of one shot; over a pack, either N derivatives of several shots, or (all
 //! lanes holding the same shot) N times the lanes derivatives of one.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Computation, Scalar};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A value and its derivatives in `N` directions.
@@ -162,6 +162,10 @@ impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
     #[inline(always)]
     fn primal(self) -> Self {
         Self::constant(self.value.primal())
+    }
+    #[inline(always)]
+    fn outline<C: Computation>(computation: C) -> C::Output {
+        S::outline(computation)
     }
     #[inline(always)]
     fn lt(self, other: Self) -> S::Mask {

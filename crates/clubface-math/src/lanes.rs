@@ -4,7 +4,7 @@
 //! features hold for the function that enables them and for what is inlined into it, not for what it calls.
 
 use crate::elementary::{self, Primal};
-use crate::scalar::{Mask, Scalar};
+use crate::scalar::{Computation, Mask, Scalar};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A scalar without derivatives that can be filled and read lane by lane.
@@ -112,6 +112,10 @@ impl Scalar for f64 {
     fn primal(self) -> Self {
         self
     }
+    #[inline(never)]
+    fn outline<C: Computation>(computation: C) -> C::Output {
+        computation.run()
+    }
     #[inline(always)]
     fn lt(self, other: Self) -> bool {
         self < other
@@ -154,7 +158,8 @@ impl Scalar for f64 {
 #[cfg(target_arch = "x86_64")]
 pub mod x86 {
     use super::{
-        elementary, Add, AddAssign, Div, Kernel, Lanes, Mask, Mul, Neg, Primal, Scalar, Sub, SubAssign,
+        elementary, Add, AddAssign, Computation, Div, Kernel, Lanes, Mask, Mul, Neg, Primal, Scalar, Sub,
+        SubAssign,
     };
     use core::arch::x86_64::*;
 
@@ -185,6 +190,17 @@ pub mod x86 {
         kernel.run::<F64x4>()
     }
 
+    #[inline(never)]
+    #[target_feature(enable = "avx2,avx512f,avx512dq")]
+    unsafe fn outline_eight<C: Computation>(computation: C) -> C::Output {
+        computation.run()
+    }
+    #[inline(never)]
+    #[target_feature(enable = "avx2")]
+    unsafe fn outline_four<C: Computation>(computation: C) -> C::Output {
+        computation.run()
+    }
+
     /// Four numbers (AVX2). Only for use below [`super::dispatch`] or after [`has_four`].
     #[derive(Clone, Copy, Debug)]
     pub struct F64x4(__m256d);
@@ -213,7 +229,7 @@ pub mod x86 {
 
     macro_rules! pack {
         ($type:ident, $mask:ident, $lanes:literal, $load:ident, $store:ident, $set:ident, $sqrt:ident,
-         $add:ident, $sub:ident, $mul:ident, $div:ident) => {
+         $add:ident, $sub:ident, $mul:ident, $div:ident, $outline:ident) => {
             binary!($type, Add, add, $add);
             binary!($type, Sub, sub, $sub);
             binary!($type, Mul, mul, $mul);
@@ -268,6 +284,11 @@ pub mod x86 {
                     self
                 }
                 #[inline(always)]
+                fn outline<C: Computation>(computation: C) -> C::Output {
+                    // SAFETY: a computation with this type runs only where the CPU has the feature.
+                    unsafe { $outline(computation) }
+                }
+                #[inline(always)]
                 fn lt(self, other: Self) -> $mask {
                     self.less::<_CMP_LT_OQ>(other)
                 }
@@ -315,7 +336,8 @@ pub mod x86 {
         _mm256_add_pd,
         _mm256_sub_pd,
         _mm256_mul_pd,
-        _mm256_div_pd
+        _mm256_div_pd,
+        outline_four
     );
     pack!(
         F64x8,
@@ -328,7 +350,8 @@ pub mod x86 {
         _mm512_add_pd,
         _mm512_sub_pd,
         _mm512_mul_pd,
-        _mm512_div_pd
+        _mm512_div_pd,
+        outline_eight
     );
 
     // SAFETY of every block below: packs exist only where the CPU has the feature (see the types).

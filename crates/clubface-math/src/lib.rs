@@ -14,5 +14,5 @@ pub use dual::Dual;
 pub use lanes::{dispatch, Kernel, Lanes};
 pub use mat3::Mat3;
 pub use quat::Quat;
-pub use scalar::{Mask, Scalar};
+pub use scalar::{Computation, Mask, Scalar};
 pub use vec3::Vec3;

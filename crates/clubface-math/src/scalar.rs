@@ -55,6 +55,14 @@ impl Mask for bool {
     }
 }
 
+/// A computation for [`Scalar::outline`]: a closure whose inlining can be demanded.
+pub trait Computation {
+    /// What it returns.
+    type Output;
+    /// Runs it; implement with `#[inline(always)]`, since CPU features reach only what is inlined.
+    fn run(self) -> Self::Output;
+}
+
 /// A real number, a pack of real numbers, or either with derivatives.
 ///
 /// The rounding of every operation is that of IEEE `f64` in every lane (no fused multiply-add), and the elementary
@@ -107,6 +115,10 @@ pub trait Scalar:
     /// Angle of the point (x, self) in (-pi, pi], 0 for the origin.
     #[must_use]
     fn atan2(self, x: Self) -> Self;
+
+    /// Runs a computation as a function of its own, compiled with the CPU features of this type: keeps large kernels
+    /// from being copied into every caller.
+    fn outline<C: Computation>(computation: C) -> C::Output;
 
     /// Zero.
     #[inline(always)]

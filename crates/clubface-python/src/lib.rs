@@ -1,1 +1,19 @@
-//! Placeholder.
+//! `clubface._core`: arrays in, arrays out. All values SI and radians.
+
+mod columns;
+mod describe;
+mod flight;
+mod impact;
+
+use pyo3::prelude::*;
+
+/// The compiled core of clubface.
+#[pymodule]
+mod _core {
+    #[pymodule_export]
+    use crate::describe::{flight_inputs, flight_outputs, inputs, models, outputs, pressure_at_altitude};
+    #[pymodule_export]
+    use crate::flight::{fly, fly_sensitivity, trajectory};
+    #[pymodule_export]
+    use crate::impact::{check, history, impact, sensitivity};
+}

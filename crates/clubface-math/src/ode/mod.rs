@@ -9,7 +9,7 @@ mod runge_kutta;
 pub use rosenbrock::Rosenbrock;
 pub use runge_kutta::{RungeKutta, BOGACKI_SHAMPINE, DORMAND_PRINCE, RK4};
 
-use crate::scalar::{Mask, Scalar};
+use crate::scalar::{Computation, Mask, Scalar};
 
 /// An autonomous system of ordinary differential equations.
 pub trait System<S: Scalar, const N: usize> {
@@ -101,14 +101,14 @@ where
     M: Method<P, S, N>,
     O: Observer<S, N>,
 {
-    let mut rate = problem.rhs(&y);
+    let mut rate = rate_of(problem, &y);
     let mut time = S::zero();
     let mut h = control.first.primal();
     let mut finished = S::Mask::splat(false);
     let mut steps = 0;
     while steps < control.max_steps {
         steps += 1;
-        let attempt = method.attempt(problem, &y, &rate, h);
+        let attempt = S::outline(Try { method, problem, y: &y, rate: &rate, h });
         let (accepted, factor) = if M::ERROR_ORDER == 0 {
             (S::Mask::splat(true), S::one())
         } else {
@@ -132,6 +132,41 @@ where
         h = (h * factor).min(control.longest.primal());
     }
     Outcome { finished, steps }
+}
+
+/// The time derivative, as a function of its own: every stage of every method calls the one copy.
+#[inline(always)]
+fn rate_of<P: System<S, N>, S: Scalar, const N: usize>(problem: &P, y: &[S; N]) -> [S; N] {
+    S::outline(Rate { problem, y })
+}
+
+struct Rate<'a, P, S, const N: usize> {
+    problem: &'a P,
+    y: &'a [S; N],
+}
+
+impl<P: System<S, N>, S: Scalar, const N: usize> Computation for Rate<'_, P, S, N> {
+    type Output = [S; N];
+    #[inline(always)]
+    fn run(self) -> [S; N] {
+        self.problem.rhs(self.y)
+    }
+}
+
+struct Try<'a, M, P, S, const N: usize> {
+    method: &'a M,
+    problem: &'a P,
+    y: &'a [S; N],
+    rate: &'a [S; N],
+    h: S,
+}
+
+impl<M: Method<P, S, N>, P, S: Scalar, const N: usize> Computation for Try<'_, M, P, S, N> {
+    type Output = Attempt<S, N>;
+    #[inline(always)]
+    fn run(self) -> Attempt<S, N> {
+        self.method.attempt(self.problem, self.y, self.rate, self.h)
+    }
 }
 
 /// Largest error over the components, in units of the tolerance.

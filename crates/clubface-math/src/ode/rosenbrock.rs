@@ -1,7 +1,7 @@
 //! A Rosenbrock-W method: linearly implicit, and of full order whatever matrix stands for the Jacobian, so that only
 //! the stiff part of a system need be linearised.
 
-use super::{Attempt, Method, StiffSystem};
+use super::{rate_of, Attempt, Method, StiffSystem};
 use crate::scalar::Scalar;
 
 /// ROS34PW2: order 3(2), four stages, stiffly accurate, a W-method (J. Rang and L. Angermann, BIT 45, 2005, 761-787).
@@ -49,7 +49,7 @@ where
                         end[n] += stages[j][n] * ALPHA[i][j];
                     }
                 }
-                slope = problem.rhs(&end);
+                slope = rate_of(problem, &end);
             }
             if i == 4 {
                 break;

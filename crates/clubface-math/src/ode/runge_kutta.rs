@@ -1,6 +1,6 @@
 //! Explicit Runge-Kutta methods: one stepper, each method a table of numbers.
 
-use super::{Attempt, Method, System};
+use super::{rate_of, Attempt, Method, System};
 use crate::scalar::Scalar;
 
 /// An explicit Runge-Kutta method of `STAGES` stages whose last stage is the derivative at the end of the step.
@@ -36,12 +36,7 @@ pub const DORMAND_PRINCE: RungeKutta<7, 5> = RungeKutta {
 
 /// Bogacki and Shampine 3(2) (Appl. Math. Lett. 2, 1989, 321-325).
 pub const BOGACKI_SHAMPINE: RungeKutta<4, 3> = RungeKutta {
-    weights: [
-        [0.0; 4],
-        [0.5, 0.0, 0.0, 0.0],
-        [0.0, 0.75, 0.0, 0.0],
-        [2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0, 0.0],
-    ],
+    weights: [[0.0; 4], [0.5, 0.0, 0.0, 0.0], [0.0, 0.75, 0.0, 0.0], [2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0, 0.0]],
     error: [2.0 / 9.0 - 7.0 / 24.0, 1.0 / 3.0 - 0.25, 4.0 / 9.0 - 1.0 / 3.0, -0.125],
 };
 
@@ -57,7 +52,8 @@ pub const RK4: RungeKutta<5, 0> = RungeKutta {
     error: [0.0; 5],
 };
 
-impl<P, S, const N: usize, const STAGES: usize, const ORDER: u32> Method<P, S, N> for RungeKutta<STAGES, ORDER>
+impl<P, S, const N: usize, const STAGES: usize, const ORDER: u32> Method<P, S, N>
+    for RungeKutta<STAGES, ORDER>
 where
     S: Scalar,
     P: System<S, N>,
@@ -76,7 +72,7 @@ where
                     end[n] += stages[j][n] * weight;
                 }
             }
-            stages[i] = problem.rhs(&end);
+            stages[i] = rate_of(problem, &end);
         }
         let mut error = [S::zero(); N];
         for j in 0..STAGES {

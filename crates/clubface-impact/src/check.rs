@@ -1,0 +1,178 @@
+//! Checks of one shot, before any physics: each fault names the input, its value and what is allowed.
+
+use crate::error::ImpactError;
+use crate::model::ModelInfo;
+use crate::shot::{Shot, INPUTS, INPUT_COUNT};
+use clubface_math::{Mat3, Vec3};
+use core::f64::consts::FRAC_PI_2;
+
+/// Largest loft, rad: beyond it the face no longer drives the ball forwards.
+pub const LARGEST_LOFT: f64 = 80.0 * core::f64::consts::PI / 180.0;
+
+/// Checks the values of a shot, in the order of [`INPUTS`].
+///
+/// # Errors
+/// The first fault found.
+pub fn check(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
+    for (value, input) in values.iter().zip(&INPUTS) {
+        let flat = (input.name == "bulge" || input.name == "roll") && *value == f64::INFINITY;
+        if !value.is_finite() && !flat {
+            return Err(fault(input.name, *value, "must be a finite number"));
+        }
+    }
+    let shot = Shot::from_inputs(values);
+    check_club(&shot)?;
+    for (name, value) in [
+        ("ball_mass", shot.ball.mass),
+        ("ball_radius", shot.ball.radius),
+        ("ball_inertia", shot.ball.inertia),
+    ] {
+        positive(name, value)?;
+    }
+    if shot.ball.inertia > 2.0 / 3.0 * shot.ball.mass * shot.ball.radius.powi(2) {
+        return Err(fault(
+            "ball_inertia",
+            shot.ball.inertia,
+            "must not exceed 2/3 m R^2, all mass at the surface (kg m2)",
+        ));
+    }
+    check_delivery(&shot)
+}
+
+fn check_club(shot: &Shot<f64>) -> Result<(), ImpactError> {
+    let club = &shot.club;
+    positive("club_mass", club.mass)?;
+    check_inertia(&club.inertia)?;
+    if !(club.static_loft.abs() <= LARGEST_LOFT) {
+        return Err(angle_fault("static_loft", club.static_loft, "must be within +-80 deg"));
+    }
+    for (name, value) in [
+        ("bulge", club.bulge),
+        ("roll", club.roll),
+        ("face_width", club.face_width),
+        ("face_height", club.face_height),
+    ] {
+        positive(name, value)?;
+    }
+    if club.hand.abs() != 1.0 {
+        return Err(fault("hand", club.hand, "must be 1 (right-handed) or -1 (left-handed)"));
+    }
+    Ok(())
+}
+
+fn check_delivery(shot: &Shot<f64>) -> Result<(), ImpactError> {
+    let Shot { delivery, club, .. } = shot;
+    positive("speed", delivery.speed)?;
+    if delivery.speed > 150.0 {
+        return Err(fault("speed", delivery.speed, "must be at most 150 m/s; is the unit right?"));
+    }
+    if !(delivery.loft.abs() <= LARGEST_LOFT) {
+        return Err(angle_fault("loft", delivery.loft, "dynamic loft must be within +-80 deg"));
+    }
+    for (name, value) in
+        [("attack", delivery.attack), ("path", delivery.path), ("face", delivery.face), ("lie", delivery.lie)]
+    {
+        if value.abs() >= FRAC_PI_2 {
+            return Err(angle_fault(name, value, "must be within +-90 deg"));
+        }
+    }
+    for (name, value) in
+        [("closure", delivery.closure), ("pitch_rate", delivery.pitch_rate), ("lie_rate", delivery.lie_rate)]
+    {
+        if value.abs() > 1000.0 {
+            return Err(fault(name, value, "must be within +-1000 rad/s; is the unit right?"));
+        }
+    }
+    let (width, height) = (club.face_width / 2.0, club.face_height / 2.0);
+    for (name, value, limit) in [("toe", delivery.toe, width), ("high", delivery.high, height)] {
+        if value.abs() > limit {
+            let message = format!(
+                "impact at {:.1} mm is outside the face outline; allowed: +-{:.1} mm",
+                value * 1e3,
+                limit * 1e3
+            );
+            return Err(ImpactError::new(name, message));
+        }
+    }
+    Ok(())
+}
+
+/// A club whose face does not approach the ball.
+#[must_use]
+pub fn receding(approach: f64) -> ImpactError {
+    let message = format!(
+        "the face moves away from the ball at the impact point (approach speed {approach:.3} m/s along the face \
+         normal); allowed: above 0. Check attack angle, path, loft and face angle"
+    );
+    ImpactError::new("speed", message)
+}
+
+/// A contact that did not end.
+#[must_use]
+pub fn unseparated() -> ImpactError {
+    let message = "club and ball did not separate within the steps allowed; \
+                   check the model's stiffness and damping, or set another accuracy";
+    ImpactError::new("model", message)
+}
+
+/// Checks the parameter values of a model against its bounds.
+///
+/// # Errors
+/// The first value outside its bounds.
+pub fn check_parameters(info: &ModelInfo, values: &[f64]) -> Result<(), ImpactError> {
+    for (parameter, &value) in info.parameters.iter().zip(values) {
+        if !(parameter.lower..=parameter.upper).contains(&value) {
+            let message = format!(
+                "parameter of {} is {value}; allowed: {} to {} {}",
+                info.name, parameter.lower, parameter.upper, parameter.unit
+            );
+            return Err(ImpactError::new(parameter.name, message));
+        }
+    }
+    Ok(())
+}
+
+/// Positive definite, and no principal moment larger than the sum of the other two.
+fn check_inertia(inertia: &[f64; 6]) -> Result<(), ImpactError> {
+    let [xx, yy, zz, xy, xz, yz] = *inertia;
+    if !is_positive_definite(inertia) {
+        return Err(inertia_fault(
+            inertia,
+            "is not positive definite; check units and signs of the products of inertia",
+        ));
+    }
+    // The second moments of mass, trace/2 - I, are positive for any real body.
+    let half = (xx + yy + zz) / 2.0;
+    if !is_positive_definite(&[half - xx, half - yy, half - zz, -xy, -xz, -yz]) {
+        let allowed = "has a principal moment larger than the sum of the other two: no body has that";
+        return Err(inertia_fault(inertia, allowed));
+    }
+    Ok(())
+}
+
+fn inertia_fault([xx, yy, zz, xy, xz, yz]: &[f64; 6], allowed: &str) -> ImpactError {
+    let value =
+        format!("[xx {xx:.4e}, yy {yy:.4e}, zz {zz:.4e}, xy {xy:.4e}, xz {xz:.4e}, yz {yz:.4e}] kg m2");
+    ImpactError::new("ixx", format!("{value} {allowed}"))
+}
+
+fn is_positive_definite(e: &[f64; 6]) -> bool {
+    let [a, b, c]: [Vec3<f64>; 3] = Mat3::symmetric(*e).rows;
+    a.x > 0.0 && a.x * b.y - a.y * b.x > 0.0 && a.dot(b.cross(c)) > 0.0
+}
+
+fn positive(name: &'static str, value: f64) -> Result<(), ImpactError> {
+    if value > 0.0 {
+        Ok(())
+    } else {
+        Err(fault(name, value, "must be above 0"))
+    }
+}
+
+fn fault(name: &'static str, value: f64, allowed: &str) -> ImpactError {
+    ImpactError::new(name, format!("{value} {allowed}"))
+}
+
+fn angle_fault(name: &'static str, value: f64, allowed: &str) -> ImpactError {
+    ImpactError::new(name, format!("{:.2} deg {allowed}", value.to_degrees()))
+}

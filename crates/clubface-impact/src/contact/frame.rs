@@ -1,0 +1,117 @@
+//! One instant of a contact in the terms a reader wants.
+
+use super::dynamics::Contact;
+use super::run::motions;
+use super::state::*;
+use super::ContactLaw;
+use crate::face::tangents;
+use crate::first_touch::FirstTouch;
+use clubface_math::Vec3;
+
+/// One instant of a contact. Forces act on the ball; y' is up the face and z' towards the toe at the contact point;
+/// vectors of the bodies are in world axes (a left-hander's mirrored), positions relative to the clubhead CG at first
+/// touch.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    /// Time since first touch, s.
+    pub time: f64,
+    /// Normal force, N.
+    pub normal_force: f64,
+    /// Tangential force on the ball along y', N.
+    pub force_y: f64,
+    /// Tangential force on the ball along z', N.
+    pub force_z: f64,
+    /// Penetration, m.
+    pub penetration: f64,
+    /// Sliding velocity of the ball's surface on the face along y', m/s.
+    pub sliding_y: f64,
+    /// Sliding velocity along z', m/s.
+    pub sliding_z: f64,
+    /// Contact area, m2.
+    pub contact_area: f64,
+    /// Ball centre, m.
+    pub ball_position: [f64; 3],
+    /// Ball velocity, m/s.
+    pub ball_velocity: [f64; 3],
+    /// Ball angular velocity (all its angular momentum over its inertia), rad/s.
+    pub ball_spin: [f64; 3],
+    /// Clubhead CG, m.
+    pub club_position: [f64; 3],
+    /// Clubhead velocity, m/s.
+    pub club_velocity: [f64; 3],
+    /// Clubhead angular velocity, rad/s.
+    pub club_spin: [f64; 3],
+    /// Clubhead attitude relative to first touch in face axes of first touch: quaternion w, x, y, z.
+    pub club_attitude: [f64; 4],
+    /// Kinetic energy of both bodies, J.
+    pub kinetic_energy: f64,
+    /// Energy stored between cover and core, J.
+    pub layer_energy: f64,
+    /// Work taken so far by the normal force (stored and dissipated), J.
+    pub normal_work: f64,
+    /// Work taken so far by friction, J.
+    pub friction_work: f64,
+    /// Work taken so far by the damper between cover and core, J.
+    pub layer_work: f64,
+}
+
+impl Frame {
+    /// Reads the state `y` of a contact.
+    pub fn of<L: ContactLaw<f64>, const N: usize>(
+        touch: &FirstTouch<f64>,
+        contact: &Contact<f64, L>,
+        time: f64,
+        y: &[f64; N],
+    ) -> Self {
+        let t = contact.touching(y);
+        let normal_force = contact.normal_force(&t);
+        let friction = contact.tangential_force(y, &t, normal_force);
+        let (up, toe) = tangents(t.normal);
+        let core = contact.core();
+        let (ball, club) = motions(touch, core.map(|core| core.inertia), y);
+        let turn = Vec3::of(y, ATTITUDE + 1);
+        let attitude = clubface_math::Quat { w: y[ATTITUDE], v: turn };
+        let relative = attitude.matrix() * Vec3::of(y, POSITION);
+        // Both centres, from the uniform motion of their common centre of mass.
+        let share = touch.ball.mass / (touch.ball.mass + touch.club_mass);
+        let start = touch.contact + touch.normal * touch.ball.radius;
+        let common = start * share + touch.club_velocity * ((1.0 - share) * time);
+        let club_spin = Vec3::of(y, CLUB_SPIN);
+        let surface_spin = Vec3::of(y, BALL_SPIN);
+        let mut spin_energy = 0.5 * touch.ball.inertia * surface_spin.norm_squared();
+        let (mut layer_energy, mut layer_work) = (0.0, 0.0);
+        if let (true, Some(core)) = (N == LAYERED, core) {
+            let cover = touch.ball.inertia - core.inertia;
+            spin_energy = 0.5 * cover * surface_spin.norm_squared()
+                + 0.5 * core.inertia * Vec3::of(y, CORE_SPIN).norm_squared();
+            layer_energy = 0.5 * core.stiffness * Vec3::of(y, TWIST).norm_squared();
+            layer_work = y[LAYER_WORK];
+        }
+        let kinetic_energy = spin_energy
+            + 0.5 * touch.ball.mass * ball.velocity.norm_squared()
+            + 0.5 * touch.club_mass * club.velocity.norm_squared()
+            + 0.5 * club_spin.dot(touch.inertia * club_spin);
+        Self {
+            time,
+            normal_force,
+            force_y: friction.dot(up),
+            force_z: friction.dot(toe),
+            penetration: t.depth,
+            sliding_y: t.sliding.dot(up),
+            sliding_z: t.sliding.dot(toe),
+            contact_area: contact.area(&t),
+            ball_position: touch.world_velocity(common + relative * (1.0 - share)).array(),
+            ball_velocity: touch.world_velocity(ball.velocity).array(),
+            ball_spin: touch.world_spin(ball.spin).array(),
+            club_position: touch.world_velocity(common - relative * share).array(),
+            club_velocity: touch.world_velocity(club.velocity).array(),
+            club_spin: touch.world_spin(club.spin).array(),
+            club_attitude: [attitude.w, turn.x, turn.y, turn.z],
+            kinetic_energy,
+            layer_energy,
+            normal_work: y[WORK],
+            friction_work: y[WORK + 1],
+            layer_work,
+        }
+    }
+}

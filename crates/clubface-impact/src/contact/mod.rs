@@ -1,0 +1,55 @@
+//! Contact of two free rigid bodies, integrated until they separate (P1 section 2.2).
+//!
+//! All vectors are in face axes, which are fixed in the clubhead: the face and the clubhead's inertia are constant
+//! there, and its attitude is needed only to turn the result into world axes. Linear momentum is kept exactly, since
+//! only the relative velocity is integrated.
+
+mod dynamics;
+mod frame;
+mod run;
+mod separation;
+mod state;
+
+pub use dynamics::Contact;
+pub use frame::Frame;
+pub use run::{motions, run};
+pub use separation::Separation;
+pub use state::{initial, scales, Touching, CLUB_SPIN, LAYERED, SLIDING, SLIP, SOLID, VELOCITY};
+
+use clubface_math::{Dual, Scalar, Vec3};
+
+/// A contact law: forces from the state of contact.
+pub trait ContactLaw<S: Scalar> {
+    /// Normal force, N, never negative. `depth`: penetration, m, positive; `rate`: its time derivative, m/s;
+    /// `curvature`: mean curvature of the face, 1/m; `radius`: of the ball, m.
+    fn normal_force(&self, depth: S, rate: S, curvature: S, radius: S) -> S;
+
+    /// Friction per sliding speed, N s/m, as a function of the squared sliding speed `w` (m2/s2), with its slope:
+    /// the force on the ball is minus this times the sliding velocity.
+    fn drag(&self, normal_force: S, rate: S, radius: S, w: Dual<S, 1>) -> Dual<S, 1>;
+
+    /// Friction on the ball, N, of a law that remembers the sliding distance `slip` along y' and z', m, or nothing
+    /// for a law that is all in [`ContactLaw::drag`].
+    fn remembered(&self, _touching: &Touching<S>, _normal_force: S, _slip: [S; 2]) -> Option<Vec3<S>> {
+        None
+    }
+
+    /// Contact area, m2.
+    fn area(&self, depth: S, curvature: S, radius: S) -> S;
+
+    /// The ball's core, if the ball has one that turns inside its cover. `inertia`: of the whole ball, kg m2.
+    fn core(&self, _inertia: S, _radius: S) -> Option<Core<S>> {
+        None
+    }
+}
+
+/// A core joined to the cover by a three-axis rotary spring and damper.
+#[derive(Clone, Copy, Debug)]
+pub struct Core<S> {
+    /// Moment of inertia of the core, kg m2.
+    pub inertia: S,
+    /// Spring stiffness, N m/rad.
+    pub stiffness: S,
+    /// Damper rate, N m s/rad.
+    pub damping: S,
+}

@@ -1,0 +1,88 @@
+//! Runs a contact from first touch to launch.
+
+use super::dynamics::Contact;
+use super::separation::Separation;
+use super::state::*;
+use super::ContactLaw;
+use crate::first_touch::{FirstTouch, Motion};
+use crate::history::Recorder;
+use crate::model::{Accuracy, Impact};
+use clubface_math::ode::{integrate, Control, Rosenbrock, DORMAND_PRINCE};
+use clubface_math::{Quat, Scalar, Vec3};
+
+/// Tolerance of a Rosenbrock step in the fast setting: launch within 1e-4.
+const FAST_TOLERANCE: f64 = 2e-5;
+/// Steps after which a fast contact is given up; a drive takes about 50.
+const FAST_STEPS: usize = 2_000;
+/// Steps after which a contact at a stated tolerance is given up; 1e-12 takes about 10 000.
+const TIGHT_STEPS: usize = 400_000;
+
+/// Integrates a contact and turns its end into a launch. `N`: [`SOLID`] or [`LAYERED`].
+#[inline(always)]
+pub fn run<S, L, R, const N: usize>(
+    touch: &FirstTouch<S>,
+    law: L,
+    accuracy: Accuracy,
+    recorder: &mut R,
+) -> Impact<S>
+where
+    S: Scalar,
+    L: ContactLaw<S>,
+    R: Recorder<S>,
+{
+    let contact = Contact::new(touch, law);
+    let start = initial::<S, N>(touch);
+    if R::ACTIVE {
+        recorder.record(&contact, S::zero(), &start);
+    }
+    // The ball crosses its radius in about the time a contact lasts.
+    let crossing = touch.ball.radius / touch.approach();
+    let mut control = Control {
+        tolerance: FAST_TOLERANCE,
+        scale: scales::<S, N>(touch),
+        first: crossing * 0.01,
+        longest: crossing * 0.1,
+        max_steps: FAST_STEPS,
+    };
+    let mut watch = Separation::new(&contact, recorder, start);
+    let outcome = match accuracy {
+        Accuracy::Fast => integrate(&Rosenbrock, &contact, start, &control, &mut watch),
+        Accuracy::Tolerance(tolerance) => {
+            control.tolerance = tolerance;
+            control.first = crossing * 1e-3;
+            control.max_steps = TIGHT_STEPS;
+            integrate(&DORMAND_PRINCE, &contact, start, &control, &mut watch)
+        }
+    };
+    let Separation { peak_force, time, last, .. } = watch;
+    let (ball, club) = motions(touch, contact.core().map(|core| core.inertia), &last);
+    let mut launch = touch.launch(ball, club);
+    launch.contact_time = time;
+    launch.peak_force = peak_force;
+    Impact { launch, separated: outcome.finished }
+}
+
+/// Motions of ball and club in face axes of first touch: velocities by momentum, ball spin from all its angular
+/// momentum.
+#[inline(always)]
+pub fn motions<S: Scalar, const N: usize>(
+    touch: &FirstTouch<S>,
+    core_inertia: Option<S>,
+    y: &[S; N],
+) -> (Motion<S>, Motion<S>) {
+    let turn = Quat { w: y[ATTITUDE], v: Vec3::of(y, ATTITUDE + 1) }.matrix();
+    let total = (touch.ball.mass + touch.club_mass).recip();
+    let relative = turn * Vec3::of(y, VELOCITY);
+    let common = touch.club_velocity * (touch.club_mass * total);
+    let mut ball_spin = Vec3::of(y, BALL_SPIN);
+    if let (true, Some(core)) = (N == LAYERED, core_inertia) {
+        let share = core / touch.ball.inertia;
+        ball_spin += (Vec3::of(y, CORE_SPIN) - ball_spin) * share;
+    }
+    let ball = Motion { velocity: common + relative * (touch.club_mass * total), spin: turn * ball_spin };
+    let club = Motion {
+        velocity: common - relative * (touch.ball.mass * total),
+        spin: turn * Vec3::of(y, CLUB_SPIN),
+    };
+    (ball, club)
+}

@@ -1,0 +1,20 @@
+//! What can be wrong with an impact.
+
+use thiserror::Error;
+
+/// An input or parameter that makes no sense, or an integration that failed.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error("{input}: {message}")]
+pub struct ImpactError {
+    /// Name of the input or parameter at fault.
+    pub input: &'static str,
+    /// Its value, what is allowed and what to do.
+    pub message: String,
+}
+
+impl ImpactError {
+    /// An error about one input.
+    pub fn new(input: &'static str, message: impl Into<String>) -> Self {
+        Self { input, message: message.into() }
+    }
+}

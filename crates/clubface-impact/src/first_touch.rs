@@ -1,0 +1,130 @@
+//! Both bodies at the moment of first touch, in face axes: where every model starts.
+
+use crate::ball::Ball;
+use crate::face::{tangents, Face};
+use crate::launch::Launch;
+use crate::shot::{Shot, INPUT_COUNT};
+use clubface_math::{Computation, Mat3, Scalar, Vec3};
+
+/// State at first touch. Face axes are fixed in the clubhead: origin of directions at the face centre, x along the
+/// normal there, y up the face, z to the toe.
+#[derive(Clone, Copy, Debug)]
+pub struct FirstTouch<S> {
+    /// Rotation from face axes to world axes (right-hander).
+    pub attitude: Mat3<S>,
+    /// Face curvatures.
+    pub face: Face<S>,
+    /// The ball.
+    pub ball: Ball<S>,
+    /// Clubhead mass, kg.
+    pub club_mass: S,
+    /// Clubhead inertia about its CG, face axes, kg m2.
+    pub inertia: Mat3<S>,
+    /// CG to face centre, face axes, m.
+    pub lever: Vec3<S>,
+    /// CG to impact point, face axes, m.
+    pub contact: Vec3<S>,
+    /// Outward normal at the impact point (x'), face axes.
+    pub normal: Vec3<S>,
+    /// Clubhead velocity, face axes, m/s.
+    pub club_velocity: Vec3<S>,
+    /// Clubhead angular velocity, face axes, rad/s.
+    pub club_spin: Vec3<S>,
+    /// 1 or -1.
+    pub hand: S,
+    /// Clubhead speed, m/s.
+    pub speed: S,
+}
+
+impl<S: Scalar> FirstTouch<S> {
+    /// Sets the scene for a shot.
+    #[inline(always)]
+    pub fn of(shot: &Shot<S>) -> Self {
+        let Shot { delivery, club, ball } = shot;
+        let delivery = delivery.for_right_hander(club.hand);
+        let attitude = delivery.attitude(club.static_loft);
+        let to_face = attitude.transpose();
+        let face = club.face();
+        let lever = club.lever();
+        let point = face.point(delivery.toe, delivery.high);
+        Self {
+            attitude,
+            face,
+            ball: *ball,
+            club_mass: club.mass,
+            inertia: club.face_inertia(),
+            lever,
+            contact: lever + point,
+            normal: face.nearest(point).normal,
+            club_velocity: to_face * delivery.velocity(),
+            club_spin: to_face * delivery.spin(),
+            hand: club.hand,
+            speed: delivery.speed,
+        }
+    }
+
+    /// Sets the scene for a shot given by its inputs, in their order.
+    #[inline(always)]
+    pub fn of_inputs(inputs: &[S; INPUT_COUNT]) -> Self {
+        S::outline(Touch(inputs))
+    }
+
+    /// Speed at which face and ball approach along the normal at the impact point, m/s.
+    #[inline(always)]
+    pub fn approach(&self) -> S {
+        self.normal.dot(self.club_velocity + self.club_spin.cross(self.contact))
+    }
+
+    /// Tangent directions y' and z' at the impact point, face axes.
+    #[inline(always)]
+    pub fn tangents(&self) -> (Vec3<S>, Vec3<S>) {
+        tangents(self.normal)
+    }
+
+    /// A velocity in world axes: for a left-hander the mirror image, turned round in z.
+    #[inline(always)]
+    pub fn world_velocity(&self, v: Vec3<S>) -> Vec3<S> {
+        let w = self.attitude * v;
+        Vec3::new(w.x, w.y, w.z * self.hand)
+    }
+
+    /// An angular velocity in world axes: for a left-hander the mirror image, turned round in x and y.
+    #[inline(always)]
+    pub fn world_spin(&self, v: Vec3<S>) -> Vec3<S> {
+        let w = self.attitude * v;
+        Vec3::new(w.x * self.hand, w.y * self.hand, w.z)
+    }
+
+    /// Launch from motions in face axes of first touch.
+    #[inline(always)]
+    pub fn launch(&self, ball: Motion<S>, club: Motion<S>) -> Launch<S> {
+        Launch {
+            ball_velocity: self.world_velocity(ball.velocity),
+            ball_spin: self.world_spin(ball.spin),
+            club_velocity: self.world_velocity(club.velocity),
+            club_spin: self.world_spin(club.spin),
+            club_speed: self.speed,
+            contact_time: S::from_f64(f64::NAN),
+            peak_force: S::from_f64(f64::NAN),
+        }
+    }
+}
+
+struct Touch<'a, S>(&'a [S; INPUT_COUNT]);
+
+impl<S: Scalar> Computation for Touch<'_, S> {
+    type Output = FirstTouch<S>;
+    #[inline(always)]
+    fn run(self) -> FirstTouch<S> {
+        FirstTouch::of(&Shot::from_inputs(self.0))
+    }
+}
+
+/// Velocity and angular velocity of a body.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<S> {
+    /// Velocity of the centre of mass, m/s.
+    pub velocity: Vec3<S>,
+    /// Angular velocity, rad/s.
+    pub spin: Vec3<S>,
+}

@@ -1,0 +1,66 @@
+//! The impulse-momentum equations that four models share (P1, Eqs. 1-11), eliminated to one 3 x 3 solve.
+
+use crate::first_touch::{FirstTouch, Motion};
+use clubface_math::{Mat3, Scalar, Vec3};
+
+/// Coefficient of restitution at a normal approach speed in m/s: `cor + cor_slope * speed`.
+#[inline(always)]
+pub fn restitution<S: Scalar>(cor: S, cor_slope: S, approach: S) -> S {
+    cor + cor_slope * approach
+}
+
+/// Restitution along x' (normal), y' (up the face) and z' (to the toe): after impact the relative velocity at the
+/// contact point is minus this times that before. Zero along the face is pure rolling.
+#[derive(Clone, Copy, Debug)]
+pub struct Restitution<S> {
+    /// Normal.
+    pub normal: S,
+    /// Up the face.
+    pub up: S,
+    /// Towards the toe.
+    pub toe: S,
+}
+
+/// Both motions after an instantaneous impact at one point, face axes.
+///
+/// `extra_mass` moves with the clubhead CG; `ball_offset` displaces the ball's CG in x'y'z' (Danaei et al., as in P1
+/// section 2.1.1).
+#[inline(always)]
+pub fn solve<S: Scalar>(
+    touch: &FirstTouch<S>,
+    restitution: &Restitution<S>,
+    extra_mass: S,
+    ball_offset: Vec3<S>,
+) -> (Motion<S>, Motion<S>) {
+    let x = touch.normal;
+    let (y, z) = touch.tangents();
+    let club_mass = touch.club_mass + extra_mass;
+    let inverse_inertia = touch.inertia.inverse();
+    let club_arm = touch.contact;
+    let ball_arm = x * -(touch.ball.radius + ball_offset.x) - y * ball_offset.y - z * ball_offset.z;
+
+    // Velocity of the ball relative to the face at the contact point, before and (Eqs. 5, 8-11) after.
+    let before = -(touch.club_velocity + touch.club_spin.cross(club_arm));
+    let after = -(x * (restitution.normal * x.dot(before))
+        + y * (restitution.up * y.dot(before))
+        + z * (restitution.toe * z.dot(before)));
+
+    // Relative velocity gained per impulse on the ball at the contact point (Eqs. 1-4, 6, 7).
+    let inverse_ball_inertia = touch.ball.inertia.recip();
+    let ball_cross = Mat3::cross(ball_arm);
+    let club_cross = Mat3::cross(club_arm);
+    let turning = (ball_cross * ball_cross).scale(-inverse_ball_inertia)
+        + (club_cross * (inverse_inertia * club_cross)).scale(-S::one());
+    let mobility = Mat3::diagonal(touch.ball.mass.recip() + club_mass.recip()) + turning;
+    let impulse = mobility.inverse() * (after - before);
+
+    let ball = Motion {
+        velocity: impulse * touch.ball.mass.recip(),
+        spin: ball_arm.cross(impulse) * inverse_ball_inertia,
+    };
+    let club = Motion {
+        velocity: touch.club_velocity - impulse * club_mass.recip(),
+        spin: touch.club_spin - inverse_inertia * club_arm.cross(impulse),
+    };
+    (ball, club)
+}

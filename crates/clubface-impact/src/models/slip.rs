@@ -1,0 +1,47 @@
+//! Variable-slip impulse-momentum model: Cross and Dewhurst's tangential restitution in 3D (P1 section 2.1.2).
+
+use super::impulse::{restitution, solve, Restitution};
+use crate::first_touch::FirstTouch;
+use crate::history::Recorder;
+use crate::model::{parameters, Accuracy, Describe, Impact, Kind, Law, Model, ModelInfo};
+use clubface_math::{Scalar, Vec3};
+
+parameters! {
+    /// Parameters of the variable-slip model.
+    Slip {
+        cor ["1"] = 0.83 in 0.0 ..= 1.0, "coefficient of restitution at rest", "P1 Eq. 5, the rule limit";
+        cor_slope ["s/m"] = 0.0 in -0.02 ..= 0.0, "change of restitution per normal approach speed", "0 in P1";
+        slip_y ["1"] = -0.0103 in -1.0 ..= 1.0, "slip ratio e_y up the face (P1 Eq. 10); 0 is rolling",
+            "P1 Table 7, driver";
+        slip_z ["1"] = -0.0150 in -1.0 ..= 1.0, "slip ratio e_z towards the toe (P1 Eq. 11); 0 is rolling",
+            "P1 Table 7, driver";
+    }
+}
+
+impl Describe for Slip<()> {
+    const INFO: ModelInfo = ModelInfo {
+        name: "slip",
+        title: "Variable-slip impulse-momentum",
+        kind: Kind::Impulse,
+        summary: "The standard model with a prescribed fraction of the sliding velocity reversed instead of rolling.",
+        reference: "P1 section 2.1.2, Eqs. 10-11, after Cross and Dewhurst; parameters P1 Table 7",
+        laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],
+        laws_without: None,
+        lanes: true,
+        parameters: Slip::PARAMETERS,
+    };
+}
+
+impl<S: Scalar> Model<S> for Slip<S> {
+    #[inline(always)]
+    fn from_values(values: &[S]) -> Self {
+        Self::from_slice(values)
+    }
+    #[inline(always)]
+    fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
+        let normal = restitution(self.cor, self.cor_slope, touch.approach());
+        let sliding = Restitution { normal, up: self.slip_y, toe: self.slip_z };
+        let (ball, club) = solve(touch, &sliding, S::zero(), Vec3::zero());
+        Impact::certain(touch.launch(ball, club))
+    }
+}

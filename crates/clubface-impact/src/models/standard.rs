@@ -1,0 +1,44 @@
+//! Standard impulse-momentum model: restitution along the normal, pure rolling along the face (P1 section 2.1).
+
+use super::impulse::{restitution, solve, Restitution};
+use crate::first_touch::FirstTouch;
+use crate::history::Recorder;
+use crate::model::{parameters, Accuracy, Describe, Impact, Kind, Law, Model, ModelInfo};
+use clubface_math::{Scalar, Vec3};
+
+parameters! {
+    /// Parameters of the standard model.
+    Standard {
+        cor ["1"] = 0.83 in 0.0 ..= 1.0, "coefficient of restitution at rest", "P1 Eq. 5, the rule limit";
+        cor_slope ["s/m"] = 0.0 in -0.02 ..= 0.0, "change of restitution per normal approach speed",
+            "0 in P1; Penner: cor 0.86, slope -0.0029 s/m";
+    }
+}
+
+impl Describe for Standard<()> {
+    const INFO: ModelInfo = ModelInfo {
+        name: "standard",
+        title: "Standard impulse-momentum",
+        kind: Kind::Impulse,
+        summary: "Instantaneous impact with restitution along the normal and pure rolling along the face.",
+        reference: "P1 section 2.1, Eqs. 1-9",
+        laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],
+        laws_without: None,
+        lanes: true,
+        parameters: Standard::PARAMETERS,
+    };
+}
+
+impl<S: Scalar> Model<S> for Standard<S> {
+    #[inline(always)]
+    fn from_values(values: &[S]) -> Self {
+        Self::from_slice(values)
+    }
+    #[inline(always)]
+    fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
+        let normal = restitution(self.cor, self.cor_slope, touch.approach());
+        let rolling = Restitution { normal, up: S::zero(), toe: S::zero() };
+        let (ball, club) = solve(touch, &rolling, S::zero(), Vec3::zero());
+        Impact::certain(touch.launch(ball, club))
+    }
+}

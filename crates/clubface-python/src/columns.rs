@@ -1,0 +1,108 @@
+//! Columns from Python, and long work in pieces between which Python may interrupt.
+
+use clubface_impact::batch::{Column, Reject, CHUNK};
+use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use std::ops::Range;
+use std::time::{Duration, Instant};
+
+/// A number, or one number a row.
+#[derive(FromPyObject)]
+pub enum Values<'py> {
+    /// The same for all rows.
+    #[pyo3(transparent)]
+    Constant(f64),
+    /// One a row.
+    #[pyo3(transparent)]
+    Rows(PyReadonlyArray1<'py, f64>),
+}
+
+/// Columns as the core takes them.
+pub fn columns<'a>(values: &'a [Values<'_>]) -> PyResult<Vec<Column<'a>>> {
+    values
+        .iter()
+        .map(|value| match value {
+            Values::Constant(constant) => Ok(Column::Constant(*constant)),
+            Values::Rows(rows) => rows.as_slice().map(Column::Values).map_err(|_| {
+                PyValueError::new_err("a column is not contiguous in memory; pass a copy of it")
+            }),
+        })
+        .collect()
+}
+
+/// An error of the core as `ValueError(name, message)`.
+pub fn value_error(error: &clubface_impact::ImpactError) -> PyErr {
+    PyValueError::new_err((error.input, error.message.clone()))
+}
+
+/// Longest time without a look at signals.
+const PATIENCE: Duration = Duration::from_millis(40);
+
+/// Computed rows: outputs by rows, and rejects as (row, input, message).
+pub type Computed<'py> = (Bound<'py, PyArray2<f64>>, Vec<(usize, &'static str, String)>);
+
+/// Runs `work` over `rows` on `threads` threads (0: all), in pieces of at most about 40 ms, into an array of `outputs`
+/// by `rows`. Between pieces, reports the rows done to `progress` and lets Python interrupt.
+pub fn run_in_pieces<'py>(
+    py: Python<'py>,
+    outputs: usize,
+    rows: usize,
+    threads: usize,
+    progress: Option<&Bound<'py, PyAny>>,
+    work: impl Fn(Range<usize>, Vec<&mut [f64]>) -> Vec<Reject> + Sync + Send,
+) -> PyResult<Computed<'py>> {
+    // SAFETY: every element is written below before the array is returned, or the array is dropped.
+    let array = unsafe { PyArray2::<f64>::new(py, [outputs, rows], false) };
+    let mut rejects = Vec::new();
+    {
+        let mut writer = array.readwrite();
+        let all =
+            writer.as_slice_mut().map_err(|_| PyValueError::new_err("output array is not contiguous"))?;
+        let pool = if threads == 0 || rows <= CHUNK {
+            None
+        } else {
+            let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            Some(built.map_err(|e| PyValueError::new_err(format!("threads: {e}")))?)
+        };
+        let workers =
+            pool.as_ref().map_or_else(rayon::current_num_threads, rayon::ThreadPool::current_num_threads);
+        let mut columns: Vec<&mut [f64]> = all.chunks_mut(rows.max(1)).collect();
+        let mut start = 0;
+        let mut piece = CHUNK * workers;
+        while start < rows {
+            let count = piece.min(rows - start);
+            let mut parts = Vec::with_capacity(outputs);
+            for column in &mut columns {
+                let (part, rest) = std::mem::take(column).split_at_mut(count);
+                parts.push(part);
+                *column = rest;
+            }
+            let began = Instant::now();
+            let found = if rows <= CHUNK {
+                // Few rows: a thread hand-over would cost more than the GIL held for them.
+                work(start..start + count, parts)
+            } else {
+                py.detach(|| match &pool {
+                    Some(pool) => pool.install(|| work(start..start + count, parts)),
+                    None => work(start..start + count, parts),
+                })
+            };
+            rejects.extend(found.into_iter().map(|r| (r.row, r.error.input, r.error.message)));
+            start += count;
+            let elapsed = began.elapsed();
+            if elapsed < PATIENCE / 4 {
+                piece *= 2;
+            } else if elapsed > PATIENCE && piece > CHUNK {
+                piece = (piece / 2).next_multiple_of(CHUNK);
+            }
+            if rows > CHUNK {
+                py.check_signals()?;
+            }
+            if let Some(progress) = progress {
+                progress.call1((start,))?;
+            }
+        }
+    }
+    Ok((array, rejects))
+}

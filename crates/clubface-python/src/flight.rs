@@ -1,0 +1,66 @@
+//! Flights: batches, trajectories, derivatives.
+
+use crate::columns::{columns, run_in_pieces, value_error, Computed, Values};
+use clubface_impact::batch::Column;
+use clubface_impact::flight::{self, FlightBatch, INPUT_COUNT, OUTPUT_COUNT};
+use clubface_impact::ImpactError;
+use numpy::{PyArray1, PyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+fn one_flight(values: &[f64]) -> PyResult<&[f64; INPUT_COUNT]> {
+    values.try_into().map_err(|_| {
+        value_error(&ImpactError::new(
+            "inputs",
+            format!("{} values given, {INPUT_COUNT} needed", values.len()),
+        ))
+    })
+}
+
+/// Flights of `n` launches: (array of outputs by flights, [(row, input, message), ...]).
+///
+/// `inputs` are columns in the order of `flight_inputs()`, each a number or a contiguous array of n numbers. Rows that
+/// cannot be flown are NaN and listed.
+#[pyfunction]
+#[pyo3(signature = (inputs, n, threads=0, progress=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fly<'py>(
+    py: Python<'py>,
+    inputs: Vec<Values<'py>>,
+    n: usize,
+    threads: usize,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<Computed<'py>> {
+    let inputs: Vec<Column> = columns(&inputs)?;
+    let batch = FlightBatch { inputs: &inputs };
+    batch.validate(n).map_err(|e| value_error(&e))?;
+    run_in_pieces(py, OUTPUT_COUNT, n, threads, progress.as_ref(), |rows, out| batch.run(rows, out))
+}
+
+/// Path of one flight: arrays time, position, velocity and spin over its points.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn trajectory(py: Python<'_>, inputs: Vec<f64>) -> PyResult<Bound<'_, PyDict>> {
+    let track = flight::trajectory(one_flight(&inputs)?).map_err(|e| value_error(&e))?;
+    let dict = PyDict::new(py);
+    dict.set_item("time", PyArray1::from_slice(py, &track.time))?;
+    for (name, vectors) in
+        [("position", &track.position), ("velocity", &track.velocity), ("spin", &track.spin)]
+    {
+        let rows: Vec<Vec<f64>> = vectors.iter().map(|v| v.to_vec()).collect();
+        dict.set_item(name, PyArray2::from_vec2(py, &rows)?)?;
+    }
+    Ok(dict)
+}
+
+/// One flight and its derivatives: (outputs, array of outputs by inputs).
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fly_sensitivity<'py>(
+    py: Python<'py>,
+    inputs: Vec<f64>,
+) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>)> {
+    let result = flight::sensitivity(one_flight(&inputs)?).map_err(|e| value_error(&e))?;
+    let rows: Vec<Vec<f64>> = result.jacobian.iter().map(|row| row.to_vec()).collect();
+    Ok((PyArray1::from_slice(py, &result.values), PyArray2::from_vec2(py, &rows)?))
+}

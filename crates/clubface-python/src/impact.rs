@@ -1,0 +1,177 @@
+//! Impacts: batches, histories, derivatives.
+
+use crate::columns::{columns, run_in_pieces, value_error, Computed, Values};
+use clubface_impact::batch::{Batch, Column};
+use clubface_impact::history::History;
+use clubface_impact::launch::OUTPUT_COUNT;
+use clubface_impact::shot::{INPUTS, INPUT_COUNT};
+use clubface_impact::{Accuracy, ImpactError, ModelKind};
+use numpy::{PyArray1, PyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+fn model_of(name: &str) -> PyResult<ModelKind> {
+    let names: Vec<_> = ModelKind::ALL.iter().map(|kind| kind.info().name).collect();
+    ModelKind::from_name(name).ok_or_else(|| {
+        value_error(&ImpactError::new("model", format!("'{name}' is unknown; known: {}", names.join(", "))))
+    })
+}
+
+fn accuracy_of(tolerance: Option<f64>) -> PyResult<Accuracy> {
+    match tolerance {
+        None => Ok(Accuracy::Fast),
+        Some(value) if (1e-13..=1e-2).contains(&value) => Ok(Accuracy::Tolerance(value)),
+        Some(value) => {
+            let message = format!("{value} is not allowed; 1e-13 to 1e-2, or None for the fast setting");
+            Err(value_error(&ImpactError::new("accuracy", message)))
+        }
+    }
+}
+
+fn one_shot(values: &[f64]) -> PyResult<&[f64; INPUT_COUNT]> {
+    values.try_into().map_err(|_| {
+        value_error(&ImpactError::new(
+            "inputs",
+            format!("{} values given, {INPUT_COUNT} needed", values.len()),
+        ))
+    })
+}
+
+fn check_count(model: ModelKind, parameters: &[f64]) -> PyResult<()> {
+    let wanted = model.info().parameters.len();
+    if parameters.len() == wanted {
+        return Ok(());
+    }
+    let message = format!("{} values given, {wanted} needed by {}", parameters.len(), model.info().name);
+    Err(value_error(&ImpactError::new("parameters", message)))
+}
+
+/// Launches of `n` shots: (array of outputs by shots, [(row, input, message), ...]).
+///
+/// `inputs` and `parameters` are columns in the order of `inputs()` and of the model's parameters, each a number or a
+/// contiguous array of n numbers. Rows that cannot be computed are NaN and listed.
+#[pyfunction]
+#[pyo3(signature = (model, inputs, parameters, n, accuracy=None, threads=0, progress=None))]
+#[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
+pub fn impact<'py>(
+    py: Python<'py>,
+    model: &str,
+    inputs: Vec<Values<'py>>,
+    parameters: Vec<Values<'py>>,
+    n: usize,
+    accuracy: Option<f64>,
+    threads: usize,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<Computed<'py>> {
+    let model = model_of(model)?;
+    let inputs: Vec<Column> = columns(&inputs)?;
+    let parameters: Vec<Column> = columns(&parameters)?;
+    let batch = Batch { model, inputs: &inputs, parameters: &parameters, accuracy: accuracy_of(accuracy)? };
+    batch.validate(n).map_err(|e| value_error(&e))?;
+    run_in_pieces(py, OUTPUT_COUNT, n, threads, progress.as_ref(), |rows, out| batch.run(rows, out))
+}
+
+/// What is wrong with one shot: None, or (input, message).
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn check(inputs: Vec<f64>) -> PyResult<Option<(&'static str, String)>> {
+    Ok(clubface_impact::check::check(one_shot(&inputs)?).err().map(|e| (e.input, e.message)))
+}
+
+/// Launch of one shot and its derivatives: (outputs, array of outputs by (inputs + parameters)). The derivative by an
+/// input that is not differentiable is NaN.
+#[pyfunction]
+#[pyo3(signature = (model, inputs, parameters, accuracy=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn sensitivity<'py>(
+    py: Python<'py>,
+    model: &str,
+    inputs: Vec<f64>,
+    parameters: Vec<f64>,
+    accuracy: Option<f64>,
+) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>)> {
+    let model = model_of(model)?;
+    let inputs = one_shot(&inputs)?;
+    check_count(model, &parameters)?;
+    let variables: Vec<usize> = (0..INPUT_COUNT + parameters.len())
+        .filter(|&i| i >= INPUT_COUNT || INPUTS[i].differentiable)
+        .collect();
+    let accuracy = accuracy_of(accuracy)?;
+    let result = py
+        .detach(|| {
+            clubface_impact::sensitivity::sensitivity(model, inputs, &parameters, &variables, accuracy)
+        })
+        .map_err(|e| value_error(&e))?;
+    let mut rows = vec![vec![f64::NAN; INPUT_COUNT + parameters.len()]; OUTPUT_COUNT];
+    for (row, derivatives) in rows.iter_mut().zip(&result.jacobian) {
+        for (&variable, &derivative) in variables.iter().zip(derivatives) {
+            row[variable] = derivative;
+        }
+    }
+    Ok((PyArray1::from_slice(py, &result.values), PyArray2::from_vec2(py, &rows)?))
+}
+
+/// History of one shot by a contact model: a dictionary of arrays over the steps (see `clubface.history`), and its
+/// outputs under "launch".
+#[pyfunction]
+#[pyo3(signature = (model, inputs, parameters, accuracy=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn history<'py>(
+    py: Python<'py>,
+    model: &str,
+    inputs: Vec<f64>,
+    parameters: Vec<f64>,
+    accuracy: Option<f64>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let model = model_of(model)?;
+    let inputs = one_shot(&inputs)?;
+    check_count(model, &parameters)?;
+    let accuracy = accuracy_of(accuracy)?;
+    let (history, launch) = py
+        .detach(|| clubface_impact::history::history(model, inputs, &parameters, accuracy))
+        .map_err(|e| value_error(&e))?;
+    history_arrays(py, &history, &launch)
+}
+
+fn history_arrays<'py>(py: Python<'py>, history: &History, launch: &[f64]) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    let frames = &history.frames;
+    macro_rules! scalars {
+        ($($name:ident)+) => {
+            $(dict.set_item(stringify!($name), PyArray1::from_iter(py, frames.iter().map(|f| f.$name)))?;)+
+        };
+    }
+    macro_rules! vectors {
+        ($($name:ident)+) => {
+            $(
+                let rows: Vec<Vec<f64>> = frames.iter().map(|f| f.$name.to_vec()).collect();
+                dict.set_item(stringify!($name), PyArray2::from_vec2(py, &rows)?)?;
+            )+
+        };
+    }
+    scalars! {
+        time normal_force force_y force_z penetration sliding_y sliding_z contact_area kinetic_energy layer_energy
+        normal_work friction_work layer_work
+    }
+    vectors! { ball_position ball_velocity ball_spin club_position club_velocity club_spin club_attitude }
+    if !history.rings.is_empty() {
+        macro_rules! rings {
+            ($($name:literal => $value:expr;)+) => {
+                $(
+                    let rows: Vec<Vec<f64>> =
+                        history.rings.iter().map(|frame| frame.iter().map($value).collect()).collect();
+                    dict.set_item($name, PyArray2::from_vec2(py, &rows)?)?;
+                )+
+            };
+        }
+        rings! {
+            "ring_radius" => |ring| ring.radius;
+            "ring_traction_y" => |ring| ring.traction[0];
+            "ring_traction_z" => |ring| ring.traction[1];
+            "ring_slip" => |ring| f64::from(u8::from(ring.slipping));
+            "ring_inside" => |ring| f64::from(u8::from(ring.inside));
+        }
+    }
+    dict.set_item("launch", PyArray1::from_slice(py, launch))?;
+    Ok(dict)
+}
