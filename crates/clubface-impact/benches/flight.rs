@@ -4,7 +4,7 @@ use clubface_impact::batch::Column;
 use clubface_impact::flight::{
     default_inputs, fly, sensitivity, trajectory, FlightBatch, FlightShot, INPUT_COUNT, OUTPUTS, OUTPUT_COUNT,
 };
-use criterion::{criterion_group, criterion_main, Criterion, Throughput};
+use criterion::{Criterion, Throughput};
 use std::hint::black_box;
 
 /// Tolerated error of a step, as in a batch.
@@ -64,5 +64,8 @@ fn flight(criterion: &mut Criterion) {
     print("last drive of the batch", &last);
 }
 
-criterion_group!(benches, flight);
-criterion_main!(benches);
+fn main() {
+    let mut criterion = Criterion::default().configure_from_args();
+    flight(&mut criterion);
+    criterion.final_summary();
+}
