@@ -25,22 +25,29 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOME = {
+    "Air": "flight",
     "Ball": "balls",
     "Club": "clubs",
     "ClubfaceError": "errors",
-    "Delivery": "impact",
+    "Comparison": "launch",
+    "Delivery": "delivery",
     "Flight": "flight",
-    "History": "impact",
-    "Launch": "impact",
+    "History": "history",
+    "Launch": "launch",
     "Model": "models",
     "ParameterSet": "parameters",
+    "PredictReport": "predict",
+    "Sensitivity": "sensitivity",
+    "Trajectory": "flight",
     "ball": "balls",
     "club": "clubs",
     "fly": "flight",
-    "history": "impact",
+    "history": "history",
     "impact": "impact",
     "models": "models",
-    "sensitivity": "impact",
+    "predict": "predict",
+    "sensitivity": "sensitivity",
+    "trajectory": "flight",
 }
 """The module in which each public name is defined."""
 

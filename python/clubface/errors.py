@@ -36,6 +36,35 @@ class InputError(ClubfaceError, ValueError):
         return f"{self.parameter} is {_shown(self.value)}; it must be {self.allowed}"
 
 
+class ShotError(InputError):
+    """A shot that cannot be computed.
+
+    Attributes
+    ----------
+    parameter
+        The name of the input at fault.
+    value
+        Its value [SI].
+    allowed
+        The value in practical units and what would have been accepted.
+    row
+        The index of the shot in its batch; empty for a single shot.
+    others
+        How many more shots of the batch cannot be computed.
+    """
+
+    def __init__(self, parameter: str, value: object, allowed: str, row: tuple[int, ...] = (), others: int = 0) -> None:
+        super().__init__(parameter, value, allowed)
+        self.args = (parameter, value, allowed, row, others)
+        self.row = row
+        self.others = others
+
+    def __str__(self) -> str:
+        place = f"shot {', '.join(map(str, self.row))}: " if self.row else ""
+        more = f' (and {self.others} more shots; on_error="nan" computes the rest)' if self.others else ""
+        return f"{place}{self.parameter}: {self.allowed}{more}"
+
+
 class UnitError(InputError):
     """A unit that is unknown or that belongs to another kind of quantity."""
 

@@ -8,7 +8,7 @@ from functools import cache
 from clubface.errors import InputError, UnknownNameError
 
 PARAMETER_KEYS = ("name", "unit", "meaning", "default", "lower", "upper", "source")
-MODEL_KEYS = ("name", "title", "kind", "summary", "reference", "page")
+MODEL_KEYS = ("name", "title", "kind", "summary", "reference")
 
 
 @dataclass(frozen=True)
@@ -58,8 +58,8 @@ class Model:
         The publication it follows.
     laws
         The laws it obeys, of "momentum", "angular_momentum", "energy", "friction_cone".
-    page
-        Its page in the documentation.
+    laws_without
+        The name of a parameter, and laws obeyed while it is zero; or None.
     parameters
         In the order of the core's columns.
     """
@@ -70,7 +70,7 @@ class Model:
     summary: str
     reference: str
     laws: tuple[str, ...]
-    page: str
+    laws_without: tuple[str, tuple[str, ...]] | None
     parameters: tuple[Parameter, ...]
 
     def parameter(self, name: str) -> Parameter:
@@ -90,7 +90,13 @@ def models() -> dict[str, Model]:
     for entry in _core.models():
         parameters = tuple(Parameter(**{key: each[key] for key in PARAMETER_KEYS}) for each in entry["parameters"])
         plain = {key: entry[key] for key in MODEL_KEYS}
-        found[entry["name"]] = Model(**plain, laws=tuple(entry["laws"]), parameters=parameters)
+        without = entry.get("laws_without")
+        found[entry["name"]] = Model(
+            **plain,
+            laws=tuple(entry["laws"]),
+            laws_without=(without[0], tuple(without[1])) if without else None,
+            parameters=parameters,
+        )
     return found
 
 
