@@ -58,7 +58,9 @@ __all__ = [*_HOME, *_MODULES]  # pyright: ignore[reportUnsupportedDunderAll]
 
 def __getattr__(name: str) -> Any:
     if name in _HOME:
-        return getattr(import_module(f"clubface.{_HOME[name]}"), name)
+        found = getattr(import_module(f"clubface.{_HOME[name]}"), name)
+        globals()[name] = found
+        return found
     if name in _MODULES:
         return import_module(f"clubface.{name}")
     raise AttributeError(f"module 'clubface' has no attribute {name!r}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Literal, overload
@@ -123,11 +124,10 @@ def impact(
     hit = shots(with_, values, hand=hand)
     names = tuple(chosen.values)
     hit, columns = broadcast(hit, chosen.columns(), names, len(outputs()))
-    count = 1
-    for size in hit.shape:
-        count *= size
     try:
-        computed, problems = _core.impact(model, hit.columns, columns, count, accuracy, threads or 0, progress)
+        computed, problems = _core.impact(
+            model, hit.columns, columns, math.prod(hit.shape), accuracy, threads or 0, progress
+        )
     except ValueError as error:
         raise shot_error(error, hit.columns, chosen) from None
     if problems and on_error != "nan":

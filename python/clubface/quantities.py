@@ -83,6 +83,12 @@ def input_columns() -> dict[str, int]:
     return {name: column for column, name in enumerate(inputs())}
 
 
+@cache
+def input_dimensions() -> dict[str, str]:
+    """Return the dimension of each input of an impact."""
+    return {name: each.dimension for name, each in inputs().items()}
+
+
 def convert(value: Any, quantity: Quantity, unit: str) -> Any:
     """Express SI ``value`` of ``quantity`` in ``unit``, which must be of its dimension."""
     if units.unit(unit, name=quantity.name).dimension != quantity.dimension:

@@ -20,8 +20,8 @@ from clubface.errors import InputError, ShotError, UnknownNameError
 from clubface.memory import check_request
 from clubface.models import model
 from clubface.parameters import ParameterSet
-from clubface.quantities import input_columns, inputs
-from clubface.units import parse_values
+from clubface.quantities import input_columns, input_dimensions, inputs
+from clubface.units import parse, parse_values
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -131,9 +131,10 @@ def hand_value(hand: Any) -> Any:
 
 def _parsed(value: Any, name: str) -> Any:
     """Return a float, or a float64 array; text is converted from its unit."""
-    if name in ("bulge", "roll") and (value is math.inf or (isinstance(value, str) and value == FLAT)):
-        return math.inf
-    value = parse_values(value, inputs()[name].dimension, name=name)
+    if isinstance(value, str):
+        flat = value == FLAT and name in ("bulge", "roll")
+        return math.inf if flat else parse(value, input_dimensions()[name], name=name)
+    value = parse_values(value, input_dimensions()[name], name=name)
     return value if isinstance(value, float) or value.ndim else float(value)
 
 
@@ -141,12 +142,12 @@ def broadcast(of: Shots, parameters: list[Any], names: tuple[str, ...], outputs:
     """Bring array inputs and parameters (called ``names``) to one shape, flat, if there is memory for ``outputs``."""
     import numpy as np
 
+    if not of.varied and all(type(value) is float for value in parameters):
+        return of, parameters
     varied = dict(of.varied)
     for name, value in zip(names, parameters, strict=True):
         if not isinstance(value, float):
             varied[name] = value
-    if not varied:
-        return of, parameters
     try:
         shape = np.broadcast_shapes(*(each.shape for each in varied.values()))
     except ValueError:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface.errors import InputError, UnitError, nearest_names
@@ -117,6 +118,7 @@ _DISPLAY_UNITS_BY_NAME = {
 }  # fmt: skip
 
 
+@lru_cache(maxsize=256)
 def unit(symbol: str, *, name: str = "unit") -> Unit:
     """Return the unit written ``symbol``; an unknown one is a :class:`UnitError` that names the nearest."""
     found = _UNITS.get(_key(symbol)) if symbol.strip() else _UNITS["1"]
@@ -155,11 +157,10 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
     """
     if dimension not in SI_UNITS:
         raise ValueError(f"unknown dimension {dimension!r}; known: {', '.join(SI_UNITS)}")
-    wanted = f"a finite number, in {' or '.join(symbols(dimension))}"
     if isinstance(value, str):
         number, symbol = _split(value)
         if number is None:
-            raise InputError(name, value, wanted)
+            raise InputError(name, value, _wanted(dimension))
         if symbol:
             found = unit(symbol, name=name)
             if found.dimension != dimension:
@@ -168,15 +169,19 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
                 raise UnitError(name, value, wanted)
             number = number * found.numerator / found.denominator + found.offset
     elif isinstance(value, bool) or not hasattr(value, "__float__"):
-        raise InputError(name, value, wanted)
+        raise InputError(name, value, _wanted(dimension))
     else:
         try:
             number = float(value)  # pyright: ignore[reportArgumentType]
         except (TypeError, ValueError, OverflowError):
-            raise InputError(name, value, wanted) from None
+            raise InputError(name, value, _wanted(dimension)) from None
     if not math.isfinite(number):
-        raise InputError(name, value, wanted)
+        raise InputError(name, value, _wanted(dimension))
     return number
+
+
+def _wanted(dimension: str) -> str:
+    return f"a finite number, in {' or '.join(symbols(dimension))}"
 
 
 def parse_values(value: object, dimension: str, *, name: str = "value") -> float | NDArray[Any]:

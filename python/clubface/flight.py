@@ -1,0 +1,446 @@
+"""What the ball does after launch: flight through moist air and wind, bounces and roll."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING, Any, Literal, overload
+
+from clubface import _core, units
+from clubface.errors import InputError, ShotError, UnknownNameError
+from clubface.impact import check_on_error
+from clubface.launch import Comparison, Launch
+from clubface.launch_terms import vectors
+from clubface.memory import check_request
+from clubface.quantities import Quantity, flight_inputs, flight_outputs
+from clubface.results import Problem, Result, Varied, attributes, first_error, flattened, index_of, problems_of
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from numpy.typing import NDArray
+
+AXES = ("x", "y", "z")
+VELOCITY = tuple(f"velocity_{axis}" for axis in AXES)
+SPIN = tuple(f"spin_{axis}" for axis in AXES)
+BALL = ("ball_mass", "ball_radius", "ball_inertia")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Air:
+    """The air the ball flies through, each value text with a unit, an SI number, or an array.
+
+    Attributes
+    ----------
+    temperature
+        [K]; 25 degC where nothing is said, to which published carries are normalised.
+    pressure
+        [Pa]; left out, that of the standard atmosphere at the altitude.
+    humidity
+        Relative, 0 to 1; 0.5 where nothing is said.
+    altitude
+        Above the sea [m]; it sets the pressure, not the temperature.
+    """
+
+    temperature: Any = None
+    pressure: Any = None
+    humidity: Any = None
+    altitude: Any = None
+
+    def __post_init__(self) -> None:
+        for name in ("temperature", "pressure", "humidity"):
+            if getattr(self, name) is None:
+                object.__setattr__(self, name, flight_inputs()[name].default)
+            elif name == "pressure" and self.altitude is not None:
+                raise InputError("altitude", self.altitude, "left out where the pressure is given")
+            else:
+                value = units.parse_values(getattr(self, name), flight_inputs()[name].dimension, name=name)
+                object.__setattr__(self, name, value)
+        if self.altitude is not None:
+            altitude = units.parse_values(self.altitude, "length", name="altitude")
+            object.__setattr__(self, "altitude", altitude)
+            object.__setattr__(self, "pressure", _pressure(altitude))
+
+    def values(self) -> dict[str, Any]:
+        """Return the inputs of a flight, SI, by name."""
+        return {"temperature": self.temperature, "pressure": self.pressure, "humidity": self.humidity}
+
+
+class Flight(Result):
+    """Where the ball goes, SI and radians; every quantity is an attribute, of the shape of the batch.
+
+    Attributes
+    ----------
+    carry
+        Straight distance from the start to where the ball comes down to its height [m].
+    side
+        Distance of the landing from the target line [m], right is positive.
+    apex
+        Greatest height above the start [m].
+    landing_angle
+        Angle of descent below the horizontal [rad].
+    flight_time
+        From launch to landing [s].
+    landing_speed
+        [m/s].
+    landing_spin
+        [rad/s].
+    total
+        Straight distance from the start to rest, after bounces and roll [m].
+    total_side
+        Distance of the place of rest from the target line [m], right is positive.
+    outside_fit
+        1 where the spin parameter left the range of the aerodynamic fit, else 0.
+    launch
+        The launch it began with, or None where it was given as numbers.
+    shape
+        The shape the inputs broadcast to; () for a single flight.
+    problems
+        The flights without a result (their values are NaN) and why.
+    """
+
+    _kind = "flight"
+
+    carry: Any
+    side: Any
+    apex: Any
+    landing_angle: Any
+    flight_time: Any
+    landing_speed: Any
+    landing_spin: Any
+    total: Any
+    total_side: Any
+    outside_fit: Any
+
+    def __init__(
+        self,
+        values: NDArray[Any],
+        columns: Mapping[str, Any],
+        shape: tuple[int, ...],
+        varied: Mapping[str, NDArray[Any]],
+        launch: Launch | None,
+        problems: list[tuple[int, str, str]],
+    ) -> None:
+        self._values = values
+        self._columns = columns
+        self._varied = varied
+        self._found = problems
+        self.shape = shape
+        self.launch = launch
+
+    @classmethod
+    def quantities(cls) -> Mapping[str, Quantity]:
+        """Return the quantities by name, with unit and meaning."""
+        return flight_outputs()
+
+    @classmethod
+    def _rows(cls) -> dict[str, int]:
+        return _rows()
+
+    def _headline(self) -> str:
+        return f"flight after launch by {self.launch.model}" if self.launch is not None else "flight"
+
+    @property
+    def problems(self) -> tuple[Problem, ...]:  # pyright: ignore[reportIncompatibleVariableOverride]
+        """The flights without a result and why."""
+        return problems_of(self._found, self.shape)
+
+    @property
+    def varied(self) -> Mapping[str, Varied]:  # pyright: ignore[reportIncompatibleVariableOverride]
+        """The inputs that were given as arrays, by name; those of the impact where there was one."""
+        found = dict(self.launch.varied) if self.launch is not None else {}
+        for name, values in self._varied.items():
+            each = flight_inputs()[name]
+            found[name] = Varied(values, each.unit, each.meaning)
+        return found
+
+    @property
+    def provenance(self) -> dict[str, Any]:
+        """The launch it began with, air, ground and version."""
+        from clubface import __version__
+
+        inputs = flight_inputs()
+        held = {name: value for name, value in self._columns.items() if isinstance(value, float)}
+        groups = {
+            group: {"values": {name: value for name, value in held.items() if inputs[name].group == group}}
+            for group in ("ball", "launch", "air", "ground")
+        }
+        began = {"impact": self.launch.provenance} if self.launch is not None else {}
+        return {**began, **groups, "clubface_version": __version__}
+
+
+class Trajectory:
+    """The path of one ball from launch to landing.
+
+    Attributes
+    ----------
+    time
+        Since launch [s], shape (n,).
+    position
+        From the start, to the target, up, right [m], shape (n, 3).
+    velocity
+        [m/s], shape (n, 3).
+    spin
+        Angular velocity [rad/s], shape (n, 3).
+    """
+
+    _UNITS = (
+        ("position", "m", "from the start"),
+        ("velocity", "m/s", "velocity"),
+        ("spin", "rad/s", "angular velocity"),
+    )
+
+    def __init__(self, arrays: Mapping[str, NDArray[Any]], provenance: dict[str, Any]) -> None:
+        self.time = arrays["time"]
+        self.position = arrays["position"]
+        self.velocity = arrays["velocity"]
+        self.spin = arrays["spin"]
+        self.provenance = provenance
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return one row a point, SI, with columns ``time``, ``position_x`` and so on."""
+        import pandas
+
+        columns: dict[str, Any] = {"time": self.time}
+        named = {"time": "s"}
+        for name, unit, _ in self._UNITS:
+            for index, axis in enumerate(AXES):
+                columns[f"{name}_{axis}"] = getattr(self, name)[:, index]
+                named[f"{name}_{axis}"] = unit
+        frame = pandas.DataFrame(columns)
+        frame.attrs = {"units": named, "provenance": self.provenance}
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a dataset over ``time`` and ``axis`` (x to the target, y up, z right)."""
+        import xarray
+
+        variables = {
+            name: (("time", "axis"), getattr(self, name), attributes(unit, meaning))
+            for name, unit, meaning in self._UNITS
+        }
+        coordinates = {"time": ("time", self.time, attributes("s", "time since launch")), "axis": list(AXES)}
+        return xarray.Dataset(variables, coordinates, attrs=flattened(self.provenance))
+
+    def __repr__(self) -> str:
+        carry = math.hypot(self.position[-1, 0], self.position[-1, 2])
+        apex = self.position[:, 1].max()
+        return f"trajectory of {len(self)} points: carry {carry:.5g} m, apex {apex:.4g} m, {self.time[-1]:.3g} s"
+
+
+@overload
+def fly(
+    launch: Launch | Mapping[str, Any],
+    *,
+    air: Air | Mapping[str, Any] | None = None,
+    wind: Any = None,
+    ground: Mapping[str, Any] | None = None,
+    threads: int | None = None,
+    progress: Callable[[int], object] | None = None,
+    on_error: Literal["raise", "nan"] = "raise",
+) -> Flight: ...
+@overload
+def fly(
+    launch: Comparison,
+    *,
+    air: Air | Mapping[str, Any] | None = None,
+    wind: Any = None,
+    ground: Mapping[str, Any] | None = None,
+    threads: int | None = None,
+    progress: Callable[[int], object] | None = None,
+    on_error: Literal["raise", "nan"] = "raise",
+) -> dict[str, Flight]: ...
+def fly(
+    launch: Launch | Comparison | Mapping[str, Any],
+    *,
+    air: Air | Mapping[str, Any] | None = None,
+    wind: Any = None,
+    ground: Mapping[str, Any] | None = None,
+    threads: int | None = None,
+    progress: Callable[[int], object] | None = None,
+    on_error: Literal["raise", "nan"] = "raise",
+) -> Flight | dict[str, Flight]:
+    """Compute where a launched ball goes.
+
+    Parameters
+    ----------
+    launch
+        A :class:`Launch`; a comparison of models, which gives a flight a model; or a mapping of values, in the terms
+        of a launch monitor (``ball_speed``, ``launch``, ``azimuth``, ``backspin``, ``sidespin``, or ``total_spin``
+        and ``spin_axis``) or as vectors (``velocity_x`` ... ``spin_z``), with ``ball_mass``, ``ball_radius``,
+        ``ball_inertia`` where the ball is not the published one. Text with a unit, SI numbers, or arrays.
+    air
+        An :class:`Air` or a mapping of its values; left out, 25 degC at sea level.
+    wind
+        Velocity of the wind to the target, up and right, three values (``("-10 mph", 0, 0)`` is a headwind), or a
+        mapping of ``wind_x``, ``wind_y``, ``wind_z``; left out, none.
+    ground
+        A mapping of ``restitution_factor``, ``ground_tilt``, ``ground_friction``, ``rolling_friction``.
+    threads
+        Left out, all cores. The result does not depend on it.
+    progress
+        Called with the number of flights done.
+    on_error
+        What a flight that cannot be computed does: "raise" an error, or leave "nan" and an entry in
+        ``Flight.problems``. Launches that have no result have no flight either, and raise nothing.
+
+    Returns
+    -------
+    Flight
+        Of the shape to which the inputs broadcast.
+    """
+    if isinstance(launch, Comparison):
+        return {
+            name: fly(each, air=air, wind=wind, ground=ground, threads=threads, progress=progress, on_error=on_error)
+            for name, each in launch.items()
+        }
+    check_on_error(on_error)
+    columns, varied, shape = _columns(launch, air, wind, ground)
+    count = math.prod(shape)
+    try:
+        values, problems = _core.fly(list(columns.values()), count, threads or 0, progress)
+    except ValueError as error:
+        raise _single_error(error, columns) from None
+    if problems:
+        problems, new = _sorted_problems(problems, columns, launch, shape)
+        if new and on_error == "raise":
+            value = columns.get(new[0][1])
+            raise first_error(new, value if isinstance(value, float | None) else float(value[new[0][0]]), shape)
+    return Flight(values, columns, shape, varied, launch if isinstance(launch, Launch) else None, problems)
+
+
+def trajectory(
+    launch: Launch | Mapping[str, Any],
+    *,
+    air: Air | Mapping[str, Any] | None = None,
+    wind: Any = None,
+    ground: Mapping[str, Any] | None = None,
+) -> Trajectory:
+    """Compute the path of one ball, at times at most 0.02 s apart; the arguments are those of :func:`fly`."""
+    columns, varied, shape = _columns(launch, air, wind, ground)
+    if shape or varied:
+        raise InputError("launch", f"a batch of shape {shape}", "a single shot: a trajectory is of one ball")
+    try:
+        arrays = _core.trajectory(list(columns.values()))
+    except ValueError as error:
+        raise _single_error(error, columns) from None
+    began = {"impact": launch.provenance} if isinstance(launch, Launch) else {}
+    return Trajectory(arrays, {**began, "inputs": {"values": columns}})
+
+
+def _columns(
+    launch: Launch | Mapping[str, Any], air: Any, wind: Any, ground: Any
+) -> tuple[dict[str, Any], dict[str, NDArray[Any]], tuple[int, ...]]:
+    """Return the columns by name, flat; those that are arrays, not broadcast; and the common shape."""
+    import numpy as np
+
+    inputs = flight_inputs()
+    given: dict[str, Any] = {}
+    if isinstance(launch, Launch):
+        rows = {name: getattr(launch, name) for name in (*VELOCITY, *SPIN)}
+        rows |= {name: launch.input(name) for name in BALL}
+        given |= {name: _of_shape(value, launch.shape) for name, value in rows.items()}
+    elif isinstance(launch, Mapping):
+        given |= vectors({name: value for name, value in launch.items() if value is not None})
+    else:
+        raise InputError("launch", launch, "a Launch or a mapping of values")
+    air = Air() if air is None else air if isinstance(air, Air) else _air(air)
+    given |= air.values()
+    given |= _group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))
+    given |= _group("ground", ground or {}, [name for name, each in inputs.items() if each.group == "ground"])
+    parsed = {name: each.default for name, each in inputs.items()}
+    varied: dict[str, NDArray[Any]] = {}
+    for name, value in given.items():
+        value = units.parse_values(value, inputs[name].dimension, name=name) if type(value) is not float else value
+        if not isinstance(value, float):
+            value = varied[name] = np.asarray(value, dtype=np.float64)
+        parsed[name] = value
+    try:
+        shape = np.broadcast_shapes(*(each.shape for each in varied.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {each.shape}" for name, each in varied.items())
+        raise InputError("the shapes of the inputs", shapes, "such that they broadcast") from None
+    copies = sum(each.shape != shape for each in varied.values())
+    check_request(math.prod(shape), 8 * (len(flight_outputs()) + copies))
+    flat = {
+        name: value if isinstance(value, float) else np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
+        for name, value in parsed.items()
+    }
+    if isinstance(launch, Launch):
+        varied = {name: value for name, value in varied.items() if name not in (*VELOCITY, *SPIN, *BALL)}
+    return flat, varied, shape
+
+
+def _sorted_problems(
+    problems: list[tuple[int, str, str]], columns: Mapping[str, Any], launch: Any, shape: tuple[int, ...]
+) -> tuple[list[tuple[int, str, str]], list[tuple[int, str, str]]]:
+    """Give flights that have no launch the reason of the impact; return all problems, and those of flights alone."""
+    if not isinstance(launch, Launch) or not launch.problems:
+        return problems, problems
+    reasons = {each.row: each for each in launch.problems}
+    speeds = columns["velocity_x"]
+    every, new = [], []
+    for row, name, message in problems:
+        lost = math.isnan(speeds if isinstance(speeds, float) else speeds[row])
+        if not lost:
+            new.append((row, name, message))
+        reason = reasons.get(index_of(row, shape)) if shape == launch.shape else None
+        if lost and reason is not None:
+            name, message = reason.parameter, reason.reason
+        every.append((row, name, "there is no launch to fly" if lost and reason is None else message))
+    return every, new
+
+
+def _of_shape(value: Any, shape: tuple[int, ...]) -> Any:
+    return value.reshape(shape) if getattr(value, "ndim", 0) else float(value)
+
+
+def _air(values: Any) -> Air:
+    if not isinstance(values, Mapping):
+        raise InputError("air", values, "an Air or a mapping of its values")
+    for name in values:
+        if name not in Air.__dataclass_fields__:
+            raise UnknownNameError("value of the air", name, Air.__dataclass_fields__)
+    return Air(**values)
+
+
+def _wind(wind: Any) -> Mapping[str, Any]:
+    if wind is None or isinstance(wind, Mapping):
+        return wind or {}
+    if isinstance(wind, str) or not hasattr(wind, "__len__") or len(wind) != 3:
+        raise InputError("wind", wind, 'three values: to the target, up and right, as in ("-10 mph", 0, 0)')
+    return {f"wind_{axis}": value for axis, value in zip(AXES, wind, strict=True)}
+
+
+def _group(what: str, values: Any, known: Any) -> dict[str, Any]:
+    if not isinstance(values, Mapping):
+        raise InputError(what, values, f"a mapping of {', '.join(known)}")
+    for name in values:
+        if name not in known:
+            raise UnknownNameError(f"value of the {what}", name, known)
+    return {name: value for name, value in values.items() if value is not None}
+
+
+def _single_error(error: ValueError, columns: Mapping[str, Any]) -> ShotError:
+    name, message = error.args if len(error.args) == 2 else ("the request", str(error))
+    value = columns.get(name)
+    return ShotError(name, value if isinstance(value, float) else None, message)
+
+
+def _pressure(altitude: Any) -> Any:
+    if isinstance(altitude, float):
+        return _core.pressure_at_altitude(altitude)
+    import numpy as np
+
+    flat = [_core.pressure_at_altitude(each) for each in altitude.ravel().tolist()]
+    return np.array(flat, dtype=np.float64).reshape(altitude.shape)
+
+
+@cache
+def _rows() -> dict[str, int]:
+    return {name: row for row, name in enumerate(flight_outputs())}
