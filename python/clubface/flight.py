@@ -235,17 +235,6 @@ class Trajectory:
 
 @overload
 def fly(
-    launch: Launch | Mapping[str, Any],
-    *,
-    air: Air | Mapping[str, Any] | None = None,
-    wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
-    threads: int | None = None,
-    progress: Callable[[int], object] | None = None,
-    on_error: Literal["raise", "nan"] = "raise",
-) -> Flight: ...
-@overload
-def fly(
     launch: Comparison,
     *,
     air: Air | Mapping[str, Any] | None = None,
@@ -255,6 +244,17 @@ def fly(
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
 ) -> dict[str, Flight]: ...
+@overload
+def fly(
+    launch: Launch | Mapping[str, Any],
+    *,
+    air: Air | Mapping[str, Any] | None = None,
+    wind: Any = None,
+    ground: Mapping[str, Any] | None = None,
+    threads: int | None = None,
+    progress: Callable[[int], object] | None = None,
+    on_error: Literal["raise", "nan"] = "raise",
+) -> Flight: ...
 def fly(
     launch: Launch | Comparison | Mapping[str, Any],
     *,
@@ -353,7 +353,7 @@ def _columns(
     given |= air.values()
     given |= _group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))
     given |= _group("ground", ground or {}, [name for name, each in inputs.items() if each.group == "ground"])
-    parsed = {name: each.default for name, each in inputs.items()}
+    parsed: dict[str, Any] = {name: each.default for name, each in inputs.items()}
     varied: dict[str, NDArray[Any]] = {}
     for name, value in given.items():
         value = units.parse_values(value, inputs[name].dimension, name=name) if type(value) is not float else value

@@ -132,10 +132,15 @@ def hand_value(hand: Any) -> Any:
 def _parsed(value: Any, name: str) -> Any:
     """Return a float, or a float64 array; text is converted from its unit."""
     if isinstance(value, str):
-        flat = value == FLAT and name in ("bulge", "roll")
-        return math.inf if flat else parse(value, input_dimensions()[name], name=name)
+        return _parsed_text(value, name)
     value = parse_values(value, input_dimensions()[name], name=name)
     return value if isinstance(value, float) or value.ndim else float(value)
+
+
+@lru_cache(maxsize=1024)
+def _parsed_text(value: str, name: str) -> float:
+    flat = value == FLAT and name in ("bulge", "roll")
+    return math.inf if flat else parse(value, input_dimensions()[name], name=name)
 
 
 def broadcast(of: Shots, parameters: list[Any], names: tuple[str, ...], outputs: int) -> tuple[Shots, list[Any]]:

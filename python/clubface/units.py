@@ -50,6 +50,9 @@ def _table() -> dict[str, Unit]:
     add("length", "in,inch,inches", 254.0, 1e4)
     add("length", "yd,yard,yards,yds", 9144.0, 1e4)
     add("length", "ft,feet,foot", 3048.0, 1e4)
+    add("area", "m2")
+    add("area", "cm2", 1.0, 1e4)
+    add("area", "mm2", 1.0, 1e6)
     add("mass", "kg")
     add("mass", "g,grams,gram", 1.0, 1e3)
     add("mass", "oz", 28349523125.0, 1e12)
@@ -114,6 +117,7 @@ _DISPLAY_UNITS_BY_NAME = {
     "toe": "mm", "high": "mm", "bulge": "mm", "roll": "mm", "face_width": "mm", "face_height": "mm",
     "cg_x": "mm", "cg_y": "mm", "cg_z": "mm", "dcg_x": "mm", "dcg_y": "mm", "dcg_z": "mm",
     "ball_radius": "mm", "radius": "mm", "cover_thickness": "mm", "penetration": "mm",
+    "contact_area": "mm2",
     "contact_time": "us", "peak_force": "kN", "shear_modulus": "MPa", "ring_modulus": "MPa", "humidity": "%",
 }  # fmt: skip
 
