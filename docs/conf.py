@@ -23,4 +23,5 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "description"
 autodoc_typehints_description_target = "documented_params"
 napoleon_google_docstring = False
+napoleon_use_ivar = True
 napoleon_use_rtype = False

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from typing import Any
 
 from docutils import nodes
 from docutils.statemachine import StringList
@@ -29,6 +30,19 @@ def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> li
 def number(value: float | None) -> str:
     """Write a bound or default; an absent one stays empty."""
     return "" if value is None else f"{value:.6g}"
+
+
+def laws(model: dict[str, Any]) -> str:
+    """Name the laws a model obeys, and those it obeys only while a parameter is zero."""
+
+    def words(names: Sequence[str]) -> str:
+        return ", ".join(name.replace("_", " ") for name in names)
+
+    always = words(model["laws"])
+    if not model["laws_without"]:
+        return always
+    parameter, more = model["laws_without"]
+    return f"{always}; with `{parameter}` = 0 also {words(more)}"
 
 
 class CoreTable(SphinxDirective):
@@ -58,7 +72,7 @@ class ModelList(CoreTable):
                     f"[`{model['name']}`](/models/{model['name']}.md)",
                     model["kind"],
                     model["summary"],
-                    ", ".join(law.replace("_", " ") for law in model["laws"]),
+                    laws(model),
                 )
                 for model in _core.models()
             ),
@@ -99,8 +113,7 @@ class Quantities(CoreTable):
         """One row a quantity, in the order of the columns."""
         quantities = getattr(_core, self.arguments[0])()
         return markdown_table(
-            ("name", "unit", "meaning", "positive means"),
-            ((f"`{q['name']}`", q["unit"], q["meaning"], q.get("sign", "")) for q in quantities),
+            ("name", "unit", "meaning"), ((f"`{q['name']}`", q["unit"], q["meaning"]) for q in quantities)
         )
 
 
