@@ -1,0 +1,19 @@
+"""The command ``clubface``. Each command is one module here, imported only when it is asked for."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+
+def main() -> None:
+    """Run the command line and leave with its exit status."""
+    # No command does linear algebra in NumPy, and starting OpenBLAS's threads costs more than a shot.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    try:
+        from clubface.cli.app import run
+    except ModuleNotFoundError as error:
+        from clubface.cli.failures import missing_library
+
+        sys.exit(missing_library(error))
+    sys.exit(run(sys.argv[1:]))

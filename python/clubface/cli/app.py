@@ -1,0 +1,92 @@
+"""The list of commands, and how a run ends: result, mistake of the user, interruption."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from typing import Annotated, Any
+
+import typer
+from typer.core import TyperGroup
+
+from clubface.cli.failures import Interrupted, report, show_warnings
+from clubface.errors import UnknownNameError
+
+COMMANDS = {
+    "shot": "shot",
+    "predict": "predict",
+    "flight": "flight",
+    "sensitivity": "sensitivity",
+    "models": "models",
+    "clubs": "clubs",
+    "club": "club",
+    "tour": "tour",
+}
+"""The module of each command, in the order of the help."""
+
+
+class Commands(TyperGroup):
+    """A group that imports the module of a command when it is asked for."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        """Return the names for the help."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        """Import and return one command."""
+        if cmd_name not in COMMANDS:
+            return None
+        module = import_module(f"clubface.cli.{COMMANDS[cmd_name]}")
+        command = typer.main.get_command(module.app)
+        command.name = cmd_name
+        return command
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """Name the nearest commands to one that does not exist."""
+        if args and args[0] not in COMMANDS and not args[0].startswith("-"):
+            raise UnknownNameError("command", args[0], COMMANDS)
+        return super().resolve_command(ctx, args)
+
+    def invoke(self, ctx: Any) -> Any:
+        """Keep Ctrl-C apart from other reasons to stop."""
+        try:
+            return super().invoke(ctx)
+        except KeyboardInterrupt as stop:
+            raise Interrupted(*stop.args) from None
+
+
+app = typer.Typer(cls=Commands, help="From delivery to launch: how a golf club meets a ball.", no_args_is_help=True)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        from clubface import __version__
+
+        print(f"clubface {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _root(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and leave.")
+    ] = False,
+) -> None:
+    """From delivery to launch: how a golf club meets a ball."""
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Run one command line; return the exit status."""
+    show_warnings()
+    try:
+        status = typer.main.get_command(app).main(list(arguments), prog_name="clubface", standalone_mode=False)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        # The reader (a pager, head) has gone; nothing is left to say, and Python must not flush at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
+    except (Exception, Interrupted) as error:
+        return report(error)
+    return status if isinstance(status, int) else 0

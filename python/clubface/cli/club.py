@@ -1,0 +1,60 @@
+"""``clubface club``: start a club file of one's own, and check one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from clubface.cli import options, output
+from clubface.cli.failures import say
+from clubface.errors import FileError
+
+app = typer.Typer(add_completion=False, help="Make and check a club file.", no_args_is_help=True)
+
+
+@app.command()
+def new(
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the club.")] = "my-club",
+    like: Annotated[
+        str | None,
+        typer.Option(
+            "--like", metavar="CLUB", help="Start from this club, not the explained template.", show_default=False
+        ),
+    ] = None,
+    target: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="FILE", help="Write it there, not to the screen.", show_default=False),
+    ] = None,
+) -> None:
+    """Write a template of a club file."""
+    from clubface.clubs import Club, club
+
+    text = Club.template(name) if like is None else club(like).replace(name=name).to_toml()
+    if target is None:
+        print(text, end="")
+        return
+    try:
+        with Path(target).open("x", encoding="utf-8") as file:
+            file.write(text)
+    except FileExistsError:
+        raise FileError(target, None, "exists already; it was left as it is") from None
+    say(f"wrote {target}; fill it in, then try: clubface club check {target}")
+
+
+@app.command()
+def check(
+    file: Annotated[str, typer.Argument(metavar="FILE", help="A club file (TOML).")],
+    as_json: options.Json = False,
+) -> None:
+    """Check a club file: mass, inertia, face, rule limits."""
+    from clubface.cli.clubs import describe, print_club
+    from clubface.clubs import Club
+
+    found = Club.from_toml(file)
+    if as_json:
+        output.print_json(describe(found))
+    else:
+        print_club(found)
+        print(f"\n{file}: a club that can exist")

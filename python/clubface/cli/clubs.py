@@ -1,0 +1,109 @@
+"""``clubface clubs``: the built-in clubs and balls, or one of them in full."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import options, output
+
+app = typer.Typer(add_completion=False)
+
+_COLUMNS = {
+    "mass": "mass\ng", "loft": "loft\ndeg", "iyy": "MOI\ng cm2", "cg_x": "CG to face\nx, mm", "cg_y": "\ny, mm",
+    "cg_z": "\nz, mm", "bulge": "bulge\nmm", "roll": "roll\nmm",
+}  # fmt: skip
+
+
+@app.command()
+def clubs(
+    name: Annotated[
+        str | None, typer.Argument(metavar="[NAME|FILE]", help="One club, in full.", show_default=False)
+    ] = None,
+    as_json: options.Json = False,
+) -> None:
+    """List the built-in clubs and balls, or show one club with the source of every value."""
+    from clubface.balls import ball_names
+    from clubface.clubs import CLUB_NAMES, Ball, club
+
+    if name is not None:
+        found = club(name)
+        if as_json:
+            output.print_json(describe(found))
+        else:
+            print_club(found)
+        return
+    heads = [club(each) for each in CLUB_NAMES]
+    balls = [Ball.builtin(each) for each in ball_names()]
+    if as_json:
+        output.print_json({"clubs": [describe(each) for each in heads], "balls": [describe(each) for each in balls]})
+        return
+    rows = [[each.name, *(_cell(each, key) for key in _COLUMNS), each.parameters, _origin(each)] for each in heads]
+    output.print_table(["club", *_COLUMNS.values(), "parameters\nof", "origin"], rows, left=(0,))
+    print()
+    weights = [
+        [each.name, f"{each.mass * 1e3:.2f}", f"{each.radius * 2e3:.2f}", f"{each.inertia * 1e7:.2f}", each.description]
+        for each in balls
+    ]
+    output.print_table(["ball", "mass\ng", "diameter\nmm", "inertia\ng cm2", "what it is"], weights, left=(0, 4))
+    notes = [
+        "MOI is the moment of inertia about the vertical axis; clubface clubs NAME shows the source of every value."
+    ]
+    if any(2.0 * each.radius < 42.67e-3 for each in balls):
+        notes.append(
+            "The published models were identified with a ball of 42.60 mm, a little below the 42.67 mm of the rules."
+        )
+    output.print_notes(notes)
+
+
+def describe(subject: Any) -> dict[str, Any]:
+    """Return a club or ball as a document: its values in SI with the unit of each, and their sources."""
+    from clubface import units
+    from clubface.balls import BALL_QUANTITIES
+    from clubface.clubs import CLUB_QUANTITIES, Club
+
+    is_club = isinstance(subject, Club)
+    quantities = CLUB_QUANTITIES if is_club else BALL_QUANTITIES
+    found: dict[str, Any] = {"name": subject.name, "description": subject.description}
+    if is_club:
+        found |= {"kind": subject.kind, "hand": subject.hand, "parameters": subject.parameters}
+    found["values"] = {key: getattr(subject, key) for key in quantities}
+    found["units"] = {key: units.SI_UNITS[each.dimension] for key, each in quantities.items()}
+    found["sources"] = dict(subject.sources)
+    return found
+
+
+def print_club(found: Any) -> None:
+    """Print one club with the meaning and source of every value."""
+    from clubface.clubs import CLUB_QUANTITIES
+
+    hand = "" if found.hand > 0 else ", left-handed"
+    print(f"{found.name}: {found.description or found.kind}{hand}; parameters of {found.parameters}")
+    sources: dict[str, int] = {}
+    rows = []
+    for key, quantity in CLUB_QUANTITIES.items():
+        if getattr(found, key) is None:
+            continue
+        source = found.sources.get(key, "")
+        mark = f"[{sources.setdefault(source, len(sources) + 1)}]" if source else ""
+        rows.append([key, _cell(found, key), quantity.unit.replace("1", ""), mark, quantity.meaning])
+    output.print_table(["field", "value", "unit", "source", "meaning"], rows, left=(0, 2, 3, 4))
+    print()
+    for source, index in sources.items():
+        print(f"[{index}] {source}")
+
+
+def _cell(found: Any, key: str) -> str:
+    import math
+
+    from clubface import units
+    from clubface.clubs import CLUB_QUANTITIES
+
+    value = getattr(found, key)
+    return "flat" if math.isinf(value) else f"{units.from_si(value, CLUB_QUANTITIES[key].unit):.4g}"
+
+
+def _origin(found: Any) -> str:
+    source = found.sources.get("mass", "")
+    return "published" if source.startswith("Table") else "parametric set"

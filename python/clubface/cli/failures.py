@@ -1,0 +1,90 @@
+"""How a mistake is told: one message on the error stream and exit status 2; and notes that stop nothing."""
+
+from __future__ import annotations
+
+import sys
+import traceback
+import warnings
+from typing import Any
+
+from clubface.errors import ClubfaceError, RuleWarning
+
+EXTRAS = {
+    "typer": "cli",
+    "rich": "cli",
+    "matplotlib": "plots",
+    "pandas": "tables",
+    "xarray": "tables",
+    "pyarrow": "tables",
+}
+"""The extra of the package that brings each optional library."""
+
+
+class Interrupted(BaseException):
+    """The person pressed Ctrl-C."""
+
+
+def say(message: str) -> None:
+    """Write one message on the error stream."""
+    print(f"clubface: {message}", file=sys.stderr)
+
+
+def report(error: BaseException) -> int:
+    """Tell what went wrong; return the exit status."""
+    if isinstance(error, (Interrupted, KeyboardInterrupt)):
+        said = str(error)
+        say(said if said.startswith("interrupted") else f"interrupted{': ' if said else ''}{said}")
+        return 130
+    if isinstance(error, ClubfaceError):
+        say(str(error))
+        return 2
+    if isinstance(error, ModuleNotFoundError) and error.name in EXTRAS:
+        return missing_library(error)
+    if isinstance(error, OSError) and error.filename is not None:
+        say(f"{error.filename}: {error.strerror}")
+        return 2
+    if isinstance(error, MemoryError):
+        say("not enough memory for this request; give fewer shots at a time")
+        return 2
+    if hasattr(error, "format_message"):
+        return _misused(error)
+    if type(error).__name__ == "Abort":
+        say("interrupted")
+        return 130
+    traceback.print_exception(error)
+    say("this is a mistake of clubface, not yours; please report it with the lines above")
+    return 1
+
+
+def missing_library(error: ModuleNotFoundError) -> int:
+    """Tell which extra brings a library that is not installed; return the exit status."""
+    extra = EXTRAS.get(error.name or "")
+    if extra is None:
+        raise error
+    say(f"this needs {error.name}, which is not installed: pip install 'clubface[{extra}]'")
+    return 2
+
+
+def _misused(error: Any) -> int:
+    """Tell about an option or argument that is missing, unknown or malformed (an exception of Typer)."""
+    context = getattr(error, "ctx", None)
+    message = error.format_message()
+    if type(error).__name__ == "NoArgsIsHelpError":
+        print(message)
+        return 2
+    hint = f" (clubface {context.info_name} --help lists the options)" if context and context.parent else ""
+    say(message[:1].lower() + message[1:].rstrip(".") + hint)
+    return 2
+
+
+def show_warnings() -> None:
+    """Show warnings as notes of one line.
+
+    That the ball of the published models is a little below the rule limit is said by ``clubface clubs``, not each time.
+    """
+    warnings.filterwarnings("ignore", message="published: ball diameter", category=RuleWarning)
+
+    def note(message: Warning | str, *rest: object) -> None:
+        say(f"note: {message}")
+
+    warnings.showwarning = note  # pyright: ignore[reportAttributeAccessIssue]

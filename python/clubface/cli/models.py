@@ -1,0 +1,117 @@
+"""``clubface models``: the models, or one with its parameters, published values, sources and caveats."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import options, output
+
+app = typer.Typer(add_completion=False)
+
+
+@app.command()
+def models(
+    name: Annotated[
+        str | None, typer.Argument(metavar="[NAME]", help="One model, in full.", show_default=False)
+    ] = None,
+    as_json: options.Json = False,
+) -> None:
+    """List the impact models, or show one with its parameters and their published values."""
+    from clubface.models import model
+    from clubface.models import models as registry
+
+    if name is not None:
+        found = model(name)
+        if as_json:
+            output.print_json(describe(found))
+        else:
+            _print_model(found)
+        return
+    if as_json:
+        output.print_json([describe(each) for each in registry().values()])
+        return
+    rows = [[each.name, each.kind, each.summary, _laws(each.laws)] for each in registry().values()]
+    output.print_table(["model", "kind", "what it is", "laws it obeys"], rows, left=(0, 1, 2, 3))
+    output.print_notes(["clubface models NAME lists parameters, units, bounds, published values, sources and caveats."])
+
+
+def describe(found: Any) -> dict[str, Any]:
+    """Return a model as a document; values in SI."""
+    from clubface.parameters import builtin_sets
+
+    return {
+        "name": found.name,
+        "title": found.title,
+        "kind": found.kind,
+        "summary": found.summary,
+        "reference": found.reference,
+        "laws": found.laws,
+        "parameters": [
+            {
+                "name": each.name,
+                "unit": each.unit,
+                "meaning": each.meaning,
+                "default": each.default,
+                "lower": each.lower,
+                "upper": each.upper,
+                "source": each.source,
+            }
+            for each in found.parameters
+        ],
+        "sets": [
+            {
+                "name": each.name,
+                "club": each.club,
+                "default": each.default,
+                "values": each.values,
+                "source": each.source,
+                "reference": each.reference,
+                "caveats": each.caveats,
+                "value_caveats": each.value_caveats,
+            }
+            for each in builtin_sets(found.name)
+        ],
+    }
+
+
+def _print_model(found: Any) -> None:
+    from clubface.parameters import builtin_sets
+
+    print(f"{found.name}: {found.title} ({found.kind})")
+    output.print_paragraph(found.summary)
+    output.print_paragraph(f"Reference: {found.reference}")
+    output.print_paragraph(f"Laws it obeys: {_laws(found.laws)}")
+    print()
+    rows = [
+        [each.name, _unit(each.unit), f"{each.lower:.4g} to {each.upper:.4g}", each.meaning]
+        for each in found.parameters
+    ]
+    output.print_table(["parameter", "unit", "allowed", "meaning"], rows, left=(0, 1, 2, 3))
+    sources: dict[str, list[str]] = {}
+    for each in found.parameters:
+        sources.setdefault(each.source, []).append(each.name)
+    output.print_notes(f"{', '.join(names)}: {source}" for source, names in sources.items() if source)
+    sets = builtin_sets(found.name)
+    if not sets:
+        return
+    print()
+    heads = ["published values", *(f"[{index}]" for index in range(1, len(sets) + 1))]
+    values = [
+        [each.name, *(f"{one.values[each.name]:.6g}" + ("*" if each.name in one.value_caveats else "") for one in sets)]
+        for each in found.parameters
+    ]
+    output.print_table(heads, values)
+    for index, one in enumerate(sets, 1):
+        standing = ", used by default" if one.default else ""
+        output.print_paragraph(f"[{index}] {one.name}, for {one.club}{standing}: {one.source}. {one.reference}")
+        output.print_notes([*one.caveats, *(f"{key}: {text}" for key, text in one.value_caveats.items())])
+
+
+def _laws(laws: tuple[str, ...]) -> str:
+    return ", ".join(each.replace("_", " ") for each in laws) or "none"
+
+
+def _unit(unit: str) -> str:
+    return "" if unit == "1" else unit

@@ -1,0 +1,101 @@
+"""``clubface sensitivity``: the exact derivatives of a launch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import options, output
+
+app = typer.Typer(add_completion=False)
+
+_NAMES = "Several with commas or repeated."
+
+
+@app.command()
+def sensitivity(
+    club: options.ClubArgument,
+    speed: options.Speed = None,
+    attack: options.Attack = None,
+    path: options.Path = None,
+    loft: options.Loft = None,
+    face: options.Face = None,
+    lie: options.Lie = None,
+    toe: options.Toe = None,
+    high: options.High = None,
+    closure: options.Closure = None,
+    pitch_rate: options.PitchRate = None,
+    lie_rate: options.LieRate = None,
+    hand: options.Hand = None,
+    ball: options.BallName = "published",
+    model: options.OneModel = "standard",
+    parameters: options.Parameters = None,
+    setting: options.Settings = None,
+    accuracy: options.Accuracy = None,
+    wanted: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--output", metavar="NAME", help=f"Launch quantity, such as backspin. {_NAMES}", show_default=False
+        ),
+    ] = None,
+    by: Annotated[
+        list[str] | None,
+        typer.Option("--by", metavar="NAME", help=f"Input or parameter, such as toe. {_NAMES}", show_default=False),
+    ] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Print how the launch changes with every input and parameter ("rpm per mm")."""
+    delivery = options.delivery(
+        {
+            "speed": speed, "attack": attack, "path": path, "loft": loft, "face": face, "lie": lie, "toe": toe,
+            "high": high, "closure": closure, "pitch_rate": pitch_rate, "lie_rate": lie_rate,
+        }
+    )  # fmt: skip
+    head = options.club_of(club, hand)
+    chosen = options.one_model(model)
+    sets = options.parameter_sets([chosen], head.parameters, parameters, setting)
+
+    from clubface.sensitivity import MAIN
+    from clubface.sensitivity import sensitivity as differentiate
+
+    outputs, variables = _split(wanted), _split(by)
+    if outputs is None and not as_json:
+        outputs = list(MAIN)
+    found = differentiate(
+        head, delivery, model=chosen, parameters=sets[chosen], ball=ball, accuracy=accuracy, outputs=outputs,
+        variables=variables,
+    )  # fmt: skip
+    if as_json:
+        output.print_json(_document(found))
+        return
+    heads = ["", *(f"{name}\n{_unit(found.units[name])}".rstrip() for name in found.outputs)]
+    rows = [
+        [_per(variable, found.units[variable]), *(f"{value:.4g}" for value in column)]
+        for variable, column in zip(found.variables, found.values.T.tolist(), strict=True)
+    ]
+    output.print_table(heads, rows, title=f"{head.name}, {chosen}: change of the launch")
+    output.print_notes(f"{chosen}: {text}" for text in sets[chosen].caveats)
+
+
+def _document(found: Any) -> dict[str, Any]:
+    derivatives = [
+        {"output": name, "variable": variable, "value": value, "unit": found.unit(name, variable)}
+        for name, row in zip(found.outputs, found.values.tolist(), strict=True)
+        for variable, value in zip(found.variables, row, strict=True)
+    ]
+    return {"model": found.launch.model, "club": found.launch.club.name, "derivatives": derivatives}
+
+
+def _split(given: Iterable[str] | None) -> list[str] | None:
+    names = [name.strip() for each in given or () for name in each.split(",") if name.strip()]
+    return list(dict.fromkeys(names)) or None
+
+
+def _per(variable: str, unit: str) -> str:
+    return f"{variable}, per {unit}" if _unit(unit) else variable
+
+
+def _unit(unit: str) -> str:
+    return "" if unit == "1" else unit

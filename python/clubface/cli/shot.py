@@ -1,0 +1,161 @@
+"""``clubface shot``: one shot by one or all models, side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import options
+
+app = typer.Typer(add_completion=False)
+
+HEADS = (
+    "model", "ball\nspeed\nmph", "smash", "launch\ndeg", "azi-\nmuth\ndeg", "back-\nspin\nrpm", "side-\nspin\nrpm",
+    "total\nspin\nrpm", "spin\naxis\ndeg", "carry\nyd", "side\nyd", "con-\ntact\nµs", "peak\nforce\nkN",
+)  # fmt: skip
+CELLS = (
+    ("ball_speed", "mph", 1), ("smash", "1", 3), ("launch", "deg", 1), ("azimuth", "deg", 1), ("backspin", "rpm", 0),
+    ("sidespin", "rpm", 0), ("total_spin", "rpm", 0), ("spin_axis", "deg", 1), ("carry", "yd", 1), ("side", "yd", 1),
+    ("contact_time", "us", 0), ("peak_force", "kN", 1),
+)  # fmt: skip
+"""Quantity, unit and digits of the columns after the first."""
+
+JSON_KEYS = {
+    "ball_speed_mps": ("ball_speed", "m/s"), "smash": ("smash", "1"), "launch_deg": ("launch", "deg"),
+    "azimuth_deg": ("azimuth", "deg"), "backspin_rpm": ("backspin", "rpm"), "sidespin_rpm": ("sidespin", "rpm"),
+    "total_spin_rpm": ("total_spin", "rpm"), "spin_axis_deg": ("spin_axis", "deg"), "carry_m": ("carry", "m"),
+    "side_m": ("side", "m"), "apex_m": ("apex", "m"), "landing_deg": ("landing_angle", "deg"),
+    "contact_time_s": ("contact_time", "s"), "peak_force_n": ("peak_force", "N"),
+}  # fmt: skip
+"""Keys of the JSON objects after "model": quantity and unit."""
+
+DRAWN = 1e-8
+"""Accuracy of a history that is drawn: its steps are close enough to make a smooth line."""
+
+
+@app.command()
+def shot(
+    club: options.ClubArgument,
+    speed: options.Speed = None,
+    attack: options.Attack = None,
+    path: options.Path = None,
+    loft: options.Loft = None,
+    face: options.Face = None,
+    lie: options.Lie = None,
+    toe: options.Toe = None,
+    high: options.High = None,
+    closure: options.Closure = None,
+    pitch_rate: options.PitchRate = None,
+    lie_rate: options.LieRate = None,
+    hand: options.Hand = None,
+    ball: options.BallName = "published",
+    model: options.Models = None,
+    parameters: options.Parameters = None,
+    setting: options.Settings = None,
+    accuracy: options.Accuracy = None,
+    air: options.AirText = None,
+    temperature: options.Temperature = None,
+    altitude: options.Altitude = None,
+    pressure: options.Pressure = None,
+    humidity: options.Humidity = None,
+    wind: options.Wind = None,
+    plot: Annotated[
+        str | None,
+        typer.Option("--plot", metavar="FILE", help="Draw forces and flight: .png, .svg or .pdf.", show_default=False),
+    ] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Compute one shot, a row a model."""
+    delivery = options.delivery(
+        {
+            "speed": speed, "attack": attack, "path": path, "loft": loft, "face": face, "lie": lie, "toe": toe,
+            "high": high, "closure": closure, "pitch_rate": pitch_rate, "lie_rate": lie_rate,
+        }
+    )  # fmt: skip
+    if plot is not None:
+        from clubface.plots.style import check_ending
+
+        check_ending(plot)
+    head = options.club_of(club, hand)
+    sets = options.parameter_sets(options.model_names(model), head.parameters, parameters, setting)
+    conditions = options.conditions(air, wind, temperature, altitude, pressure, humidity)
+
+    from clubface.flight import fly
+    from clubface.impact import impact
+
+    launches = {
+        name: impact(head, delivery, model=name, parameters=each, ball=ball, accuracy=accuracy)
+        for name, each in sets.items()
+    }
+    flights = {name: fly(launch, **conditions) for name, launch in launches.items()}
+    if plot is not None:
+        _draw(plot, launches, conditions, delivery)
+    _print(launches, flights, as_json)
+
+
+def value(launch: Any, flight: Any, quantity: str, unit: str) -> float:
+    """Return a quantity of a launch, or else of its flight, in ``unit``."""
+    of = launch if quantity in launch.quantities() else flight
+    return float(of.get(quantity, unit))
+
+
+def _print(launches: Mapping[str, Any], flights: Mapping[str, Any], as_json: bool) -> None:
+    from clubface.cli import output
+
+    if as_json:
+        rows = [
+            {"model": name, **{key: value(launch, flights[name], *of) for key, of in JSON_KEYS.items()}}
+            for name, launch in launches.items()
+        ]
+        output.print_json(rows)
+        return
+    rows = [
+        [name, *(output.number(value(launch, flights[name], of, unit), digits) for of, unit, digits in CELLS)]
+        for name, launch in launches.items()
+    ]
+    output.print_table(HEADS, rows)
+    output.print_notes(_notes(launches, flights))
+
+
+def _notes(launches: Mapping[str, Any], flights: Mapping[str, Any]) -> list[str]:
+    """Return what a reader of the table must know of parameters and flights, each remark with its models."""
+    remarks: dict[str, list[str]] = {}
+    for name, launch in launches.items():
+        for caveat in launch.parameters.caveats:
+            remarks.setdefault(caveat, []).append(name)
+        if flights[name].outside_fit:
+            text = "the spin of this flight leaves the range to which the aerodynamics were fitted"
+            remarks.setdefault(text, []).append(name)
+    notes = [f"{', '.join(names)}: {text}" for text, names in remarks.items()]
+    corrected = [name for name, launch in launches.items() if launch.parameters.value_caveats]
+    if corrected:
+        notes.append(f"printed values corrected or in doubt: see clubface models {' or '.join(corrected)}")
+    return notes
+
+
+def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any], delivery: Mapping[str, float]) -> None:
+    """Draw forces and flights of all models into one file."""
+    from clubface import plots, units
+    from clubface.flight import trajectory
+    from clubface.history import history
+    from clubface.models import model
+
+    positions = {name: trajectory(launch, **conditions).position for name, launch in launches.items()}
+    histories = {
+        name: history(
+            each.club, delivery, model=name, parameters=each.parameters, ball=each.ball, accuracy=each.accuracy or DRAWN
+        )
+        for name, each in launches.items()
+        if model(name).kind == "contact"
+    }
+    first = next(iter(launches.values()))
+    shown = {"speed": "mph", "toe": "mm", "high": "mm", "closure": "deg/s", "pitch_rate": "deg/s", "lie_rate": "deg/s"}
+    described = [
+        f"{name.replace('_', ' ')} {units.show(value, shown.get(name, 'deg'), 4)}" for name, value in delivery.items()
+    ]
+    if first.club.hand < 0:
+        described.append("left-handed")
+    figure = plots.shot_figure(positions, histories, title=f"{first.club.name}: {', '.join(described)}")
+    plots.save(figure, path)

@@ -1,0 +1,46 @@
+"""``clubface tour``: every club of the published tour averages by every model, beside what was published."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from clubface.cli import options, output
+from clubface.cli.failures import say
+
+app = typer.Typer(add_completion=False)
+
+
+@app.command()
+def tour(
+    folder: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures there.", show_default=False),
+    ] = None,
+    model: options.Models = None,
+    as_json: options.Json = False,
+) -> None:
+    """Compare every model with the published tour averages, club by club."""
+    names = options.model_names(model)
+    if folder is not None:
+        # Before the work: a folder that cannot be made, or a missing library, is found at once.
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        import clubface.plots as plots  # noqa: F401
+    import clubface.tour_tables as tables
+    from clubface import tour as job
+
+    result = job.tour(names)
+    files = job.write(result, Path(folder)) if folder is not None else []
+    if as_json:
+        output.print_json(tables.document(result))
+    else:
+        for quantity, unit in result.units.items():
+            heads, rows = tables.comparison(result, quantity, signed=True)
+            title = f"{tables.TITLES[quantity]} ({unit}): published, and model less published"
+            output.print_table(heads, rows, title=title, rule_before_last=True)
+            print()
+        output.print_notes(tables.notes(result))
+    if files:
+        say(f"wrote {', '.join(str(each) for each in files)}")
