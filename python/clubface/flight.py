@@ -234,7 +234,7 @@ class Trajectory:
 
 
 @overload
-def fly(
+def fly(  # pyright: ignore[reportOverlappingOverload]
     launch: Comparison,
     *,
     air: Air | Mapping[str, Any] | None = None,
