@@ -16,6 +16,7 @@ from clubface.launch_terms import vectors
 from clubface.memory import check_request
 from clubface.quantities import Quantity, flight_inputs, flight_outputs
 from clubface.results import Problem, Result, Varied, attributes, first_error, flattened, index_of, problems_of
+from clubface.shots import common_shape
 
 if TYPE_CHECKING:
     import pandas
@@ -360,11 +361,7 @@ def _columns(
         if not isinstance(value, float):
             value = varied[name] = np.asarray(value, dtype=np.float64)
         parsed[name] = value
-    try:
-        shape = np.broadcast_shapes(*(each.shape for each in varied.values()))
-    except ValueError:
-        shapes = ", ".join(f"{name} {each.shape}" for name, each in varied.items())
-        raise InputError("the shapes of the inputs", shapes, "such that they broadcast") from None
+    shape = common_shape(varied)
     copies = sum(each.shape != shape for each in varied.values())
     check_request(math.prod(shape), 8 * (len(flight_outputs()) + copies))
     flat = {

@@ -8,6 +8,7 @@ from typing import Any
 from clubface import units
 from clubface.errors import InputError, UnknownNameError
 from clubface.quantities import flight_inputs, outputs
+from clubface.shots import common_shape
 
 MONITOR = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis")
 """What a launch monitor tells, under the names and with the signs of a launch."""
@@ -46,6 +47,7 @@ def vectors(values: Mapping[str, Any]) -> dict[str, Any]:
 def _from_terms(terms: dict[str, Any]) -> dict[str, Any]:
     import numpy as np
 
+    common_shape({name: value for name, value in terms.items() if not isinstance(value, float)})
     for name in ("ball_speed", "launch"):
         if name not in terms:
             raise InputError(name, None, "given for a flight")

@@ -153,11 +153,7 @@ def broadcast(of: Shots, parameters: list[Any], names: tuple[str, ...], outputs:
     for name, value in zip(names, parameters, strict=True):
         if not isinstance(value, float):
             varied[name] = value
-    try:
-        shape = np.broadcast_shapes(*(each.shape for each in varied.values()))
-    except ValueError:
-        shapes = ", ".join(f"{name} {each.shape}" for name, each in varied.items())
-        raise InputError("the shapes of the inputs", shapes, "such that they broadcast") from None
+    shape = common_shape(varied)
     copies = sum(each.shape != shape for each in of.columns if not isinstance(each, float))
     check_request(math.prod(shape), 8 * (outputs + copies))
 
@@ -169,6 +165,17 @@ def broadcast(of: Shots, parameters: list[Any], names: tuple[str, ...], outputs:
     return of._replace(columns=[flat(each) for each in of.columns], shape=shape, varied=varied), [
         flat(each) for each in parameters
     ]
+
+
+def common_shape(arrays: Mapping[str, Any]) -> tuple[int, ...]:
+    """Return the shape to which named arrays broadcast."""
+    import numpy as np
+
+    try:
+        return np.broadcast_shapes(*(each.shape for each in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {each.shape}" for name, each in arrays.items())
+        raise InputError("the shapes of the inputs", shapes, "such that they broadcast") from None
 
 
 def parameter_set(model_name: str, of_club: Club, given: Any) -> ParameterSet:
