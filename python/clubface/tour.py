@@ -34,7 +34,9 @@ LOFT_MODEL = "standard"
 """The model whose launch angle fixes the lofts that are not published."""
 
 QUANTITIES = {"ball_speed": "mph", "launch": "deg", "spin": "rpm", "carry": "yd"}
-"""What is compared, and the unit it is read in. Spin is the magnitude of the angular velocity, as monitors report it."""
+"""What is compared, and the unit it is read in. Spin is the total spin, as launch monitors report it."""
+STEEPEST = float(np.radians(78.0))
+"""The largest dynamic loft [rad] that is tried."""
 _DIMENSIONS = {
     "club_speed": "speed", "attack": "angle", "ball_speed": "speed", "smash": "dimensionless", "launch": "angle",
     "spin": "angular rate", "height": "length", "land": "angle", "carry": "length",
@@ -176,8 +178,8 @@ def solve_loft(club: str, speed: float, attack: float, launch: float, *, resolut
     Each round computes a row of lofts in one batch and keeps the interval in which the launch angle passes its target,
     until it is narrower than ``resolution`` [rad].
     """
-    low, high = launch, launch + np.radians(45.0)
-    while high - low > resolution:
+    low, high = launch, max(launch, STEEPEST)
+    while high - low > resolution or high <= launch:
         tried = np.linspace(low, high, 65)
         found = impact(club, speed=speed, attack=attack, loft=tried, model=LOFT_MODEL).launch
         above = np.flatnonzero(found >= launch)

@@ -30,9 +30,9 @@ def notes(result: Tour) -> list[str]:
             caveats.setdefault(caveat, []).append(name)
     return [
         f"Published: {SOURCE}.",
-        f"Dynamic loft is published for {' and '.join(published)} only, in older tables. For every other club it is solved"
-        f" from the published launch angle with the {LOFT_MODEL} model and used by every model, so that there the launch"
-        f" angle of {LOFT_MODEL} is no prediction ('{FITTED}').",
+        f"Dynamic loft is published for {' and '.join(published)} only, in older tables. For every other club it is"
+        f" solved from the published launch angle with the {LOFT_MODEL} model and used by every model, so that there"
+        f" the launch angle of {LOFT_MODEL} is no prediction ('{FITTED}').",
         "Only driver and 7-iron are measured heads (not those of the tour); the other clubs are a plausible parametric"
         " set, and each uses the published parameters of driver or 7-iron.",
         "Impact at the face centre, path and face square. Carries of the models are flights of their own launches;"

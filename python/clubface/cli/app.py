@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import sys
 from collections.abc import Sequence
@@ -11,7 +12,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from clubface.cli.failures import Interrupted, report, show_warnings
+from clubface.cli.failures import Interrupted, ReaderGone, report, show_warnings
 from clubface.errors import UnknownNameError
 
 COMMANDS = {
@@ -25,6 +26,8 @@ COMMANDS = {
     "tour": "tour",
 }
 """The module of each command, in the order of the help."""
+READER_GONE = 128 + 13
+"""Exit status of a program whose output nobody reads any more, as a shell reports it (SIGPIPE)."""
 
 
 class Commands(TyperGroup):
@@ -50,9 +53,13 @@ class Commands(TyperGroup):
         return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: Any) -> Any:
-        """Keep Ctrl-C apart from other reasons to stop."""
+        """Keep Ctrl-C and a reader that has gone apart from other reasons to stop."""
         try:
-            return super().invoke(ctx)
+            result = super().invoke(ctx)
+            sys.stdout.flush()
+            return result
+        except BrokenPipeError:
+            raise ReaderGone from None
         except KeyboardInterrupt as stop:
             raise Interrupted(*stop.args) from None
 
@@ -80,13 +87,14 @@ def _root(
 def run(arguments: Sequence[str]) -> int:
     """Run one command line; return the exit status."""
     show_warnings()
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")  # a terminal without a letter such as µ still gets its table
     try:
         status = typer.main.get_command(app).main(list(arguments), prog_name="clubface", standalone_mode=False)
-        sys.stdout.flush()
-    except BrokenPipeError:
-        # The reader (a pager, head) has gone; nothing is left to say, and Python must not flush at exit.
+    except ReaderGone:
+        # A pager or head has seen enough: nothing is left to say, and Python must not flush again at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 141
+        return READER_GONE
     except (Exception, Interrupted) as error:
         return report(error)
     return status if isinstance(status, int) else 0

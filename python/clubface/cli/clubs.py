@@ -40,15 +40,16 @@ def clubs(
         output.print_json({"clubs": [describe(each) for each in heads], "balls": [describe(each) for each in balls]})
         return
     rows = [[each.name, *(_cell(each, key) for key in _COLUMNS), each.parameters, _origin(each)] for each in heads]
-    output.print_table(["club", *_COLUMNS.values(), "parameters\nof", "origin"], rows, left=(0,))
+    output.print_table(["club", *_COLUMNS.values(), "para-\nmeters\nof", "origin"], rows, left=(0,))
     print()
     weights = [
         [each.name, f"{each.mass * 1e3:.2f}", f"{each.radius * 2e3:.2f}", f"{each.inertia * 1e7:.2f}", each.description]
         for each in balls
     ]
-    output.print_table(["ball", "mass\ng", "diameter\nmm", "inertia\ng cm2", "what it is"], weights, left=(0, 4))
+    output.print_table(["ball", "mass\ng", "dia-\nmeter\nmm", "inertia\ng cm2", "what it is"], weights, left=(0, 4))
     notes = [
-        "MOI is the moment of inertia about the vertical axis; clubface clubs NAME shows the source of every value."
+        "MOI is the moment of inertia about the vertical axis. Clubs marked scaled are a plausible parametric set, not"
+        " measured; clubface clubs NAME shows the source or rule of every value."
     ]
     if any(2.0 * each.radius < 42.67e-3 for each in balls):
         notes.append(
@@ -101,9 +102,11 @@ def _cell(found: Any, key: str) -> str:
     from clubface.clubs import CLUB_QUANTITIES
 
     value = getattr(found, key)
+    if key.startswith("cg"):
+        return f"{units.from_si(value, 'mm'):.2f}"
     return "flat" if math.isinf(value) else f"{units.from_si(value, CLUB_QUANTITIES[key].unit):.4g}"
 
 
 def _origin(found: Any) -> str:
     source = found.sources.get("mass", "")
-    return "published" if source.startswith("Table") else "parametric set"
+    return "published" if source.startswith("Table") else "scaled"

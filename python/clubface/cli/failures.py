@@ -24,6 +24,10 @@ class Interrupted(BaseException):
     """The person pressed Ctrl-C."""
 
 
+class ReaderGone(BaseException):
+    """Whoever read the standard output has closed it."""
+
+
 def say(message: str) -> None:
     """Write one message on the error stream."""
     print(f"clubface: {message}", file=sys.stderr)

@@ -32,7 +32,7 @@ Closure = Annotated[str | None, _delivery("--closure", "2400 deg/s", "Rate at wh
 PitchRate = Annotated[str | None, _delivery("--pitch-rate", "500 deg/s", "Rate at which the loft grows.")]
 LieRate = Annotated[str | None, _delivery("--lie-rate", "100 deg/s", "Rate at which the toe rises.")]
 
-_EQUIPMENT, _MODEL, _AIR = "Club and ball", "Model", "Air and ground"
+_EQUIPMENT, _MODEL, _AIR = "Club and ball", "Model", "Air"
 Hand = Annotated[str | None, _option("--hand", panel=_EQUIPMENT, metavar="right|left", text="Hand of the club.")]
 BallName = Annotated[
     str, _option("--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="The ball: a built-in name or a TOML file.")

@@ -70,18 +70,28 @@ def print_table(
     from rich.console import Console
     from rich.table import Table
 
+    class Screen(Console):
+        """A console that leaves it to the caller what a closed pipe means."""
+
+        def on_broken_pipe(self) -> None:
+            raise BrokenPipeError
+
     body = [list(row) for row in rows]
     available = terminal_width()
-    console = Console(width=available or 10_000, highlight=False, markup=False, emoji=False)
-    for columns in _blocks(heads, body, available, left):
+    console = Screen(width=available or 10_000, highlight=False, markup=False, emoji=False)
+    widths = [_width([head, *(row[index] for row in body)]) for index, head in enumerate(heads)]
+    gap = 2 if available is None or sum(widths) + 2 * (len(widths) - 1) <= available else 1
+    wraps = any(index in left for index in range(1, len(heads)))
+    blocks = [list(range(len(heads)))] if available is None or wraps else _blocks(widths, gap, available)
+    for columns in blocks:
         table = Table(
             title=title or None, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD, pad_edge=False,
-            padding=(0, 1, 0, 0), show_edge=False, header_style="bold",
+            padding=(0, gap - 1, 0, 0), show_edge=False, header_style="bold",
         )  # fmt: skip
         for index in columns:
             words = index in left
             table.add_column(
-                heads[index], justify="left" if words else "right", no_wrap=not words or index == 0, vertical="top"
+                heads[index], justify="left" if words else "right", no_wrap=not words or index == 0, overflow="fold"
             )
         for position, row in enumerate(body):
             table.add_row(
@@ -89,27 +99,23 @@ def print_table(
             )
         console.print(table)
         title = ""
+        if columns is not blocks[-1]:
+            console.print()
 
 
-def _blocks(
-    heads: Sequence[str], rows: Sequence[Sequence[str]], available: int | None, left: Sequence[int]
-) -> list[list[int]]:
-    """Split the columns into groups that fit side by side, each beginning with the first column."""
-    columns = range(len(heads))
-    if available is None:
-        return [list(columns)]
-    widths = [
-        max(len(line) for cell in (heads[i], *(row[i] for row in rows)) for line in cell.split("\n")) for i in columns
-    ]
-    if any(index in left for index in columns if index):
-        return [list(columns)]
+def _width(cells: Iterable[str]) -> int:
+    return max(len(line) for cell in cells for line in cell.split("\n"))
+
+
+def _blocks(widths: Sequence[int], gap: int, available: int) -> list[list[int]]:
+    """Split columns into groups that fit side by side, each beginning with the first column."""
     blocks, used = [[0]], widths[0]
-    for index in columns[1:]:
-        if used + 1 + widths[index] > available and len(blocks[-1]) > 1:
+    for index, width in enumerate(widths[1:], 1):
+        if used + gap + width > available and len(blocks[-1]) > 1:
             blocks.append([0])
             used = widths[0]
         blocks[-1].append(index)
-        used += 1 + widths[index]
+        used += gap + width
     return blocks
 
 

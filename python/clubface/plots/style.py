@@ -18,7 +18,7 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9")
-"""One a model, in the order of the registry; distinct to colour-blind readers (Okabe and Ito, jfly.uni-koeln.de/color)."""
+"""One a model, in the order of the registry; colour-blind readers tell them apart (Okabe and Ito)."""
 DASHES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1, 1.2)), (0, (5, 1.2, 1, 1.2)), "-", (0, (5, 1.5)), (0, (1, 1.2)))
 """So that a print without colour keeps them apart."""
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
