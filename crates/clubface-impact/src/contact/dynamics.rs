@@ -24,23 +24,35 @@ pub struct Contact<S, L> {
     core: Option<Core<S>>,
 }
 
-/// The part of the motion that a force at the contact point drives, linearised: friction against sliding velocity.
+/// The contact force on the ball linearised at one state: its derivatives by the velocity and the position of the
+/// ball relative to the clubhead, face axes. The spins act through the velocity of the surfaces.
 #[derive(Clone, Copy, Debug)]
-pub struct FrictionJacobian<S> {
-    touching: Touching<S>,
-    /// Derivative of the friction force by the sliding velocity, N s/m.
-    slope: Mat3<S>,
-    /// Relative acceleration of the surfaces per force at the contact point, 1/kg.
-    mobility: Mat3<S>,
-}
-
-/// Force that opposes a change of sliding velocity over an implicit step, with the contact point it acts at.
-#[derive(Clone, Copy, Debug)]
-pub struct FrictionSolver<S> {
+pub struct ContactJacobian<S> {
     normal: Vec3<S>,
     point: Vec3<S>,
     arm: S,
-    gain: Mat3<S>,
+    by_velocity: Mat3<S>,
+    by_position: Mat3<S>,
+}
+
+/// Solves with `I - g A` for the linearised contact: Sherman, Morrison and Woodbury reduce it to 3 x 3.
+#[derive(Clone, Copy, Debug)]
+pub struct ContactSolver<S> {
+    g: S,
+    jacobian: ContactJacobian<S>,
+    /// (I - g by_velocity K - g^2 by_position / m)^-1, K the mobility of the surfaces.
+    inverse: Mat3<S>,
+    layer: Layer<S>,
+}
+
+/// Implicit step of cover and core on their spring and damper: their difference of spin shrinks by `retained`.
+#[derive(Clone, Copy, Debug)]
+struct Layer<S> {
+    /// Torque impulse on the cover per difference of spin, and per twist.
+    by_twisting: S,
+    by_twist: S,
+    /// Spin of the cover per torque impulse on it.
+    compliance: S,
 }
 
 impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
@@ -82,7 +94,8 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
     pub fn normal_force(&self, t: &Touching<S>) -> S {
         let apart = t.depth.le(S::zero());
         let depth = S::select(apart, S::zero(), t.depth);
-        let force = self.law.normal_force(depth, t.rate, t.curvature, self.radius);
+        let (depth, rate) = (Dual::<S, 0>::constant(depth), Dual::constant(t.rate));
+        let force = self.law.normal_force(depth, rate, Dual::constant(t.curvature), self.radius).value;
         S::select(apart, S::zero(), force)
     }
 
@@ -94,8 +107,9 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
                 return force;
             }
         }
+        let (force, rate) = (Dual::<S, 0>::constant(normal_force), Dual::constant(t.rate));
         let w = Dual::constant(t.sliding.norm_squared());
-        t.sliding * -self.law.drag(normal_force, t.rate, self.radius, w).value
+        t.sliding * -self.law.drag(force, rate, self.radius, w).value
     }
 
     /// Contact area, m2: zero when apart.
@@ -159,50 +173,112 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> System<S, N> for Contact<S, L>
     }
 }
 
-/// Friction is the only stiff part (P1's tanh law: some 5e6 1/s). It acts through the three components of the force
-/// at the contact point, so the implicit equations reduce to 3 x 3 (Sherman, Morrison and Woodbury).
+/// Friction is stiff (P1's tanh law: some 5e6 1/s). The rest of the contact force, the spring and damper of a layered
+/// ball and the approach that drives the penetration stand in the approximate Jacobian too, since a Rosenbrock-W
+/// method is the more accurate the less is left out; only slow rotations of the axes are.
 impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<S, L> {
-    type Jacobian = FrictionJacobian<S>;
-    type Solver = FrictionSolver<S>;
+    type Jacobian = ContactJacobian<S>;
+    type Solver = ContactSolver<S>;
 
     #[inline(always)]
-    fn linearize(&self, y: &[S; N]) -> FrictionJacobian<S> {
-        let t = self.touching(y);
-        let normal_force = self.normal_force(&t);
-        let w = Dual::variable(t.sliding.norm_squared(), 0);
-        let drag = self.law.drag(normal_force, t.rate, self.radius, w);
-        let n = t.normal;
-        let slope = (Mat3::diagonal(S::one()) + Mat3::outer(n, -n)).scale(-drag.value)
-            + Mat3::outer(t.sliding, t.sliding * (drag.tangent[0] * -2.0));
-        let cross = Mat3::cross(t.point);
-        let mobility = Mat3::diagonal(self.inverse_mass + t.arm.squared() / self.surface_inertia)
-            + (cross * (self.inverse_inertia * cross)).scale(-S::one());
-        FrictionJacobian { touching: t, slope, mobility }
-    }
-
-    #[inline(always)]
-    fn factor(&self, jacobian: &FrictionJacobian<S>, g: S) -> FrictionSolver<S> {
-        let FrictionJacobian { touching, slope, mobility } = *jacobian;
-        let implicit = Mat3::diagonal(S::one()) + (mobility * slope).scale(-g);
-        FrictionSolver {
-            normal: touching.normal,
-            point: touching.point,
-            arm: touching.arm,
-            gain: (slope * implicit.inverse()).scale(g),
+    fn linearize(&self, y: &[S; N]) -> ContactJacobian<S> {
+        // The contact force once more, on dual numbers in the directions of position and velocity.
+        let mut dual = [Dual::<S, 6>::zero(); SEEN];
+        for i in 0..SEEN {
+            dual[i] = if i < 6 { Dual::variable(y[i], i) } else { Dual::constant(y[i]) };
+        }
+        let face = Face { bulge: Dual::constant(self.face.bulge), roll: Dual::constant(self.face.roll) };
+        let lever = Vec3::new(
+            Dual::constant(self.lever.x),
+            Dual::constant(self.lever.y),
+            Dual::constant(self.lever.z),
+        );
+        let t = Touching::of(&face, lever, Dual::constant(self.radius), &dual);
+        let apart = t.depth.le(Dual::zero());
+        let depth = Dual::select(apart, Dual::zero(), t.depth);
+        let normal_force = self.law.normal_force(depth, t.rate, t.curvature, self.radius);
+        let normal_force = Dual::select(apart, Dual::zero(), normal_force);
+        let drag = self.law.drag(normal_force, t.rate, self.radius, t.sliding.norm_squared());
+        let force = t.normal * normal_force - t.sliding * drag;
+        let [x, y, z] = [force.x.tangent, force.y.tangent, force.z.tangent];
+        ContactJacobian {
+            normal: Vec3::new(t.normal.x.value, t.normal.y.value, t.normal.z.value),
+            point: Vec3::new(t.point.x.value, t.point.y.value, t.point.z.value),
+            arm: t.arm.value,
+            by_position: Mat3::from_rows(Vec3::of(&x, 0), Vec3::of(&y, 0), Vec3::of(&z, 0)),
+            by_velocity: Mat3::from_rows(Vec3::of(&x, 3), Vec3::of(&y, 3), Vec3::of(&z, 3)),
         }
     }
 
     #[inline(always)]
-    fn solve(&self, solver: &FrictionSolver<S>, b: &[S; N]) -> [S; N] {
-        let FrictionSolver { normal, point, arm, gain } = *solver;
-        let sliding = Vec3::of(b, VELOCITY) - Vec3::of(b, CLUB_SPIN).cross(point)
-            + normal.cross(Vec3::of(b, BALL_SPIN)) * arm;
-        let force = gain * sliding;
+    fn factor(&self, jacobian: &ContactJacobian<S>, g: S) -> ContactSolver<S> {
+        let t = *jacobian;
+        let layer = self.layer::<N>(g);
+        let cross = Mat3::cross(t.point);
+        let arm = t.arm.squared() * layer.compliance;
+        let mobility = Mat3::diagonal(self.inverse_mass + arm)
+            + Mat3::outer(t.normal, t.normal * -arm)
+            + (cross * (self.inverse_inertia * cross)).scale(-S::one());
+        let implicit = Mat3::diagonal(S::one())
+            + (t.by_velocity * mobility).scale(-g)
+            + t.by_position.scale(-(g * g * self.inverse_mass));
+        ContactSolver { g, jacobian: *jacobian, inverse: implicit.inverse(), layer }
+    }
+
+    #[inline(always)]
+    fn solve(&self, solver: &ContactSolver<S>, b: &[S; N]) -> [S; N] {
+        let ContactSolver { g, jacobian: t, inverse, layer } = solver;
         let mut x = *b;
-        (Vec3::of(b, VELOCITY) + force * self.inverse_mass).put(&mut x, VELOCITY);
-        (Vec3::of(b, CLUB_SPIN) - self.inverse_inertia * point.cross(force)).put(&mut x, CLUB_SPIN);
-        let ball_torque = normal.cross(force) * -arm;
-        (Vec3::of(b, BALL_SPIN) + ball_torque * self.surface_inertia.recip()).put(&mut x, BALL_SPIN);
+        let position = Vec3::of(b, POSITION);
+        let velocity = Vec3::of(b, VELOCITY);
+        let club_spin = Vec3::of(b, CLUB_SPIN);
+        let mut ball_spin = Vec3::of(b, BALL_SPIN);
+        let mut layer_torque = Vec3::zero();
+        if N == LAYERED {
+            let twisting = ball_spin - Vec3::of(b, CORE_SPIN);
+            layer_torque = twisting * layer.by_twisting + Vec3::of(b, TWIST) * layer.by_twist;
+            ball_spin = ball_spin - layer_torque * self.surface_inertia.recip();
+        }
+        // Velocity of the surfaces and position as they would be without a change of the contact force.
+        let surface = velocity - club_spin.cross(t.point) + t.normal.cross(ball_spin) * t.arm;
+        let moved = position + velocity * *g;
+        let impulse = *inverse * (t.by_velocity * surface + t.by_position * moved) * *g;
+        let velocity = velocity + impulse * self.inverse_mass;
+        (position + velocity * *g).put(&mut x, POSITION);
+        velocity.put(&mut x, VELOCITY);
+        (club_spin - self.inverse_inertia * t.point.cross(impulse)).put(&mut x, CLUB_SPIN);
+        let ball_impulse = t.normal.cross(impulse) * -t.arm;
+        ball_spin += ball_impulse * layer.compliance;
+        ball_spin.put(&mut x, BALL_SPIN);
+        if let (true, Some(core)) = (N == LAYERED, self.core) {
+            // What the cover gained beyond its own share went through the layer.
+            let passed = ball_impulse * (-(self.surface_inertia * layer.compliance) + 1.0);
+            let core_spin = Vec3::of(b, CORE_SPIN) + (layer_torque + passed) * core.inertia.recip();
+            core_spin.put(&mut x, CORE_SPIN);
+            (Vec3::of(b, TWIST) + (ball_spin - core_spin) * *g).put(&mut x, TWIST);
+        }
         x
+    }
+}
+
+impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
+    /// Implicit step over `g` of cover and core: with s their difference of spin and p the twist, the torque is
+    /// k (p + g s) + c s at the end, and s shrinks by 1 / (1 + g (c + g k) (1/I_cover + 1/I_core)).
+    #[inline(always)]
+    fn layer<const N: usize>(&self, g: S) -> Layer<S> {
+        let own = self.surface_inertia.recip();
+        match (N == LAYERED, self.core) {
+            (true, Some(core)) => {
+                let rate = g * (core.damping + g * core.stiffness);
+                let retained = (rate * (own + core.inertia.recip()) + 1.0).recip();
+                Layer {
+                    by_twisting: rate * retained,
+                    by_twist: g * core.stiffness * retained,
+                    // The core takes its part of a torque impulse on the cover.
+                    compliance: own * (rate * core.inertia.recip() + 1.0) * retained,
+                }
+            }
+            _ => Layer { by_twisting: S::zero(), by_twist: S::zero(), compliance: own },
+        }
     }
 }

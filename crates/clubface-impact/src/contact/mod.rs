@@ -20,13 +20,29 @@ use clubface_math::{Dual, Scalar, Vec3};
 
 /// A contact law: forces from the state of contact.
 pub trait ContactLaw<S: Scalar> {
-    /// Normal force, N, never negative. `depth`: penetration, m, positive; `rate`: its time derivative, m/s;
-    /// `curvature`: mean curvature of the face, 1/m; `radius`: of the ball, m.
-    fn normal_force(&self, depth: S, rate: S, curvature: S, radius: S) -> S;
+    /// Tolerance of a Rosenbrock step at which launch is correct to 1e-4.
+    const FAST_TOLERANCE: f64;
 
-    /// Friction per sliding speed, N s/m, as a function of the squared sliding speed `w` (m2/s2), with its slope:
-    /// the force on the ball is minus this times the sliding velocity.
-    fn drag(&self, normal_force: S, rate: S, radius: S, w: Dual<S, 1>) -> Dual<S, 1>;
+    /// Normal force, N, never negative. `depth`: penetration, m, positive; `rate`: its time derivative, m/s;
+    /// `curvature`: mean curvature of the face, 1/m; `radius`: of the ball, m. Derivatives carry through for implicit
+    /// steps.
+    fn normal_force<const K: usize>(
+        &self,
+        depth: Dual<S, K>,
+        rate: Dual<S, K>,
+        curvature: Dual<S, K>,
+        radius: S,
+    ) -> Dual<S, K>;
+
+    /// Friction per sliding speed, N s/m, as a function of normal force, N, rate of penetration, m/s, and squared
+    /// sliding speed `w`, m2/s2: the force on the ball is minus this times the sliding velocity.
+    fn drag<const K: usize>(
+        &self,
+        normal_force: Dual<S, K>,
+        rate: Dual<S, K>,
+        radius: S,
+        w: Dual<S, K>,
+    ) -> Dual<S, K>;
 
     /// Friction on the ball, N, of a law that remembers the sliding distance `slip` along y' and z', m, or nothing
     /// for a law that is all in [`ContactLaw::drag`].

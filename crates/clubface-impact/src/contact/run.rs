@@ -10,8 +10,6 @@ use crate::model::{Accuracy, Impact};
 use clubface_math::ode::{integrate, Control, Rosenbrock, DORMAND_PRINCE};
 use clubface_math::{Quat, Scalar, Vec3};
 
-/// Tolerance of a Rosenbrock step in the fast setting: launch within 1e-4.
-const FAST_TOLERANCE: f64 = 2e-5;
 /// Steps after which a fast contact is given up; a drive takes about 50.
 const FAST_STEPS: usize = 2_000;
 /// Steps after which a contact at a stated tolerance is given up; 1e-12 takes about 10 000.
@@ -38,7 +36,7 @@ where
     // The ball crosses its radius in about the time a contact lasts.
     let crossing = touch.ball.radius / touch.approach();
     let mut control = Control {
-        tolerance: FAST_TOLERANCE,
+        tolerance: L::FAST_TOLERANCE,
         scale: scales::<S, N>(touch),
         first: crossing * 0.01,
         longest: crossing * 0.1,

@@ -16,19 +16,24 @@ pub struct Separation<'a, S, L, R, const N: usize> {
     pub peak_force: S,
     /// Time of separation, s.
     pub time: S,
-    /// State at the end of the last step.
+    /// State at the end of the step in which the bodies separated.
     pub last: [S; N],
+    /// Normal force at the start of the step, N.
+    force: S,
 }
+
+/// A step is flat if its smaller end force is at least this part of the larger.
+const FLAT: f64 = 0.7;
 
 impl<'a, S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize> Separation<'a, S, L, R, N> {
     /// Watches a contact that starts in state `y`.
     #[inline(always)]
     pub fn new(contact: &'a Contact<S, L>, recorder: &'a mut R, y: [S; N]) -> Self {
-        Self { contact, recorder, peak_force: S::zero(), time: S::zero(), last: y }
+        Self { contact, recorder, peak_force: S::zero(), time: S::zero(), last: y, force: S::zero() }
     }
 
     #[inline(always)]
-    fn force(&self, y: &[S; N]) -> (Touching<S>, S) {
+    fn force_at(&self, y: &[S; N]) -> (Touching<S>, S) {
         S::outline(ForceAt { contact: self.contact, y })
     }
 }
@@ -59,22 +64,29 @@ impl<S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize> Observer<S, N>
         (y0, f0): (&[S; N], &[S; N]),
         (y1, f1): (&[S; N], &[S; N]),
     ) -> S::Mask {
-        let mut middle = *y0;
-        for i in 0..N {
-            middle[i] = (y0[i] + y1[i]) * 0.5 + (f0[i] - f1[i]) * (h * 0.125);
+        let (end, end_force) = self.force_at(y1);
+        // The top of the force history is rounded: within a step that hardly changes the force, look for it between.
+        let larger = self.force.max(end_force);
+        let flat = accepted.and((self.force.min(end_force)).gt(larger * FLAT));
+        let mut peak = larger;
+        if flat.any() {
+            let mut middle = *y0;
+            for i in 0..N {
+                middle[i] = (y0[i] + y1[i]) * 0.5 + (f0[i] - f1[i]) * (h * 0.125);
+            }
+            let (_, middle_force) = self.force_at(&middle);
+            peak = S::select(flat, parabola_peak(self.force, middle_force, end_force), larger);
         }
-        let (start, start_force) = self.force(y0);
-        let (_, middle_force) = self.force(&middle);
-        let (end, end_force) = self.force(y1);
-        let peak = parabola_peak(start_force, middle_force, end_force);
         self.peak_force = S::select(accepted, self.peak_force.max(peak), self.peak_force);
-        for i in 0..N {
-            self.last[i] = S::select(accepted, y1[i], self.last[i]);
-        }
+        self.force = S::select(accepted, end_force, self.force);
         let separated = accepted.and(end.depth.le(S::zero()));
         if separated.any() {
+            let (start, _) = self.force_at(y0);
             let fraction = hermite_root(start.depth, start.rate * h, end.depth, end.rate * h);
             self.time = S::select(separated, time + h * fraction, self.time);
+            for i in 0..N {
+                self.last[i] = S::select(separated, y1[i], self.last[i]);
+            }
         }
         if R::ACTIVE {
             self.recorder.record(self.contact, time + h, y1);

@@ -12,6 +12,8 @@ pub const VELOCITY: usize = 3;
 pub const CLUB_SPIN: usize = 6;
 /// Angular velocity of the ball, or of its cover, rad/s.
 pub const BALL_SPIN: usize = 9;
+/// The states before this one are all that the contact force depends on.
+pub const SEEN: usize = 12;
 /// Attitude of the clubhead relative to first touch, a quaternion.
 pub const ATTITUDE: usize = 12;
 /// Work taken by the normal force and by friction, J.

@@ -40,22 +40,32 @@ impl Describe for Area<()> {
 }
 
 impl<S: Scalar> ContactLaw<S> for Area<S> {
+    const FAST_TOLERANCE: f64 = 8e-6;
+
     #[inline(always)]
-    fn normal_force(&self, depth: S, rate: S, curvature: S, radius: S) -> S {
-        let equivalent = hertz::equivalent_radius(radius, curvature);
-        hertz::force(
-            hertz::stiffness(self.shear_modulus, self.poisson, equivalent),
-            self.damping,
-            depth,
-            rate,
-        )
+    fn normal_force<const K: usize>(
+        &self,
+        depth: Dual<S, K>,
+        rate: Dual<S, K>,
+        curvature: Dual<S, K>,
+        radius: S,
+    ) -> Dual<S, K> {
+        let equivalent = hertz::equivalent_radius(Dual::constant(radius), curvature);
+        let stiffness = hertz::stiffness(self.shear_modulus, self.poisson, equivalent);
+        hertz::force(stiffness, self.damping, depth, rate)
     }
     #[inline(always)]
-    fn drag(&self, normal_force: S, rate: S, radius: S, w: Dual<S, 1>) -> Dual<S, 1> {
+    fn drag<const K: usize>(
+        &self,
+        normal_force: Dual<S, K>,
+        rate: Dual<S, K>,
+        radius: S,
+        w: Dual<S, K>,
+    ) -> Dual<S, K> {
         // P1 Eqs. 17 and 20 with the letters put right: mu F_N + mu eta dA/dt, dA/dt = pi R xdot.
-        let growth = radius * rate * PI;
+        let growth = rate.scale(radius * PI);
         let slope = Dual::constant(S::from_f64(1.0 / SLIDING_SPEED));
-        tanh_ratio(slope, w).scale(self.friction * (normal_force + self.area_damping * growth))
+        tanh_ratio(slope, w) * (normal_force + growth.scale(self.area_damping)).scale(self.friction)
     }
     #[inline(always)]
     fn area(&self, depth: S, _curvature: S, radius: S) -> S {

@@ -77,16 +77,30 @@ impl<S: Scalar> RingLaw<S> {
 }
 
 impl<S: Scalar> ContactLaw<S> for RingLaw<S> {
+    const FAST_TOLERANCE: f64 = 1.5e-5;
+
     #[inline(always)]
-    fn normal_force(&self, depth: S, rate: S, curvature: S, radius: S) -> S {
+    fn normal_force<const K: usize>(
+        &self,
+        depth: Dual<S, K>,
+        rate: Dual<S, K>,
+        curvature: Dual<S, K>,
+        radius: S,
+    ) -> Dual<S, K> {
         let Rings { shear_modulus, poisson, damping, .. } = self.parameters;
-        let equivalent = hertz::equivalent_radius(radius, curvature);
+        let equivalent = hertz::equivalent_radius(Dual::constant(radius), curvature);
         hertz::force(hertz::stiffness(shear_modulus, poisson, equivalent), damping, depth, rate)
     }
     #[inline(always)]
-    fn drag(&self, _normal_force: S, _rate: S, _radius: S, _w: Dual<S, 1>) -> Dual<S, 1> {
+    fn drag<const K: usize>(
+        &self,
+        _normal_force: Dual<S, K>,
+        _rate: Dual<S, K>,
+        _radius: S,
+        _w: Dual<S, K>,
+    ) -> Dual<S, K> {
         // All friction is remembered.
-        Dual::constant(S::zero())
+        Dual::zero()
     }
     #[inline(always)]
     fn remembered(&self, t: &Touching<S>, normal_force: S, slip: [S; 2]) -> Option<Vec3<S>> {
@@ -136,7 +150,8 @@ impl<S: Scalar> Model<S> for Rings<S> {
         let speed = touch.approach();
         let curvature = touch.face.nearest(touch.contact - touch.lever).curvature;
         let equivalent = hertz::equivalent_radius(touch.ball.radius, curvature);
-        let stiffness = hertz::stiffness(self.shear_modulus, self.poisson, equivalent);
+        let stiffness = Dual::<S, 0>::constant(equivalent);
+        let stiffness = hertz::stiffness(self.shear_modulus, self.poisson, stiffness).value;
         let deepest = deepest(stiffness, self.damping, normal_mobility(touch), speed);
         let largest_radius = (equivalent * deepest).sqrt() * MARGIN;
         let material =

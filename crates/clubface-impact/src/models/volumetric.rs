@@ -56,17 +56,31 @@ pub fn overlap<S: Scalar>(depth: S, curvature: S, radius: S) -> (S, S) {
 }
 
 impl<S: Scalar> ContactLaw<S> for Volumetric<S> {
+    const FAST_TOLERANCE: f64 = 2.5e-5;
+
     #[inline(always)]
-    fn normal_force(&self, depth: S, rate: S, curvature: S, radius: S) -> S {
-        let (volume, _) = overlap(depth, curvature, radius);
+    fn normal_force<const K: usize>(
+        &self,
+        depth: Dual<S, K>,
+        rate: Dual<S, K>,
+        curvature: Dual<S, K>,
+        radius: S,
+    ) -> Dual<S, K> {
+        let (volume, _) = overlap(depth, curvature, Dual::constant(radius));
         // P1 Eq. 12; never adhesive.
-        (self.stiffness * volume * (self.damping * rate + 1.0)).max(S::zero())
+        (volume.scale(self.stiffness) * (rate.scale(self.damping) + 1.0)).max(Dual::zero())
     }
     #[inline(always)]
-    fn drag(&self, normal_force: S, _rate: S, _radius: S, w: Dual<S, 1>) -> Dual<S, 1> {
+    fn drag<const K: usize>(
+        &self,
+        normal_force: Dual<S, K>,
+        _rate: Dual<S, K>,
+        _radius: S,
+        w: Dual<S, K>,
+    ) -> Dual<S, K> {
         // P1 Eq. 13.
         let slope = Dual::constant(S::from_f64(4.0) / self.transition_speed);
-        tanh_ratio(slope, w).scale(self.friction * normal_force)
+        tanh_ratio(slope, w) * normal_force.scale(self.friction)
     }
     #[inline(always)]
     fn area(&self, depth: S, curvature: S, radius: S) -> S {
