@@ -1,0 +1,414 @@
+"""Files of deliveries: columns by name and unit, every bad row accounted for, interruption and resumption."""
+
+import csv
+import json
+import math
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, example, given, settings
+from hypothesis import strategies as st
+
+import clubface
+from clubface import table_reader
+from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.predict import predict
+
+pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+
+HEAD = "id,club_speed_mph,attack_deg,Dynamic Loft [deg],impact_toe_mm\n"
+GOOD = HEAD + "a,113,-1.3,12.8,5\nb,108,2,13,-3\n"
+
+
+def table(path, delimiter=","):
+    """The rows of a CSV file by heading."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file, delimiter=delimiter))
+
+
+@pytest.fixture
+def write(tmp_path):
+    def writer(content, name="shots.csv"):
+        path = tmp_path / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    return writer
+
+
+def test_each_row_is_its_impact_and_flight(write, tmp_path):
+    """Written with 9 digits: half a unit of the ninth is at most 5e-9."""
+    report = predict(write(GOOD), club="driver", output=tmp_path / "out.csv", model="volumetric")
+    rows = table(tmp_path / "out.csv")
+    assert [row["id"] for row in rows] == ["a", "b"]
+    launch = clubface.impact(
+        "driver", speed="113 mph", attack="-1.3 deg", loft="12.8 deg", toe="5 mm", model="volumetric"
+    )
+    flight = clubface.fly(launch)
+    for heading, value in {
+        "ball_speed_mps": launch.ball_speed,
+        "smash": launch.smash,
+        "launch_deg": launch.get("launch", "deg"),
+        "azimuth_deg": launch.get("azimuth", "deg"),
+        "backspin_rpm": launch.get("backspin", "rpm"),
+        "sidespin_rpm": launch.get("sidespin", "rpm"),
+        "total_spin_rpm": launch.get("total_spin", "rpm"),
+        "spin_axis_deg": launch.get("spin_axis", "deg"),
+        "carry_m": flight.carry,
+        "side_m": flight.side,
+        "apex_m": flight.apex,
+        "landing_deg": flight.get("landing_angle", "deg"),
+        "contact_time_s": launch.contact_time,
+        "peak_force_n": launch.peak_force,
+    }.items():
+        assert float(rows[0][heading]) == pytest.approx(value, rel=5.1e-9), heading
+        assert heading in report.added
+    assert (report.rows, report.written, report.rejected, report.rejects) == (2, 2, 0, None)
+    assert report.used["impact_toe_mm"] == ("toe", "mm")
+    assert report.passed == ("id",)
+    assert report.provenance["model"]["name"] == "volumetric"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["out.csv", "shots.csv"]
+
+
+def test_what_is_not_used_is_passed_through_untouched(write, tmp_path):
+    text = 'club_speed_mph,"note, long",x\n 113 ,"he said ""so""\nand left",  007\n'
+    predict(write(text.replace("\n", "\r\n")), club="driver", output=tmp_path / "out.csv", carry=False)
+    body = (tmp_path / "out.csv").read_bytes().decode()
+    assert '\n 113 ,"he said ""so""\r\nand left",  007,5' not in body
+    assert body.split("\n", 1)[1].startswith(' 113 ,"he said ""so""\r\nand left",  007,7')
+    assert "carry_m" not in body
+
+
+BAD_ROWS = [
+    ("c,abc,-1.3,12.8,5", "club_speed_mph: 'abc' is not a number"),
+    ("c,,-1.3,12.8,5", "club_speed_mph: the cell is empty"),
+    ("c,nan,-1.3,12.8,5", "club_speed_mph: 'nan' is not a finite number"),
+    ("c,inf,-1.3,12.8,5", "club_speed_mph: 'inf' is not a finite number"),
+    ("c,1_0,-1.3,12.8,5", "club_speed_mph: '1_0' is not a number"),
+    ("c,113,-1.3,12.8", "4 cells where there are 5 columns"),
+    ("c,113,-1.3,12.8,5,6,7", "7 cells where there are 5 columns; beyond them: '6', '7'"),
+    ("c,113,-1.3,12.8,80", "toe: impact at 80.0 mm is outside the face outline; allowed: +-52.5 mm"),
+    ("c,-113,-1.3,12.8,5", "speed: -50.51552 must be above 0"),
+    ("c,113,-1.3,95,5", "loft: 95.00 deg"),
+    ("c,113,-89,80,5", "the face moves away"),
+    ('c,113,-1.3,"12"x,5', "this is not CSV"),
+    ('c,113,-1.3,12.8,"5', "a quoted cell that begins here does not end"),
+]
+
+
+@pytest.mark.parametrize(("row", "reason"), BAD_ROWS)
+def test_a_bad_row_is_kept_aside_with_line_and_reason(write, tmp_path, row, reason):
+    report = predict(write(GOOD + "\n" + row + "\n"), club="driver", output=tmp_path / "out.csv")
+    assert (report.rows, report.written, report.rejected, report.blank) == (3, 2, 1, 1)
+    assert [each["id"] for each in table(tmp_path / "out.csv")] == ["a", "b"]
+    (kept,) = table(report.rejects)
+    assert kept["line"] == "5"
+    assert reason in kept["reason"]
+    assert "c" in kept["id"]
+    assert report.first_rejects[0][0] == 5
+    assert reason in str(report)
+
+
+def test_line_numbers_survive_cells_of_several_lines_blank_lines_and_pieces(write, tmp_path):
+    lines = ["id,club_speed_mph", "", '"one\ntwo\nthree",50', "x,bad", "", "y,51", '"p\nq",worse', "z,52"]
+    path = write("\n".join(lines))
+    for chunk in (1, 2, 100):
+        report = predict(path, club="driver", output=tmp_path / "out.csv", chunk_rows=chunk)
+        assert [line for line, _ in report.first_rejects] == [6, 9]
+        assert [row["line"] for row in table(report.rejects)] == ["6", "9"]
+        assert [row["id"] for row in table(tmp_path / "out.csv")] == ["one\ntwo\nthree", "y", "z"]
+
+
+def test_the_size_of_the_pieces_changes_no_byte(write, tmp_path):
+    rng = np.random.default_rng(3)
+    rows = [f"{i},{speed:.2f},{toe:.1f}" for i, (speed, toe) in enumerate(zip(rng.normal(105, 9, 500), rng.normal(0, 30, 500), strict=True))]  # fmt: skip  # noqa: E501
+    path = write("id,speed_mph,toe_mm\n" + "\n".join(rows))
+    found = []
+    for chunk in (1, 7, 10_000):
+        report = predict(path, club="driver", output=tmp_path / "out.csv", chunk_rows=chunk)
+        assert report.written + report.rejected == 500
+        assert 0 < report.rejected < 100
+        found.append([(tmp_path / "out.csv").read_bytes(), (tmp_path / "out.rejects.csv").read_bytes()])
+    assert found[0] == found[1] == found[2]
+
+
+@pytest.mark.parametrize(
+    "heading",
+    ["speed [mph]", "club_speed_mph", "Club Speed (mph)", "Clubhead Speed mph", "CLUB_SPEED_MPH", "club-speed_mph"],
+)
+def test_a_column_is_known_by_many_names(write, tmp_path, heading):
+    report = predict(write(f"{heading}\n113\n"), club="driver", output=tmp_path / "out.csv")
+    assert report.used[heading] == ("speed", "mph")
+
+
+def test_a_column_without_a_unit_is_si_and_said_so(write, tmp_path):
+    report = predict(write("speed,toe_mm\n50,5\n"), club="driver", output=tmp_path / "out.csv")
+    assert report.used["speed"] == ("speed", "m/s")
+    assert "names no unit: taken as m/s" in report.notes[0]
+
+
+def test_a_misspelt_column_is_pointed_out(write, tmp_path):
+    report = predict(write("speed_mph,atack_deg,weather\n50,5,1\n"), club="driver", output=tmp_path / "out.csv")
+    assert report.passed == ("atack_deg", "weather")
+    assert report.notes == ("the column 'atack_deg' is not used; did you mean attack?",)
+
+
+def test_measured_launches_in_the_file_are_not_written_over(write, tmp_path):
+    source = write("speed_mph,launch_deg\n100,11\n")
+    predict(source, club="driver", output=tmp_path / "one.csv")
+    (row,) = table(tmp_path / "one.csv")
+    assert row["launch_deg"] == "11"
+    assert float(row["predicted_launch_deg"]) != 11.0
+    report = predict(tmp_path / "one.csv", club="driver", output=tmp_path / "two.csv")
+    assert "predicted_predicted_launch_deg" in report.added
+
+
+def test_the_hand_of_a_row_wins_over_that_of_the_club(write, tmp_path):
+    path = write("speed_mph,toe_mm,hand\n100,8,right\n100,8,Left\n100,8,both\n")
+    report = predict(path, club="driver", output=tmp_path / "out.csv")
+    right, left = (float(row["sidespin_rpm"]) for row in table(tmp_path / "out.csv"))
+    assert right == -left != 0.0
+    assert report.first_rejects == ((4, "hand: 'both' is not right or left"),)
+    predict(write("speed_mph,toe_mm\n100,8\n"), club="driver", hand="left", output=tmp_path / "out.csv")
+    assert float(table(tmp_path / "out.csv")[0]["sidespin_rpm"]) == left
+
+
+def test_club_and_ball_columns_are_inputs_too(write, tmp_path):
+    predict(write("speed_mph,club_mass_g\n100,180\n100,220\n"), club="driver", output=tmp_path / "out.csv")
+    light, heavy = (float(row["ball_speed_mps"]) for row in table(tmp_path / "out.csv"))
+    assert light < heavy
+
+
+def test_semicolons_and_decimal_commas_are_read_and_written(write, tmp_path):
+    path = write("id;club_speed [mph];toe [mm]\nx;113,5;1,5\ny;1.000;2\nz;99;0\n")
+    report = predict(path, club="driver", output=tmp_path / "out.csv")
+    rows = table(tmp_path / "out.csv", ";")
+    plain = clubface.impact("driver", speed="113.5 mph", toe="1.5 mm")
+    assert float(rows[0]["ball_speed_mps"].replace(",", ".")) == pytest.approx(plain.ball_speed, rel=5.1e-9)
+    assert [row["id"] for row in rows] == ["x", "z"]
+    assert report.first_rejects == ((3, "club_speed [mph]: '1.000' is not a number"),)
+
+
+def test_a_byte_order_mark_and_tabs_do_no_harm(write, tmp_path):
+    path = write(b"\xef\xbb\xbfclub_speed_mph\ttoe_mm\r\n113\t5\r\n")
+    assert predict(path, club="driver", output=tmp_path / "out.csv").written == 1
+
+
+BAD_FILES = [
+    (b"", 1, "empty"),
+    (b"\n\r\n\n", 1, "empty"),
+    (b"a,b\n1,2\n", 1, "no column for the clubhead speed"),
+    (b"113,-1.3\n110,2\n", 1, "there are: 113, -1.3"),
+    (b"\n\nclub_speed_mph\n", 3, "no delivery"),
+    (b"club_speed_mm\n1\n", 1, "is in mm; speed must be in m/s"),
+    (b"club_speed [knots]\n1\n", 1, "unknown unit 'knots'"),
+    (b"speed,club_speed_mph\n1,2\n", 1, "both give the speed"),
+    (b"speed,x,x\n1,2,3\n", 1, "'x' is there twice"),
+    (b"speed\n1\n\xff\n", 3, "not UTF-8"),
+    (b"\xff\xfes\0p\0", 1, "UTF-16"),
+    (b"PAR1", None, "end in .parquet"),
+    (b"speed\r1\r2\r", 1, "carriage return"),
+    (b'"speed\n1\n', 1, "does not end"),
+    (b"speed\n" + b"1" * 2_000_001, 2, "longer than 2 MB"),
+]
+
+
+@pytest.mark.parametrize(("content", "line", "said"), BAD_FILES, ids=[each[2] for each in BAD_FILES])
+def test_a_file_that_is_no_table_of_deliveries_is_refused_with_the_line(write, tmp_path, content, line, said):
+    path = write(content)
+    with pytest.raises(FileError, match=said.replace("(", r"\(")) as caught:
+        predict(path, club="driver", output=tmp_path / "out.csv")
+    assert (caught.value.path, caught.value.line) == (str(path), line)
+    assert [each.name for each in tmp_path.iterdir()] == ["shots.csv"]
+
+
+def test_paths_that_cannot_be_are_refused(write, tmp_path):
+    path = write(GOOD)
+    for output, said in ((path, "must not be the file read"), (tmp_path / "no" / "out.csv", "no folder"),
+                         (tmp_path / "out.xlsx", "must end in"), (tmp_path / "dir.csv", "is a folder")):  # fmt: skip
+        (tmp_path / "dir.csv").mkdir(exist_ok=True)
+        with pytest.raises(FileError, match=said):
+            predict(path, club="driver", output=output)
+    with pytest.raises(FileError, match="must not be the output"):
+        predict(path, club="driver", output=tmp_path / "out.csv", rejects=tmp_path / "out.csv")
+    with pytest.raises(FileError, match="No such file"):
+        predict(tmp_path / "none.csv", club="driver")
+    for chunk in (0, 1.5, True):
+        with pytest.raises(InputError, match="chunk_rows"):
+            predict(path, club="driver", chunk_rows=chunk)
+    with pytest.raises(InputError, match="temperature"):
+        predict(path, club="driver", air={"temperature": 3.0})
+    with pytest.raises(InputError, match="single number"):
+        predict(path, club="driver", parameters={"cor": np.array([0.8, 0.83])})
+    assert path.read_text() == GOOD
+
+
+def test_names_left_out_stand_beside_the_file(write, tmp_path):
+    report = predict(write(GOOD + "c,bad,1,2,3\n"), club="driver")
+    assert report.output == str(tmp_path / "shots-launches.csv")
+    assert report.rejects == str(tmp_path / "shots-launches.rejects.csv")
+    assert predict(write(GOOD), club="driver").rejects is None
+    assert not (tmp_path / "shots-launches.rejects.csv").exists()
+
+
+class StoppedError(Exception):
+    """Thrown by a progress function to end a run half way."""
+
+
+def half_way(rows, error):
+    def progress(part, done):
+        assert 0.0 < part <= 1.0
+        if done >= rows:
+            raise error
+
+    return progress
+
+
+MANY = HEAD + "".join(f"{i},{90 + i % 30},{'bad' if i % 10 == 3 else 1},13,{i % 7}\n" for i in range(100))
+
+
+@pytest.mark.parametrize("ending", ["csv", "parquet"])
+@pytest.mark.parametrize("error", [KeyboardInterrupt, StoppedError])
+def test_an_interrupted_run_keeps_what_is_finished_and_goes_on_from_there(write, tmp_path, ending, error):
+    if ending == "parquet":
+        pytest.importorskip("pyarrow")
+    options = {"club": "driver", "chunk_rows": 10, "model": "area"}
+    path, output = write(MANY), tmp_path / f"out.{ending}"
+    whole = predict(path, output=tmp_path / f"whole.{ending}", **options)
+    with pytest.raises(error) as caught:
+        predict(path, output=output, progress=half_way(40, error), **options)
+    part = tmp_path / f"out.part.{ending}"
+    assert not output.exists()
+    if error is KeyboardInterrupt:
+        assert f"40 rows are done and kept in {part}" in str(caught.value)
+    assert len(read_ids(part)) == 36
+    report = predict(path, output=output, resume=True, **options)
+    assert report.resumed == 40
+    assert (
+        (report.rows, report.written, report.rejected) == (whole.rows, whole.written, whole.rejected) == (100, 90, 10)
+    )
+    assert read_ids(output) == read_ids(tmp_path / f"whole.{ending}")
+    assert (tmp_path / "out.rejects.csv").read_bytes() == (tmp_path / "whole.rejects.csv").read_bytes()
+    if ending == "csv":
+        assert output.read_bytes() == (tmp_path / "whole.csv").read_bytes()
+    assert not list(tmp_path.glob("*part*"))
+
+
+def read_ids(path):
+    if path.suffix == ".csv":
+        return [row["id"] for row in table(path)]
+    import pyarrow.parquet
+
+    return pyarrow.parquet.read_table(path)["id"].to_pylist()
+
+
+def test_rows_after_the_last_record_of_a_killed_run_are_written_anew(write, tmp_path):
+    path, output = write(MANY), tmp_path / "out.csv"
+    with pytest.raises(StoppedError):
+        predict(path, club="driver", output=output, chunk_rows=10, progress=half_way(40, StoppedError))
+    with (tmp_path / "out.part.csv").open("ab") as file:
+        file.write(b"half a ro")
+    predict(path, club="driver", output=output, resume=True)
+    predict(path, club="driver", output=tmp_path / "whole.csv")
+    assert output.read_bytes() == (tmp_path / "whole.csv").read_bytes()
+
+
+def test_a_run_is_not_resumed_with_other_settings_or_another_file(write, tmp_path):
+    path, output = write(MANY), tmp_path / "out.csv"
+
+    def begin():
+        with pytest.raises(StoppedError):
+            predict(path, club="driver", output=output, chunk_rows=10, progress=half_way(40, StoppedError))
+
+    begin()
+    for changed in ({"model": "slip"}, {"parameters": {"cor": 0.8}}, {"carry": False}, {"air": {"humidity": 0.1}}):
+        with pytest.raises(FileError, match="other settings"):
+            predict(path, output=output, resume=True, **{"club": "driver", **changed})
+    path.write_text(MANY + "last,100,1,13,0\n")
+    with pytest.raises(FileError, match="another file"):
+        predict(path, club="driver", output=output, resume=True)
+    assert predict(path, club="driver", output=output).rows == 101
+    begin()
+    (tmp_path / "out.part.csv").unlink()
+    with pytest.raises(FileError, match="is gone"):
+        predict(path, club="driver", output=output, resume=True)
+    begin()
+    (tmp_path / "out.part.json").write_text("{")
+    with pytest.raises(FileError, match="without resume"):
+        predict(path, club="driver", output=output, resume=True)
+
+
+def test_resume_without_anything_to_resume_starts_at_the_beginning(write, tmp_path):
+    report = predict(write(GOOD), club="driver", output=tmp_path / "out.csv", resume=True)
+    assert (report.rows, report.resumed) == (2, 0)
+
+
+def test_parquet_in_and_out_keeps_types_and_says_where_it_comes_from(write, tmp_path):
+    pyarrow = pytest.importorskip("pyarrow")
+    import pyarrow.parquet as files
+
+    source = pyarrow.table(
+        {
+            "when": pyarrow.array([1, 2, 3, 4], pyarrow.timestamp("ms")),
+            "club_speed [mph]": [113.0, None, math.nan, 100.0],
+            "toe_mm": pyarrow.array([5, 5, 5, 80], pyarrow.int8()),
+            "attack_deg": ["-1.3", "1", "1", "1"],
+        }
+    )
+    files.write_table(source, tmp_path / "in.parquet")
+    report = predict(tmp_path / "in.parquet", club="driver", output=tmp_path / "out.parquet", chunk_rows=3)
+    assert (report.rows, report.written) == (4, 1)
+    assert [line for line, _ in report.first_rejects] == [2, 3, 4]
+    assert [row["row"] for row in table(report.rejects)] == ["2", "3", "4"]
+    found = files.read_table(tmp_path / "out.parquet")
+    assert found.schema.field("when").type == pyarrow.timestamp("ms")
+    assert found["ball_speed_mps"][0].as_py() == pytest.approx(
+        clubface.impact("driver", speed="113 mph", toe="5 mm", attack="-1.3 deg").ball_speed, rel=1e-14
+    )
+    assert json.loads(found.schema.metadata[b"clubface"])["model"]["name"] == "standard"
+    predict(tmp_path / "in.parquet", club="driver", output=tmp_path / "out.csv")
+    assert table(tmp_path / "out.csv")[0]["when"] == "1970-01-01 00:00:00.001000"
+    for content in (b"PAR1nonsensePAR1", b"", b"a,b\n"):
+        with pytest.raises(FileError, match="Parquet"):
+            predict(write(content, "bad.parquet"), club="driver", output=tmp_path / "out.csv")
+
+
+def test_parquet_without_pyarrow_says_what_to_install(write, tmp_path, monkeypatch):
+    import sys
+
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(FileError, match="pip install"):
+        predict(write(GOOD), club="driver", output=tmp_path / "out.parquet")
+
+
+cells = st.one_of(
+    st.sampled_from(["113", "-1", "0", "nan", "1e400", "", " 50", "1_0", "abc", "9" * 400, "٣", "\x00", '"', "a\nb"]),
+    st.text(max_size=6),
+)
+lines = st.lists(cells, max_size=5).map(",".join)
+texts = st.lists(lines, max_size=6).map("\n".join)
+heads = st.sampled_from(["speed", "speed,toe_mm", "speed;toe_mm", "club_speed_mph,x,x", "speed [", "speed(mph),", ""])
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    content=st.one_of(
+        st.binary(max_size=80),
+        st.tuples(heads, texts).map(lambda parts: "\n".join(parts).encode("utf-8", "surrogatepass")),
+    )
+)
+@example(content=b"speed\n" + b'"' + b"1," * 200_000)
+def test_whatever_a_file_holds_every_row_is_told_or_the_file_is_refused(tmp_path, content):
+    """Fuzz: only a ClubfaceError comes out, and each row read is either written or rejected."""
+    path = tmp_path / "fuzz.csv"
+    path.write_bytes(content)
+    try:
+        report = predict(path, club="driver", output=tmp_path / "out.csv", carry=False, chunk_rows=2)
+    except ClubfaceError:
+        return
+    assert report.written + report.rejected == report.rows > 0
+    rejects = table_reader.CsvReader(tmp_path / "out.rejects.csv") if report.rejects else None
+    if rejects is not None:
+        kept = sum(len(piece.lines) + len(piece.ragged) for piece in rejects.pieces(100, 0))
+        rejects.close()
+        assert kept == report.rejected
