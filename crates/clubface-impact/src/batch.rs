@@ -1,13 +1,13 @@
 //! Many shots at once: columns in, columns out, on all lanes and threads.
 
-use crate::check::{check, check_parameters, receding, unseparated};
+use crate::check::{check_delivery, check_equipment, check_parameters, receding, unseparated};
 use crate::error::ImpactError;
 use crate::first_touch::FirstTouch;
 use crate::history::Unrecorded;
 use crate::launch::OUTPUT_COUNT;
 use crate::model::Accuracy;
 use crate::registry::ModelKind;
-use crate::shot::INPUT_COUNT;
+use crate::shot::{DELIVERY_COUNT, INPUT_COUNT};
 use clubface_math::lanes::{dispatch, Kernel, Lanes};
 use clubface_math::Mask;
 use core::ops::Range;
@@ -128,6 +128,7 @@ impl Kernel for Chunk<'_, '_, '_> {
         let Self { batch, first, outputs } = self;
         let info = batch.model.info();
         let rows = outputs[0].len();
+        let checks = Checks::new(batch);
         let mut rejects = Vec::new();
         let mut pack_start = 0;
         while pack_start < rows {
@@ -138,7 +139,7 @@ impl Kernel for Chunk<'_, '_, '_> {
             let mut parameters: [S; MOST_PARAMETERS] = gather(batch.parameters, row);
             let mut faults: [Option<ImpactError>; MOST_LANES] = [const { None }; MOST_LANES];
             for lane in 0..used {
-                faults[lane] = check_row(batch, row(lane)).err();
+                faults[lane] = checks.row(batch, row(lane)).err();
             }
             let mut touch = FirstTouch::of_inputs(&inputs);
             let approach = touch.approach();
@@ -195,8 +196,31 @@ fn replace<S: Lanes, const N: usize>(values: &mut [S; N], other: &[f64], lane_is
     }
 }
 
-fn check_row(batch: &Batch, row: usize) -> Result<(), ImpactError> {
-    check(&gather(batch.inputs, |_| row))?;
+/// What is known of all rows of a batch: equipment and parameters that do not vary are checked once.
+struct Checks {
+    equipment: Option<Result<(), ImpactError>>,
+    parameters: Option<Result<(), ImpactError>>,
+}
+
+impl Checks {
+    fn new(batch: &Batch) -> Self {
+        let fixed = |columns: &[Column]| columns.iter().all(|column| matches!(column, Column::Constant(_)));
+        Self {
+            equipment: fixed(&batch.inputs[DELIVERY_COUNT..])
+                .then(|| check_equipment(&gather(batch.inputs, |_| 0))),
+            parameters: fixed(batch.parameters).then(|| parameters_of(batch, 0)),
+        }
+    }
+
+    fn row(&self, batch: &Batch, row: usize) -> Result<(), ImpactError> {
+        let inputs = gather(batch.inputs, |_| row);
+        self.equipment.clone().unwrap_or_else(|| check_equipment(&inputs))?;
+        check_delivery(&inputs)?;
+        self.parameters.clone().unwrap_or_else(|| parameters_of(batch, row))
+    }
+}
+
+fn parameters_of(batch: &Batch, row: usize) -> Result<(), ImpactError> {
     let parameters: [f64; MOST_PARAMETERS] = gather(batch.parameters, |_| row);
     let info = batch.model.info();
     check_parameters(info, &parameters[..info.parameters.len()])

@@ -2,7 +2,7 @@
 
 use crate::error::ImpactError;
 use crate::model::ModelInfo;
-use crate::shot::{Shot, INPUTS, INPUT_COUNT};
+use crate::shot::{Shot, DELIVERY_COUNT, INPUTS, INPUT_COUNT};
 use clubface_math::{Mat3, Vec3};
 use core::f64::consts::FRAC_PI_2;
 
@@ -14,12 +14,17 @@ pub const LARGEST_LOFT: f64 = 80.0 * core::f64::consts::PI / 180.0;
 /// # Errors
 /// The first fault found.
 pub fn check(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
-    for (value, input) in values.iter().zip(&INPUTS) {
-        let flat = (input.name == "bulge" || input.name == "roll") && *value == f64::INFINITY;
-        if !value.is_finite() && !flat {
-            return Err(fault(input.name, *value, "must be a finite number"));
-        }
-    }
+    check_equipment(values)?;
+    check_delivery(values)
+}
+
+/// Checks club and ball of a shot.
+///
+/// # Errors
+/// The first fault found.
+pub fn check_equipment(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
+    check_finite(values, "club")?;
+    check_finite(values, "ball")?;
     let shot = Shot::from_inputs(values);
     check_club(&shot)?;
     for (name, value) in [
@@ -36,7 +41,17 @@ pub fn check(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
             "must not exceed 2/3 m R^2, all mass at the surface (kg m2)",
         ));
     }
-    check_delivery(&shot)
+    Ok(())
+}
+
+fn check_finite(values: &[f64; INPUT_COUNT], group: &str) -> Result<(), ImpactError> {
+    for (value, input) in values.iter().zip(&INPUTS) {
+        let flat = (input.name == "bulge" || input.name == "roll") && *value == f64::INFINITY;
+        if input.group == group && !value.is_finite() && !flat {
+            return Err(fault(input.name, *value, "must be a finite number"));
+        }
+    }
+    Ok(())
 }
 
 fn check_club(shot: &Shot<f64>) -> Result<(), ImpactError> {
@@ -60,8 +75,15 @@ fn check_club(shot: &Shot<f64>) -> Result<(), ImpactError> {
     Ok(())
 }
 
-fn check_delivery(shot: &Shot<f64>) -> Result<(), ImpactError> {
-    let Shot { delivery, club, .. } = shot;
+/// Checks the delivery of a shot.
+///
+/// # Errors
+/// The first fault found.
+pub fn check_delivery(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
+    let Shot { delivery, club, .. } = Shot::from_inputs(values);
+    if !values[..DELIVERY_COUNT].iter().all(|value| value.is_finite()) {
+        check_finite(values, "delivery")?;
+    }
     positive("speed", delivery.speed)?;
     if delivery.speed > 150.0 {
         return Err(fault("speed", delivery.speed, "must be at most 150 m/s; is the unit right?"));

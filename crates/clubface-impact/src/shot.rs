@@ -30,6 +30,9 @@ const fn input(
     Input { name, group, unit, meaning, differentiable }
 }
 
+/// Number of inputs that describe the delivery: the first ones.
+pub const DELIVERY_COUNT: usize = 11;
+
 /// Number of inputs.
 pub const INPUT_COUNT: usize = 30;
 

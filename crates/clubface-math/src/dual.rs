@@ -28,6 +28,13 @@ impl<S: Scalar, const N: usize> Dual<S, N> {
         dual.tangent[index] = S::one();
         dual
     }
+    /// The same number with more directions, in which its derivatives are zero.
+    #[inline(always)]
+    pub fn widen<const M: usize>(self) -> Dual<S, M> {
+        let mut wide = Dual::constant(self.value);
+        wide.tangent[..N].copy_from_slice(&self.tangent);
+        wide
+    }
     /// Product with a number that does not depend on the variables.
     #[inline(always)]
     #[must_use]

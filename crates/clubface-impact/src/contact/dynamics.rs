@@ -2,7 +2,7 @@
 
 use super::state::*;
 use super::{ContactLaw, Core};
-use crate::face::{tangents, Face};
+use crate::face::{tangents, Face, Nearest};
 use crate::first_touch::FirstTouch;
 use clubface_math::ode::{StiffSystem, System};
 use clubface_math::{Dual, Mat3, Quat, Scalar, Vec3};
@@ -86,7 +86,8 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
     /// The contact point in state `y`.
     #[inline(always)]
     pub fn touching(&self, y: &[S]) -> Touching<S> {
-        Touching::of(&self.face, self.lever, self.radius, y)
+        let nearest = self.face.nearest(Vec3::of(y, POSITION) - self.lever);
+        Touching::of(&nearest, self.radius, y)
     }
 
     /// Normal force, N: zero when apart.
@@ -187,13 +188,7 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<
         for i in 0..SEEN {
             dual[i] = if i < 6 { Dual::variable(y[i], i) } else { Dual::constant(y[i]) };
         }
-        let face = Face { bulge: Dual::constant(self.face.bulge), roll: Dual::constant(self.face.roll) };
-        let lever = Vec3::new(
-            Dual::constant(self.lever.x),
-            Dual::constant(self.lever.y),
-            Dual::constant(self.lever.z),
-        );
-        let t = Touching::of(&face, lever, Dual::constant(self.radius), &dual);
+        let t = Touching::of(&self.nearest_by_position(y), Dual::constant(self.radius), &dual);
         let apart = t.depth.le(Dual::zero());
         let depth = Dual::select(apart, Dual::zero(), t.depth);
         let normal_force = self.law.normal_force(depth, t.rate, t.curvature, self.radius);
@@ -262,6 +257,23 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<
 }
 
 impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
+    /// The face as seen from the ball centre, with derivatives by its position in the first three directions.
+    #[inline(always)]
+    fn nearest_by_position(&self, y: &[S]) -> Nearest<Dual<S, 6>> {
+        let face = Face { bulge: Dual::constant(self.face.bulge), roll: Dual::constant(self.face.roll) };
+        let place = Vec3::of(y, POSITION) - self.lever;
+        let nearest = face.nearest(Vec3::new(
+            Dual::<S, 3>::variable(place.x, 0),
+            Dual::variable(place.y, 1),
+            Dual::variable(place.z, 2),
+        ));
+        Nearest {
+            distance: nearest.distance.widen(),
+            normal: Vec3::new(nearest.normal.x.widen(), nearest.normal.y.widen(), nearest.normal.z.widen()),
+            curvature: nearest.curvature.widen(),
+        }
+    }
+
     /// Implicit step over `g` of cover and core: with s their difference of spin and p the twist, the torque is
     /// k (p + g s) + c s at the end, and s shrinks by 1 / (1 + g (c + g k) (1/I_cover + 1/I_core)).
     #[inline(always)]

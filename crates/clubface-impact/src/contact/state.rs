@@ -1,6 +1,6 @@
 //! The state vector of a contact and what it says about the contact point.
 
-use crate::face::Face;
+use crate::face::Nearest;
 use crate::first_touch::FirstTouch;
 use clubface_math::{Scalar, Vec3};
 
@@ -53,11 +53,10 @@ pub struct Touching<S> {
 }
 
 impl<S: Scalar> Touching<S> {
-    /// Reads a state vector.
+    /// Reads a state vector, given the face as seen from the ball centre.
     #[inline(always)]
-    pub fn of(face: &Face<S>, lever: Vec3<S>, radius: S, y: &[S]) -> Self {
+    pub fn of(nearest: &Nearest<S>, radius: S, y: &[S]) -> Self {
         let position = Vec3::of(y, POSITION);
-        let nearest = face.nearest(position - lever);
         let normal = nearest.normal;
         let arm = nearest.distance;
         let point = position - normal * arm;
