@@ -71,6 +71,13 @@ fn soft_turf_turns_the_plane_back_towards_the_ball() {
     assert_close(after.y, along * tilt.sin() + away * tilt.cos(), 1e-7);
 }
 
+/// A topped drive, far outside what Penner measured, skips on; his tilt of 73 deg would stop it dead.
+#[test]
+fn a_skimming_ball_skips() {
+    let (after, _) = bounce(&BALL, &TURF, Vec3::new(45.0, -2.4, 0.0), Vec3::zero());
+    assert!(after.x > 40.0 && after.y > 0.0 && after.y < 2.5, "{after:?}");
+}
+
 #[test]
 fn sidespin_kicks_the_way_it_curves_and_backspin_checks() {
     // Sidespin spins about the vertical and does not touch level ground; the spin of a tilted axis does.
