@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 import clubface
-from clubface import table_reader
+from clubface import csv_reader
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.predict import predict
 
@@ -407,7 +407,7 @@ def test_whatever_a_file_holds_every_row_is_told_or_the_file_is_refused(tmp_path
     except ClubfaceError:
         return
     assert report.written + report.rejected == report.rows > 0
-    rejects = table_reader.CsvReader(tmp_path / "out.rejects.csv") if report.rejects else None
+    rejects = csv_reader.CsvReader(tmp_path / "out.rejects.csv") if report.rejects else None
     if rejects is not None:
         kept = sum(len(piece.lines) + len(piece.ragged) for piece in rejects.pieces(100, 0))
         rejects.close()

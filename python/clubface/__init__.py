@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOME = {
-    "Air": "flight",
+    "Air": "air",
     "Ball": "balls",
     "Club": "clubs",
     "ClubfaceError": "errors",

@@ -4,69 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, Literal, overload
 
-from clubface import _core, units
-from clubface.errors import InputError, ShotError, UnknownNameError
+from clubface import _core
+from clubface.air import Air
+from clubface.errors import InputError, ShotError
+from clubface.flight_columns import AXES, flight_columns
 from clubface.impact import check_on_error
 from clubface.launch import Comparison, Launch
-from clubface.launch_terms import vectors
-from clubface.memory import check_request
 from clubface.quantities import Quantity, flight_inputs, flight_outputs
 from clubface.results import Problem, Result, Varied, attributes, first_error, flattened, index_of, problems_of
-from clubface.shots import common_shape
 
 if TYPE_CHECKING:
     import pandas
     import xarray
     from numpy.typing import NDArray
-
-AXES = ("x", "y", "z")
-VELOCITY = tuple(f"velocity_{axis}" for axis in AXES)
-SPIN = tuple(f"spin_{axis}" for axis in AXES)
-BALL = ("ball_mass", "ball_radius", "ball_inertia")
-
-
-@dataclass(frozen=True, kw_only=True)
-class Air:
-    """The air the ball flies through, each value text with a unit, an SI number, or an array.
-
-    Attributes
-    ----------
-    temperature
-        [K]; 25 degC where nothing is said, to which published carries are normalised.
-    pressure
-        [Pa]; left out, that of the standard atmosphere at the altitude.
-    humidity
-        Relative, 0 to 1; 0.5 where nothing is said.
-    altitude
-        Above the sea [m]; it sets the pressure, not the temperature.
-    """
-
-    temperature: Any = None
-    pressure: Any = None
-    humidity: Any = None
-    altitude: Any = None
-
-    def __post_init__(self) -> None:
-        for name in ("temperature", "pressure", "humidity"):
-            if getattr(self, name) is None:
-                object.__setattr__(self, name, flight_inputs()[name].default)
-            elif name == "pressure" and self.altitude is not None:
-                raise InputError("altitude", self.altitude, "left out where the pressure is given")
-            else:
-                value = units.parse_values(getattr(self, name), flight_inputs()[name].dimension, name=name)
-                object.__setattr__(self, name, value)
-        if self.altitude is not None:
-            altitude = units.parse_values(self.altitude, "length", name="altitude")
-            object.__setattr__(self, "altitude", altitude)
-            object.__setattr__(self, "pressure", _pressure(altitude))
-
-    def values(self) -> dict[str, Any]:
-        """Return the inputs of a flight, SI, by name."""
-        return {"temperature": self.temperature, "pressure": self.pressure, "humidity": self.humidity}
 
 
 class Flight(Result):
@@ -301,7 +254,7 @@ def fly(
             for name, each in launch.items()
         }
     check_on_error(on_error)
-    columns, varied, shape = _columns(launch, air, wind, ground)
+    columns, shape, varied = flight_columns(launch, air, wind, ground)
     count = math.prod(shape)
     try:
         values, problems = _core.fly(list(columns.values()), count, threads or 0, progress)
@@ -323,7 +276,7 @@ def trajectory(
     ground: Mapping[str, Any] | None = None,
 ) -> Trajectory:
     """Compute the path of one ball, at times at most 0.02 s apart; the arguments are those of :func:`fly`."""
-    columns, varied, shape = _columns(launch, air, wind, ground)
+    columns, shape, varied = flight_columns(launch, air, wind, ground)
     if shape or varied:
         raise InputError("launch", f"a batch of shape {shape}", "a single shot: a trajectory is of one ball")
     try:
@@ -332,45 +285,6 @@ def trajectory(
         raise _single_error(error, columns) from None
     began = {"impact": launch.provenance} if isinstance(launch, Launch) else {}
     return Trajectory(arrays, {**began, "inputs": {"values": columns}})
-
-
-def _columns(
-    launch: Launch | Mapping[str, Any], air: Any, wind: Any, ground: Any
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]], tuple[int, ...]]:
-    """Return the columns by name, flat; those that are arrays, not broadcast; and the common shape."""
-    import numpy as np
-
-    inputs = flight_inputs()
-    given: dict[str, Any] = {}
-    if isinstance(launch, Launch):
-        rows = {name: getattr(launch, name) for name in (*VELOCITY, *SPIN)}
-        rows |= {name: launch.input(name) for name in BALL}
-        given |= {name: _of_shape(value, launch.shape) for name, value in rows.items()}
-    elif isinstance(launch, Mapping):
-        given |= vectors({name: value for name, value in launch.items() if value is not None})
-    else:
-        raise InputError("launch", launch, "a Launch or a mapping of values")
-    air = Air() if air is None else air if isinstance(air, Air) else _air(air)
-    given |= air.values()
-    given |= _group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))
-    given |= _group("ground", ground or {}, [name for name, each in inputs.items() if each.group == "ground"])
-    parsed: dict[str, Any] = {name: each.default for name, each in inputs.items()}
-    varied: dict[str, NDArray[Any]] = {}
-    for name, value in given.items():
-        value = units.parse_values(value, inputs[name].dimension, name=name) if type(value) is not float else value
-        if not isinstance(value, float):
-            value = varied[name] = np.asarray(value, dtype=np.float64)
-        parsed[name] = value
-    shape = common_shape(varied)
-    copies = sum(each.shape != shape for each in varied.values())
-    check_request(math.prod(shape), 8 * (len(flight_outputs()) + copies))
-    flat = {
-        name: value if isinstance(value, float) else np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
-        for name, value in parsed.items()
-    }
-    if isinstance(launch, Launch):
-        varied = {name: value for name, value in varied.items() if name not in (*VELOCITY, *SPIN, *BALL)}
-    return flat, varied, shape
 
 
 def _sorted_problems(
@@ -393,49 +307,10 @@ def _sorted_problems(
     return every, new
 
 
-def _of_shape(value: Any, shape: tuple[int, ...]) -> Any:
-    return value.reshape(shape) if getattr(value, "ndim", 0) else float(value)
-
-
-def _air(values: Any) -> Air:
-    if not isinstance(values, Mapping):
-        raise InputError("air", values, "an Air or a mapping of its values")
-    for name in values:
-        if name not in Air.__dataclass_fields__:
-            raise UnknownNameError("value of the air", name, Air.__dataclass_fields__)
-    return Air(**values)
-
-
-def _wind(wind: Any) -> Mapping[str, Any]:
-    if wind is None or isinstance(wind, Mapping):
-        return wind or {}
-    if isinstance(wind, str) or not hasattr(wind, "__len__") or len(wind) != 3:
-        raise InputError("wind", wind, 'three values: to the target, up and right, as in ("-10 mph", 0, 0)')
-    return {f"wind_{axis}": value for axis, value in zip(AXES, wind, strict=True)}
-
-
-def _group(what: str, values: Any, known: Any) -> dict[str, Any]:
-    if not isinstance(values, Mapping):
-        raise InputError(what, values, f"a mapping of {', '.join(known)}")
-    for name in values:
-        if name not in known:
-            raise UnknownNameError(f"value of the {what}", name, known)
-    return {name: value for name, value in values.items() if value is not None}
-
-
 def _single_error(error: ValueError, columns: Mapping[str, Any]) -> ShotError:
     name, message = error.args if len(error.args) == 2 else ("the request", str(error))
     value = columns.get(name)
     return ShotError(name, value if isinstance(value, float) else None, message)
-
-
-def _pressure(altitude: Any) -> Any:
-    if isinstance(altitude, float):
-        return _core.pressure_at_altitude(altitude)
-    import numpy as np
-
-    flat = [_core.pressure_at_altitude(each) for each in altitude.ravel().tolist()]
-    return np.array(flat, dtype=np.float64).reshape(altitude.shape)
 
 
 @cache

@@ -8,10 +8,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from clubface.air import Air
 from clubface.balls import Ball
 from clubface.clubs import Club
 from clubface.errors import FileError, InputError
-from clubface.flight import Air, fly
+from clubface.flight import fly
 from clubface.impact import Parameters
 from clubface.predict_run import Task, results_of, run
 from clubface.shots import equipment, hand_value, parameter_set
