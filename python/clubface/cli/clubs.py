@@ -7,6 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output
+from clubface.cli.tables import print_numbers, print_words
 
 app = typer.Typer(add_completion=False)
 
@@ -40,13 +41,13 @@ def clubs(
         output.print_json({"clubs": [describe(each) for each in heads], "balls": [describe(each) for each in balls]})
         return
     rows = [[each.name, *(_cell(each, key) for key in _COLUMNS), each.parameters, _origin(each)] for each in heads]
-    output.print_table(["club", *_COLUMNS.values(), "para-\nmeters\nof", "origin"], rows, left=(0,))
+    print_numbers(["club", *_COLUMNS.values(), "para-\nmeters\nof", "origin"], rows)
     print()
     weights = [
         [each.name, f"{each.mass * 1e3:.2f}", f"{each.radius * 2e3:.2f}", f"{each.inertia * 1e7:.2f}", each.description]
         for each in balls
     ]
-    output.print_table(["ball", "mass\ng", "dia-\nmeter\nmm", "inertia\ng cm2", "what it is"], weights, left=(0, 4))
+    print_words(["ball", "mass\ng", "dia-\nmeter\nmm", "inertia\ng cm2", "what it is"], weights, numbers=(1, 2, 3))
     notes = [
         "MOI is the moment of inertia about the vertical axis. Clubs marked scaled are a plausible parametric set, not"
         " measured; clubface clubs NAME shows the source or rule of every value."
@@ -89,7 +90,7 @@ def print_club(found: Any) -> None:
         source = found.sources.get(key, "")
         mark = f"[{sources.setdefault(source, len(sources) + 1)}]" if source else ""
         rows.append([key, _cell(found, key), quantity.unit.replace("1", ""), mark, quantity.meaning])
-    output.print_table(["field", "value", "unit", "source", "meaning"], rows, left=(0, 2, 3, 4))
+    print_words(["field", "value", "unit", "source", "meaning"], rows, numbers=(1,))
     print()
     for source, index in sources.items():
         print(f"[{index}] {source}")
@@ -109,4 +110,4 @@ def _cell(found: Any, key: str) -> str:
 
 def _origin(found: Any) -> str:
     source = found.sources.get("mass", "")
-    return "published" if source.startswith("Table") else "scaled"
+    return "paper" if source.startswith("Table") else "scaled"

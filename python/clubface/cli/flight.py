@@ -7,6 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output
+from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
 
 app = typer.Typer(add_completion=False)
@@ -83,6 +84,6 @@ def flight(
         return
     heads = [f"{name.replace('_', chr(10))}\n{unit}" for name, _, unit, _ in SHOWN.values()]
     cells = [output.number(float(flown.get(name, unit)), digits) for name, _, unit, digits in SHOWN.values()]
-    output.print_table(heads, [cells], left=())
+    print_numbers(heads, [cells])
     if flown.outside_fit:
         output.print_notes(["the spin leaves the range to which the aerodynamics were fitted"])

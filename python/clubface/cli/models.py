@@ -7,6 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output
+from clubface.cli.tables import print_numbers, print_words
 
 app = typer.Typer(add_completion=False)
 
@@ -33,7 +34,7 @@ def models(
         output.print_json([describe(each) for each in registry().values()])
         return
     rows = [[each.name, each.kind, each.summary, _laws(each.laws)] for each in registry().values()]
-    output.print_table(["model", "kind", "what it is", "laws it obeys"], rows, left=(0, 1, 2, 3))
+    print_words(["model", "kind", "what it is", "laws it obeys"], rows)
     output.print_notes(["clubface models NAME lists parameters, units, bounds, published values, sources and caveats."])
 
 
@@ -88,7 +89,7 @@ def _print_model(found: Any) -> None:
         [each.name, _unit(each.unit), f"{each.lower:.4g} to {each.upper:.4g}", each.meaning]
         for each in found.parameters
     ]
-    output.print_table(["parameter", "unit", "allowed", "meaning"], rows, left=(0, 1, 2, 3))
+    print_words(["parameter", "unit", "allowed", "meaning"], rows)
     sources: dict[str, list[str]] = {}
     for each in found.parameters:
         sources.setdefault(each.source, []).append(each.name)
@@ -102,7 +103,7 @@ def _print_model(found: Any) -> None:
         [each.name, *(f"{one.values[each.name]:.6g}" + ("*" if each.name in one.value_caveats else "") for one in sets)]
         for each in found.parameters
     ]
-    output.print_table(heads, values)
+    print_numbers(heads, values)
     for index, one in enumerate(sets, 1):
         standing = ", used by default" if one.default else ""
         output.print_paragraph(f"[{index}] {one.name}, for {one.club}{standing}: {one.source}. {one.reference}")

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output
+from clubface.cli.tables import print_numbers
 
 app = typer.Typer(add_completion=False)
 
@@ -75,7 +76,7 @@ def sensitivity(
         [_per(variable, found.units[variable]), *(f"{value:.4g}" for value in column)]
         for variable, column in zip(found.variables, found.values.T.tolist(), strict=True)
     ]
-    output.print_table(heads, rows, title=f"{head.name}, {chosen}: change of the launch")
+    print_numbers(heads, rows, title=f"{head.name}, {chosen}: change of the launch")
     output.print_notes(f"{chosen}: {text}" for text in sets[chosen].caveats)
 
 

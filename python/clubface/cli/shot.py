@@ -102,7 +102,7 @@ def value(launch: Any, flight: Any, quantity: str, unit: str) -> float:
 
 
 def _print(launches: Mapping[str, Any], flights: Mapping[str, Any], as_json: bool) -> None:
-    from clubface.cli import output
+    from clubface.cli import output, tables
 
     if as_json:
         rows = [
@@ -115,7 +115,7 @@ def _print(launches: Mapping[str, Any], flights: Mapping[str, Any], as_json: boo
         [name, *(output.number(value(launch, flights[name], of, unit), digits) for of, unit, digits in CELLS)]
         for name, launch in launches.items()
     ]
-    output.print_table(HEADS, rows)
+    tables.print_numbers(HEADS, rows)
     output.print_notes(_notes(launches, flights))
 
 

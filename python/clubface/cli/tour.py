@@ -9,6 +9,7 @@ import typer
 
 from clubface.cli import options, output
 from clubface.cli.failures import say
+from clubface.cli.tables import print_numbers
 
 app = typer.Typer(add_completion=False)
 
@@ -39,7 +40,7 @@ def tour(
         for quantity, unit in result.units.items():
             heads, rows = tables.comparison(result, quantity, signed=True)
             title = f"{tables.TITLES[quantity]} ({unit}): published, and model less published"
-            output.print_table(heads, rows, title=title, rule_before_last=True)
+            print_numbers(heads, rows, title=title, summary=True)
             print()
         output.print_notes(tables.notes(result))
     if files:
