@@ -41,13 +41,16 @@ where
         let mut stages = [[S::zero(); N]; 4];
         let mut slope = *rate;
         let mut end = *y;
+        let mut coupling = [S::zero(); N];
+        let mut right = [S::zero(); N];
         for i in 0..5 {
             if i > 0 {
-                end = *y;
-                for j in 0..i {
-                    for n in 0..N {
-                        end[n] += stages[j][n] * ALPHA[i][j];
+                for n in 0..N {
+                    let mut sum = y[n];
+                    for j in 0..i {
+                        sum += stages[j][n] * ALPHA[i][j];
                     }
+                    end[n] = sum;
                 }
                 slope = rate_of(problem, &end);
             }
@@ -55,15 +58,13 @@ where
                 break;
             }
             // (I - g A) k = h f + h A w with g = gamma h: solve for k + w / gamma, so that A itself is not needed.
-            let mut coupling = [S::zero(); N];
-            for j in 0..i {
-                for n in 0..N {
-                    coupling[n] += stages[j][n] * (COUPLING[i][j] / GAMMA);
-                }
-            }
-            let mut right = coupling;
             for n in 0..N {
-                right[n] += slope[n] * h;
+                let mut sum = S::zero();
+                for j in 0..i {
+                    sum += stages[j][n] * (COUPLING[i][j] / GAMMA);
+                }
+                coupling[n] = sum;
+                right[n] = sum + slope[n] * h;
             }
             let solution = problem.solve(&solver, &right);
             for n in 0..N {
@@ -71,8 +72,8 @@ where
             }
         }
         let mut error = [S::zero(); N];
-        for j in 0..4 {
-            for n in 0..N {
+        for n in 0..N {
+            for j in 0..4 {
                 error[n] += stages[j][n] * (ALPHA[4][j] - EMBEDDED[j]);
             }
         }
