@@ -1,6 +1,6 @@
 //! Coulomb friction of all rings at once: the law itself, its symmetries and its derivatives.
 
-use clubface_impact::rings::friction::{Change, Friction};
+use clubface_impact::rings::friction::{Friction, Given};
 use clubface_impact::rings::influence::Influence;
 use clubface_math::Dual;
 use proptest::prelude::*;
@@ -138,7 +138,7 @@ proptest! {
         let mut friction = solve(20, &bound, &free);
         prop_assume!(plus.sticks()[..m] == minus.sticks()[..m] && plus.sticks()[..m] == friction.sticks()[..m]);
         let dual = |tangent: f64| Dual::<f64, 1> { value: 0.0, tangent: [tangent] };
-        let change = Change {
+        let change = Given {
             bound: (0..m).map(|j| dual(bound[j] * direction[j])).collect(),
             free: [0, 1].map(|axis| (0..m).map(|j| dual(direction[20 + 20 * axis + j])).collect()),
         };

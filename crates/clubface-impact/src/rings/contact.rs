@@ -1,8 +1,8 @@
 //! One contact with its history: what an integrator of the bodies' motion holds and asks.
 
-use super::friction::{Change, Effort, Friction};
+use super::friction::{Effort, Friction, Given};
 use super::influence::Influence;
-use clubface_math::Scalar;
+use clubface_math::{Computation, Scalar};
 use core::any::TypeId;
 use std::f64::consts::PI;
 
@@ -34,8 +34,9 @@ pub struct RingContact<S> {
     friction: Friction,
     past: Past<S>,
     now: Now<S>,
-    bound: Vec<f64>,
-    free: [Vec<f64>; 2],
+    /// What the last solve was given, and its values.
+    given: Given<S>,
+    values: Given<f64>,
 }
 
 /// The committed instant.
@@ -90,8 +91,8 @@ impl<S: Scalar> RingContact<S> {
                 stress: zero,
                 length: zero,
             },
-            bound: Vec::with_capacity(rings),
-            free: [Vec::with_capacity(rings), Vec::with_capacity(rings)],
+            given: Given::new(rings),
+            values: Given::new(rings),
         }
     }
 
@@ -100,17 +101,21 @@ impl<S: Scalar> RingContact<S> {
     ///
     /// Never beyond mu F_N: the quadrature over rings, which would be by up to 1.6% (20 rings, a > a_max/5) while a new
     /// ring is half loaded, is cut off there.
+    #[inline(always)]
     pub fn force(&mut self, position: [S; 2], load: Load<S>) -> [S; 2] {
+        S::outline(Force { contact: self, position, load })
+    }
+
+    #[inline(always)]
+    fn force_of(&mut self, position: [S; 2], load: Load<S>) -> [S; 2] {
         let touches = load.force.re() > 0.0 && load.radius.re() > 0.0;
         self.now.position = position;
         self.now.squared_radius = if touches { load.radius.squared() } else { S::zero() };
-        let radius = self.friction.influence().radius();
-        let contact = if touches && self.material.friction.re() > 0.0 {
+        let mut contact = 0;
+        if touches && self.material.friction.re() > 0.0 {
             let fraction = load.radius.re() / self.largest_radius.re();
-            radius.partition_point(|&r| r < fraction)
-        } else {
-            0
-        };
+            contact = self.friction.influence().radius().partition_point(|&r| r < fraction);
+        }
         if contact == 0 {
             self.friction.lift_off();
             return [S::zero(); 2];
@@ -120,70 +125,81 @@ impl<S: Scalar> RingContact<S> {
         let compliance = (-self.material.poisson + 2.0) / (self.material.modulus * 8.0);
         self.now.length = compliance * self.largest_radius * self.now.stress;
         self.solve(contact);
-        let influence = self.friction.influence();
         let unit = self.now.stress * self.largest_radius.squared();
-        let force = [0, 1].map(|axis| {
-            let mut sum = S::zero();
-            for (traction, weight) in self.now.traction[axis][..contact].iter().zip(influence.force()) {
-                sum += *traction * *weight;
+        let mut force = [S::zero(); 2];
+        for axis in 0..2 {
+            let weights = self.friction.influence().force();
+            for (traction, weight) in self.now.traction[axis][..contact].iter().zip(weights) {
+                force[axis] += *traction * *weight;
             }
-            sum * unit
-        });
+            force[axis] = force[axis] * unit;
+        }
         let squared = force[0].squared() + force[1].squared();
         if squared.re() > limit.re() * limit.re() {
             let scale = limit / squared.sqrt();
-            return force.map(|component| component * scale);
+            return [force[0] * scale, force[1] * scale];
         }
         force
     }
 
     /// Tractions of the first `contact` rings.
+    #[inline(always)]
     fn solve(&mut self, contact: usize) {
+        let (past, now, given) = (&self.past, &mut self.now, &mut self.given);
         let radius = &self.friction.influence().radius()[..contact];
-        let squared_ratio = self.largest_radius.squared() / self.now.squared_radius;
-        let inverse = self.now.length.recip();
-        let slid = [0, 1].map(|axis| self.now.position[axis] - self.past.position[axis]);
-        // What a ring without traction would have slipped by since its history began: at the last commit, or later,
-        // when it was touched.
-        let bound = |j: usize| (-(squared_ratio * (radius[j] * radius[j])) + 1.0).sqrt();
-        let free = |axis: usize, j: usize| {
-            let displacement = self.past.displacement[axis][j];
-            if j < self.past.contact {
-                return (slid[axis] - displacement) * inverse;
+        let squared_reach = self.largest_radius.squared();
+        let squared_ratio = squared_reach / now.squared_radius;
+        let inverse = now.length.recip();
+        let slid = [now.position[0] - past.position[0], now.position[1] - past.position[1]];
+        for j in 0..contact {
+            let squared = radius[j] * radius[j];
+            given.bound[j] = (-(squared_ratio * squared) + 1.0).sqrt();
+            // What the ring would have slipped by without traction since its history began: at the last commit, or
+            // later, when it was touched.
+            let (mut share, mut wait) = (S::one(), S::zero());
+            if j >= past.contact {
+                wait = squared_reach * squared - past.squared_radius;
+                share = -(wait / (now.squared_radius - past.squared_radius)) + 1.0;
             }
-            let wait = self.largest_radius.squared() * (radius[j] * radius[j]) - self.past.squared_radius;
-            let waited = wait / (self.now.squared_radius - self.past.squared_radius);
-            let displacement = displacement + self.past.drift[axis][j] * wait;
-            (slid[axis] * (-waited + 1.0) - displacement) * inverse
-        };
-        self.bound.clear();
-        self.bound.extend((0..contact).map(|j| bound(j).re()));
-        for axis in 0..2 {
-            self.free[axis].clear();
-            self.free[axis].extend((0..contact).map(|j| free(axis, j).re()));
-        }
-        let change = (TypeId::of::<S>() != TypeId::of::<f64>()).then(|| {
-            let change = |value: S| value - value.primal();
-            Change {
-                bound: (0..contact).map(|j| change(bound(j))).collect(),
-                free: [0, 1].map(|axis| (0..contact).map(|j| change(free(axis, j))).collect()),
+            for axis in 0..2 {
+                let displacement = past.displacement[axis][j] + past.drift[axis][j] * wait;
+                given.free[axis][j] = (slid[axis] * share - displacement) * inverse;
             }
-        });
-        self.friction.solve(&self.bound, [&self.free[0], &self.free[1]]);
-        let traction = &mut self.now.traction;
-        match change {
-            Some(change) => self.friction.differentiate(&self.bound, &change, traction),
-            None => traction.iter_mut().for_each(|axis| axis[..contact].fill(S::zero())),
         }
-        for (traction, values) in traction.iter_mut().zip(self.friction.traction()) {
-            for (traction, value) in traction[..contact].iter_mut().zip(values) {
-                *traction = *traction + *value;
+        let values = &mut self.values;
+        for j in 0..contact {
+            values.bound[j] = given.bound[j].re();
+            values.free[0][j] = given.free[0][j].re();
+            values.free[1][j] = given.free[1][j].re();
+        }
+        let bound = &values.bound[..contact];
+        self.friction.solve(bound, [&values.free[0][..contact], &values.free[1][..contact]]);
+        // f64 has no derivatives to carry.
+        if TypeId::of::<S>() == TypeId::of::<f64>() {
+            for axis in 0..2 {
+                for j in 0..contact {
+                    now.traction[axis][j] = S::from_f64(self.friction.traction()[axis][j]);
+                }
+            }
+        } else {
+            given.keep_changes(contact);
+            self.friction.differentiate(bound, given, &mut now.traction);
+            for axis in 0..2 {
+                for j in 0..contact {
+                    now.traction[axis][j] = now.traction[axis][j] + self.friction.traction()[axis][j];
+                }
             }
         }
     }
 
     /// Makes the instant of the last call of [`Self::force`] the history that later slips start from.
+    #[inline(always)]
     pub fn commit(&mut self) {
+        S::outline(Commit { contact: self });
+    }
+
+    #[inline(always)]
+    fn commit_now(&mut self) {
         let influence = self.friction.influence();
         let contact = self.friction.contact();
         let growth = self.now.squared_radius - self.past.squared_radius;
@@ -262,5 +278,31 @@ impl<S: Scalar> RingContact<S> {
     #[must_use]
     pub fn effort(&self) -> Effort {
         self.friction.effort()
+    }
+}
+
+struct Force<'a, S> {
+    contact: &'a mut RingContact<S>,
+    position: [S; 2],
+    load: Load<S>,
+}
+
+impl<S: Scalar> Computation for Force<'_, S> {
+    type Output = [S; 2];
+    #[inline(always)]
+    fn run(self) -> [S; 2] {
+        self.contact.force_of(self.position, self.load)
+    }
+}
+
+struct Commit<'a, S> {
+    contact: &'a mut RingContact<S>,
+}
+
+impl<S: Scalar> Computation for Commit<'_, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        self.contact.commit_now();
     }
 }

@@ -99,30 +99,31 @@ impl Influence {
     pub fn exchanged(&self, k: usize) -> &[f64] {
         self.exchanged[k].get_or_init(|| {
             let mut matrix: Box<[f64]> = self.exchanged(k - 1).into();
-            exchange(&mut matrix, self.stride, self.rings, k - 1);
+            exchange(&mut matrix, self.stride, self.rings, k - 1, &mut vec![0.0; self.stride]);
             matrix
         })
     }
 }
 
 /// Exchanges the known and the unknown of one ring (a principal pivot); doing it twice undoes it. Works on the leading
-/// `rings` x `rings` block.
-pub fn exchange(matrix: &mut [f64], stride: usize, rings: usize, ring: usize) {
-    let mut pivot_column = [0.0; 256];
-    let pivot_column = &mut pivot_column[..rings];
-    pivot_column.copy_from_slice(&matrix[ring * stride..][..rings]);
-    let inverse = pivot_column[ring].recip();
-    pivot_column[ring] = 0.0;
-    for column in 0..rings {
-        let column = &mut matrix[column * stride..][..rings];
+/// `rings` x `rings` block, with `scratch` for a column.
+#[inline(always)]
+pub fn exchange(matrix: &mut [f64], stride: usize, rings: usize, ring: usize, scratch: &mut [f64]) {
+    let padded = rings.next_multiple_of(8);
+    let scratch = &mut scratch[..padded];
+    scratch.copy_from_slice(&matrix[ring * stride..][..padded]);
+    let inverse = scratch[ring].recip();
+    scratch[ring] = 0.0;
+    for column in matrix.chunks_exact_mut(stride).take(rings) {
+        let column = &mut column[..padded];
         let factor = -column[ring] * inverse;
-        for (value, pivot) in column.iter_mut().zip(&*pivot_column) {
+        for (value, pivot) in column.iter_mut().zip(&*scratch) {
             *value += pivot * factor;
         }
         column[ring] = factor;
     }
-    let column = &mut matrix[ring * stride..][..rings];
-    for (value, pivot) in column.iter_mut().zip(&*pivot_column) {
+    let column = &mut matrix[ring * stride..][..padded];
+    for (value, pivot) in column.iter_mut().zip(&*scratch) {
         *value = pivot * inverse;
     }
     column[ring] = inverse;

@@ -3,13 +3,118 @@
 use super::Friction;
 use clubface_math::Scalar;
 
-/// Changes of what a solve is given, per ring in contact.
+/// What a solve is given, per ring.
 #[derive(Clone, Debug)]
-pub struct Change<S> {
-    /// Of b_j.
+pub struct Given<S> {
+    /// Bounds b_j.
     pub bound: Vec<S>,
-    /// Of g_j.
+    /// Free slips g_j.
     pub free: [Vec<S>; 2],
+}
+
+impl<S: Scalar> Given<S> {
+    /// Zeros for `rings` rings.
+    #[must_use]
+    pub fn new(rings: usize) -> Self {
+        let row = || vec![S::zero(); rings];
+        Self { bound: row(), free: [row(), row()] }
+    }
+
+    /// Subtracts the values of the first `contact` rings, which leaves derivatives alone.
+    #[inline(always)]
+    pub fn keep_changes(&mut self, contact: usize) {
+        let [free_y, free_z] = &mut self.free;
+        for row in [&mut self.bound, free_y, free_z] {
+            for entry in &mut row[..contact] {
+                *entry = *entry - entry.primal();
+            }
+        }
+    }
+}
+
+/// LU factors of the Jacobian of the slip directions, by columns of the ring stride; slipping rings are numbered from
+/// 0. Zeros elsewhere, so that whole blocks of eight rows can be handled in registers.
+#[derive(Clone, Debug)]
+pub(super) struct Factors {
+    /// U above the diagonal.
+    upper: Vec<f64>,
+    /// L below the diagonal, where it is one.
+    lower: Vec<f64>,
+    /// Inverse of the diagonal of U.
+    inverse: Vec<f64>,
+    /// Directions of the slipping rings.
+    direction: [Vec<f64>; 2],
+}
+
+impl Factors {
+    pub(super) fn new(rings: usize, stride: usize) -> Self {
+        let matrix = || vec![0.0; rings * stride];
+        let row = || vec![0.0; stride];
+        Self { upper: matrix(), lower: matrix(), inverse: row(), direction: [row(), row()] }
+    }
+
+    /// Replaces the matrix in `upper` by its factors. `BLOCKS`: the number of blocks of eight rows, or 0 for any.
+    #[inline(always)]
+    fn eliminate<const BLOCKS: usize>(&mut self, count: usize) {
+        let stride = self.inverse.len();
+        let blocks = if BLOCKS == 0 { count.div_ceil(8) } else { BLOCKS };
+        for pivot in 0..count {
+            let (before, after) = self.upper.split_at_mut((pivot + 1) * stride);
+            let column = &mut before[pivot * stride..].as_chunks_mut::<8>().0[..blocks];
+            let lower = &mut self.lower[pivot * stride..].as_chunks_mut::<8>().0[..blocks];
+            let inverse = column[pivot / 8][pivot % 8].recip();
+            self.inverse[pivot] = inverse;
+            for block in 0..blocks {
+                let (mut below, mut above) = (column[block], column[block]);
+                for lane in 0..8 {
+                    let row = block * 8 + lane;
+                    below[lane] = if row > pivot { below[lane] * inverse } else { 0.0 };
+                    above[lane] = if row < pivot { above[lane] } else { 0.0 };
+                }
+                (lower[block], column[block]) = (below, above);
+            }
+            for column in after.chunks_exact_mut(stride).take(count - pivot - 1) {
+                let column = &mut column.as_chunks_mut::<8>().0[..blocks];
+                let factor = column[pivot / 8][pivot % 8];
+                for block in 0..blocks {
+                    subtract(&mut column[block], &lower[block], factor);
+                }
+            }
+        }
+    }
+
+    /// Solves for `count` slipping rings in place.
+    #[inline(always)]
+    fn solve<S: Scalar>(&self, count: usize, right: &mut [S]) {
+        let stride = self.inverse.len();
+        let padded = right.len().min(count.next_multiple_of(8));
+        let right = &mut right[..padded];
+        for pivot in 0..count {
+            let value = right[pivot];
+            let start = pivot / 8 * 8;
+            for (entry, l) in right[start..].iter_mut().zip(&self.lower[pivot * stride + start..]) {
+                *entry -= value * *l;
+            }
+        }
+        for pivot in (0..count).rev() {
+            let value = right[pivot] * self.inverse[pivot];
+            let end = padded.min(pivot / 8 * 8 + 8);
+            for (entry, u) in right[..end].iter_mut().zip(&self.upper[pivot * stride..]) {
+                *entry -= value * *u;
+            }
+            right[pivot] = value;
+        }
+    }
+}
+
+/// `from` -= `what` times `factor`, by way of a copy that the compiler keeps in a register.
+#[inline(always)]
+fn subtract(from: &mut [f64; 8], what: &[f64; 8], factor: f64) {
+    let mut rest = *from;
+    for lane in 0..8 {
+        rest[lane] -= what[lane] * factor;
+    }
+    *from = rest;
 }
 
 impl Friction {
@@ -25,32 +130,33 @@ impl Friction {
         self.effort.directions += 1;
         let stride = self.influence.stride();
         let count = self.slipping.len();
+        let padded = count.next_multiple_of(8);
         let matrix = self.innermost.map_or(&self.matrix[..], |k| self.influence.exchanged(k));
-        let [direction_y, direction_z] = [&self.direction[0][..], &self.direction[1][..]];
-        for (a, &i) in self.slipping.iter().enumerate() {
-            let column = &mut self.jacobian[a * stride..][..count];
-            let from = &matrix[i * stride..][..stride];
-            let [y, z] = [direction_y[i] * bound[i], direction_z[i] * bound[i]];
-            for (entry, &j) in column.iter_mut().zip(&self.slipping) {
-                *entry = from[j] * (direction_y[j] * y + direction_z[j] * z);
-            }
-            let along = self.slip[0][i] * direction_y[i] + self.slip[1][i] * direction_z[i];
-            column[a] -= along;
+        let Factors { upper, direction, .. } = &mut self.factors;
+        for (a, &j) in self.slipping.iter().enumerate() {
+            direction[0][a] = self.direction[0][j];
+            direction[1][a] = self.direction[1][j];
         }
-        for pivot in 0..count {
-            let (before, after) = self.jacobian.split_at_mut((pivot + 1) * stride);
-            let lower = &mut before[pivot * stride..][..count];
-            let inverse = lower[pivot].recip();
-            lower[pivot] = inverse;
-            for entry in &mut lower[pivot + 1..] {
-                *entry *= inverse;
+        let [direction_y, direction_z] = [&direction[0][..padded], &direction[1][..padded]];
+        for (a, &i) in self.slipping.iter().enumerate() {
+            let column = &mut upper[a * stride..][..padded];
+            let from = &matrix[i * stride..][..stride];
+            match self.innermost {
+                Some(k) => column[..count].copy_from_slice(&from[k..][..count]),
+                None => column.iter_mut().zip(&self.slipping).for_each(|(entry, &j)| *entry = from[j]),
             }
-            for column in after[..(count - pivot - 1) * stride].chunks_exact_mut(stride) {
-                let factor = column[pivot];
-                for (entry, l) in column[pivot + 1..count].iter_mut().zip(&lower[pivot + 1..]) {
-                    *entry -= l * factor;
-                }
+            let [y, z] = [direction_y[a] * bound[i], direction_z[a] * bound[i]];
+            for b in 0..padded {
+                column[b] *= direction_y[b] * y + direction_z[b] * z;
             }
+            column[count..].fill(0.0);
+            column[a] -= self.slip[0][i] * direction_y[a] + self.slip[1][i] * direction_z[a];
+        }
+        match padded / 8 {
+            1 => self.factors.eliminate::<1>(count),
+            2 => self.factors.eliminate::<2>(count),
+            3 => self.factors.eliminate::<3>(count),
+            _ => self.factors.eliminate::<0>(count),
         }
     }
 
@@ -61,7 +167,7 @@ impl Friction {
         for (a, &j) in self.slipping.iter().enumerate() {
             angle[a] = -self.across(j);
         }
-        self.solve_directions(&mut angle);
+        self.factors.solve(self.slipping.len(), &mut angle);
         for (turn, &j) in angle.iter().zip(&self.slipping) {
             // The angle's tangent: never past a quarter turn.
             let inverse = (1.0 + turn * turn).sqrt().recip();
@@ -72,35 +178,10 @@ impl Friction {
         self.angle = angle;
     }
 
-    /// Solves with the factors of the Jacobian, in place.
-    #[inline(always)]
-    fn solve_directions<S: Scalar>(&self, right: &mut [S]) {
-        let stride = self.influence.stride();
-        let right = &mut right[..self.slipping.len()];
-        for pivot in 0..right.len() {
-            let value = right[pivot];
-            for (entry, l) in right[pivot + 1..].iter_mut().zip(&self.jacobian[pivot * stride + pivot + 1..])
-            {
-                *entry -= value * *l;
-            }
-        }
-        for pivot in (0..right.len()).rev() {
-            let value = right[pivot] * self.jacobian[pivot * stride + pivot];
-            right[pivot] = value;
-            for (entry, u) in right[..pivot].iter_mut().zip(&self.jacobian[pivot * stride..]) {
-                *entry -= value * *u;
-            }
-        }
-    }
-
     /// Derivatives of the tractions of the last solve: changes of y for changes of the bounds and of the free slips,
     /// all with value zero, the sets being what they are. Exact: the linearised conditions of the solution.
-    pub fn differentiate<S: Scalar>(
-        &mut self,
-        bound: &[f64],
-        change: &Change<S>,
-        traction: &mut [Vec<S>; 2],
-    ) {
+    #[inline(always)]
+    pub fn differentiate<S: Scalar>(&mut self, bound: &[f64], change: &Given<S>, traction: &mut [Vec<S>; 2]) {
         let m = self.contact;
         self.partition();
         self.factor(bound);
@@ -113,42 +194,38 @@ impl Friction {
                 };
             }
         }
-        let mut slip = [vec![S::zero(); m], vec![S::zero(); m]];
-        self.apply_to(traction, &mut slip);
-        let mut angle: Vec<S> = self
-            .slipping
-            .iter()
-            .map(|&j| {
-                let y = slip[0][j] + change.free[0][j];
-                let z = slip[1][j] + change.free[1][j];
-                y * self.direction[1][j] - z * self.direction[0][j]
-            })
-            .collect();
-        self.solve_directions(&mut angle);
+        let mut angle = Vec::with_capacity(self.slipping.len());
+        for &j in &self.slipping {
+            let y = self.exchange_row(j, &traction[0]) + change.free[0][j];
+            let z = self.exchange_row(j, &traction[1]) + change.free[1][j];
+            angle.push(y * self.direction[1][j] - z * self.direction[0][j]);
+        }
+        self.factors.solve(self.slipping.len(), &mut angle);
         for (turn, &j) in angle.iter().zip(&self.slipping) {
             let turn = *turn * bound[j];
             traction[0][j] -= turn * self.direction[1][j];
             traction[1][j] += turn * self.direction[0][j];
         }
-        self.apply_to(traction, &mut slip);
-        for j in 0..m {
-            if self.sticks[j] {
-                traction[0][j] = slip[0][j];
-                traction[1][j] = slip[1][j];
+        // A sticking ring's traction replaces its known slip only when all of them have been found.
+        for axis in 0..2 {
+            let sticking = (0..m).filter(|&j| self.sticks[j]);
+            let found: Vec<S> = sticking.map(|j| self.exchange_row(j, &traction[axis])).collect();
+            let sticking = (0..m).filter(|&j| self.sticks[j]);
+            for (j, found) in sticking.zip(found) {
+                traction[axis][j] = found;
             }
         }
     }
 
-    fn apply_to<S: Scalar>(&self, known: &[Vec<S>; 2], unknown: &mut [Vec<S>; 2]) {
-        let (m, stride) = (self.contact, self.influence.stride());
-        let matrix = self.exchanged();
-        for axis in 0..2 {
-            unknown[axis][..m].fill(S::zero());
-            for (column, value) in matrix.chunks_exact(stride).zip(&known[axis][..m]) {
-                for (entry, factor) in unknown[axis][..m].iter_mut().zip(column) {
-                    *entry += *value * *factor;
-                }
-            }
+    /// Row `j` of the exchanged matrix times `known`.
+    #[inline(always)]
+    fn exchange_row<S: Scalar>(&self, j: usize, known: &[S]) -> S {
+        let stride = self.influence.stride();
+        let matrix = self.innermost.map_or(&self.matrix[..], |k| self.influence.exchanged(k));
+        let mut sum = S::zero();
+        for (i, known) in known[..self.contact].iter().enumerate() {
+            sum += *known * matrix[i * stride + j];
         }
+        sum
     }
 }

@@ -12,7 +12,9 @@
 mod directions;
 mod sweeps;
 
-pub use directions::Change;
+pub use directions::Given;
+
+use directions::Factors;
 
 use super::influence::{exchange, Influence};
 use clubface_math::{dispatch, Kernel, Lanes};
@@ -49,7 +51,7 @@ pub struct Friction {
     matrix: Vec<f64>,
     /// Slipping rings, and the factors of the Jacobian of their slip directions.
     slipping: Vec<usize>,
-    jacobian: Vec<f64>,
+    factors: Factors,
     angle: Vec<f64>,
     /// Work of the last solve.
     effort: Effort,
@@ -59,7 +61,8 @@ pub struct Friction {
 enum Verdict {
     Solved,
     SetsChange,
-    DirectionsTurn,
+    /// With the largest error of a traction from its direction.
+    DirectionsTurn(f64),
 }
 
 /// Work of one solve.
@@ -91,7 +94,7 @@ impl Friction {
             innermost: Some(0),
             matrix: Vec::new(),
             slipping: Vec::with_capacity(n),
-            jacobian: vec![0.0; n * stride],
+            factors: Factors::new(n, stride),
             angle: vec![0.0; stride],
             effort: Effort::default(),
         }
@@ -167,14 +170,23 @@ impl Friction {
     /// Newton's method from the present sets and directions; whether it converged.
     #[inline(always)]
     fn newton(&mut self, bound: &[f64], free: [&[f64]; 2]) -> bool {
+        self.partition();
+        // Residual at the last factorisation: as long as it falls by 100 a step, the factors are good enough.
+        let mut falling: f64 = 0.0;
         for _ in 0..NEWTON_STEPS {
-            self.partition();
             self.apply(bound, free);
             match self.judge(bound) {
                 Verdict::Solved => return true,
-                Verdict::SetsChange => self.change_sets(bound),
-                Verdict::DirectionsTurn => {
-                    self.factor(bound);
+                Verdict::SetsChange => {
+                    self.change_sets(bound);
+                    self.partition();
+                    falling = 0.0;
+                }
+                Verdict::DirectionsTurn(error) => {
+                    if error > falling {
+                        self.factor(bound);
+                    }
+                    falling = error * 0.01;
                     self.turn();
                 }
             }
@@ -201,13 +213,9 @@ impl Friction {
         self.matrix.extend_from_slice(&self.influence.exchanged(count)[..stride * m]);
         for j in 0..m {
             if sticks[j] != (j < count) {
-                exchange(&mut self.matrix, stride, m, j);
+                exchange(&mut self.matrix, stride, m, j, &mut self.angle);
             }
         }
-    }
-
-    fn exchanged(&self) -> &[f64] {
-        self.innermost.map_or(&self.matrix, |k| self.influence.exchanged(k))
     }
 
     /// Tractions and slips for the present sets and directions.
@@ -242,7 +250,7 @@ impl Friction {
         let (sticks, bound, diagonal) = (&self.sticks[..m], &bound[..m], &self.influence.diagonal()[..m]);
         let [y, z] = [&self.traction[0][..m], &self.traction[1][..m]];
         let [slip_y, slip_z] = [&self.slip[0][..m], &self.slip[1][..m]];
-        let (mut changes, mut turns) = (false, false);
+        let (mut changes, mut turn) = (false, 0.0f64);
         for j in 0..m {
             // Slip along and across the traction, times the bound; a sticking ring slips by zero.
             let along = slip_y[j] * y[j] + slip_z[j] * z[j];
@@ -250,12 +258,14 @@ impl Friction {
             let limit = bound[j] + TOLERANCE;
             let beyond = y[j] * y[j] + z[j] * z[j] > limit * limit;
             changes |= (sticks[j] & beyond) | (along > TOLERANCE * diagonal[j] * bound[j]);
-            turns |= across.abs() * bound[j] > TOLERANCE * (diagonal[j] * bound[j] * bound[j] - along);
+            let size = diagonal[j] * bound[j] * bound[j] - along;
+            let error = across.abs() * bound[j] / size;
+            turn = if error > turn { error } else { turn };
         }
         if changes {
             Verdict::SetsChange
-        } else if turns {
-            Verdict::DirectionsTurn
+        } else if turn > TOLERANCE {
+            Verdict::DirectionsTurn(turn)
         } else {
             Verdict::Solved
         }
