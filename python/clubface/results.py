@@ -97,10 +97,10 @@ class Result:
         return {name: each.unit for name, each in self.quantities().items()}
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name not in (rows := self._rows()):
+        row = None if name[0] == "_" else self._rows().get(name)
+        if row is None:
             raise AttributeError(f"a {self._kind} has no {name!r}")
-        values = self._values[rows[name]]
-        return values.reshape(self.shape) if self.shape else values[0]
+        return self._values[row].reshape(self.shape) if self.shape else self._values[row, 0]
 
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *self.quantities()})
