@@ -1,6 +1,6 @@
 //! Many shots at once: columns in, columns out, on all lanes and threads.
 
-use crate::check::{check_delivery, check_equipment, check_parameters, receding, unseparated};
+use crate::check::{check_approach, check_delivery, check_equipment, check_parameters, unseparated};
 use crate::error::ImpactError;
 use crate::first_touch::FirstTouch;
 use crate::history::Unrecorded;
@@ -144,8 +144,8 @@ impl Kernel for Chunk<'_, '_, '_> {
             let mut touch = FirstTouch::of_inputs(&inputs);
             let approach = touch.approach();
             for lane in 0..used {
-                if faults[lane].is_none() && !(approach.lane(lane) > 0.0) {
-                    faults[lane] = Some(receding(approach.lane(lane)));
+                if faults[lane].is_none() {
+                    faults[lane] = check_approach(approach.lane(lane)).err();
                 }
             }
             if faults.iter().any(Option::is_some) {

@@ -58,7 +58,7 @@ fn check_club(shot: &Shot<f64>) -> Result<(), ImpactError> {
     let club = &shot.club;
     positive("club_mass", club.mass)?;
     check_inertia(&club.inertia)?;
-    if !(club.static_loft.abs() <= LARGEST_LOFT) {
+    if club.static_loft.abs() > LARGEST_LOFT {
         return Err(angle_fault("static_loft", club.static_loft, "must be within +-80 deg"));
     }
     for (name, value) in [
@@ -88,7 +88,7 @@ pub fn check_delivery(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
     if delivery.speed > 150.0 {
         return Err(fault("speed", delivery.speed, "must be at most 150 m/s; is the unit right?"));
     }
-    if !(delivery.loft.abs() <= LARGEST_LOFT) {
+    if delivery.loft.abs() > LARGEST_LOFT {
         return Err(angle_fault("loft", delivery.loft, "dynamic loft must be within +-80 deg"));
     }
     for (name, value) in
@@ -119,14 +119,19 @@ pub fn check_delivery(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
     Ok(())
 }
 
-/// A club whose face does not approach the ball.
-#[must_use]
-pub fn receding(approach: f64) -> ImpactError {
+/// Checks that the face approaches the ball: the normal speed at the impact point, m/s.
+///
+/// # Errors
+/// A face that does not.
+pub fn check_approach(approach: f64) -> Result<(), ImpactError> {
+    if approach > 0.0 {
+        return Ok(());
+    }
     let message = format!(
         "the face moves away from the ball at the impact point (approach speed {approach:.3} m/s along the face \
          normal); allowed: above 0. Check attack angle, path, loft and face angle"
     );
-    ImpactError::new("speed", message)
+    Err(ImpactError::new("speed", message))
 }
 
 /// A contact that did not end.

@@ -1,7 +1,7 @@
 //! The history of a contact, step by step.
 
 use crate::batch::MOST_PARAMETERS;
-use crate::check::{check, check_parameters, receding, unseparated};
+use crate::check::{check, check_approach, check_parameters, unseparated};
 use crate::contact::{Contact, ContactLaw, Frame};
 use crate::error::ImpactError;
 use crate::first_touch::FirstTouch;
@@ -89,10 +89,7 @@ pub fn history(
     check_parameters(info, parameters)?;
     debug_assert!(parameters.len() <= MOST_PARAMETERS);
     let touch = FirstTouch::of_inputs(inputs);
-    let approach = touch.approach();
-    if !(approach > 0.0) {
-        return Err(receding(approach));
-    }
+    check_approach(touch.approach())?;
     let mut history = History { touch: Some(touch), ..History::default() };
     let impact = model.impact(&touch, parameters, accuracy, &mut history);
     if !impact.separated {

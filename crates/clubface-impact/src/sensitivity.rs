@@ -1,7 +1,7 @@
 //! Exact derivatives of a launch with respect to every input and parameter, by dual numbers through the same code.
 
 use crate::batch::MOST_PARAMETERS;
-use crate::check::{check, check_parameters, receding, unseparated};
+use crate::check::{check, check_approach, check_parameters, unseparated};
 use crate::error::ImpactError;
 use crate::first_touch::FirstTouch;
 use crate::history::Unrecorded;
@@ -55,7 +55,7 @@ impl Kernel for Directions<'_> {
     #[inline(always)]
     fn run<S: Lanes>(self) -> Self::Output {
         let mut values = [f64::NAN; OUTPUT_COUNT];
-        let mut jacobian = vec![Vec::with_capacity(self.variables.len()); OUTPUT_COUNT];
+        let mut jacobian = vec![Vec::new(); OUTPUT_COUNT];
         let pass = S::LANES * WIDTH;
         for start in (0..self.variables.len().max(1)).step_by(pass) {
             let chosen = &self.variables[start.min(self.variables.len())..];
@@ -77,10 +77,7 @@ impl Kernel for Directions<'_> {
                 parameters[i] = seed(INPUT_COUNT + i, self.parameters[i]);
             }
             let touch = FirstTouch::of_inputs(&inputs);
-            let approach = touch.approach().re();
-            if !(approach > 0.0) {
-                return Err(receding(approach));
-            }
+            check_approach(touch.approach().re())?;
             let parameters = &parameters[..self.parameters.len()];
             let impact = self.model.impact(&touch, parameters, self.accuracy, &mut Unrecorded);
             if !impact.separated.all() {

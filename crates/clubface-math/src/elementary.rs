@@ -4,6 +4,9 @@
 //! kernels are the minimax polynomials of fdlibm, the arc tangent is Cephes' rational approximation. Each is accurate
 //! to about one unit in the last place over the range physics uses.
 
+// Constants are quoted with all their published digits.
+#![allow(clippy::excessive_precision)]
+
 use crate::scalar::Scalar;
 
 /// A type without derivatives, of which a power of two can be made from an integer.

@@ -1,7 +1,7 @@
 //! Columns from Python, and long work in pieces between which Python may interrupt.
 
 use clubface_impact::batch::{Column, Reject, CHUNK};
-use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray1};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::ops::Range;
@@ -41,6 +41,9 @@ const PATIENCE: Duration = Duration::from_millis(40);
 
 /// Computed rows: outputs by rows, and rejects as (row, input, message).
 pub type Computed<'py> = (Bound<'py, PyArray2<f64>>, Vec<(usize, &'static str, String)>);
+
+/// Values of the outputs, and their derivatives: outputs by variables.
+pub type Derivatives<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// Runs `work` over `rows` on `threads` threads (0: all), in pieces of at most about 40 ms, into an array of `outputs`
 /// by `rows`. Between pieces, reports the rows done to `progress` and lets Python interrupt.

@@ -1,6 +1,6 @@
 //! Flights: batches, trajectories, derivatives.
 
-use crate::columns::{columns, run_in_pieces, value_error, Computed, Values};
+use crate::columns::{columns, run_in_pieces, value_error, Computed, Derivatives, Values};
 use clubface_impact::batch::Column;
 use clubface_impact::flight::{self, FlightBatch, INPUT_COUNT, OUTPUT_COUNT};
 use clubface_impact::ImpactError;
@@ -56,10 +56,7 @@ pub fn trajectory(py: Python<'_>, inputs: Vec<f64>) -> PyResult<Bound<'_, PyDict
 /// One flight and its derivatives: (outputs, array of outputs by inputs).
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
-pub fn fly_sensitivity<'py>(
-    py: Python<'py>,
-    inputs: Vec<f64>,
-) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>)> {
+pub fn fly_sensitivity<'py>(py: Python<'py>, inputs: Vec<f64>) -> PyResult<Derivatives<'py>> {
     let result = flight::sensitivity(one_flight(&inputs)?).map_err(|e| value_error(&e))?;
     let rows: Vec<Vec<f64>> = result.jacobian.iter().map(|row| row.to_vec()).collect();
     Ok((PyArray1::from_slice(py, &result.values), PyArray2::from_vec2(py, &rows)?))

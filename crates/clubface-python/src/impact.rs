@@ -1,6 +1,6 @@
 //! Impacts: batches, histories, derivatives.
 
-use crate::columns::{columns, run_in_pieces, value_error, Computed, Values};
+use crate::columns::{columns, run_in_pieces, value_error, Computed, Derivatives, Values};
 use clubface_impact::batch::{Batch, Column};
 use clubface_impact::history::History;
 use clubface_impact::launch::OUTPUT_COUNT;
@@ -89,7 +89,7 @@ pub fn sensitivity<'py>(
     inputs: Vec<f64>,
     parameters: Vec<f64>,
     accuracy: Option<f64>,
-) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>)> {
+) -> PyResult<Derivatives<'py>> {
     let model = model_of(model)?;
     let inputs = one_shot(&inputs)?;
     check_count(model, &parameters)?;

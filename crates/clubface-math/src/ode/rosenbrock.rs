@@ -1,6 +1,9 @@
 //! A Rosenbrock-W method: linearly implicit, and of full order whatever matrix stands for the Jacobian, so that only
 //! the stiff part of a system need be linearised.
 
+// Coefficients are quoted with all their published digits.
+#![allow(clippy::excessive_precision)]
+
 use super::{rate_of, Attempt, Method, StiffSystem};
 use crate::scalar::Scalar;
 

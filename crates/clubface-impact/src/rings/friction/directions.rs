@@ -26,7 +26,7 @@ impl<S: Scalar> Given<S> {
         let [free_y, free_z] = &mut self.free;
         for row in [&mut self.bound, free_y, free_z] {
             for entry in &mut row[..contact] {
-                *entry = *entry - entry.primal();
+                *entry -= entry.primal();
             }
         }
     }
