@@ -114,8 +114,11 @@ def test_shapes_that_hold_little_stay_what_they_are(shape):
 
 
 def test_a_flat_face_is_an_infinite_radius():
+    """A radius of 1e9 m tilts the face by 1e-11 rad at 10 mm, and the launch by as little."""
     flat = clubface.impact("driver", speed=50.0, bulge="flat", roll=math.inf, toe="10 mm")
-    assert flat.azimuth != clubface.impact("driver", speed=50.0, toe="10 mm").azimuth
+    nearly = clubface.impact("driver", speed=50.0, bulge=1e9, roll=1e9, toe="10 mm")
+    assert flat.azimuth == pytest.approx(nearly.azimuth, abs=1e-10)
+    assert abs(flat.azimuth - clubface.impact("driver", speed=50.0, toe="10 mm").azimuth) > 0.01
 
 
 def test_the_hand_is_right_left_or_a_sign():
@@ -277,7 +280,10 @@ def test_provenance_says_what_a_launch_was_computed_from():
     assert told["clubface_version"] == clubface.__version__
     assert told["model"]["name"] == "volumetric"
     assert told["parameters"]["values"]["friction"] == 0.372
-    assert any("backspin" in caveat for caveat in told["parameters"]["caveats"])
+    used = shots.parameters
+    of_values = [f"{name}: {text}" for name, text in used.value_caveats.items()]
+    assert used.caveats
+    assert told["parameters"]["caveats"] == [*used.caveats, *of_values]
     assert told["changed"]["values"] == {"club_mass": 0.2}
     assert "array of shape (2,)" in told["delivery"]["values"]["speed"]
 
