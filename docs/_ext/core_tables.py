@@ -1,11 +1,12 @@
-"""Tables of models, parameters, inputs and outputs, made from the core's registry when the pages are built.
+"""Tables of models, parameters, inputs, outputs and errors, made from the package itself when the pages are built.
 
-No page repeats by hand what the registry states, and a model without a page stops the build.
+No page repeats by hand what the registry states or the models compute, and a model without a page stops the build.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,9 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
-from clubface import _core
+from clubface import _core, tour, tour_tables
+from clubface.models import model
+from clubface.parameters import builtin_sets
 
 
 def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> list[str]:
@@ -27,21 +30,16 @@ def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> li
     return [line(heads), line(["---"] * len(heads)), *(line(row) for row in rows)]
 
 
-def number(value: float | None) -> str:
-    """Write a bound or default; an absent one stays empty."""
-    return "" if value is None else f"{value:.6g}"
-
-
-def laws(model: dict[str, Any]) -> str:
+def laws(entry: dict[str, Any]) -> str:
     """Name the laws a model obeys, and those it obeys only while a parameter is zero."""
 
     def words(names: Sequence[str]) -> str:
         return ", ".join(name.replace("_", " ") for name in names)
 
-    always = words(model["laws"])
-    if not model["laws_without"]:
+    always = words(entry["laws"])
+    if not entry["laws_without"]:
         return always
-    parameter, more = model["laws_without"]
+    parameter, more = entry["laws_without"]
     return f"{always}; with `{parameter}` = 0 also {words(more)}"
 
 
@@ -69,39 +67,42 @@ class ModelList(CoreTable):
             heads,
             (
                 (
-                    f"[`{model['name']}`](/models/{model['name']}.md)",
-                    model["kind"],
-                    model["summary"],
-                    laws(model),
+                    f"[`{entry['name']}`](/models/{entry['name']}.md)",
+                    entry["kind"],
+                    entry["summary"],
+                    laws(entry),
                 )
-                for model in _core.models()
+                for entry in _core.models()
             ),
         )
 
 
 class ModelParameters(CoreTable):
-    """``{model-parameters} NAME``: unit, meaning, default, bounds and source of each parameter."""
+    """``{model-parameters} NAME``: the parameters of a model, then every published set with its sources and caveats."""
 
     required_arguments = 1
 
     def table(self) -> list[str]:
-        """One row a parameter; values in SI."""
-        model = next(model for model in _core.models() if model["name"] == self.arguments[0])
-        heads = ("parameter", "unit", "meaning", "default", "allowed", "source")
-        return markdown_table(
-            heads,
-            (
-                (
-                    f"`{p['name']}`",
-                    p["unit"],
-                    p["meaning"],
-                    number(p["default"]),
-                    f"{number(p['lower'])} to {number(p['upper'])}",
-                    p["source"],
-                )
-                for p in model["parameters"]
-            ),
+        """Values in SI."""
+        found = model(self.arguments[0])
+        meanings = markdown_table(
+            ("parameter", "unit", "meaning", "allowed"),
+            ((f"`{p.name}`", p.unit, p.meaning, f"{p.lower:.6g} to {p.upper:.6g}") for p in found.parameters),
         )
+        sets = builtin_sets(found.name)
+        values = markdown_table(
+            ("published value", *(f"[{index}]" for index, _ in enumerate(sets, 1))),
+            ((f"`{p.name}`", *(f"{one.values[p.name]:.6g}" for one in sets)) for p in found.parameters),
+        )
+        lines = [*meanings, "", *values, ""]
+        for index, one in enumerate(sets, 1):
+            club = "any club" if one.club == "any" else f"the {one.club}"
+            lines.append(
+                f"* [{index}] `{one.name}`, for {club}{', used by default' if one.default else ''}. {one.source}."
+            )
+            lines += [f"  * {caveat}" for caveat in one.caveats]
+            lines += [f"  * `{name}`: {caveat}" for name, caveat in one.value_caveats.items()]
+        return lines
 
 
 class Quantities(CoreTable):
@@ -117,6 +118,22 @@ class Quantities(CoreTable):
         )
 
 
+class TourComparison(CoreTable):
+    """``{tour-comparison} spin``: published value and model less published, club by club; computed by the build."""
+
+    required_arguments = 1
+
+    def table(self) -> list[str]:
+        """One row a club, then the mean absolute errors."""
+        return markdown_table(*tour_tables.comparison(compared(), self.arguments[0], signed=True))
+
+
+@cache
+def compared() -> tour.Tour:
+    """Every model on the published deliveries."""
+    return tour.tour()
+
+
 def every_model_has_a_page(app: Sphinx) -> None:
     """Stop the build if a registered model is not documented."""
     missing = [m["name"] for m in _core.models() if not (Path(app.srcdir) / "models" / f"{m['name']}.md").exists()]
@@ -129,5 +146,6 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("model-list", ModelList)
     app.add_directive("model-parameters", ModelParameters)
     app.add_directive("quantities", Quantities)
+    app.add_directive("tour-comparison", TourComparison)
     app.connect("builder-inited", every_model_has_a_page)
     return {"parallel_read_safe": True}

@@ -1,0 +1,39 @@
+"""What the pages show runs, and the figures the README gives are those the package computes."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from clubface import tour, units
+
+ROOT = Path(__file__).parent.parent
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md"))]
+
+
+def blocks(page):
+    return re.findall(r"^```python\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page)], ids=lambda page: page.stem)
+def test_the_code_of_a_page_runs(page, capsys):
+    names = {}
+    for block in blocks(page):
+        exec(compile(block, str(page), "exec"), names)
+
+
+def test_the_readme_gives_the_errors_of_this_version():
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    given = re.findall(r"^\| (\w+) \| ([\d.]+) \| ([\d.]+|fitted) \| (\d+) \| ([\d.]+) \|$", text, re.MULTILINE)
+    result = tour.tour()
+    assert [row[0] for row in given] == result.models
+    for name, *figures in given:
+        errors = result.mean_absolute_error(name)
+        for quantity, figure in zip(("ball_speed", "launch", "spin", "carry"), figures, strict=True):
+            if (name, quantity) == (tour.LOFT_MODEL, "launch"):
+                assert figure == "fitted"
+                continue
+            error = units.from_si(errors[quantity], result.units[quantity])
+            # Half of the last digit, which is how the figures are rounded.
+            half = 0.5 if "." not in figure else 0.05
+            assert float(figure) == pytest.approx(error, abs=1.001 * half)
