@@ -501,6 +501,7 @@ def test_a_terminal_without_greek_letters_gets_its_table():
     ran = process("shot", "driver", "--speed", "50 m/s", env={**os.environ, "PYTHONIOENCODING": "ascii"})
     assert ran.returncode == 0
     assert "volumetric" in ran.stdout
+    assert "-----" in ran.stdout
 
 
 def test_ctrl_c_ends_with_one_line_and_status_130(tmp_path):

@@ -53,10 +53,10 @@ def test_every_other_loft_gives_the_published_launch_angle_with_the_standard_mod
     assert np.abs(errors[~solved]).min() > math.radians(0.1)
 
 
-@pytest.mark.parametrize("angle", [77.0, 79.0])
-def test_a_launch_angle_out_of_reach_is_refused(angle):
+@pytest.mark.parametrize(("attack", "launch"), [(0.0, 77.0), (0.0, 79.0), (40.0, 10.0)])
+def test_a_launch_angle_out_of_reach_is_refused(attack, launch):
     with pytest.raises(InputError, match="launch angle driver can reach"):
-        job.solve_loft("driver", 50.0, 0.0, math.radians(angle))
+        job.solve_loft("driver", 50.0, math.radians(attack), math.radians(launch))
 
 
 def test_every_model_is_delivered_the_same(result):
