@@ -111,19 +111,21 @@ def _split(heading: str, path: str, line: int | None) -> tuple[str, str | None]:
     """Return the name in lower case and the unit of a heading."""
     text = "_".join(heading.replace("-", "_").split()) if "[" not in heading and "(" not in heading else heading
     known = known_names()
+    unknown: object = None
     for spelled in (text, text.lower()):
         try:
             name, unit = units.parse_column_name(spelled, known)
         except UnitError as error:
-            name = _plain(spelled.partition("[")[0].partition("(")[0])
-            if name in known:
-                allowed = " or ".join(units.symbols(input_dimensions()[known[name]]))
-                message = f"the column {heading!r} is in the unknown unit {error.value!r}; it must be in {allowed}"
-                raise FileError(path, line, message, heading) from None
-            return name, None
+            unknown = error.value
+            continue
         if _plain(name) in known:
             return _plain(name), unit
-    return _plain(text), None
+    name = _plain(text.partition("[")[0].partition("(")[0])
+    if unknown is not None and name in known:
+        allowed = " or ".join(units.symbols(input_dimensions()[known[name]]))
+        message = f"the column {heading!r} is in the unknown unit {unknown!r}; it must be in {allowed}"
+        raise FileError(path, line, message, heading)
+    return _plain(text) if unknown is None else name, None
 
 
 def _plain(name: str) -> str:
