@@ -11,6 +11,11 @@ from clubface.cli.tables import print_numbers, print_words
 
 app = typer.Typer(add_completion=False)
 
+PAPERS = {
+    "P1": "Three-dimensional golf clubhead-ball impact models for drivers and irons",
+    "P2": "W.-J. Roh and C.-W. Lee, Analysis of golf ball spin mechanism at impact by FEM",
+}
+
 
 @app.command()
 def models(
@@ -48,6 +53,7 @@ def describe(found: Any) -> dict[str, Any]:
         "kind": found.kind,
         "summary": found.summary,
         "reference": found.reference,
+        "papers": _papers(found),
         "laws": found.laws,
         "parameters": [
             {
@@ -83,6 +89,8 @@ def _print_model(found: Any) -> None:
     print(f"{found.name}: {found.title} ({found.kind})")
     output.print_paragraph(found.summary)
     output.print_paragraph(f"Reference: {found.reference}")
+    for short, title in _papers(found).items():
+        output.print_paragraph(f"{short}: {title}")
     output.print_paragraph(f"Laws it obeys: {_laws(found.laws)}")
     print()
     rows = [
@@ -108,6 +116,12 @@ def _print_model(found: Any) -> None:
         standing = ", used by default" if one.default else ""
         output.print_paragraph(f"[{index}] {one.name}, for {one.club}{standing}: {one.source}. {one.reference}")
         output.print_notes([*one.caveats, *(f"{key}: {text}" for key, text in one.value_caveats.items())])
+
+
+def _papers(found: Any) -> dict[str, str]:
+    """Return the papers that the model's texts call by a short name."""
+    texts = " ".join([found.reference, *(f"{each.meaning} {each.source}" for each in found.parameters)])
+    return {short: title for short, title in PAPERS.items() if short in texts}
 
 
 def _laws(laws: tuple[str, ...]) -> str:
