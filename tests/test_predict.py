@@ -119,6 +119,24 @@ def test_line_numbers_survive_cells_of_several_lines_blank_lines_and_pieces(writ
         assert [row["id"] for row in table(tmp_path / "out.csv")] == ["one\ntwo\nthree", "y", "z"]
 
 
+@pytest.mark.parametrize("chunk", [1, 3, 100])
+def test_rows_bad_for_different_reasons_are_told_apart(write, tmp_path, chunk):
+    """Unreadable, refused by the core, of the wrong width, good: in one piece each keeps its own place."""
+    rows = ["a,x,1", "b,100,1", "c,100,80", "d,100", "e,y,1", "f,101,2", "g,100,90", "h,102,3", "i,-1,3", "j,103,4"]
+    path = write("id,speed_mph,toe_mm\n" + "\n".join(rows))
+    report = predict(path, club="driver", output=tmp_path / "out.csv", chunk_rows=chunk)
+    assert [row["id"] for row in table(tmp_path / "out.csv")] == ["b", "f", "h", "j"]
+    kept = table(report.rejects)
+    assert [(row["line"], row["id"]) for row in kept] == [
+        ("2", "a"), ("4", "c"), ("5", "d"), ("6", "e"), ("8", "g"), ("10", "i"),
+    ]  # fmt: skip
+    said = ["'x' is not a number", "80.0 mm", "2 cells", "'y' is not a number", "90.0 mm", "above 0"]
+    assert all(text in row["reason"] for text, row in zip(said, kept, strict=True))
+    for row in table(tmp_path / "out.csv"):
+        alone = clubface.impact("driver", speed=row["speed_mph"] + " mph", toe=row["toe_mm"] + " mm")
+        assert float(row["ball_speed_mps"]) == pytest.approx(alone.ball_speed, rel=5.1e-9)
+
+
 def test_the_size_of_the_pieces_changes_no_byte(write, tmp_path):
     rng = np.random.default_rng(3)
     rows = [f"{i},{speed:.2f},{toe:.1f}" for i, (speed, toe) in enumerate(zip(rng.normal(105, 9, 500), rng.normal(0, 30, 500), strict=True))]  # fmt: skip  # noqa: E501
@@ -304,6 +322,16 @@ def test_an_interrupted_run_keeps_what_is_finished_and_goes_on_from_there(write,
     assert not list(tmp_path.glob("*part*"))
 
 
+def test_a_run_over_parquet_goes_on_with_pieces_of_another_size(write, tmp_path):
+    pytest.importorskip("pyarrow")
+    predict(write(MANY.replace("bad", "1")), club="driver", output=tmp_path / "in.parquet", carry=False)
+    options = {"club": "driver", "output": tmp_path / "out.parquet"}
+    with pytest.raises(StoppedError):
+        predict(tmp_path / "in.parquet", chunk_rows=15, progress=half_way(30, StoppedError), **options)
+    assert predict(tmp_path / "in.parquet", chunk_rows=20, resume=True, **options).rows == 100
+    assert read_ids(tmp_path / "out.parquet") == [str(number) for number in range(100)]
+
+
 def read_ids(path):
     if path.suffix == ".csv":
         return [row["id"] for row in table(path)]
@@ -370,6 +398,8 @@ def test_parquet_in_and_out_keeps_types_and_says_where_it_comes_from(write, tmp_
     assert (report.rows, report.written) == (4, 1)
     assert [line for line, _ in report.first_rejects] == [2, 3, 4]
     assert [row["row"] for row in table(report.rejects)] == ["2", "3", "4"]
+    for said, (_, reason) in zip(("empty", "nan is not", "80.0 mm"), report.first_rejects, strict=True):
+        assert said in reason
     found = files.read_table(tmp_path / "out.parquet")
     assert found.schema.field("when").type == pyarrow.timestamp("ms")
     assert found["ball_speed_mps"][0].as_py() == pytest.approx(
