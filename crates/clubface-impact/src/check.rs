@@ -9,6 +9,9 @@ use core::f64::consts::FRAC_PI_2;
 /// Largest loft, rad: beyond it the face no longer drives the ball forwards.
 pub const LARGEST_LOFT: f64 = 80.0 * core::f64::consts::PI / 180.0;
 
+/// Largest size of any input and its inverse, in SI units: far from all clubs, balls and swings, and safe from overflow.
+const LARGEST: f64 = 1e12;
+
 /// Checks the values of a shot, in the order of [`INPUTS`].
 ///
 /// # Errors
@@ -47,8 +50,14 @@ pub fn check_equipment(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
 fn check_finite(values: &[f64; INPUT_COUNT], group: &str) -> Result<(), ImpactError> {
     for (value, input) in values.iter().zip(&INPUTS) {
         let flat = (input.name == "bulge" || input.name == "roll") && *value == f64::INFINITY;
-        if input.group == group && !value.is_finite() && !flat {
+        if input.group != group || flat {
+            continue;
+        }
+        if !value.is_finite() {
             return Err(fault(input.name, *value, "must be a finite number"));
+        }
+        if value.abs() > LARGEST {
+            return Err(fault(input.name, *value, "must be within +-1e12; is the unit right?"));
         }
     }
     Ok(())
@@ -68,6 +77,15 @@ fn check_club(shot: &Shot<f64>) -> Result<(), ImpactError> {
         ("face_height", club.face_height),
     ] {
         positive(name, value)?;
+    }
+    let corner = club.face().point(club.face_width / 2.0, club.face_height / 2.0);
+    if !corner.x.is_finite() {
+        let message = format!(
+            "{} m with a roll of {} m does not reach the corners of the face outline, {} m x {} m; allowed: larger \
+             radii or a smaller outline",
+            club.bulge, club.roll, club.face_width, club.face_height
+        );
+        return Err(ImpactError::new("bulge", message));
     }
     if club.hand.abs() != 1.0 {
         return Err(fault("hand", club.hand, "must be 1 (right-handed) or -1 (left-handed)"));
@@ -189,8 +207,10 @@ fn is_positive_definite(e: &[f64; 6]) -> bool {
 }
 
 fn positive(name: &'static str, value: f64) -> Result<(), ImpactError> {
-    if value > 0.0 {
+    if value >= LARGEST.recip() {
         Ok(())
+    } else if value > 0.0 {
+        Err(fault(name, value, "must be at least 1e-12; is the unit right?"))
     } else {
         Err(fault(name, value, "must be above 0"))
     }

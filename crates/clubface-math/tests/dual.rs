@@ -30,6 +30,8 @@ type Oracle = fn(Dual64, Dual64) -> Dual64;
 type OursTwice = fn(Dual<Dual<f64, 1>, 1>, Dual<Dual<f64, 1>, 1>) -> Dual<Dual<f64, 1>, 1>;
 type OracleTwice = fn(HyperDual64, HyperDual64) -> HyperDual64;
 
+type Regularised = fn(Dual<f64, 1>) -> Dual<f64, 1>;
+
 const FORMULAS: [(Ours, Oracle); 4] =
     [(algebra, algebra_oracle), (powers, powers_oracle), (waves, waves_oracle), (angle, angle_oracle)];
 const FORMULAS_TWICE: [(OursTwice, OracleTwice); 4] =
@@ -103,7 +105,7 @@ proptest! {
     fn regularised_functions_have_exact_derivatives(x in -2.0..2.0f64) {
         prop_assume!(x.abs() > 0.01);
         let h = 1e-6;
-        let functions: [(&str, fn(Dual<f64, 1>) -> Dual<f64, 1>); 6] = [
+        let functions: [(&str, Regularised); 6] = [
             ("abs", Dual::abs),
             ("safe_sqrt", Dual::safe_sqrt),
             ("pow_three_halves", Dual::pow_three_halves),

@@ -1,11 +1,11 @@
 //! Watches a contact for its peak force and its end.
 
 use super::dynamics::Contact;
-use super::state::Touching;
+use super::state::{Touching, BALL_SPIN, CLUB_SPIN, VELOCITY};
 use super::ContactLaw;
 use crate::history::Recorder;
 use clubface_math::ode::Observer;
-use clubface_math::{Computation, Mask, Scalar};
+use clubface_math::{Computation, Mask, Scalar, Vec3};
 
 /// Observer of one contact.
 pub struct Separation<'a, S, L, R, const N: usize> {
@@ -16,7 +16,7 @@ pub struct Separation<'a, S, L, R, const N: usize> {
     pub peak_force: S,
     /// Time of separation, s.
     pub time: S,
-    /// State at the end of the step in which the bodies separated.
+    /// State at the end of the step in which the bodies separated, with the velocities of the moment of separation.
     pub last: [S; N],
     /// Normal force at the start of the step, N.
     force: S,
@@ -86,6 +86,18 @@ impl<S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize> Observer<S, N>
             self.time = S::select(separated, time + h * fraction, self.time);
             for i in 0..N {
                 self.last[i] = S::select(separated, y1[i], self.last[i]);
+            }
+            // Beyond separation the ball flies on unchanged, but the clubhead turns on about its own axes, and a law
+            // whose friction does not vanish with the normal force still pulls: both are taken back.
+            let beyond = h * (-fraction + 1.0);
+            let free = self.contact.motion(y1, &end, S::zero(), Vec3::zero());
+            let mut take_back = |i: usize, rate: S| {
+                self.last[i] = S::select(separated, y1[i] - rate * beyond, self.last[i]);
+            };
+            for i in 0..3 {
+                take_back(VELOCITY + i, f1[VELOCITY + i] - free[VELOCITY + i]);
+                take_back(BALL_SPIN + i, f1[BALL_SPIN + i] - free[BALL_SPIN + i]);
+                take_back(CLUB_SPIN + i, f1[CLUB_SPIN + i]);
             }
         }
         if R::ACTIVE {

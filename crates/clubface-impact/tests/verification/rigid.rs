@@ -1,0 +1,107 @@
+//! Momentum, angular momentum, energy and relative velocity of an impact, worked out from its outputs.
+
+use crate::shots::{parameter, Inputs, Outputs};
+use clubface_impact::first_touch::FirstTouch;
+use clubface_impact::ModelKind;
+use clubface_math::{Mat3, Vec3};
+
+/// An impact at one point in face axes, a left-hander's in the mirror.
+pub struct Rigid {
+    pub touch: FirstTouch<f64>,
+    /// Mass that moves with the clubhead, kg.
+    pub club_mass: f64,
+    /// CG of the ball to the contact point, m.
+    pub ball_arm: Vec3<f64>,
+    pub ball_velocity: Vec3<f64>,
+    pub ball_spin: Vec3<f64>,
+    pub club_velocity: Vec3<f64>,
+    pub club_spin: Vec3<f64>,
+}
+
+impl Rigid {
+    pub fn of(model: ModelKind, inputs: &Inputs, parameters: &[f64], outputs: &Outputs) -> Self {
+        let touch = FirstTouch::of_inputs(&inputs.0);
+        let named = |name: &str| parameter(model, name).map_or(0.0, |index| parameters[index]);
+        let (up, toe) = touch.tangents();
+        let displaced = touch.normal * named("dcg_x") + up * named("dcg_y") + toe * named("dcg_z");
+        let to_face = touch.attitude.transpose();
+        let velocity = |v: Vec3<f64>| to_face * Vec3::new(v.x, v.y, v.z * touch.hand);
+        let spin = |v: Vec3<f64>| to_face * Vec3::new(v.x * touch.hand, v.y * touch.hand, v.z);
+        Self {
+            club_mass: touch.club_mass + named("extra_mass"),
+            ball_arm: touch.normal * -touch.ball.radius - displaced,
+            ball_velocity: velocity(outputs.ball_velocity()),
+            ball_spin: spin(outputs.ball_spin()),
+            club_velocity: velocity(outputs.club_velocity()),
+            club_spin: spin(outputs.club_spin()),
+            touch,
+        }
+    }
+
+    /// Impulse on the ball, N s.
+    pub fn impulse(&self) -> Vec3<f64> {
+        self.ball_velocity * self.touch.ball.mass
+    }
+
+    /// Change of the momentum of both bodies, in units of the ball's.
+    pub fn momentum_error(&self) -> f64 {
+        let club = (self.club_velocity - self.touch.club_velocity) * self.club_mass;
+        (self.impulse() + club).norm() / self.impulse().norm()
+    }
+
+    /// Change of the angular momentum of both bodies about the contact point, in units of the ball's momentum times its
+    /// radius. (Neither body moves during an impulse, so the arms stay.)
+    pub fn angular_momentum_error(&self) -> f64 {
+        let touch = &self.touch;
+        let ball = (-self.ball_arm).cross(self.impulse()) + self.ball_spin * touch.ball.inertia;
+        let club_velocity = (self.club_velocity - touch.club_velocity) * self.club_mass;
+        let club = (-touch.contact).cross(club_velocity) + touch.inertia * (self.club_spin - touch.club_spin);
+        (ball + club).norm() / (self.impulse().norm() * touch.ball.radius)
+    }
+
+    fn energy(&self, ball: (Vec3<f64>, Vec3<f64>), club: (Vec3<f64>, Vec3<f64>)) -> f64 {
+        0.5 * (self.touch.ball.mass * ball.0.norm_squared()
+            + self.touch.ball.inertia * ball.1.norm_squared()
+            + self.club_mass * club.0.norm_squared()
+            + club.1.dot(self.touch.inertia * club.1))
+    }
+
+    /// Kinetic energy before impact, J.
+    pub fn energy_before(&self) -> f64 {
+        self.energy((Vec3::zero(), Vec3::zero()), (self.touch.club_velocity, self.touch.club_spin))
+    }
+
+    /// Kinetic energy lost, J.
+    pub fn energy_lost(&self) -> f64 {
+        let after = self.energy((self.ball_velocity, self.ball_spin), (self.club_velocity, self.club_spin));
+        self.energy_before() - after
+    }
+
+    /// Velocity of the ball relative to the face at the contact point before impact, m/s.
+    pub fn relative_before(&self) -> Vec3<f64> {
+        -(self.touch.club_velocity + self.touch.club_spin.cross(self.touch.contact))
+    }
+
+    /// The same after impact.
+    pub fn relative_after(&self) -> Vec3<f64> {
+        let ball = self.ball_velocity + self.ball_spin.cross(self.ball_arm);
+        ball - self.club_velocity - self.club_spin.cross(self.touch.contact)
+    }
+
+    /// Matrix from the impulse on the ball to the relative velocity it gives, by its columns, 1/kg.
+    pub fn mobility(&self) -> Mat3<f64> {
+        let touch = &self.touch;
+        let inverse = touch.inertia.inverse();
+        let of = |p: Vec3<f64>| {
+            let ball = p * touch.ball.mass.recip()
+                + (self.ball_arm.cross(p) * touch.ball.inertia.recip()).cross(self.ball_arm);
+            ball + p * self.club_mass.recip() + (inverse * touch.contact.cross(p)).cross(touch.contact)
+        };
+        let unit = |i: usize| {
+            let mut v = [0.0; 3];
+            v[i] = 1.0;
+            Vec3::from_f64(v)
+        };
+        Mat3::from_columns(of(unit(0)), of(unit(1)), of(unit(2)))
+    }
+}
