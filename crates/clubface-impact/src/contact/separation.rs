@@ -91,13 +91,11 @@ impl<S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize> Observer<S, N>
             // whose friction does not vanish with the normal force still pulls: both are taken back.
             let beyond = h * (-fraction + 1.0);
             let free = self.contact.motion(y1, &end, S::zero(), Vec3::zero());
-            let mut take_back = |i: usize, rate: S| {
-                self.last[i] = S::select(separated, y1[i] - rate * beyond, self.last[i]);
-            };
             for i in 0..3 {
-                take_back(VELOCITY + i, f1[VELOCITY + i] - free[VELOCITY + i]);
-                take_back(BALL_SPIN + i, f1[BALL_SPIN + i] - free[BALL_SPIN + i]);
-                take_back(CLUB_SPIN + i, f1[CLUB_SPIN + i]);
+                let (v, b, c) = (VELOCITY + i, BALL_SPIN + i, CLUB_SPIN + i);
+                for (n, excess) in [(v, f1[v] - free[v]), (b, f1[b] - free[b]), (c, f1[c])] {
+                    self.last[n] = S::select(separated, y1[n] - excess * beyond, self.last[n]);
+                }
             }
         }
         if R::ACTIVE {

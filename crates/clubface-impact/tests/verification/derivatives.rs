@@ -114,14 +114,16 @@ fn derivatives_of_impulse_models_equal_differences() {
 }
 
 /// Steps of 1e-11 leave 1e-9 or so in an output, and their sizes change with the input: 1e-9 over 2 x 1e-3 is 5e-7; h^2
-/// f'''/6 is 1e-6 at that h.
+/// f'''/6 is 1e-6 at that h. The area model's friction turns round within 0.01 m/s, eighty times faster than the
+/// volumetric model's: there h^2 f'''/6 was seen to fall from 3e-4 to 1e-4 with h from 1e-3 to 5e-4, and the noise of
+/// the steps to take over below.
 #[test]
 fn derivatives_of_smooth_contacts_equal_differences() {
-    for model in [ModelKind::Volumetric, ModelKind::Area] {
+    for (model, h, tolerance) in [(ModelKind::Volumetric, 1e-3, 1e-5), (ModelKind::Area, 5e-4, 3e-4)] {
         for (club, hand) in [(Club::Driver, 1.0), (Club::Iron, 1.0), (Club::Driver, -1.0)] {
             let accuracy = Accuracy::Tolerance(1e-11);
-            let (error, place) = worst(model, &general(club, hand), &inside(model, club), accuracy, 1e-3);
-            assert!(error < 1e-5, "{} {club:?}: {error:e} {place}", model.info().name);
+            let (error, place) = worst(model, &general(club, hand), &inside(model, club), accuracy, h);
+            assert!(error < tolerance, "{} {club:?}: {error:e} {place}", model.info().name);
         }
     }
 }
@@ -134,20 +136,6 @@ fn derivatives_of_the_rings_equal_differences() {
         let model = ModelKind::Rings;
         let (error, place) = worst(model, &general(club, 1.0), &inside(model, club), Accuracy::Fast, 1e-6);
         assert!(error < 1e-4, "{club:?}: {error:e} {place}");
-    }
-}
-
-#[test]
-fn probe() {
-    let model = ModelKind::Area;
-    for (club, hand) in [(Club::Driver, 1.0), (Club::Iron, 1.0), (Club::Driver, -1.0)] {
-        for eta in [5.0, 20.0] {
-            for h in [1e-3, 5e-4, 2e-4, 1e-4] {
-                let p = changed(model, inside(model, club), &[("area_damping", eta)]);
-                print!("{club:?} eta {eta} h {h}: ");
-                worst(model, &general(club, hand), &p, Accuracy::Tolerance(1e-11), h);
-            }
-        }
     }
 }
 
