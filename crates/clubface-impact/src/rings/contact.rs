@@ -183,7 +183,7 @@ impl<S: Scalar> RingContact<S> {
             }
         } else {
             given.keep_changes(contact);
-            self.friction.differentiate(bound, given, &mut now.traction);
+            self.friction.differentiate(given, &mut now.traction);
             for axis in 0..2 {
                 for j in 0..contact {
                     now.traction[axis][j] = now.traction[axis][j] + self.friction.traction()[axis][j];
@@ -257,6 +257,9 @@ impl<S: Scalar> RingContact<S> {
     /// not touch.
     #[must_use]
     pub fn slip(&self, j: usize) -> [f64; 2] {
+        if j >= self.friction.contact() {
+            return [0.0; 2];
+        }
         [0, 1].map(|axis| self.friction.slip()[axis][j] * self.now.length.re())
     }
     /// Whether ring `j` touched and stuck at the last call of [`Self::force`].

@@ -56,7 +56,8 @@ impl Influence {
             force[column] =
                 (0..=column).map(|i| 2.0 * PI / 3.0 * outer[i].powi(3) * inverse[i][column]).sum();
         }
-        let diagonal = (0..rings).map(|j| displacement[j * stride + j]).collect();
+        let diagonal =
+            (0..stride).map(|j| if j < rings { displacement[j * stride + j] } else { 1.0 }).collect();
         let exchanged: Vec<OnceLock<Box<[f64]>>> = (0..=rings).map(|_| OnceLock::new()).collect();
         exchanged[0].get_or_init(|| displacement);
         Self { rings, stride, exchanged, diagonal, force, radius }
@@ -87,7 +88,7 @@ impl Influence {
     pub fn displacement(&self) -> &[f64] {
         self.exchanged(0)
     }
-    /// M_jj, shape [n].
+    /// M_jj, shape [n], and ones up to [`Self::stride`].
     #[must_use]
     pub fn diagonal(&self) -> &[f64] {
         &self.diagonal

@@ -119,6 +119,7 @@ fn subtract(from: &mut [f64; 8], what: &[f64; 8], factor: f64) {
 
 impl Friction {
     /// Slip of ring j across its traction.
+    #[inline(always)]
     fn across(&self, j: usize) -> f64 {
         self.slip[1][j] * self.direction[0][j] - self.slip[0][j] * self.direction[1][j]
     }
@@ -126,7 +127,7 @@ impl Friction {
     /// LU factors of the Jacobian of the slips across the tractions with respect to the directions of the tractions.
     /// Without pivoting: it is a positive definite matrix, but for a scaling of columns, plus a positive diagonal.
     #[inline(always)]
-    pub(super) fn factor(&mut self, bound: &[f64]) {
+    pub(super) fn factor(&mut self) {
         self.effort.directions += 1;
         let stride = self.influence.stride();
         let count = self.slipping.len();
@@ -145,7 +146,7 @@ impl Friction {
                 Some(k) => column[..count].copy_from_slice(&from[k..][..count]),
                 None => column.iter_mut().zip(&self.slipping).for_each(|(entry, &j)| *entry = from[j]),
             }
-            let [y, z] = [direction_y[a] * bound[i], direction_z[a] * bound[i]];
+            let [y, z] = [direction_y[a] * self.bound[i], direction_z[a] * self.bound[i]];
             for b in 0..padded {
                 column[b] *= direction_y[b] * y + direction_z[b] * z;
             }
@@ -181,10 +182,10 @@ impl Friction {
     /// Derivatives of the tractions of the last solve: changes of y for changes of the bounds and of the free slips,
     /// all with value zero, the sets being what they are. Exact: the linearised conditions of the solution.
     #[inline(always)]
-    pub fn differentiate<S: Scalar>(&mut self, bound: &[f64], change: &Given<S>, traction: &mut [Vec<S>; 2]) {
+    pub fn differentiate<S: Scalar>(&mut self, change: &Given<S>, traction: &mut [Vec<S>; 2]) {
         let m = self.contact;
         self.partition();
-        self.factor(bound);
+        self.factor();
         for j in 0..m {
             for axis in 0..2 {
                 traction[axis][j] = if self.sticks[j] {
@@ -202,7 +203,7 @@ impl Friction {
         }
         self.factors.solve(self.slipping.len(), &mut angle);
         for (turn, &j) in angle.iter().zip(&self.slipping) {
-            let turn = *turn * bound[j];
+            let turn = *turn * self.bound[j];
             traction[0][j] -= turn * self.direction[1][j];
             traction[1][j] += turn * self.direction[0][j];
         }

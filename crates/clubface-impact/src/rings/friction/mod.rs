@@ -33,8 +33,12 @@ pub type Plane = [Vec<f64>; 2];
 #[derive(Clone, Debug)]
 pub struct Friction {
     influence: Arc<Influence>,
-    /// Rings in contact at the last solve.
+    /// Rings in contact at the last solve. Rows are padded to blocks of eight: a ring of the last block that is not in
+    /// contact slips without traction.
     contact: usize,
+    /// Bounds b and free slips g.
+    bound: Vec<f64>,
+    free: Plane,
     /// Sticking rings.
     sticks: Vec<bool>,
     /// Direction of the traction of every slipping ring, a unit vector.
@@ -85,7 +89,9 @@ impl Friction {
         Self {
             influence,
             contact: 0,
-            sticks: vec![true; n],
+            bound: vec![1.0; stride],
+            free: plane(),
+            sticks: vec![true; stride],
             direction: [vec![1.0; stride], vec![0.0; stride]],
             traction: plane(),
             slip: plane(),
@@ -105,7 +111,7 @@ impl Friction {
     pub fn traction(&self) -> &Plane {
         &self.traction
     }
-    /// Slips of the rings in contact.
+    /// Slips of the rings in contact; only theirs are meant.
     #[must_use]
     pub fn slip(&self) -> &Plane {
         &self.slip
@@ -142,49 +148,59 @@ impl Friction {
     /// Solves for the tractions of the first `bound.len()` rings: `bound` > 0 is b_j, `free` is g_j.
     pub fn solve(&mut self, bound: &[f64], free: [&[f64]; 2]) {
         self.start(bound.len());
+        self.bound[..bound.len()].copy_from_slice(bound);
+        self.free[0][..bound.len()].copy_from_slice(free[0]);
+        self.free[1][..bound.len()].copy_from_slice(free[1]);
         self.effort = Effort::default();
         for _ in 0..8 {
-            if dispatch(Newton { friction: self, bound, free }) {
+            if dispatch(Newton { friction: self }) {
                 return;
             }
-            self.gauss_seidel(bound, free, 1e-3, 50);
+            self.gauss_seidel(1e-3, 50);
         }
-        self.gauss_seidel(bound, free, TOLERANCE, 100_000);
+        self.gauss_seidel(TOLERANCE, 100_000);
     }
 
     /// Rings that have just come into contact do at first what their neighbour does.
     fn start(&mut self, contact: usize) {
+        if contact == self.contact {
+            return;
+        }
         for j in self.contact..contact {
             self.sticks[j] = j == 0 || self.sticks[j - 1];
             for axis in 0..2 {
-                self.direction[axis][j] = self.direction[axis][j.saturating_sub(1)];
+                let neighbour = if j == 0 { [1.0, 0.0][axis] } else { self.direction[axis][j - 1] };
+                self.direction[axis][j] = neighbour;
             }
         }
-        for axis in 0..2 {
-            self.traction[axis][contact..].fill(0.0);
-            self.slip[axis][contact..].fill(0.0);
-        }
         self.contact = contact;
+        self.sticks[contact..].fill(false);
+        self.bound[contact..].fill(1.0);
+        for axis in 0..2 {
+            for row in [&mut self.direction, &mut self.free, &mut self.traction, &mut self.slip] {
+                row[axis][contact..].fill(0.0);
+            }
+        }
     }
 
     /// Newton's method from the present sets and directions; whether it converged.
     #[inline(always)]
-    fn newton(&mut self, bound: &[f64], free: [&[f64]; 2]) -> bool {
+    fn newton(&mut self) -> bool {
         self.partition();
         // Residual at the last factorisation: as long as it falls by 100 a step, the factors are good enough.
         let mut falling: f64 = 0.0;
         for _ in 0..NEWTON_STEPS {
-            self.apply(bound, free);
-            match self.judge(bound) {
+            self.apply();
+            match self.judge() {
                 Verdict::Solved => return true,
                 Verdict::SetsChange => {
-                    self.change_sets(bound);
+                    self.change_sets();
                     self.partition();
                     falling = 0.0;
                 }
                 Verdict::DirectionsTurn(error) => {
                     if error > falling {
-                        self.factor(bound);
+                        self.factor();
                     }
                     falling = error * 0.01;
                     self.turn();
@@ -220,51 +236,75 @@ impl Friction {
 
     /// Tractions and slips for the present sets and directions.
     #[inline(always)]
-    fn apply(&mut self, bound: &[f64], free: [&[f64]; 2]) {
+    fn apply(&mut self) {
         let m = self.contact;
         self.effort.products += 1;
-        let sticks = &self.sticks[..m];
+        let sticks = eights(&self.sticks, m);
+        let bound = eights(&self.bound, m);
         for axis in 0..2 {
-            let (known, free, direction) =
-                (&mut self.known[axis][..m], &free[axis][..m], &self.direction[axis][..m]);
-            for j in 0..m {
-                known[j] = if sticks[j] { -free[j] } else { bound[j] * direction[j] };
+            let (free, direction) = (eights(&self.free[axis], m), eights(&self.direction[axis], m));
+            let known = &mut self.known[axis].as_chunks_mut::<8>().0[..sticks.len()];
+            for block in 0..sticks.len() {
+                let (sticks, bound, direction) = (sticks[block], bound[block], direction[block]);
+                let mut row = free[block];
+                for lane in 0..8 {
+                    row[lane] = if sticks[lane] { -row[lane] } else { bound[lane] * direction[lane] };
+                }
+                known[block] = row;
             }
         }
         let matrix = self.innermost.map_or(&self.matrix[..], |k| self.influence.exchanged(k));
         product(matrix, self.influence.stride(), m, &self.known, &mut self.unknown);
         for axis in 0..2 {
-            let (known, unknown, free) = (&self.known[axis][..m], &self.unknown[axis][..m], &free[axis][..m]);
-            let (traction, slip) = (&mut self.traction[axis][..m], &mut self.slip[axis][..m]);
-            for j in 0..m {
-                traction[j] = if sticks[j] { unknown[j] } else { known[j] };
-                slip[j] = if sticks[j] { 0.0 } else { unknown[j] + free[j] };
+            let (known, unknown) = (eights(&self.known[axis], m), eights(&self.unknown[axis], m));
+            let free = eights(&self.free[axis], m);
+            let traction = &mut self.traction[axis].as_chunks_mut::<8>().0[..sticks.len()];
+            let slip = &mut self.slip[axis].as_chunks_mut::<8>().0[..sticks.len()];
+            for block in 0..sticks.len() {
+                let (sticks, unknown) = (sticks[block], unknown[block]);
+                let (mut held, mut moved) = (known[block], free[block]);
+                for lane in 0..8 {
+                    held[lane] = if sticks[lane] { unknown[lane] } else { held[lane] };
+                    moved[lane] = if sticks[lane] { 0.0 } else { unknown[lane] + moved[lane] };
+                }
+                (traction[block], slip[block]) = (held, moved);
             }
         }
     }
 
     /// What to do about the present tractions and slips.
     #[inline(always)]
-    fn judge(&self, bound: &[f64]) -> Verdict {
+    fn judge(&self) -> Verdict {
         let m = self.contact;
-        let (sticks, bound, diagonal) = (&self.sticks[..m], &bound[..m], &self.influence.diagonal()[..m]);
-        let [y, z] = [&self.traction[0][..m], &self.traction[1][..m]];
-        let [slip_y, slip_z] = [&self.slip[0][..m], &self.slip[1][..m]];
-        let (mut changes, mut turn) = (false, 0.0f64);
-        for j in 0..m {
-            // Slip along and across the traction, times the bound; a sticking ring slips by zero.
-            let along = slip_y[j] * y[j] + slip_z[j] * z[j];
-            let across = slip_z[j] * y[j] - slip_y[j] * z[j];
-            let limit = bound[j] + TOLERANCE;
-            let beyond = y[j] * y[j] + z[j] * z[j] > limit * limit;
-            changes |= (sticks[j] & beyond) | (along > TOLERANCE * diagonal[j] * bound[j]);
-            let size = diagonal[j] * bound[j] * bound[j] - along;
-            let error = across.abs() * bound[j] / size;
-            turn = if error > turn { error } else { turn };
+        let (sticks, bound) = (eights(&self.sticks, m), eights(&self.bound, m));
+        let diagonal = eights(self.influence.diagonal(), m);
+        let traction = [eights(&self.traction[0], m), eights(&self.traction[1], m)];
+        let slip = [eights(&self.slip[0], m), eights(&self.slip[1], m)];
+        // Largest excess of a sticking traction or of a slip along its traction, and largest error of a direction.
+        let (mut excess, mut turn) = ([0.0; 8], [0.0; 8]);
+        for block in 0..sticks.len() {
+            let (sticks, bound, diagonal) = (sticks[block], bound[block], diagonal[block]);
+            let [y, z] = [traction[0][block], traction[1][block]];
+            let [slip_y, slip_z] = [slip[0][block], slip[1][block]];
+            for lane in 0..8 {
+                // Slip along and across the traction, times the bound; a sticking ring slips by zero.
+                let along = slip_y[lane] * y[lane] + slip_z[lane] * z[lane];
+                let across = slip_z[lane] * y[lane] - slip_y[lane] * z[lane];
+                let limit = bound[lane] + TOLERANCE;
+                let stuck = y[lane] * y[lane] + z[lane] * z[lane] - limit * limit;
+                let moving = along - TOLERANCE * diagonal[lane] * bound[lane];
+                let over = if sticks[lane] { stuck } else { moving };
+                let error =
+                    across.abs() * bound[lane] / (diagonal[lane] * bound[lane] * bound[lane] + along.abs());
+                excess[lane] = if over > excess[lane] { over } else { excess[lane] };
+                turn[lane] = if error > turn[lane] { error } else { turn[lane] };
+            }
         }
-        if changes {
-            Verdict::SetsChange
-        } else if turn > TOLERANCE {
+        if excess.iter().any(|&excess| excess > 0.0) {
+            return Verdict::SetsChange;
+        }
+        let turn = turn.into_iter().fold(0.0, f64::max);
+        if turn > TOLERANCE {
             Verdict::DirectionsTurn(turn)
         } else {
             Verdict::Solved
@@ -273,7 +313,8 @@ impl Friction {
 
     /// Lets sticking rings slip whose traction is beyond the bound, and slipping rings stick or turn whose slip
     /// is not opposed.
-    fn change_sets(&mut self, bound: &[f64]) {
+    fn change_sets(&mut self) {
+        let bound = &self.bound;
         for j in 0..self.contact {
             let [y, z] = [self.traction[0][j], self.traction[1][j]];
             let diagonal = self.influence.diagonal()[j];
@@ -302,16 +343,20 @@ impl Friction {
 /// Newton's method as the CPU runs it best; the same bits on any.
 struct Newton<'a> {
     friction: &'a mut Friction,
-    bound: &'a [f64],
-    free: [&'a [f64]; 2],
 }
 
 impl Kernel for Newton<'_> {
     type Output = bool;
     #[inline(always)]
     fn run<S: Lanes>(self) -> bool {
-        self.friction.newton(self.bound, self.free)
+        self.friction.newton()
     }
+}
+
+/// The blocks of eight that hold the first m numbers of a padded row.
+#[inline(always)]
+fn eights<T>(row: &[T], m: usize) -> &[[T; 8]] {
+    &row.as_chunks::<8>().0[..m.div_ceil(8)]
 }
 
 /// `out` = the leading m x m block of `matrix` times `of`, both components.

@@ -6,7 +6,8 @@ use std::sync::Arc;
 impl Friction {
     /// Sweeps of projected Gauss-Seidel, every ring solved exactly in turn, until no traction changes by more than
     /// `tolerance`; leaves sets and directions.
-    pub(super) fn gauss_seidel(&mut self, bound: &[f64], free: [&[f64]; 2], tolerance: f64, sweeps: usize) {
+    pub(super) fn gauss_seidel(&mut self, tolerance: f64, sweeps: usize) {
+        let bound = self.bound.clone();
         let (m, stride) = (self.contact, self.influence.stride());
         let influence = Arc::clone(&self.influence);
         let matrix = influence.displacement();
@@ -20,7 +21,7 @@ impl Friction {
         product(matrix, stride, m, &self.traction, &mut slip);
         for axis in 0..2 {
             for j in 0..m {
-                slip[axis][j] += free[axis][j];
+                slip[axis][j] += self.free[axis][j];
             }
         }
         for _ in 0..sweeps {
