@@ -55,7 +55,7 @@ bench: build ## speed, printed beside the computed results
 	$(PYTHON) -m pytest benchmarks --benchmark-only
 
 study: build ## the tests that take minutes
-	cargo test $(RUST_TESTED) --release -- --ignored
+	cargo test $(RUST_TESTED) -- --ignored
 	$(PYTHON) -m pytest -m study
 
 clean: ## remove everything that was built
