@@ -1,5 +1,8 @@
 //! The rings model in full three-dimensional impacts.
 
+// Helpers outside test functions may panic like tests.
+#![allow(clippy::unwrap_used)]
+
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::history::{history, Unrecorded};
 use clubface_impact::launch::Launch;
