@@ -38,7 +38,7 @@ _HOME = {
     "ParameterSet": "parameters",
     "PredictReport": "predict",
     "Sensitivity": "sensitivity",
-    "Trajectory": "flight",
+    "Trajectory": "trajectory",
     "ball": "balls",
     "club": "clubs",
     "fly": "flight",
@@ -47,7 +47,7 @@ _HOME = {
     "models": "models",
     "predict": "predict",
     "sensitivity": "sensitivity",
-    "trajectory": "flight",
+    "trajectory": "trajectory",
 }
 """The module in which each public name is defined."""
 

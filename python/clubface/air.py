@@ -45,6 +45,15 @@ class Air:
             altitude = units.parse_values(self.altitude, "length", name="altitude")
             object.__setattr__(self, "altitude", altitude)
             object.__setattr__(self, "pressure", _pressure(altitude))
+            self._check_altitude()
+
+    def _check_altitude(self) -> None:
+        """Refuse one altitude whose pressure a flight does not take; a bad one of many is reported with its flight."""
+        allowed = flight_inputs()["pressure"]
+        if isinstance(self.altitude, float) and not allowed.lower <= self.pressure <= allowed.upper:
+            limits = f"{allowed.lower / 100.0:.0f} to {allowed.upper / 100.0:.0f} hPa"
+            text = f"where the pressure of the standard atmosphere is {limits}, about -1400 to 9100 m"
+            raise InputError("altitude", units.show(self.altitude, "m"), text)
 
     def values(self) -> dict[str, Any]:
         """Return the inputs of a flight, SI, by name."""

@@ -9,18 +9,17 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Self
+from typing import ClassVar, Self
 
 from clubface import units
 from clubface.equipment import (
+    Described,
     Quantity,
     builtin_names,
     builtin_path,
-    changed,
     check_name,
     check_text,
     convert,
-    from_document,
     is_path,
     template_lines,
     to_toml,
@@ -28,7 +27,7 @@ from clubface.equipment import (
 )
 from clubface.errors import InputError, RuleWarning
 from clubface.mass_properties import check_positive
-from clubface.strict_toml import Document, quoted
+from clubface.strict_toml import quoted
 
 BALL_MASS_LIMIT = 45.93e-3
 """kg, at most (1.620 oz); The Equipment Rules."""
@@ -43,7 +42,7 @@ BALL_QUANTITIES = {
 
 
 @dataclass(frozen=True, kw_only=True)
-class Ball:
+class Ball(Described):
     """A golf ball, SI.
 
     Attributes
@@ -68,6 +67,7 @@ class Ball:
     inertia: float
     description: str = ""
     sources: Mapping[str, str] = field(default_factory=dict, hash=False)
+    quantities: ClassVar = BALL_QUANTITIES
 
     def __post_init__(self) -> None:
         convert(self, BALL_QUANTITIES)
@@ -93,20 +93,6 @@ class Ball:
     def inputs(self) -> dict[str, float]:
         """Return the values the models take, SI, under the core's names and in its order."""
         return {f"ball_{key}": getattr(self, key) for key in BALL_QUANTITIES}
-
-    def replace(self, **changes: Any) -> Self:
-        """Return the ball with fields changed, as text with a unit or an SI number: ``mass="45.5 g"``."""
-        return changed(self, changes)
-
-    @classmethod
-    def from_toml(cls, path: str | os.PathLike[str]) -> Self:
-        """Read the ball described in a TOML file; see :meth:`template` for its form."""
-        return from_document(cls, Document.read(path), BALL_QUANTITIES)
-
-    @classmethod
-    def from_text(cls, text: str, path: str = "<text>") -> Self:
-        """Read the ball described in TOML text; ``path`` names it in errors."""
-        return from_document(cls, Document(text, path), BALL_QUANTITIES)
 
     def to_toml(self) -> str:
         """Write the ball as TOML text, which :meth:`from_text` reads back exactly."""

@@ -10,19 +10,19 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Self
+from typing import ClassVar, Self
 
+from clubface import units
 from clubface.balls import Ball as Ball
 from clubface.balls import ball as ball
 from clubface.equipment import (
+    Described,
     Quantity,
     builtin_path,
-    changed,
     check_choice,
     check_name,
     check_text,
     convert,
-    from_document,
     is_path,
     template_lines,
     to_toml,
@@ -30,7 +30,7 @@ from clubface.equipment import (
 )
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning
 from clubface.mass_properties import Tensor, check_inertia, check_positive
-from clubface.strict_toml import Document, quoted
+from clubface.strict_toml import quoted
 
 KINDS = ("wood", "hybrid", "iron")
 FAMILIES = ("driver", "7-iron")
@@ -67,7 +67,7 @@ CLUB_QUANTITIES = {
 
 
 @dataclass(frozen=True, kw_only=True)
-class Club:
+class Club(Described):
     """A clubhead, SI and radians, described for a right-handed club (its mirror image carries ``hand = -1``).
 
     Axes at the static loft: x to the target, y up, z to the right of the target line, which is the toe side.
@@ -124,6 +124,7 @@ class Club:
     cor: float | None = None
     description: str = ""
     sources: Mapping[str, str] = field(default_factory=dict, hash=False)
+    quantities: ClassVar = CLUB_QUANTITIES
 
     def __post_init__(self) -> None:
         convert(self, CLUB_QUANTITIES)
@@ -144,9 +145,22 @@ class Club:
                 raise InputError(each, getattr(self, each), 'above 0 m, or "flat" (infinite)')
         check_positive("face_width", self.face_width, "m")
         check_positive("face_height", self.face_height, "m")
+        self._check_face()
         if self.cor is not None and not 0.0 <= self.cor <= 1.0:
             raise InputError("cor", self.cor, "from 0 to 1")
         self._warn()
+
+    def _check_face(self) -> None:
+        """Refuse radii so small that the face does not reach the corners of its outline."""
+        half_width, half_height = self.face_width / 2.0, self.face_height / 2.0
+        if half_height <= self.roll:
+            # How far the roll arc falls back at the edge of the face, which shortens the radius it is revolved with.
+            drop = half_height**2 / (self.roll + math.sqrt(self.roll**2 - half_height**2))
+            if half_width <= self.bulge - drop:
+                return
+        size = " x ".join(units.show(each, "mm") for each in (self.face_width, self.face_height))
+        given = f"{self.bulge * 1e3:.6g} mm with a roll of {self.roll * 1e3:.6g} mm"
+        raise InputError("bulge", given, f"large enough, as the roll, for a face of {size}")
 
     def _warn(self) -> None:
         if self.kind != "iron" and self.iyy > MOI_LIMIT + MOI_TOLERANCE:
@@ -179,20 +193,6 @@ class Club:
         renamed = {"mass": "club_mass", "loft": "static_loft"}
         values = {renamed.get(key, key): getattr(self, key) for key in CLUB_QUANTITIES if key != "cor"}
         return {**values, "hand": float(self.hand)}
-
-    def replace(self, **changes: Any) -> Self:
-        """Return the club with fields changed, as text with a unit or an SI number: ``mass="200 g"``."""
-        return changed(self, changes)
-
-    @classmethod
-    def from_toml(cls, path: str | os.PathLike[str]) -> Self:
-        """Read the club described in a TOML file; see :meth:`template` for its form."""
-        return from_document(cls, Document.read(path), CLUB_QUANTITIES)
-
-    @classmethod
-    def from_text(cls, text: str, path: str = "<text>") -> Self:
-        """Read the club described in TOML text; ``path`` names it in errors."""
-        return from_document(cls, Document(text, path), CLUB_QUANTITIES)
 
     def to_toml(self) -> str:
         """Write the club as TOML text, which :meth:`from_text` reads back exactly."""

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 LONGEST_LINE = 2_000_000
 """Bytes; a longer line is no row of a table."""
+LARGEST_PIECE = 64_000_000
+"""Characters of text after which a piece ends early, so that long rows do not fill the memory."""
 
 Row = tuple[list[str], int, str]
 """The cells of a row, the line it begins at, and its text."""
@@ -93,6 +95,7 @@ class CsvReader:
             lines: list[int] = []
             written: list[str] = []
             ragged: list[Reject] = []
+            size = 0
             for _ in range(rows if passed >= skip else min(rows, skip - passed)):
                 row = self._seen.pop(0) if self._seen else self._next()
                 if row is None:
@@ -102,12 +105,15 @@ class CsvReader:
                     ragged.append(row._replace(cells=[*row.cells, *[""] * width][:width]))
                     continue
                 cells, line, text = row
+                size += len(text)
                 if len(cells) == width:
                     kept.append(cells)
                     lines.append(line)
                     written.append(text)
                 else:
                     ragged.append(_ragged(cells, line, width))
+                if size > LARGEST_PIECE:
+                    break
             count = len(kept) + len(ragged)
             if passed >= skip and count:
                 yield CsvPiece(kept, lines, written, ragged, self.decimal_comma)

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import fields, replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, ClassVar, NamedTuple, Self, TypeVar
 
 from clubface import units
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
@@ -48,6 +48,32 @@ class Quantity(NamedTuple):
 
 
 Quantities = Mapping[str, Quantity]
+
+
+class Described:
+    """A club or a ball: read from TOML, changed in part; its subclass is a frozen dataclass with ``sources``.
+
+    Attributes
+    ----------
+    quantities
+        The numbers that describe it, by field.
+    """
+
+    quantities: ClassVar[Quantities]
+
+    def replace(self, **changes: Any) -> Self:
+        """Return it with fields changed, as text with a unit or an SI number: ``mass="200 g"``."""
+        return changed(self, changes)
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Self:
+        """Read what a TOML file describes; see ``template`` for its form."""
+        return from_document(cls, Document.read(path), cls.quantities)
+
+    @classmethod
+    def from_text(cls, text: str, path: str = "<text>") -> Self:
+        """Read what TOML text describes; ``path`` names it in errors."""
+        return from_document(cls, Document(text, path), cls.quantities)
 
 
 def from_document(kind: type[T], document: Document, quantities: Quantities) -> T:

@@ -1,4 +1,4 @@
-"""What the ball does after launch: flight through moist air and wind, bounces and roll."""
+"""Where the ball goes after launch: flight through moist air and wind, bounces and roll."""
 
 from __future__ import annotations
 
@@ -9,16 +9,13 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 from clubface import _core
 from clubface.air import Air
-from clubface.errors import InputError, ShotError
-from clubface.flight_columns import AXES, flight_columns
-from clubface.impact import check_on_error
+from clubface.flight_columns import flight_columns, flight_error
 from clubface.launch import Comparison, Launch
 from clubface.quantities import Quantity, flight_inputs, flight_outputs
-from clubface.results import Problem, Result, Varied, attributes, first_error, flattened, index_of, problems_of
+from clubface.results import Problem, Result, Varied, first_error, index_of, problems_of
+from clubface.run_options import check_on_error, thread_count
 
 if TYPE_CHECKING:
-    import pandas
-    import xarray
     from numpy.typing import NDArray
 
 
@@ -125,68 +122,6 @@ class Flight(Result):
         return {**began, **groups, "clubface_version": __version__}
 
 
-class Trajectory:
-    """The path of one ball from launch to landing.
-
-    Attributes
-    ----------
-    time
-        Since launch [s], shape (n,).
-    position
-        From the start, to the target, up, right [m], shape (n, 3).
-    velocity
-        [m/s], shape (n, 3).
-    spin
-        Angular velocity [rad/s], shape (n, 3).
-    """
-
-    _UNITS = (
-        ("position", "m", "from the start"),
-        ("velocity", "m/s", "velocity"),
-        ("spin", "rad/s", "angular velocity"),
-    )
-
-    def __init__(self, arrays: Mapping[str, NDArray[Any]], provenance: dict[str, Any]) -> None:
-        self.time = arrays["time"]
-        self.position = arrays["position"]
-        self.velocity = arrays["velocity"]
-        self.spin = arrays["spin"]
-        self.provenance = provenance
-
-    def __len__(self) -> int:
-        return len(self.time)
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """Return one row a point, SI, with columns ``time``, ``position_x`` and so on."""
-        import pandas
-
-        columns: dict[str, Any] = {"time": self.time}
-        named = {"time": "s"}
-        for name, unit, _ in self._UNITS:
-            for index, axis in enumerate(AXES):
-                columns[f"{name}_{axis}"] = getattr(self, name)[:, index]
-                named[f"{name}_{axis}"] = unit
-        frame = pandas.DataFrame(columns)
-        frame.attrs = {"units": named, "provenance": self.provenance}
-        return frame
-
-    def to_xarray(self) -> xarray.Dataset:
-        """Return a dataset over ``time`` and ``axis`` (x to the target, y up, z right)."""
-        import xarray
-
-        variables = {
-            name: (("time", "axis"), getattr(self, name), attributes(unit, meaning))
-            for name, unit, meaning in self._UNITS
-        }
-        coordinates = {"time": ("time", self.time, attributes("s", "time since launch")), "axis": list(AXES)}
-        return xarray.Dataset(variables, coordinates, attrs=flattened(self.provenance))
-
-    def __repr__(self) -> str:
-        carry = math.hypot(self.position[-1, 0], self.position[-1, 2])
-        apex = self.position[:, 1].max()
-        return f"trajectory of {len(self)} points: carry {carry:.5g} m, apex {apex:.4g} m, {self.time[-1]:.3g} s"
-
-
 @overload
 def fly(  # pyright: ignore[reportOverlappingOverload]
     launch: Comparison,
@@ -254,37 +189,19 @@ def fly(
             for name, each in launch.items()
         }
     check_on_error(on_error)
+    cores = thread_count(threads)
     columns, shape, varied = flight_columns(launch, air, wind, ground)
     count = math.prod(shape)
     try:
-        values, problems = _core.fly(list(columns.values()), count, threads or 0, progress)
+        values, problems = _core.fly(list(columns.values()), count, cores, progress)
     except ValueError as error:
-        raise _single_error(error, columns) from None
+        raise flight_error(error, columns) from None
     if problems:
         problems, new = _sorted_problems(problems, columns, launch, shape)
         if new and on_error == "raise":
             value = columns.get(new[0][1])
             raise first_error(new, value if isinstance(value, float | None) else float(value[new[0][0]]), shape)
     return Flight(values, columns, shape, varied, launch if isinstance(launch, Launch) else None, problems)
-
-
-def trajectory(
-    launch: Launch | Mapping[str, Any],
-    *,
-    air: Air | Mapping[str, Any] | None = None,
-    wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
-) -> Trajectory:
-    """Compute the path of one ball, at times at most 0.02 s apart; the arguments are those of :func:`fly`."""
-    columns, shape, varied = flight_columns(launch, air, wind, ground)
-    if shape or varied:
-        raise InputError("launch", f"a batch of shape {shape}", "a single shot: a trajectory is of one ball")
-    try:
-        arrays = _core.trajectory(list(columns.values()))
-    except ValueError as error:
-        raise _single_error(error, columns) from None
-    began = {"impact": launch.provenance} if isinstance(launch, Launch) else {}
-    return Trajectory(arrays, {**began, "inputs": {"values": columns}})
 
 
 def _sorted_problems(
@@ -305,12 +222,6 @@ def _sorted_problems(
             name, message = reason.parameter, reason.reason
         every.append((row, name, "there is no launch to fly" if lost and reason is None else message))
     return every, new
-
-
-def _single_error(error: ValueError, columns: Mapping[str, Any]) -> ShotError:
-    name, message = error.args if len(error.args) == 2 else ("the request", str(error))
-    value = columns.get(name)
-    return ShotError(name, value if isinstance(value, float) else None, message)
 
 
 @cache

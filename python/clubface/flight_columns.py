@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface import units
 from clubface.air import Air, air_of
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError, ShotError, UnknownNameError
 from clubface.launch import Launch
 from clubface.launch_terms import vectors
 from clubface.memory import check_request
@@ -81,6 +81,13 @@ def flight_columns(
     if isinstance(launch, Launch):
         varied = {name: value for name, value in varied.items() if name not in (*VELOCITY, *SPIN, *BALL)}
     return FlightColumns(flat, shape, varied)
+
+
+def flight_error(error: ValueError, columns: Mapping[str, Any]) -> ShotError:
+    """Turn the core's ``ValueError(name, message)`` about one flight into an error of the package."""
+    name, message = error.args if len(error.args) == 2 else ("the request", str(error))
+    value = columns.get(name)
+    return ShotError(name, value if isinstance(value, float) else None, message)
 
 
 def _of_shape(value: Any, shape: tuple[int, ...]) -> Any:

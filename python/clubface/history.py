@@ -17,6 +17,7 @@ from clubface.models import model as model_named
 from clubface.models import models
 from clubface.quantities import Quantity, convert
 from clubface.results import attributes, flattened
+from clubface.run_options import tolerance
 from clubface.shots import as_values, equipment, parameter_set, shot_error, shots, single
 
 if TYPE_CHECKING:
@@ -208,6 +209,7 @@ def history(
     if model_named(model).kind != "contact":
         contact = [name for name, each in models().items() if each.kind == "contact"]
         raise InputError("model", model, f"a contact model, which resolves time: {', '.join(contact)}")
+    accuracy = tolerance(accuracy)
     with_ = equipment(club, ball)
     chosen = parameter_set(model, with_.club, parameters)
     hit = shots(with_, as_values(delivery, values), hand=hand)

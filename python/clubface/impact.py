@@ -17,6 +17,7 @@ from clubface.models import models
 from clubface.parameters import ParameterSet
 from clubface.quantities import outputs
 from clubface.results import first_error
+from clubface.run_options import check_on_error, thread_count, tolerance
 from clubface.shots import as_values, broadcast, equipment, parameter_set, shot_error, shots, value_of
 
 ALL = "all"
@@ -119,37 +120,33 @@ def impact(
             model, parameters, club=club, delivery=values, ball=ball, accuracy=accuracy, hand=hand,
             threads=threads, progress=progress, on_error=on_error,
         )  # fmt: skip
+    check_on_error(on_error)
+    accuracy, cores = tolerance(accuracy), thread_count(threads)
     with_ = equipment(club, ball)
     chosen = parameter_set(model, with_.club, parameters)
     hit = shots(with_, values, hand=hand)
     names = tuple(chosen.values)
     hit, columns = broadcast(hit, chosen.columns(), names, len(outputs()))
     try:
-        computed, problems = _core.impact(
-            model, hit.columns, columns, math.prod(hit.shape), accuracy, threads or 0, progress
-        )
+        computed, problems = _core.impact(model, hit.columns, columns, math.prod(hit.shape), accuracy, cores, progress)
     except ValueError as error:
         raise shot_error(error, hit.columns, chosen) from None
-    if problems and on_error != "nan":
-        check_on_error(on_error)
+    if problems and on_error == "raise":
         row, name, _ = problems[0]
         raise first_error(problems, value_of(name, row, hit.columns, names, columns), hit.shape)
     return Launch(computed, hit, model, chosen, accuracy, problems)
-
-
-def check_on_error(on_error: str) -> None:
-    """Refuse a word that is not "raise" or "nan"."""
-    if on_error not in ("raise", "nan"):
-        raise UnknownNameError("on_error", on_error, ("raise", "nan"))
 
 
 def model_names(model: ModelNames) -> tuple[str, ...]:
     """Return the names meant by one name, a list of names, or "all"."""
     if isinstance(model, str):
         return tuple(models()) if model == ALL else (model,)
-    names = tuple(model)
+    try:
+        names = tuple(model)
+    except TypeError:
+        names = ()
     if not names:
-        raise InputError("model", names, "at least one of " + ", ".join(models()))
+        raise InputError("model", model, '"all" or at least one of ' + ", ".join(models()))
     return names
 
 

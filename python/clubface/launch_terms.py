@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
 from clubface import units
 from clubface.errors import InputError, UnknownNameError
+from clubface.memory import check_request
 from clubface.quantities import flight_inputs, outputs
 from clubface.shots import common_shape
 
@@ -47,7 +49,8 @@ def vectors(values: Mapping[str, Any]) -> dict[str, Any]:
 def _from_terms(terms: dict[str, Any]) -> dict[str, Any]:
     import numpy as np
 
-    common_shape({name: value for name, value in terms.items() if not isinstance(value, float)})
+    shape = common_shape({name: value for name, value in terms.items() if not isinstance(value, float)})
+    check_request(math.prod(shape), 8 * (len(MONITOR) + 6))
     for name in ("ball_speed", "launch"):
         if name not in terms:
             raise InputError(name, None, "given for a flight")

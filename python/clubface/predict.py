@@ -15,12 +15,15 @@ from clubface.errors import FileError, InputError
 from clubface.flight import fly
 from clubface.impact import Parameters
 from clubface.predict_run import Task, results_of, run
+from clubface.run_options import thread_count
 from clubface.shots import equipment, hand_value, parameter_set
 from clubface.table_columns import layout
 from clubface.table_reader import open_table
 from clubface.table_writer import is_parquet, unfinished
 
 CHUNK_ROWS = 16384
+MOST_ROWS = 1_000_000
+"""In memory at a time."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -148,8 +151,9 @@ def predict(
     target = Path(output) if output is not None else path.with_name(f"{path.stem}-launches.csv")
     aside = Path(rejects) if rejects is not None else target.with_name(f"{target.stem}.rejects.csv")
     _check_paths(path, target, aside)
-    if isinstance(chunk_rows, bool) or not isinstance(chunk_rows, int) or chunk_rows < 1:
-        raise InputError("chunk_rows", chunk_rows, "a whole number above 0")
+    if isinstance(chunk_rows, bool) or not isinstance(chunk_rows, int) or not 1 <= chunk_rows <= MOST_ROWS:
+        raise InputError("chunk_rows", chunk_rows, f"a whole number from 1 to {MOST_ROWS}")
+    threads = thread_count(threads) or None
     with_ = equipment(club, ball)
     chosen = parameter_set(model, with_.club, parameters)
     arrays = [name for name, value in chosen.values.items() if not isinstance(value, float)]

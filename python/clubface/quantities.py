@@ -8,7 +8,6 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from clubface import units
-from clubface.errors import UnitError
 
 
 class Quantity(NamedTuple):
@@ -91,9 +90,7 @@ def input_dimensions() -> dict[str, str]:
 
 def convert(value: Any, quantity: Quantity, unit: str) -> Any:
     """Express SI ``value`` of ``quantity`` in ``unit``, which must be of its dimension."""
-    if units.unit(unit, name=quantity.name).dimension != quantity.dimension:
-        allowed = f"in {' or '.join(units.symbols(quantity.dimension))}"
-        raise UnitError(quantity.name, unit, allowed)
+    units.unit(unit, name=quantity.name, dimension=quantity.dimension)
     return units.from_si(value, unit)
 
 

@@ -17,6 +17,7 @@ from clubface.models import model as model_named
 from clubface.parameters import ParameterSet
 from clubface.quantities import Quantity, inputs
 from clubface.quantities import outputs as launch_outputs
+from clubface.run_options import tolerance
 from clubface.shots import as_values, equipment, parameter_set, shot_error, shots, single
 
 if TYPE_CHECKING:
@@ -187,6 +188,7 @@ def sensitivity(
     Sensitivity
         A table with labels and units.
     """
+    accuracy = tolerance(accuracy)
     with_ = equipment(club, ball)
     chosen = parameter_set(model, with_.club, parameters)
     hit = shots(with_, as_values(delivery, values), hand=hand)
@@ -225,7 +227,10 @@ def _known_variables(model: str, chosen: ParameterSet) -> dict[str, tuple[int, Q
 def _chosen(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) -> Sequence[str]:
     if names is None:
         return list(known)
-    names = [names] if isinstance(names, str) else list(names)
+    try:
+        names = [names] if isinstance(names, str) else list(names)
+    except TypeError:
+        raise InputError(f"{what}s", names, "a list of names") from None
     for name in names:
         if name not in known:
             raise UnknownNameError(what, name, known)
@@ -249,10 +254,7 @@ def _shown_units(quantities: Mapping[str, Quantity], given: Mapping[str, str]) -
 
 def _checked(quantity: Quantity, symbol: str) -> str:
     """Return the unit ``symbol`` if it is one of ``quantity``."""
-    found = units.unit(symbol, name=quantity.name)
-    if found.dimension != quantity.dimension:
-        raise UnitError(quantity.name, symbol, f"in {' or '.join(units.symbols(quantity.dimension))}")
-    return found.symbol
+    return units.unit(symbol, name=quantity.name, dimension=quantity.dimension).symbol
 
 
 def _size(symbol: str) -> float:

@@ -236,4 +236,6 @@ def as_values(delivery: Delivery | Mapping[str, Any] | None, values: Mapping[str
     if delivery is None:
         return values
     given = delivery.values() if isinstance(delivery, Delivery) else delivery
+    if not isinstance(given, Mapping):
+        raise InputError("delivery", delivery, 'a Delivery or a mapping; single values go by name: speed="113 mph"')
     return {**given, **values}

@@ -123,14 +123,14 @@ _DISPLAY_UNITS_BY_NAME = {
 
 
 @lru_cache(maxsize=256)
-def unit(symbol: str, *, name: str = "unit") -> Unit:
-    """Return the unit written ``symbol``; an unknown one is a :class:`UnitError` that names the nearest."""
+def unit(symbol: str, *, name: str = "unit", dimension: str | None = None) -> Unit:
+    """Return the unit written ``symbol``, of ``dimension`` where one is given; else a :class:`UnitError`."""
     found = _UNITS.get(_key(symbol)) if symbol.strip() else _UNITS["1"]
-    if found is None:
+    if found is None and dimension is None:
         known = sorted({each.symbol for each in _UNITS.values()})
-        near = nearest_names(symbol, known)
-        hint = f" (did you mean {' or '.join(near)}?)" if near else ""
-        raise UnitError(name, symbol, f"in a known unit{hint}: {', '.join(known)}")
+        raise UnitError(name, symbol, f"in a known unit{_hint(symbol, known)}: {', '.join(known)}")
+    if found is None or dimension not in (None, found.dimension):
+        raise UnitError(name, symbol, _wanted_unit(symbol, dimension or DIMENSIONLESS))
     return found
 
 
@@ -166,11 +166,9 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
         if number is None:
             raise InputError(name, value, _wanted(dimension))
         if symbol:
-            found = unit(symbol, name=name)
-            if found.dimension != dimension:
-                article = "an" if found.dimension[0] in "aei" else "a"
-                wanted = f"in {' or '.join(symbols(dimension))}, not {article} {found.dimension}"
-                raise UnitError(name, value, wanted)
+            found = _UNITS.get(_key(symbol))
+            if found is None or found.dimension != dimension:
+                raise UnitError(name, value, _wanted_unit(symbol, dimension))
             number = number * found.numerator / found.denominator + found.offset
     elif isinstance(value, bool) or not hasattr(value, "__float__"):
         raise InputError(name, value, _wanted(dimension))
@@ -188,16 +186,39 @@ def _wanted(dimension: str) -> str:
     return f"a finite number, in {' or '.join(symbols(dimension))}"
 
 
+def _wanted_unit(symbol: str, dimension: str) -> str:
+    """Say in which units a value must be that was given in the unknown or unfitting unit ``symbol``."""
+    allowed = symbols(dimension)
+    found = _UNITS.get(_key(symbol))
+    if found is None:
+        return f"in {' or '.join(allowed)}{_hint(symbol, allowed)}"
+    return f"in {' or '.join(allowed)}, not {'an' if found.dimension[0] in 'aei' else 'a'} {found.dimension}"
+
+
+def _hint(symbol: str, known: Collection[str]) -> str:
+    near = nearest_names(symbol, known)
+    return f" (did you mean {' or '.join(near)}?)" if near else ""
+
+
 def parse_values(value: object, dimension: str, *, name: str = "value") -> float | NDArray[Any]:
     """Convert as :func:`parse`, but a list or array gives a float64 array of the same shape.
 
     Elements that are NaN or infinite pass: a bad row of a batch is reported with the batch, not refused here.
+    Masked elements become NaN.
     """
     if isinstance(value, str) or not hasattr(value, "__len__"):
         return parse(value, dimension, name=name)
     import numpy as np
 
-    given = np.asarray(value)
+    from clubface.memory import check_request
+
+    try:
+        given = np.asarray(value)
+    except ValueError:
+        raise InputError(name, value, "a number or an array, whose rows are of one length") from None
+    check_request(given.size, 8)
+    if given.dtype.kind in "iuf" and hasattr(value, "filled"):
+        return value.astype(np.float64).filled(math.nan)  # pyright: ignore[reportAttributeAccessIssue]
     if given.dtype.kind in "iuf":
         return given.astype(np.float64)
     flat = [

@@ -73,7 +73,7 @@ def sensitivity(
         return
     heads = ["", *(f"{name}\n{_unit(found.units[name])}".rstrip() for name in found.outputs)]
     rows = [
-        [_per(variable, found.units[variable]), *(f"{value:.4g}" for value in column)]
+        [_per(variable, found.units[variable]), *(f"{value + 0.0:.4g}" for value in column)]
         for variable, column in zip(found.variables, found.values.T.tolist(), strict=True)
     ]
     print_numbers(heads, rows, title=f"{head.name}, {chosen}: change of the launch")

@@ -77,7 +77,7 @@ def shot(
     if plot is not None:
         from clubface.plots.style import check_ending
 
-        check_ending(plot)
+        check_ending(plot, name="--plot")
     head = options.club_of(club, hand)
     sets = options.parameter_sets(options.model_names(model), head.parameters, parameters, setting)
     conditions = options.conditions(air, wind, temperature, altitude, pressure, humidity)
@@ -138,9 +138,9 @@ def _notes(launches: Mapping[str, Any], flights: Mapping[str, Any]) -> list[str]
 def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any], delivery: Mapping[str, float]) -> None:
     """Draw forces and flights of all models into one file."""
     from clubface import plots, units
-    from clubface.flight import trajectory
     from clubface.history import history
     from clubface.models import model
+    from clubface.trajectory import trajectory
 
     positions = {name: trajectory(launch, **conditions).position for name, launch in launches.items()}
     histories = {
