@@ -1,9 +1,41 @@
-"""What all tests need."""
+"""What several tests need."""
 
 from __future__ import annotations
 
 import signal
 
+import pytest
+
 # A test run started in the background inherits an ignored interrupt, and passes that on to the commands it starts: then
 # Ctrl-C would reach nobody. The handler of an interactive run is what the tests of interruption mean.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.fixture
+def clubface_(capsys, monkeypatch):
+    """Run a command line in this process."""
+    pytest.importorskip("typer")
+    pytest.importorskip("rich")
+    from clubface.cli.app import run
+    from command_line import Ran
+
+    monkeypatch.setenv("COLUMNS", "120")
+
+    def ran(*arguments):
+        status = run(arguments)
+        captured = capsys.readouterr()
+        return Ran(status, captured.out, captured.err)
+
+    return ran
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Write a file of deliveries; return its path."""
+
+    def writer(content, name="shots.csv"):
+        path = tmp_path / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    return writer

@@ -46,8 +46,8 @@ def errors(model, club, n):
 @pytest.mark.parametrize("model", ["volumetric", "area"])
 def test_the_launch_is_within_a_ten_thousandth_for_nearly_all_deliveries(model, club):
     launch, _ = errors(model, club, 20_000)
-    # The setting is made for 1e-4 at ordinary deliveries. A step's error is an estimate: measured here, 100% of volumetric
-    # and 95% of area shots are within 1e-4, and the worst of 20 000 differs by 2.7e-4.
+    # The setting is made for 1e-4 at ordinary deliveries. A step's error is an estimate: measured here, 100% of
+    # volumetric and 95% of area shots are within 1e-4, and the worst of 20 000 differs by 2.7e-4.
     assert np.quantile(launch, 0.95) < 1e-4
     assert launch.max() < 3e-4
 
@@ -56,7 +56,7 @@ def test_the_launch_is_within_a_ten_thousandth_for_nearly_all_deliveries(model, 
 @pytest.mark.parametrize("club", LOFT)
 def test_the_spin_of_twenty_rings_is_within_half_a_percent_for_most_deliveries(club):
     launch, relative = errors("rings", club, 1_000)
-    # Rings come into contact one by one, which no step size smooths. Measured: 88% of drives and all 7-iron shots within
-    # 0.5% in spin, the rest being drives with little spin; 1.0e-3 of the launch at worst.
+    # Rings come into contact one by one, which no step size smooths. Measured: 88% of drives and all 7-iron shots
+    # within 0.5% in spin, the rest being drives with little spin; 1.0e-3 of the launch at worst.
     assert np.mean(relative < 5e-3) > 0.85
     assert launch.max() < 1.5e-3

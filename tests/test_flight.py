@@ -141,6 +141,8 @@ def test_a_topped_ball_still_flies_or_rolls():
         (TOUR_DRIVE, {"air": {"temperature": "3 m"}}, UnitError, "temperature"),
         (TOUR_DRIVE, {"air": {"altitude": 0.0, "pressure": 1e5}}, InputError, "altitude"),
         (TOUR_DRIVE, {"air": {"humidity": "140 %"}}, ShotError, "humidity"),
+        (TOUR_DRIVE, {"air": {"altitude": "20000 m"}}, InputError, "altitude is '20000 m'.*9100 m"),
+        (TOUR_DRIVE, {"threads": 0}, InputError, "threads"),
         (TOUR_DRIVE, {"ground": {"grass": 1.0}}, UnknownNameError, "grass"),
         (TOUR_DRIVE, {"on_error": "skip"}, UnknownNameError, "on_error"),
         ({"ball_speed": [70.0, 71.0], "launch": [0.1, 0.2, 0.3]}, {}, InputError, "broadcast"),

@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface import memory
-from clubface.errors import ClubfaceError, InputError, ShotError, UnitError, UnknownNameError
+from clubface.errors import InputError, UnitError, UnknownNameError
 from clubface.models import models
 from clubface.parameters import ParameterSet
 from clubface.quantities import inputs
@@ -19,7 +18,6 @@ from clubface.quantities import inputs
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 
 DRIVE = {"speed": "113 mph", "attack": "-1.3 deg", "loft": "12.8 deg"}
-CONTACT = ("volumetric", "rings", "area")
 
 
 def same(one, other):
@@ -129,90 +127,6 @@ def test_the_hand_is_right_left_or_a_sign():
     assert both.sidespin[1] == left.sidespin
 
 
-BAD = [
-    ({}, "speed", "given"),
-    ({"speed": math.nan}, "speed", "finite"),
-    ({"speed": math.inf}, "speed", "finite"),
-    ({"speed": "fast"}, "speed", "finite number"),
-    ({"speed": None}, "speed", "given"),
-    ({"speed": True}, "speed", "finite number"),
-    ({"speed": "50 deg"}, "speed", "not an angle"),
-    ({"speed": -1.0}, "speed", "above 0"),
-    ({"speed": 50.0, "loft": "95 deg"}, "loft", "80 deg"),
-    ({"speed": 50.0, "toe": "60 mm"}, "toe", "52.5 mm"),
-    ({"speed": 50.0, "high": "-40 mm"}, "high", "27.5 mm"),
-    ({"speed": 50.0, "path": "100 deg"}, "path", "90 deg"),
-    ({"speed": 50.0, "path": "85 deg", "face": "-20 deg"}, "speed", "moves away"),
-    ({"speed": 50.0, "club_mass": 0.0}, "club_mass", "above 0"),
-    ({"speed": 50.0, "ixx": -1e-4}, "ixx", "positive definite"),
-    ({"speed": 50.0, "ball_inertia": 1.0}, "ball_inertia", "2/3"),
-    ({"speed": 50.0, "hand": 2}, "hand", "left-handed"),
-    ({"speed": 50.0, "hand": "both"}, "hand", "right, left"),
-    ({"speed": 50.0, "tow": 0.0}, "input", "did you mean toe"),
-    ({"speed": 50.0, "model": "volumetrik"}, "model", "did you mean volumetric"),
-    ({"speed": 50.0, "ball": "publishd"}, "ball", "did you mean published"),
-    ({"speed": 50.0, "parameters": {"cor": 1.5}}, "cor", "to 1"),
-    ({"speed": 50.0, "parameters": {"color": 1.5}}, "parameter of standard", "did you mean cor"),
-    ({"speed": 50.0, "parameters": 3}, "parameters", "mapping"),
-    ({"speed": 50.0, "model": "area", "accuracy": 3.0}, "accuracy", "1e-2"),
-    ({"speed": [50.0, 51.0], "toe": [0.0, 0.0, 0.0]}, "the shapes of the inputs", "broadcast"),
-    ({"speed": [50.0, -1.0], "on_error": "ignore"}, "on_error", "raise, nan"),
-]
-
-
-@pytest.mark.parametrize(("values", "parameter", "said"), BAD, ids=[str(each[0]) for each in BAD])
-def test_a_mistake_names_parameter_value_and_what_is_allowed(values, parameter, said):
-    with pytest.raises(InputError) as caught:
-        clubface.impact("driver", **values)
-    assert caught.value.parameter == parameter
-    assert said in str(caught.value)
-
-
-def test_an_unknown_club_names_the_nearest():
-    with pytest.raises(UnknownNameError, match="did you mean driver"):
-        clubface.impact("drivr", speed=50.0)
-    with pytest.raises(ClubfaceError):
-        clubface.impact(["driver"], speed=50.0)
-
-
-def test_the_first_bad_shot_of_a_batch_is_named_with_its_place():
-    speed = np.full((3, 4), 50.0)
-    speed[1, 2] = speed[2, 0] = -4.0
-    with pytest.raises(ShotError) as caught:
-        clubface.impact("driver", speed=speed)
-    assert (caught.value.row, caught.value.value, caught.value.others) == ((1, 2), -4.0, 1)
-    assert "shot 1, 2: speed" in str(caught.value)
-
-
-def test_bad_shots_may_stay_nan_and_leave_the_others_alone():
-    speed = np.array([50.0, math.nan, 51.0, -1.0])
-    shots = clubface.impact("driver", speed=speed, on_error="nan", model="volumetric")
-    assert [each.row for each in shots.problems] == [(1,), (3,)]
-    assert np.isnan(shots.ball_speed[[1, 3]]).all()
-    good = clubface.impact("driver", speed=speed[[0, 2]], model="volumetric")
-    assert np.array_equal(shots.ball_speed[[0, 2]], good.ball_speed)
-
-
-def test_a_request_larger_than_memory_is_refused_before_anything_is_allocated():
-    """A million by a million shots are 176 TB; the views that ask for them hold 16 MB."""
-    column, row = np.full((1_000_000, 1), 50.0), np.zeros((1, 1_000_000))
-    with pytest.raises(InputError, match=r"at most \d+ with the memory free here .*predict"):
-        clubface.impact("driver", speed=column, toe=row)
-
-
-def test_what_fits_is_computed_and_what_does_not_is_told(monkeypatch):
-    """Free memory set to 200 MB, of which half may be used: 22 outputs of 8 bytes make 568181 shots."""
-    monkeypatch.setattr(memory, "available_memory", lambda: 200_000_000)
-    with pytest.raises(InputError, match="at most 568181"):
-        clubface.impact("driver", speed=np.full(600_000, 50.0))
-    assert clubface.impact("driver", speed=np.full(500_000, 50.0)).shape == (500_000,)
-    assert memory.available_memory() > 0
-
-
-def test_free_memory_is_known_here():
-    assert 2**20 < memory.available_memory() < 2**50
-
-
 def test_progress_rises_to_the_number_of_shots():
     seen = []
     clubface.impact("driver", speed=np.full(20_000, 50.0), model="volumetric", progress=seen.append)
@@ -318,44 +232,6 @@ def test_a_single_shot_loads_no_table_library():
     )
     found = subprocess.run([sys.executable, "-W", "ignore", "-c", code], capture_output=True, text=True, check=True)
     assert found.stdout.strip() == "[]"
-
-
-@pytest.mark.parametrize("model", CONTACT)
-def test_a_history_runs_from_first_touch_to_the_launch(model):
-    contact = clubface.history("driver", **DRIVE, toe="8 mm", model=model)
-    shot = clubface.impact("driver", **DRIVE, toe="8 mm", model=model)
-    assert contact.time[0] == 0.0
-    assert np.all(np.diff(contact.time) > 0.0)
-    assert contact.normal_force.min() >= 0.0
-    # The peak lies between two steps; the steps of the fast setting are about a twentieth of the contact.
-    assert contact.normal_force.max() == pytest.approx(shot.peak_force, rel=0.02)
-    for axis, name in enumerate("xyz"):
-        assert contact.ball_velocity[-1, axis] == pytest.approx(shot.get(f"velocity_{name}"), abs=1e-9)
-        assert contact.ball_spin[-1, axis] == pytest.approx(shot.get(f"spin_{name}"), abs=1e-7)
-    assert contact.launch.ball_speed == pytest.approx(shot.ball_speed, rel=1e-12)
-    assert contact.get("time", "us")[-1] == pytest.approx(contact.time[-1] * 1e6)
-
-
-def test_histories_make_tables():
-    pytest.importorskip("xarray")
-    rings = clubface.history("driver", **DRIVE, model="rings")
-    data = rings.to_xarray()
-    assert data["ring_slip"].dims == ("time", "ring")
-    assert data["ball_spin"].dims == ("time", "axis")
-    assert data["club_attitude"].sizes["component"] == 4
-    assert data["normal_force"].attrs["units"] == "N"
-    table = clubface.history("driver", **DRIVE, model="area").to_pandas()
-    assert {"time", "normal_force", "ball_spin_z", "club_attitude_w"} <= set(table.columns)
-    assert "ring_slip" not in dir(clubface.history("driver", **DRIVE, model="area"))
-
-
-def test_only_single_shots_by_contact_models_have_a_history():
-    with pytest.raises(InputError, match="volumetric, rings, area"):
-        clubface.history("driver", **DRIVE, model="standard")
-    with pytest.raises(InputError, match="one shot"):
-        clubface.history("driver", speed=[50.0, 51.0])
-    with pytest.raises(ShotError, match=r"52\.5 mm"):
-        clubface.history("driver", speed=50.0, toe=0.06)
 
 
 def test_a_delivery_names_every_input_of_its_group():

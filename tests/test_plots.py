@@ -9,8 +9,8 @@ from clubface.errors import InputError
 pytest.importorskip("matplotlib")
 
 from clubface import plots, tour
-from clubface.flight import trajectory
 from clubface.plots import style
+from clubface.trajectory import trajectory
 
 SHOT = {"speed": "113 mph", "attack": "-1.3 deg", "loft": "12.8 deg", "toe": "8 mm"}
 

@@ -1,9 +1,5 @@
 """Files of deliveries: columns by name and unit, every bad row accounted for, interruption and resumption."""
 
-import csv
-import json
-import math
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, example, given, settings
@@ -13,27 +9,9 @@ import clubface
 from clubface import csv_reader
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.predict import predict
+from deliveries import GOOD, table
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
-
-HEAD = "id,club_speed_mph,attack_deg,Dynamic Loft [deg],impact_toe_mm\n"
-GOOD = HEAD + "a,113,-1.3,12.8,5\nb,108,2,13,-3\n"
-
-
-def table(path, delimiter=","):
-    """The rows of a CSV file by heading."""
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file, delimiter=delimiter))
-
-
-@pytest.fixture
-def write(tmp_path):
-    def writer(content, name="shots.csv"):
-        path = tmp_path / name
-        path.write_bytes(content if isinstance(content, bytes) else content.encode())
-        return path
-
-    return writer
 
 
 def test_each_row_is_its_impact_and_flight(write, tmp_path):
@@ -135,6 +113,18 @@ def test_rows_bad_for_different_reasons_are_told_apart(write, tmp_path, chunk):
     for row in table(tmp_path / "out.csv"):
         alone = clubface.impact("driver", speed=row["speed_mph"] + " mph", toe=row["toe_mm"] + " mm")
         assert float(row["ball_speed_mps"]) == pytest.approx(alone.ball_speed, rel=5.1e-9)
+
+
+def test_long_rows_make_short_pieces(write, tmp_path, monkeypatch):
+    """Rows of some thousand characters; a piece ends after 10000, however many rows it may have."""
+    path = write("speed,note\n" + "".join(f"{40 + row},{'x' * 4000}\n" for row in range(10)))
+    whole, cut = tmp_path / "whole.csv", tmp_path / "cut.csv"
+    predict(path, club="driver", output=whole)
+    done = []
+    monkeypatch.setattr(csv_reader, "LARGEST_PIECE", 10_000)
+    predict(path, club="driver", output=cut, progress=lambda part, rows: done.append(rows))
+    assert done == [3, 6, 9, 10]
+    assert cut.read_bytes() == whole.read_bytes()
 
 
 def test_the_size_of_the_pieces_changes_no_byte(write, tmp_path):
@@ -277,148 +267,6 @@ def test_names_left_out_stand_beside_the_file(write, tmp_path):
     assert report.rejects == str(tmp_path / "shots-launches.rejects.csv")
     assert predict(write(GOOD), club="driver").rejects is None
     assert not (tmp_path / "shots-launches.rejects.csv").exists()
-
-
-class StoppedError(Exception):
-    """Thrown by a progress function to end a run half way."""
-
-
-def half_way(rows, error):
-    def progress(part, done):
-        assert 0.0 < part <= 1.0
-        if done >= rows:
-            raise error
-
-    return progress
-
-
-MANY = HEAD + "".join(f"{i},{90 + i % 30},{'bad' if i % 10 == 3 else 1},13,{i % 7}\n" for i in range(100))
-
-
-@pytest.mark.parametrize("ending", ["csv", "parquet"])
-@pytest.mark.parametrize("error", [KeyboardInterrupt, StoppedError])
-def test_an_interrupted_run_keeps_what_is_finished_and_goes_on_from_there(write, tmp_path, ending, error):
-    if ending == "parquet":
-        pytest.importorskip("pyarrow")
-    options = {"club": "driver", "chunk_rows": 10, "model": "area"}
-    path, output = write(MANY), tmp_path / f"out.{ending}"
-    whole = predict(path, output=tmp_path / f"whole.{ending}", **options)
-    with pytest.raises(error) as caught:
-        predict(path, output=output, progress=half_way(40, error), **options)
-    part = tmp_path / f"out.part.{ending}"
-    assert not output.exists()
-    if error is KeyboardInterrupt:
-        assert f"40 rows are done and kept in {part}" in str(caught.value)
-    assert len(read_ids(part)) == 36
-    report = predict(path, output=output, resume=True, **options)
-    assert report.resumed == 40
-    assert (
-        (report.rows, report.written, report.rejected) == (whole.rows, whole.written, whole.rejected) == (100, 90, 10)
-    )
-    assert read_ids(output) == read_ids(tmp_path / f"whole.{ending}")
-    assert (tmp_path / "out.rejects.csv").read_bytes() == (tmp_path / "whole.rejects.csv").read_bytes()
-    if ending == "csv":
-        assert output.read_bytes() == (tmp_path / "whole.csv").read_bytes()
-    assert not list(tmp_path.glob("*part*"))
-
-
-def test_a_run_over_parquet_goes_on_with_pieces_of_another_size(write, tmp_path):
-    pytest.importorskip("pyarrow")
-    predict(write(MANY.replace("bad", "1")), club="driver", output=tmp_path / "in.parquet", carry=False)
-    options = {"club": "driver", "output": tmp_path / "out.parquet"}
-    with pytest.raises(StoppedError):
-        predict(tmp_path / "in.parquet", chunk_rows=15, progress=half_way(30, StoppedError), **options)
-    assert predict(tmp_path / "in.parquet", chunk_rows=20, resume=True, **options).rows == 100
-    assert read_ids(tmp_path / "out.parquet") == [str(number) for number in range(100)]
-
-
-def read_ids(path):
-    if path.suffix == ".csv":
-        return [row["id"] for row in table(path)]
-    import pyarrow.parquet
-
-    return pyarrow.parquet.read_table(path)["id"].to_pylist()
-
-
-def test_rows_after_the_last_record_of_a_killed_run_are_written_anew(write, tmp_path):
-    path, output = write(MANY), tmp_path / "out.csv"
-    with pytest.raises(StoppedError):
-        predict(path, club="driver", output=output, chunk_rows=10, progress=half_way(40, StoppedError))
-    with (tmp_path / "out.part.csv").open("ab") as file:
-        file.write(b"half a row " * 10_000)
-    predict(path, club="driver", output=output, resume=True)
-    predict(path, club="driver", output=tmp_path / "whole.csv")
-    assert output.read_bytes() == (tmp_path / "whole.csv").read_bytes()
-
-
-def test_a_run_is_not_resumed_with_other_settings_or_another_file(write, tmp_path):
-    path, output = write(MANY), tmp_path / "out.csv"
-
-    def begin():
-        with pytest.raises(StoppedError):
-            predict(path, club="driver", output=output, chunk_rows=10, progress=half_way(40, StoppedError))
-
-    begin()
-    for changed in ({"model": "slip"}, {"parameters": {"cor": 0.8}}, {"carry": False}, {"air": {"humidity": 0.1}}):
-        with pytest.raises(FileError, match="other settings"):
-            predict(path, output=output, resume=True, **{"club": "driver", **changed})
-    path.write_text(MANY + "last,100,1,13,0\n")
-    with pytest.raises(FileError, match="another file"):
-        predict(path, club="driver", output=output, resume=True)
-    assert predict(path, club="driver", output=output).rows == 101
-    begin()
-    (tmp_path / "out.part.csv").unlink()
-    with pytest.raises(FileError, match="is gone"):
-        predict(path, club="driver", output=output, resume=True)
-    begin()
-    (tmp_path / "out.part.json").write_text("{")
-    with pytest.raises(FileError, match="without resume"):
-        predict(path, club="driver", output=output, resume=True)
-
-
-def test_resume_without_anything_to_resume_starts_at_the_beginning(write, tmp_path):
-    report = predict(write(GOOD), club="driver", output=tmp_path / "out.csv", resume=True)
-    assert (report.rows, report.resumed) == (2, 0)
-
-
-def test_parquet_in_and_out_keeps_types_and_says_where_it_comes_from(write, tmp_path):
-    pyarrow = pytest.importorskip("pyarrow")
-    import pyarrow.parquet as files
-
-    source = pyarrow.table(
-        {
-            "when": pyarrow.array([1, 2, 3, 4], pyarrow.timestamp("ms")),
-            "club_speed [mph]": [113.0, None, math.nan, 100.0],
-            "toe_mm": pyarrow.array([5, 5, 5, 80], pyarrow.int8()),
-            "attack_deg": ["-1.3", "1", "1", "1"],
-        }
-    )
-    files.write_table(source, tmp_path / "in.parquet")
-    report = predict(tmp_path / "in.parquet", club="driver", output=tmp_path / "out.parquet", chunk_rows=3)
-    assert (report.rows, report.written) == (4, 1)
-    assert [line for line, _ in report.first_rejects] == [2, 3, 4]
-    assert [row["row"] for row in table(report.rejects)] == ["2", "3", "4"]
-    for said, (_, reason) in zip(("empty", "nan is not", "80.0 mm"), report.first_rejects, strict=True):
-        assert said in reason
-    found = files.read_table(tmp_path / "out.parquet")
-    assert found.schema.field("when").type == pyarrow.timestamp("ms")
-    assert found["ball_speed_mps"][0].as_py() == pytest.approx(
-        clubface.impact("driver", speed="113 mph", toe="5 mm", attack="-1.3 deg").ball_speed, rel=1e-14
-    )
-    assert json.loads(found.schema.metadata[b"clubface"])["model"]["name"] == "standard"
-    predict(tmp_path / "in.parquet", club="driver", output=tmp_path / "out.csv")
-    assert table(tmp_path / "out.csv")[0]["when"] == "1970-01-01 00:00:00.001000"
-    for content in (b"PAR1nonsensePAR1", b"", b"a,b\n"):
-        with pytest.raises(FileError, match="Parquet"):
-            predict(write(content, "bad.parquet"), club="driver", output=tmp_path / "out.csv")
-
-
-def test_parquet_without_pyarrow_says_what_to_install(write, tmp_path, monkeypatch):
-    import sys
-
-    monkeypatch.setitem(sys.modules, "pyarrow", None)
-    with pytest.raises(FileError, match="pip install"):
-        predict(write(GOOD), club="driver", output=tmp_path / "out.parquet")
 
 
 cells = st.one_of(

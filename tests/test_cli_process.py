@@ -1,0 +1,80 @@
+"""The command line as a process: what it loads, closed pipes, Ctrl-C."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+import clubface
+from command_line import MAIN, process
+
+pytest.importorskip("typer")
+pytest.importorskip("rich")
+
+
+def test_the_installed_entry_point_is_this_function():
+    ran = process("--version")
+    assert ran.stdout == f"clubface {clubface.__version__}\n"
+    assert ran.returncode == 0
+
+
+def test_a_shot_loads_nothing_slow_that_it_does_not_need():
+    code = (
+        "import sys; from clubface.cli import main\n"
+        "try: main()\n"
+        "except SystemExit: pass\n"
+        "slow = {'pandas', 'xarray', 'matplotlib', 'pyarrow', 'rich', 'scipy'}\n"
+        "print(sorted(slow & set(sys.modules)), file=sys.stderr)"
+    )
+    command = [sys.executable, "-c", code, "shot", "driver", "--speed", "113 mph"]
+    for option in ([], ["--json"]):
+        ran = subprocess.run([*command, *option], capture_output=True, text=True, check=True)
+        assert ran.stderr == "[]\n"
+
+
+def test_a_rule_warning_is_one_note(tmp_path):
+    file = tmp_path / "big.toml"
+    file.write_text(clubface.Club.template("big").replace("5679 g cm2", "6400 g cm2"))
+    ran = process("shot", str(file), "--speed", "50 m/s", "--json")
+    assert ran.stderr.count("\n") == 1
+    assert ran.stderr.startswith("clubface: note: big: moment of inertia")
+    assert len(json.loads(ran.stdout)) == len(clubface.models())
+
+
+def test_a_reader_that_goes_away_is_no_error():
+    for arguments in (["models", "--json"], ["models"], ["shot", "driver", "--speed", "50 m/s"]):
+        command = [sys.executable, "-c", MAIN, *arguments]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
+            assert child.stdout is not None
+            assert child.stderr is not None
+            child.stdout.close()
+            assert child.stderr.read() == ""
+        assert child.returncode == 141
+
+
+def test_a_terminal_without_greek_letters_gets_its_table():
+    ran = process("shot", "driver", "--speed", "50 m/s", env={**os.environ, "PYTHONIOENCODING": "ascii"})
+    assert ran.returncode == 0
+    assert "volumetric" in ran.stdout
+    assert "-----" in ran.stdout
+
+
+def test_ctrl_c_ends_with_one_line_and_status_130(tmp_path):
+    source, target = tmp_path / "in.csv", tmp_path / "out.csv"
+    source.write_text("club_speed_mph\n" + "113\n" * 300_000)
+    command = [sys.executable, "-c", MAIN, "predict", str(source), "--club", "driver", "--model", "rings"]
+    with subprocess.Popen([*command, "-o", str(target)], stderr=subprocess.PIPE, text=True) as child:
+        started = time.monotonic()
+        while not list(tmp_path.glob("*.part*")) and child.poll() is None and time.monotonic() - started < 30:
+            time.sleep(0.02)
+        child.send_signal(signal.SIGINT)
+        assert child.stderr is not None
+        said = child.stderr.read()
+    assert child.returncode == 130
+    assert said.startswith("clubface: interrupted")
+    assert said.count("\n") == 1
+    assert not target.exists()
