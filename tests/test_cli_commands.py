@@ -25,6 +25,7 @@ def test_every_command_has_help_and_says_json_where_it_computes(clubface_):
 def test_models_lists_the_registry(clubface_):
     assert [entry["name"] for entry in clubface_("models", "--json").json] == list(clubface.models())
     assert "jorgensen" in clubface_("models").out
+    assert "with area_damping = 0 also energy, friction cone" in " ".join(clubface_("models", "area").out.split())
 
 
 def test_a_model_is_shown_with_units_bounds_published_values_sources_and_caveats(clubface_):

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 from docutils import nodes
 from docutils.statemachine import StringList
@@ -17,7 +16,7 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
 from clubface import _core, tour, tour_tables
-from clubface.models import model
+from clubface.models import model, models
 from clubface.parameters import builtin_sets
 
 
@@ -28,19 +27,6 @@ def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> li
         return "| " + " | ".join(str(cell).replace("|", "\\|") for cell in cells) + " |"
 
     return [line(heads), line(["---"] * len(heads)), *(line(row) for row in rows)]
-
-
-def laws(entry: dict[str, Any]) -> str:
-    """Name the laws a model obeys, and those it obeys only while a parameter is zero."""
-
-    def words(names: Sequence[str]) -> str:
-        return ", ".join(name.replace("_", " ") for name in names)
-
-    always = words(entry["laws"])
-    if not entry["laws_without"]:
-        return always
-    parameter, more = entry["laws_without"]
-    return f"{always}; with `{parameter}` = 0 also {words(more)}"
 
 
 class CoreTable(SphinxDirective):
@@ -66,13 +52,8 @@ class ModelList(CoreTable):
         return markdown_table(
             heads,
             (
-                (
-                    f"[`{entry['name']}`](/models/{entry['name']}.md)",
-                    entry["kind"],
-                    entry["summary"],
-                    laws(entry),
-                )
-                for entry in _core.models()
+                (f"[`{name}`](/models/{name}.md)", each.kind, each.summary, each.laws_in_words)
+                for name, each in models().items()
             ),
         )
 
@@ -136,7 +117,7 @@ def compared() -> tour.Tour:
 
 def every_model_has_a_page(app: Sphinx) -> None:
     """Stop the build if a registered model is not documented."""
-    missing = [m["name"] for m in _core.models() if not (Path(app.srcdir) / "models" / f"{m['name']}.md").exists()]
+    missing = [name for name in models() if not (Path(app.srcdir) / "models" / f"{name}.md").exists()]
     if missing:
         raise ExtensionError(f"no page in docs/models for: {', '.join(missing)}")
 

@@ -73,6 +73,15 @@ class Model:
     laws_without: tuple[str, tuple[str, ...]] | None
     parameters: tuple[Parameter, ...]
 
+    @property
+    def laws_in_words(self) -> str:
+        """The laws it obeys, and those it obeys only while a parameter is zero."""
+        always = _listed(self.laws)
+        if self.laws_without is None:
+            return always
+        parameter, more = self.laws_without
+        return f"{always}; with {parameter} = 0 also {_listed(more)}"
+
     def parameter(self, name: str) -> Parameter:
         """Return the parameter called ``name``."""
         for each in self.parameters:
@@ -98,6 +107,10 @@ def models() -> dict[str, Model]:
             parameters=parameters,
         )
     return found
+
+
+def _listed(laws: tuple[str, ...]) -> str:
+    return ", ".join(each.replace("_", " ") for each in laws) or "none"
 
 
 def model(name: str) -> Model:

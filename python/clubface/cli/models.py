@@ -38,7 +38,7 @@ def models(
     if as_json:
         output.print_json([describe(each) for each in registry().values()])
         return
-    rows = [[each.name, each.kind, each.summary, _laws(each.laws)] for each in registry().values()]
+    rows = [[each.name, each.kind, each.summary, each.laws_in_words] for each in registry().values()]
     print_words(["model", "kind", "what it is", "laws it obeys"], rows)
     output.print_notes(["clubface models NAME lists parameters, units, bounds, published values, sources and caveats."])
 
@@ -55,6 +55,7 @@ def describe(found: Any) -> dict[str, Any]:
         "reference": found.reference,
         "papers": _papers(found),
         "laws": found.laws,
+        "laws_without": dict([found.laws_without]) if found.laws_without else {},
         "parameters": [
             {
                 "name": each.name,
@@ -91,7 +92,7 @@ def _print_model(found: Any) -> None:
     output.print_paragraph(f"Reference: {found.reference}")
     for short, title in _papers(found).items():
         output.print_paragraph(f"{short}: {title}")
-    output.print_paragraph(f"Laws it obeys: {_laws(found.laws)}")
+    output.print_paragraph(f"Laws it obeys: {found.laws_in_words}")
     print()
     rows = [
         [each.name, _unit(each.unit), f"{each.lower:.4g} to {each.upper:.4g}", each.meaning]
@@ -122,10 +123,6 @@ def _papers(found: Any) -> dict[str, str]:
     """Return the papers that the model's texts call by a short name."""
     texts = " ".join([found.reference, *(f"{each.meaning} {each.source}" for each in found.parameters)])
     return {short: title for short, title in PAPERS.items() if short in texts}
-
-
-def _laws(laws: tuple[str, ...]) -> str:
-    return ", ".join(each.replace("_", " ") for each in laws) or "none"
 
 
 def _unit(unit: str) -> str:

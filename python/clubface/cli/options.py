@@ -1,224 +1,112 @@
-"""Options and arguments shared by commands, and how their texts become clubs, models and parameter sets."""
+"""Options and arguments that commands share, in groups a command takes as a whole."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import inspect
+from collections.abc import Callable, Mapping
 from typing import Annotated, Any
 
 import typer
 
-from clubface.cli.failures import say
-from clubface.errors import ClubfaceError, InputError, UnknownNameError
+Group = Mapping[str, tuple[Any, Any]]
+"""Options by the name of their value: annotation and default."""
 
 
 def _option(*names: str, panel: str, metavar: str, text: str) -> Any:
     return typer.Option(*names, metavar=metavar, rich_help_panel=panel, help=text, show_default=False)
 
 
-def _delivery(name: str, example: str, text: str) -> Any:
-    return _option(name, panel="Delivery (a value with its unit)", metavar=f'"{example}"', text=text)
+def _text(name: str, panel: str, metavar: str, text: str) -> tuple[Any, None]:
+    return Annotated[str | None, _option(name, panel=panel, metavar=metavar, text=text)], None
+
+
+def _quantities(of: str, **examples: tuple[str, str]) -> dict[str, tuple[Any, None]]:
+    """Return options for quantities, each with an example and a help text."""
+    return {
+        name: _text(f"--{name.replace('_', '-')}", f"{of} (a value with its unit)", f'"{example}"', text)
+        for name, (example, text) in examples.items()
+    }
 
 
 ClubArgument = Annotated[str, typer.Argument(metavar="CLUB", help="Name of a built-in club, or a TOML file.")]
-Speed = Annotated[str | None, _delivery("--speed", "113 mph", "Speed of the clubhead's CG. Required.")]
-Attack = Annotated[str | None, _delivery("--attack", "-1.3 deg", "Attack angle: up is positive.")]
-Path = Annotated[str | None, _delivery("--path", "2 deg", "Club path: to the right is positive.")]
-Loft = Annotated[str | None, _delivery("--loft", "12.8 deg", "Dynamic loft; the club's static loft unless given.")]
-Face = Annotated[str | None, _delivery("--face", "1 deg", "Face angle: to the right is positive.")]
-Lie = Annotated[str | None, _delivery("--lie", "1 deg", "Lie: toe up is positive.")]
-Toe = Annotated[str | None, _delivery("--toe", "8 mm", "Impact point: towards the toe.")]
-High = Annotated[str | None, _delivery("--high", "-3 mm", "Impact point: towards the crown.")]
-Closure = Annotated[str | None, _delivery("--closure", "2400 deg/s", "Rate at which the face closes.")]
-PitchRate = Annotated[str | None, _delivery("--pitch-rate", "500 deg/s", "Rate at which the loft grows.")]
-LieRate = Annotated[str | None, _delivery("--lie-rate", "100 deg/s", "Rate at which the toe rises.")]
-
-_EQUIPMENT, _MODEL, _AIR = "Club and ball", "Model", "Air"
-Hand = Annotated[str | None, _option("--hand", panel=_EQUIPMENT, metavar="right|left", text="Hand of the club.")]
-BallName = Annotated[
-    str, _option("--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="The ball: a built-in name or a TOML file.")
-]
-Models = Annotated[
-    list[str] | None,
-    _option("--model", panel=_MODEL, metavar="NAME", text="A model, several with commas or repeated, or all."),
-]
-OneModel = Annotated[str, _option("--model", panel=_MODEL, metavar="NAME", text="The model.")]
-Parameters = Annotated[
-    str | None,
-    _option("--parameters", panel=_MODEL, metavar="NAME|FILE", text="A published parameter set or a TOML file."),
-]
-Settings = Annotated[
-    list[str] | None,
-    _option("--set", panel=_MODEL, metavar="NAME=VALUE", text="Change a model parameter: friction=0.4. Repeatable."),
-]
-Accuracy = Annotated[
-    float | None,
-    _option(
-        "--accuracy", panel=_MODEL, metavar="TOLERANCE", text="Relative tolerance of the contact integration: 1e-10."
-    ),
-]
-AirText = Annotated[
-    str | None,
-    _option("--air", panel=_AIR, metavar="TEXT", text='All of the air in one: "temperature=30 degC, altitude=1600 m".'),
-]
-Temperature = Annotated[str | None, _option("--temperature", panel=_AIR, metavar='"30 degC"', text="Of the air.")]
-Altitude = Annotated[str | None, _option("--altitude", panel=_AIR, metavar='"1600 m"', text="Sets the pressure.")]
-Pressure = Annotated[str | None, _option("--pressure", panel=_AIR, metavar='"840 hPa"', text="At the course.")]
-Humidity = Annotated[str | None, _option("--humidity", panel=_AIR, metavar='"40 %"', text="Relative humidity.")]
-Wind = Annotated[
-    str | None,
-    _option("--wind", panel=_AIR, metavar='"5 m/s"', text='Tailwind, or "along, right" as in "5 m/s, -2 m/s".'),
-]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document instead.")]
 
+DELIVERY: Group = _quantities(
+    "Delivery",
+    speed=("113 mph", "Speed of the clubhead's CG. Required."),
+    attack=("-1.3 deg", "Attack angle: up is positive."),
+    path=("2 deg", "Club path: to the right is positive."),
+    loft=("12.8 deg", "Dynamic loft; the club's static loft unless given."),
+    face=("1 deg", "Face angle: to the right is positive."),
+    lie=("1 deg", "Lie: toe up is positive."),
+    toe=("8 mm", "Impact point: towards the toe."),
+    high=("-3 mm", "Impact point: towards the crown."),
+    closure=("2400 deg/s", "Rate at which the face closes."),
+    pitch_rate=("500 deg/s", "Rate at which the loft grows."),
+    lie_rate=("100 deg/s", "Rate at which the toe rises."),
+)
+LAUNCH: Group = _quantities(
+    "Launch",
+    ball_speed=("167 mph", "Required."),
+    launch=("10.9 deg", "Launch angle. Required."),
+    azimuth=("1 deg", "To the right is positive."),
+    backspin=("2700 rpm", "Or the total spin and its axis."),
+    sidespin=("-200 rpm", "Curves right is positive."),
+    total_spin=("2700 rpm", "In place of back- and sidespin."),
+    spin_axis=("3 deg", "Tilted to the right is positive."),
+)
 
-def delivery(given: dict[str, str | None]) -> dict[str, float]:
-    """Return the delivery values that were given, SI; the speed must be among them."""
-    from clubface import units
-    from clubface.delivery import DIMENSIONS
+_EQUIPMENT, _MODEL, _AIR = "Club and ball", "Model", "Air"
+_BALL = _option(
+    "--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="A built-in ball or a TOML file; published unless given."
+)
+BALL: Group = {"ball": (Annotated[str, _BALL], "published")}
+EQUIPMENT: Group = {"hand": _text("--hand", _EQUIPMENT, "right|left", "Hand of the club."), **BALL}
 
-    if given.get("speed") is None:
-        raise ClubfaceError('--speed is missing; give it with its unit, as in --speed "113 mph"')
-    found = {}
-    for name, text in given.items():
-        if text is None:
-            continue
-        option = f"--{name.replace('_', '-')}"
-        found[name] = units.parse(text, DIMENSIONS[name], name=option)
-        note_bare_number(option, text, DIMENSIONS[name])
-    return found
+_MODELS_TEXT = "A model, several with commas or repeated; all unless given."
+Models = Annotated[list[str] | None, _option("--model", panel=_MODEL, metavar="NAME", text=_MODELS_TEXT)]
+_ONE_MODEL = Annotated[str, _option("--model", panel=_MODEL, metavar="NAME", text="The model; standard unless given.")]
+_SETTINGS = list[str] | None
+_SET_TEXT = "Change a model parameter: friction=0.4. Repeatable."
+_ACCURACY_TEXT = "Relative tolerance of a contact step, 1e-13 to 1e-2."
+_PARAMETERS: Group = {
+    "parameters": _text("--parameters", _MODEL, "NAME|FILE", "A published parameter set or a TOML file."),
+    "setting": (
+        Annotated[_SETTINGS, _option("--set", panel=_MODEL, metavar="NAME=VALUE", text=_SET_TEXT)],
+        None,
+    ),
+    "accuracy": (
+        Annotated[float | None, _option("--accuracy", panel=_MODEL, metavar="TOLERANCE", text=_ACCURACY_TEXT)],
+        None,
+    ),
+}
+ONE_MODEL: Group = {"model": (_ONE_MODEL, "standard"), **_PARAMETERS}
+MODELS: Group = {"model": (Models, None), **_PARAMETERS}
 
-
-def note_bare_number(option: str, text: str, dimension: str) -> None:
-    """Say in which unit a number without one was taken, since degrees are easily meant where radians are read."""
-    from clubface import units
-
-    if text.strip()[-1:] in "0123456789." and float(text) != 0.0 and dimension != units.DIMENSIONLESS:
-        say(f"note: {option} {text} has no unit and is taken in {units.SI_UNITS[dimension]}")
-
-
-def club_of(which: str, hand: str | None = None) -> Any:
-    """Return the club called ``which``, turned to ``hand`` where one is given."""
-    from clubface.clubs import club
-
-    found = club(which)
-    return found if hand is None else found.replace(hand=hand)
-
-
-def model_names(given: Iterable[str] | None) -> list[str]:
-    """Return the models asked for, in the order asked; all of the registry where none or "all" is given."""
-    from clubface.models import model, models
-
-    names = [name.strip() for each in given or ["all"] for name in each.split(",") if name.strip()]
-    if not names:
-        raise UnknownNameError("model", "", models())
-    spread = [each for name in names for each in (models() if name == "all" else [name])]
-    return [model(name).name for name in dict.fromkeys(spread)]
-
-
-def one_model(name: str) -> str:
-    """Return the name of a model if there is one of that name."""
-    from clubface.models import model
-
-    return model(name).name
-
-
-def parameter_sets(
-    names: Sequence[str], family: str, chosen: str | None = None, settings: Sequence[str] | None = None
-) -> dict[str, Any]:
-    """Return the parameter set of each model for a family of clubs.
-
-    A set named or read from a file serves the models it fits, the others keep their default; so does each setting. One
-    that fits none of the models is an error.
-    """
-    from clubface.parameters import ParameterSet
-
-    sets = {name: ParameterSet.builtin(name, family) for name in names}
-    if chosen is not None:
-        sets.update(_chosen(names, family, chosen))
-    for key, value in _pairs(settings or (), "--set").items():
-        holders = [name for name in names if key in sets[name].values]
-        if not holders:
-            raise UnknownNameError("parameter", key, dict.fromkeys(k for name in names for k in sets[name].values))
-        sets.update({name: sets[name].replace(**{key: value}) for name in holders})
-    return sets
+AIR: Group = {
+    "air": _text("--air", _AIR, "TEXT", 'All of the air in one: "temperature=30 degC, altitude=1600 m".'),
+    "temperature": _text("--temperature", _AIR, '"30 degC"', "Of the air."),
+    "altitude": _text("--altitude", _AIR, '"1600 m"', "Sets the pressure."),
+    "pressure": _text("--pressure", _AIR, '"840 hPa"', "At the course."),
+    "humidity": _text("--humidity", _AIR, '"40 %"', "Relative humidity."),
+    "wind": _text("--wind", _AIR, '"5 m/s"', 'Tailwind, or "along, right" as in "5 m/s, -2 m/s".'),
+}
 
 
-def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
-    from clubface.equipment import is_path
-    from clubface.parameters import ParameterSet, builtin_sets, read_sets
-    from clubface.strict_toml import Document
+def takes(*groups: Group) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Give a command the options of ``groups``, which reach its keyword arguments, after its own required ones."""
+    added = {name: each for group in groups for name, each in group.items()}
 
-    if is_path(chosen):
-        models = {each.model for each in read_sets(Document.read(chosen))}
-        fitting = [name for name in names if name in models]
-        if not fitting:
-            raise InputError("--parameters", chosen, f"a file for {' or '.join(names)}; it holds {', '.join(models)}")
-        return {name: ParameterSet.from_toml(chosen, model=name, club=family) for name in fitting}
-    known = {each.name: None for name in names for each in builtin_sets(name) if each.club in (family, "any")}
-    if chosen not in known:
-        raise UnknownNameError(f"parameter set for {family}", chosen, known)
-    fitting = [
-        name
-        for name in names
-        if any(each.name == chosen and each.club in (family, "any") for each in builtin_sets(name))
-    ]
-    return {name: ParameterSet.builtin(name, family, chosen) for name in fitting}
+    def with_options(command: Callable[..., None]) -> Callable[..., None]:
+        own = inspect.signature(command, eval_str=True).parameters.values()
+        plain = [each.replace(kind=each.KEYWORD_ONLY) for each in own if each.kind is not each.VAR_KEYWORD]
+        shared = [
+            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
+            for name, (annotation, default) in added.items()
+        ]
+        required = [each for each in plain if each.default is each.empty]
+        rest = [each for each in plain if each.default is not each.empty]
+        command.__signature__ = inspect.Signature([*required, *shared, *rest])  # pyright: ignore[reportFunctionMemberAccess]
+        return command
 
-
-def conditions(
-    air: str | None,
-    wind: str | None,
-    temperature: str | None,
-    altitude: str | None,
-    pressure: str | None,
-    humidity: str | None,
-) -> dict[str, Any]:
-    """Return the air and wind of a flight, from one text and from single options, which win."""
-    from clubface import units
-
-    single = {
-        "temperature": temperature,
-        "altitude": altitude,
-        "pressure": pressure,
-        "humidity": humidity,
-        "wind": wind,
-    }
-    given = _pairs(air.split(","), "--air") if air is not None else {}
-    for key in given:
-        if key not in single:
-            raise UnknownNameError("value of --air", key, single)
-    given.update({key: value for key, value in single.items() if value is not None})
-    found = {}
-    for key, text in given.items():
-        option = f"--{key}"
-        if key == "wind":
-            continue
-        dimension = {"temperature": "temperature", "altitude": "length", "pressure": "pressure"}.get(
-            key, units.DIMENSIONLESS
-        )
-        found[key] = units.parse(text, dimension, name=option)
-        note_bare_number(option, text, dimension)
-    return {"air": found, "wind": _wind(given["wind"]) if "wind" in given else None}
-
-
-def _wind(text: str) -> tuple[float, float, float]:
-    """Return the wind to the target, up and right from "along" or "along, right"."""
-    from clubface import units
-
-    parts = text.split(",")
-    if len(parts) > 2:
-        raise InputError("--wind", text, 'a tailwind, or "along, right" as in "-5 m/s, 2 m/s"')
-    speeds = [units.parse(part, "speed", name="--wind") for part in parts]
-    for part in parts:
-        note_bare_number("--wind", part, "speed")
-    return speeds[0], 0.0, speeds[1] if len(speeds) == 2 else 0.0
-
-
-def _pairs(texts: Iterable[str], option: str) -> dict[str, str]:
-    found = {}
-    for text in texts:
-        key, equals, value = text.partition("=")
-        if not (equals and key.strip() and value.strip()):
-            raise InputError(option, text, "of the form name=value")
-        found[key.strip()] = value.strip()
-    return found
+    return with_options

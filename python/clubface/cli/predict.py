@@ -6,17 +6,18 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import fields
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import options, output
+from clubface.cli import given, options, output
 from clubface.cli.failures import say
 
 app = typer.Typer(add_completion=False)
 
 
 @app.command()
+@options.takes(options.EQUIPMENT, options.ONE_MODEL, options.AIR)
 def predict(
     deliveries: Annotated[
         str, typer.Argument(metavar="DELIVERIES", help="CSV or Parquet; columns by name and unit: club_speed_mph.")
@@ -33,33 +34,23 @@ def predict(
         ),
     ] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")] = False,
-    hand: options.Hand = None,
-    ball: options.BallName = "published",
-    model: options.OneModel = "standard",
-    parameters: options.Parameters = None,
-    setting: options.Settings = None,
-    accuracy: options.Accuracy = None,
     carry: Annotated[bool, typer.Option("--carry/--no-carry", help="Compute the flight too.")] = True,
-    air: options.AirText = None,
-    temperature: options.Temperature = None,
-    altitude: options.Altitude = None,
-    pressure: options.Pressure = None,
-    humidity: options.Humidity = None,
-    wind: options.Wind = None,
     as_json: options.Json = False,
+    **texts: Any,
 ) -> None:
     """Compute the launch of every delivery in a file."""
-    head = options.club_of(club, hand)
-    chosen = options.one_model(model)
-    sets = options.parameter_sets([chosen], head.parameters, parameters, setting)
-    conditions = options.conditions(air, wind, temperature, altitude, pressure, humidity)
+    head = given.club_of(club, texts["hand"])
+    chosen = given.one_model(texts["model"])
+    sets = given.parameter_sets([chosen], head.parameters, texts["parameters"], texts["setting"])
+    conditions = given.conditions(texts)
 
     from clubface.predict import predict as compute
 
     with _progress() as progress:
         report = compute(
-            deliveries, club=head, model=chosen, parameters=sets[chosen], ball=ball, accuracy=accuracy, carry=carry,
-            output=target, rejects=rejects, resume=resume, progress=progress, **conditions,
+            deliveries, club=head, model=chosen, parameters=sets[chosen], ball=texts["ball"],
+            accuracy=texts["accuracy"], carry=carry, output=target, rejects=rejects, resume=resume,
+            progress=progress, **conditions,
         )  # fmt: skip
     if as_json:
         output.print_json({each.name: getattr(report, each.name) for each in fields(report)})

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import options, output
+from clubface.cli import given, options, output
 from clubface.cli.tables import print_numbers
 
 app = typer.Typer(add_completion=False)
@@ -16,25 +16,9 @@ _NAMES = "Several with commas or repeated."
 
 
 @app.command()
+@options.takes(options.DELIVERY, options.EQUIPMENT, options.ONE_MODEL)
 def sensitivity(
     club: options.ClubArgument,
-    speed: options.Speed = None,
-    attack: options.Attack = None,
-    path: options.Path = None,
-    loft: options.Loft = None,
-    face: options.Face = None,
-    lie: options.Lie = None,
-    toe: options.Toe = None,
-    high: options.High = None,
-    closure: options.Closure = None,
-    pitch_rate: options.PitchRate = None,
-    lie_rate: options.LieRate = None,
-    hand: options.Hand = None,
-    ball: options.BallName = "published",
-    model: options.OneModel = "standard",
-    parameters: options.Parameters = None,
-    setting: options.Settings = None,
-    accuracy: options.Accuracy = None,
     wanted: Annotated[
         list[str] | None,
         typer.Option(
@@ -46,17 +30,13 @@ def sensitivity(
         typer.Option("--by", metavar="NAME", help=f"Input or parameter, such as toe. {_NAMES}", show_default=False),
     ] = None,
     as_json: options.Json = False,
+    **texts: Any,
 ) -> None:
     """Print how the launch changes with every input and parameter ("rpm per mm")."""
-    delivery = options.delivery(
-        {
-            "speed": speed, "attack": attack, "path": path, "loft": loft, "face": face, "lie": lie, "toe": toe,
-            "high": high, "closure": closure, "pitch_rate": pitch_rate, "lie_rate": lie_rate,
-        }
-    )  # fmt: skip
-    head = options.club_of(club, hand)
-    chosen = options.one_model(model)
-    sets = options.parameter_sets([chosen], head.parameters, parameters, setting)
+    delivery = given.delivery(texts)
+    head = given.club_of(club, texts["hand"])
+    chosen = given.one_model(texts["model"])
+    sets = given.parameter_sets([chosen], head.parameters, texts["parameters"], texts["setting"])
 
     from clubface.sensitivity import MAIN
     from clubface.sensitivity import sensitivity as differentiate
@@ -65,8 +45,8 @@ def sensitivity(
     if outputs is None and not as_json:
         outputs = list(MAIN)
     found = differentiate(
-        head, delivery, model=chosen, parameters=sets[chosen], ball=ball, accuracy=accuracy, outputs=outputs,
-        variables=variables,
+        head, delivery, model=chosen, parameters=sets[chosen], ball=texts["ball"], accuracy=texts["accuracy"],
+        outputs=outputs, variables=variables,
     )  # fmt: skip
     if as_json:
         output.print_json(_document(found))
@@ -89,8 +69,8 @@ def _document(found: Any) -> dict[str, Any]:
     return {"model": found.launch.model, "club": found.launch.club.name, "derivatives": derivatives}
 
 
-def _split(given: Iterable[str] | None) -> list[str] | None:
-    names = [name.strip() for each in given or () for name in each.split(",") if name.strip()]
+def _split(chosen: Iterable[str] | None) -> list[str] | None:
+    names = [name.strip() for each in chosen or () for name in each.split(",") if name.strip()]
     return list(dict.fromkeys(names)) or None
 
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import options
+from clubface.cli import given, options
 
 app = typer.Typer(add_completion=False)
 
@@ -36,57 +36,32 @@ DRAWN = 1e-8
 
 
 @app.command()
+@options.takes(options.DELIVERY, options.EQUIPMENT, options.MODELS, options.AIR)
 def shot(
     club: options.ClubArgument,
-    speed: options.Speed = None,
-    attack: options.Attack = None,
-    path: options.Path = None,
-    loft: options.Loft = None,
-    face: options.Face = None,
-    lie: options.Lie = None,
-    toe: options.Toe = None,
-    high: options.High = None,
-    closure: options.Closure = None,
-    pitch_rate: options.PitchRate = None,
-    lie_rate: options.LieRate = None,
-    hand: options.Hand = None,
-    ball: options.BallName = "published",
-    model: options.Models = None,
-    parameters: options.Parameters = None,
-    setting: options.Settings = None,
-    accuracy: options.Accuracy = None,
-    air: options.AirText = None,
-    temperature: options.Temperature = None,
-    altitude: options.Altitude = None,
-    pressure: options.Pressure = None,
-    humidity: options.Humidity = None,
-    wind: options.Wind = None,
     plot: Annotated[
         str | None,
         typer.Option("--plot", metavar="FILE", help="Draw forces and flight: .png, .svg or .pdf.", show_default=False),
     ] = None,
     as_json: options.Json = False,
+    **texts: Any,
 ) -> None:
     """Compute one shot, a row a model."""
-    delivery = options.delivery(
-        {
-            "speed": speed, "attack": attack, "path": path, "loft": loft, "face": face, "lie": lie, "toe": toe,
-            "high": high, "closure": closure, "pitch_rate": pitch_rate, "lie_rate": lie_rate,
-        }
-    )  # fmt: skip
+    delivery = given.delivery(texts)
     if plot is not None:
         from clubface.plots.style import check_ending
 
         check_ending(plot, name="--plot")
-    head = options.club_of(club, hand)
-    sets = options.parameter_sets(options.model_names(model), head.parameters, parameters, setting)
-    conditions = options.conditions(air, wind, temperature, altitude, pressure, humidity)
+    head = given.club_of(club, texts["hand"])
+    names = given.model_names(texts["model"])
+    sets = given.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
+    conditions = given.conditions(texts)
 
     from clubface.flight import fly
     from clubface.impact import impact
 
     launches = {
-        name: impact(head, delivery, model=name, parameters=each, ball=ball, accuracy=accuracy)
+        name: impact(head, delivery, model=name, parameters=each, ball=texts["ball"], accuracy=texts["accuracy"])
         for name, each in sets.items()
     }
     flights = {name: fly(launch, **conditions) for name, launch in launches.items()}

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from clubface.cli import options, output
+from clubface.cli import given, options, output
 from clubface.cli.failures import say
 from clubface.cli.tables import print_numbers
 
@@ -24,7 +24,7 @@ def tour(
     as_json: options.Json = False,
 ) -> None:
     """Compare every model with the published tour averages, club by club."""
-    names = options.model_names(model)
+    names = given.model_names(model)
     if folder is not None:
         # Before the work: a folder that cannot be made, or a missing library, is found at once.
         Path(folder).mkdir(parents=True, exist_ok=True)

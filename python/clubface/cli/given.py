@@ -1,0 +1,148 @@
+"""From the texts of options to deliveries, clubs, models, parameter sets and air."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from clubface.cli import options
+from clubface.cli.failures import say
+from clubface.errors import ClubfaceError, InputError, UnknownNameError
+
+
+def parsed(option: str, text: str, dimension: str) -> float:
+    """Return a value in SI; a number without a unit is said to be taken so, as degrees are easily meant."""
+    from clubface import units
+
+    value = units.parse(text, dimension, name=option)
+    if text.strip()[-1:] in "0123456789." and value != 0.0 and dimension != units.DIMENSIONLESS:
+        say(f"note: {option} {text} has no unit and is taken in {units.SI_UNITS[dimension]}")
+    return value
+
+
+def quantities(
+    given: Mapping[str, str | None], dimensions: Mapping[str, str], required: Mapping[str, str]
+) -> dict[str, float]:
+    """Return the values that were given, SI; those ``required``, each with an example, must be among them."""
+    found = {}
+    for name, dimension in dimensions.items():
+        option, text = f"--{name.replace('_', '-')}", given[name]
+        if text is not None:
+            found[name] = parsed(option, text, dimension)
+        elif name in required:
+            raise ClubfaceError(f'{option} is missing; give it with its unit, as in {option} "{required[name]}"')
+    return found
+
+
+def delivery(given: Mapping[str, str | None]) -> dict[str, float]:
+    """Return the delivery values that were given, SI; the speed must be among them."""
+    from clubface.delivery import DIMENSIONS
+
+    return quantities(given, DIMENSIONS, {"speed": "113 mph"})
+
+
+def club_of(which: str, hand: str | None = None) -> Any:
+    """Return the club called ``which``, turned to ``hand`` where one is given."""
+    from clubface.clubs import club
+
+    found = club(which)
+    return found if hand is None else found.replace(hand=hand)
+
+
+def model_names(given: Iterable[str] | None) -> list[str]:
+    """Return the models asked for, in the order asked; all of the registry where none or "all" is given."""
+    from clubface.models import model, models
+
+    names = [name.strip() for each in given or ["all"] for name in each.split(",") if name.strip()]
+    if not names:
+        raise UnknownNameError("model", "", models())
+    spread = [each for name in names for each in (models() if name == "all" else [name])]
+    return [model(name).name for name in dict.fromkeys(spread)]
+
+
+def one_model(name: str) -> str:
+    """Return the name of a model if there is one of that name."""
+    from clubface.models import model
+
+    return model(name).name
+
+
+def parameter_sets(
+    names: Sequence[str], family: str, chosen: str | None = None, settings: Sequence[str] | None = None
+) -> dict[str, Any]:
+    """Return the parameter set of each model for a family of clubs.
+
+    A set named or read from a file serves the models it fits, the others keep their default; so does each setting. One
+    that fits none of the models is an error.
+    """
+    from clubface.parameters import ParameterSet
+
+    sets = {name: ParameterSet.builtin(name, family) for name in names}
+    if chosen is not None:
+        sets.update(_chosen(names, family, chosen))
+    for key, value in _pairs(settings or (), "--set").items():
+        holders = [name for name in names if key in sets[name].values]
+        if not holders:
+            raise UnknownNameError("parameter", key, dict.fromkeys(k for name in names for k in sets[name].values))
+        sets.update({name: sets[name].replace(**{key: value}) for name in holders})
+    return sets
+
+
+def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
+    from clubface.equipment import is_path
+    from clubface.parameters import ParameterSet, builtin_sets, read_sets
+    from clubface.strict_toml import Document
+
+    if is_path(chosen):
+        models = {each.model for each in read_sets(Document.read(chosen))}
+        fitting = [name for name in names if name in models]
+        if not fitting:
+            raise InputError("--parameters", chosen, f"a file for {' or '.join(names)}; it holds {', '.join(models)}")
+        return {name: ParameterSet.from_toml(chosen, model=name, club=family) for name in fitting}
+    known = {each.name: None for name in names for each in builtin_sets(name) if each.club in (family, "any")}
+    if chosen not in known:
+        raise UnknownNameError(f"parameter set for {family}", chosen, known)
+    fitting = [
+        name
+        for name in names
+        if any(each.name == chosen and each.club in (family, "any") for each in builtin_sets(name))
+    ]
+    return {name: ParameterSet.builtin(name, family, chosen) for name in fitting}
+
+
+def conditions(given: Mapping[str, str | None]) -> dict[str, Any]:
+    """Return the air and wind of a flight, from the one text ``air`` and from single options, which win."""
+    told = _pairs(given["air"].split(","), "--air") if given["air"] is not None else {}
+    single = [name for name in options.AIR if name != "air"]
+    for name in told:
+        if name not in single:
+            raise UnknownNameError("value of --air", name, single)
+    told.update({name: text for name in single if (text := given[name]) is not None})
+    wind = told.pop("wind", None)
+    air = {name: parsed(f"--{name}", text, _air_dimension(name)) for name, text in told.items()}
+    return {"air": air, "wind": _wind(wind) if wind is not None else None}
+
+
+def _air_dimension(name: str) -> str:
+    from clubface.quantities import flight_inputs
+
+    return "length" if name == "altitude" else flight_inputs()[name].dimension
+
+
+def _wind(text: str) -> tuple[float, float, float]:
+    """Return the wind to the target, up and right from "along" or "along, right"."""
+    parts = text.split(",")
+    if len(parts) > 2:
+        raise InputError("--wind", text, 'a tailwind, or "along, right" as in "-5 m/s, 2 m/s"')
+    speeds = [parsed("--wind", part, "speed") for part in parts]
+    return speeds[0], 0.0, speeds[1] if len(speeds) == 2 else 0.0
+
+
+def _pairs(texts: Iterable[str], option: str) -> dict[str, str]:
+    found = {}
+    for text in texts:
+        key, equals, value = text.partition("=")
+        if not (equals and key.strip() and value.strip()):
+            raise InputError(option, text, "of the form name=value")
+        found[key.strip()] = value.strip()
+    return found
