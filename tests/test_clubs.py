@@ -242,6 +242,13 @@ def test_a_ball_outside_the_rules_is_a_warning():
         ball("conforming").replace(radius="21.3 mm")
 
 
+@pytest.mark.parametrize("make", [lambda: ball("published"), lambda: ball("conforming").replace(mass="46 g")])
+def test_a_warning_points_at_the_line_that_asked(make):
+    with pytest.warns(RuleWarning) as caught:
+        make()
+    assert [each.filename for each in caught] == [__file__]
+
+
 def test_a_forgotten_unit_is_noticed():
     with pytest.warns(ImplausibleWarning, match="204 kg"):
         club("driver").replace(mass=204)

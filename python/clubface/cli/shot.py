@@ -132,5 +132,6 @@ def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any],
     ]
     if first.club.hand < 0:
         described.append("left-handed")
-    figure = plots.shot_figure(positions, histories, title=f"{first.club.name}: {', '.join(described)}")
+    unbroken = ", ".join(each.replace(" ", "\N{NO-BREAK SPACE}") for each in described)
+    figure = plots.shot_figure(positions, histories, title=f"{first.club.name}: {unbroken}")
     plots.save(figure, path)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -23,6 +24,8 @@ _FLATTEST, _TALLEST = 0.11, 0.5
 """Height over width of a view: below the first it is stretched, above the second it does not fill the width."""
 _VIEW_WIDTH = WIDTH - 0.7
 """Inches, about."""
+_TITLE_LETTERS = 95
+"""In a line of the title."""
 
 
 @styled
@@ -105,7 +108,8 @@ def _figure(flights: Mapping[str, Any], histories: Mapping[str, Any], title: str
     )
     heights = [each.shape * _VIEW_WIDTH for each in views]
     forces = 2.2 if histories else 0.0
-    figure = Figure(figsize=(WIDTH, forces + sum(heights) + 1.35 + (0.2 if title else 0.0)), layout="constrained")
+    lines = textwrap.wrap(title, _TITLE_LETTERS)
+    figure = Figure(figsize=(WIDTH, forces + sum(heights) + 1.35 + 0.18 * len(lines)), layout="constrained")
     if histories:
         parts: Any = figure.subfigures(2, 1, height_ratios=[forces, sum(heights) + 0.95])
         top, bottom = parts
@@ -117,7 +121,7 @@ def _figure(flights: Mapping[str, Any], histories: Mapping[str, Any], title: str
         bottom = figure
     for axes, view in zip(bottom.subplots(2, 1, height_ratios=heights, sharex=True), views, strict=True):
         _draw_view(axes, view, flights, length)
-    legend_above(figure, _keys(flights), title=title or None)
+    legend_above(figure, _keys(flights), title="\n".join(lines) or None)
     return figure
 
 
