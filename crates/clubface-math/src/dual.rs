@@ -191,6 +191,15 @@ impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
         Self { value: S::select(mask, a.value, b.value), tangent }
     }
     #[inline(always)]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        let mut tangent = term.tangent;
+        for i in 0..N {
+            tangent[i] =
+                self.tangent[i].mul_add(factor.value, factor.tangent[i].mul_add(self.value, tangent[i]));
+        }
+        Self { value: self.value.mul_add(factor.value, term.value), tangent }
+    }
+    #[inline(always)]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.chain(root, (root * 2.0).recip())

@@ -4,11 +4,12 @@
 //! features hold for the function that enables them and for what is inlined into it, not for what it calls.
 
 use crate::elementary::{self, Primal};
+use crate::pack::Pack;
 use crate::scalar::{Computation, Mask, Scalar};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A scalar without derivatives that can be filled and read lane by lane.
-pub trait Lanes: Primal {
+pub trait Lanes: Primal + Pack<Real = f64> {
     /// A pack whose lane `i` is `value(i)`.
     fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
 }
@@ -171,13 +172,13 @@ pub mod x86 {
     /// Whether this CPU runs [`F64x4`].
     #[must_use]
     pub fn has_four() -> bool {
-        is_x86_feature_detected!("avx2")
+        is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
     }
     /// Runs a kernel with eight lanes.
     ///
     /// # Safety
     /// [`has_eight`] must hold.
-    #[target_feature(enable = "avx2,avx512f,avx512dq")]
+    #[target_feature(enable = "avx2,fma,avx512f,avx512dq")]
     pub unsafe fn run_eight<K: Kernel>(kernel: K) -> K::Output {
         kernel.run::<F64x8>()
     }
@@ -185,28 +186,28 @@ pub mod x86 {
     ///
     /// # Safety
     /// [`has_four`] must hold.
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,fma")]
     pub unsafe fn run_four<K: Kernel>(kernel: K) -> K::Output {
         kernel.run::<F64x4>()
     }
 
     #[inline(never)]
-    #[target_feature(enable = "avx2,avx512f,avx512dq")]
+    #[target_feature(enable = "avx2,fma,avx512f,avx512dq")]
     unsafe fn outline_eight<C: Computation>(computation: C) -> C::Output {
         computation.run()
     }
     #[inline(never)]
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,fma")]
     unsafe fn outline_four<C: Computation>(computation: C) -> C::Output {
         computation.run()
     }
 
     /// Four numbers (AVX2). Only for use below [`super::dispatch`] or after [`has_four`].
     #[derive(Clone, Copy, Debug)]
-    pub struct F64x4(__m256d);
+    pub struct F64x4(pub(crate) __m256d);
     /// Eight numbers (AVX-512). Only for use below [`super::dispatch`] or after [`has_eight`].
     #[derive(Clone, Copy, Debug)]
-    pub struct F64x8(__m512d);
+    pub struct F64x8(pub(crate) __m512d);
     /// Four truth values.
     #[derive(Clone, Copy, Debug)]
     pub struct Mask4(__m256d);
@@ -229,7 +230,7 @@ pub mod x86 {
 
     macro_rules! pack {
         ($type:ident, $mask:ident, $lanes:literal, $load:ident, $store:ident, $set:ident, $sqrt:ident,
-         $add:ident, $sub:ident, $mul:ident, $div:ident, $outline:ident) => {
+         $add:ident, $sub:ident, $mul:ident, $div:ident, $fused:ident, $outline:ident) => {
             binary!($type, Add, add, $add);
             binary!($type, Sub, sub, $sub);
             binary!($type, Mul, mul, $mul);
@@ -306,6 +307,11 @@ pub mod x86 {
                     Self(unsafe { $sqrt(self.0) })
                 }
                 #[inline(always)]
+                fn mul_add(self, factor: Self, term: Self) -> Self {
+                    // SAFETY: see the type for the feature.
+                    Self(unsafe { $fused(self.0, factor.0, term.0) })
+                }
+                #[inline(always)]
                 fn exp(self) -> Self {
                     elementary::exp(self)
                 }
@@ -337,6 +343,7 @@ pub mod x86 {
         _mm256_sub_pd,
         _mm256_mul_pd,
         _mm256_div_pd,
+        _mm256_fmadd_pd,
         outline_four
     );
     pack!(
@@ -351,6 +358,7 @@ pub mod x86 {
         _mm512_sub_pd,
         _mm512_mul_pd,
         _mm512_div_pd,
+        _mm512_fmadd_pd,
         outline_eight
     );
 

@@ -163,6 +163,12 @@ pub trait Scalar:
     fn abs(self) -> Self {
         Self::select(self.lt(Self::zero()), -self, self)
     }
+    /// `self * factor + term`, fused where the CPU can: bits may differ between packs of different widths.
+    #[inline(always)]
+    #[must_use]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
     /// Square.
     #[inline(always)]
     #[must_use]

@@ -1,0 +1,43 @@
+//! Contact of the ball with a face.
+
+mod rigid;
+
+pub use rigid::{Plane, RigidContact, RigidSurface};
+
+use clubface_math::{Real, Row, Vec3};
+
+/// Energies of a contact, J.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ContactEnergy {
+    /// Stored in the penalty springs, normal and tangential.
+    pub stored: f64,
+    /// Turned into heat by sliding.
+    pub friction: f64,
+    /// Kinetic energy of rigid bodies.
+    pub bodies: f64,
+}
+
+/// What the contact does in one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Resultant<R> {
+    /// Force on the ball, N.
+    pub force: Vec3<R>,
+    /// Part of it along the face normals, N.
+    pub normal: R,
+    /// Area of the ball's surface in contact, m2.
+    pub area: f64,
+}
+
+/// A contact: it exerts forces on nodes, and on bodies of its own, which it moves.
+pub trait Contact<R: Real>: Send {
+    /// Nodes it may exert forces on.
+    fn nodes(&self) -> &[u32];
+    /// Computes the forces for positions (m) at a step and velocities (m/s) half a step before it; moves its bodies on by `dt` seconds.
+    fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64);
+    /// Forces on [`Contact::nodes`], N.
+    fn forces(&self) -> &[Row<R>];
+    /// Sum of the forces of the last step.
+    fn resultant(&self) -> Resultant<R>;
+    /// Energies at the last step.
+    fn energy(&self) -> ContactEnergy;
+}

@@ -1,0 +1,55 @@
+//! Elements: how forces at nodes follow from their positions.
+
+mod one_point;
+mod solid;
+
+pub use solid::{SolidPatch, PATCH};
+
+use clubface_math::{Real, Row};
+
+/// Elements a block of stored constants holds, whatever the width of the packs that read it.
+pub const BLOCK: usize = 8;
+
+/// Energies of a group of elements, J.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Energy {
+    /// Elastic.
+    pub strain: f64,
+    /// Of the modes that one-point elements cannot feel.
+    pub hourglass: f64,
+    /// Done on viscoelastic branches: stored there or turned into heat.
+    pub viscous: f64,
+    /// Turned into heat by plastic flow.
+    pub plastic: f64,
+}
+
+impl std::ops::AddAssign for Energy {
+    fn add_assign(&mut self, other: Self) {
+        self.strain += other.strain;
+        self.hourglass += other.hourglass;
+        self.viscous += other.viscous;
+        self.plastic += other.plastic;
+    }
+}
+
+impl Energy {
+    /// Sum of all.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.strain + self.hourglass + self.viscous + self.plastic
+    }
+}
+
+/// A part of the structure that is worked on by one thread at a time: some elements, and the forces on their nodes.
+pub trait Patch<R: Real>: Send + Sync {
+    /// Nodes the patch exerts forces on.
+    fn nodes(&self) -> &[u32];
+    /// Computes the forces for the given positions (m) and velocities (m/s) of all nodes; histories move on by `dt` seconds.
+    fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64);
+    /// Forces on [`Patch::nodes`], N.
+    fn forces(&self) -> &[Row<R>];
+    /// Energies at the given positions; the history stays as it is.
+    fn energy(&mut self, positions: &[Row<R>]) -> Energy;
+    /// Smallest and largest ratio of current to reference volume.
+    fn volume_ratios(&mut self, positions: &[Row<R>]) -> (f64, f64);
+}

@@ -1,0 +1,9 @@
+//! Explicit finite elements for the impact of club and ball (P2).
+//!
+//! SI units throughout. Everything is generic over the stored number, [`clubface_math::Real`]: `f64`, or `f64` with derivatives.
+
+pub mod contact;
+pub mod element;
+pub mod material;
+pub mod mesh;
+pub mod solve;

@@ -1,0 +1,118 @@
+//! The mesh of a ball: a cube of hexahedra inside, six blocks of layers around it out to the sphere.
+
+use super::{SolidMesh, CORNERS};
+use clubface_math::Vec3;
+use std::collections::HashMap;
+
+/// How fine the mesh of a ball is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fineness {
+    /// Elements along each edge of the inner cube.
+    pub cube: usize,
+    /// Element layers between the cube and the boundary of the innermost piece, then of each further piece.
+    pub layers: Vec<usize>,
+}
+
+/// Half edge of the inner cube over the radius of the innermost piece.
+const CUBE: f64 = 0.48;
+/// How far the cube is swollen towards a sphere: 0 is a cube.
+const SWELL: f64 = 0.35;
+
+/// A ball about the origin, made of pieces with the given outer radii (m), innermost first.
+#[must_use]
+pub fn cubed_sphere(radii: &[f64], fineness: &Fineness) -> SolidMesh {
+    let n = fineness.cube;
+    let mut builder = Builder { n, nodes: Vec::new(), index: HashMap::new() };
+    let mut mesh = SolidMesh { nodes: Vec::new(), elements: Vec::new(), layer: Vec::new() };
+    let core = radii[0];
+    for k in 0..n {
+        for j in 0..n {
+            for i in 0..n {
+                let mut element = [0; CORNERS];
+                for corner in 0..CORNERS {
+                    let at = [i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2 & 1)];
+                    element[corner] = builder.node(at, 0, |q| inner(q) * core);
+                }
+                mesh.elements.push(element);
+                mesh.layer.push(0);
+            }
+        }
+    }
+    let mut depth = 0;
+    let mut from = None;
+    for (piece, (&radius, &count)) in radii.iter().zip(&fineness.layers).enumerate() {
+        for layer in 0..count {
+            for side in 0..6 {
+                for v in 0..n {
+                    for u in 0..n {
+                        let mut element = [0; CORNERS];
+                        for corner in 0..CORNERS {
+                            // The third coordinate runs outward; on the low sides the first two are exchanged, to keep the map right-handed.
+                            let level = depth + layer + (corner >> 2);
+                            let share = (layer + (corner >> 2)) as f64 / count as f64;
+                            let at = on_side(side, u + (corner & 1), v + (corner >> 1 & 1), n);
+                            element[corner] = builder.node(at, level, |q| {
+                                let start = from.map_or_else(|| inner(q) * core, |r| outer(q) * r);
+                                start * (1.0 - share) + outer(q) * (radius * share)
+                            });
+                        }
+                        mesh.elements.push(element);
+                        mesh.layer.push(piece as u32);
+                    }
+                }
+            }
+        }
+        depth += count;
+        from = Some(radius);
+    }
+    mesh.nodes = builder.nodes;
+    mesh
+}
+
+struct Builder {
+    n: usize,
+    nodes: Vec<Vec3<f64>>,
+    /// Nodes by lattice point of the cube and level outside it.
+    index: HashMap<([usize; 3], usize), u32>,
+}
+
+impl Builder {
+    fn node(&mut self, at: [usize; 3], level: usize, position: impl Fn([f64; 3]) -> Vec3<f64>) -> u32 {
+        let n = self.n;
+        let nodes = &mut self.nodes;
+        *self.index.entry((at, level)).or_insert_with(|| {
+            nodes.push(position(at.map(|i| 2.0 * i as f64 / n as f64 - 1.0)));
+            (nodes.len() - 1) as u32
+        })
+    }
+}
+
+/// Lattice point (u, v) of one of the cube's six sides.
+fn on_side(side: usize, u: usize, v: usize, n: usize) -> [usize; 3] {
+    let axis = side / 2;
+    let high = side % 2 == 1;
+    let (a, b) = if high { (u, v) } else { (v, u) };
+    let mut at = [0; 3];
+    at[axis] = if high { n } else { 0 };
+    at[(axis + 1) % 3] = a;
+    at[(axis + 2) % 3] = b;
+    at
+}
+
+/// Point of the swollen cube, in units of the innermost piece's radius.
+fn inner(q: [f64; 3]) -> Vec3<f64> {
+    let t = q.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+    if t == 0.0 {
+        return Vec3::zero();
+    }
+    let flat = Vec3::from_f64(q) * CUBE;
+    let round = outer(q.map(|c| c / t)) * (CUBE * t * 1.25);
+    let share = SWELL * t;
+    flat * (1.0 - share) + round * share
+}
+
+/// Point of the unit sphere for a point of the cube's surface, equal angles apart.
+fn outer(q: [f64; 3]) -> Vec3<f64> {
+    let p = Vec3::from_f64(q.map(|c| (c * std::f64::consts::FRAC_PI_4).tan()));
+    p * (1.0 / p.norm())
+}
