@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+import clubface
 from clubface import tour, units
 
 ROOT = Path(__file__).parent.parent
@@ -20,6 +21,26 @@ def test_the_code_of_a_page_runs(page, capsys):
     names = {}
     for block in blocks(page):
         exec(compile(block, str(page), "exec"), names)
+
+
+def test_the_interface_page_lists_every_public_name():
+    text = (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
+    listed = set(re.findall(r"^\.\. auto(?:function|class|module):: (?:clubface\.)?(\w+)$", text, re.MULTILINE))
+    assert set(clubface.__all__) - {"ClubfaceError"} <= listed  # that one is a member of errors
+
+
+def test_the_command_line_page_names_every_option_and_command():
+    pytest.importorskip("typer")
+    from clubface.cli import options
+    from clubface.cli.app import COMMANDS
+
+    text = (ROOT / "docs" / "command-line.md").read_text(encoding="utf-8")
+    for name in COMMANDS:
+        assert f"clubface {name} " in text, name
+    renamed = {"setting": "set"}
+    for group in (options.DELIVERY, options.LAUNCH, options.EQUIPMENT, options.MODELS, options.AIR):
+        for name in group:
+            assert f"--{renamed.get(name, name).replace('_', '-')}" in text, name
 
 
 def test_the_readme_gives_the_errors_of_this_version():
