@@ -1,5 +1,7 @@
 """Files of deliveries: columns by name and unit, every bad row accounted for, interruption and resumption."""
 
+import os
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, example, given, settings
@@ -259,6 +261,16 @@ def test_paths_that_cannot_be_are_refused(write, tmp_path):
     with pytest.raises(InputError, match="single number"):
         predict(path, club="driver", parameters={"cor": np.array([0.8, 0.83])})
     assert path.read_text() == GOOD
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with a name")
+def test_a_pipe_is_refused(tmp_path):
+    path = tmp_path / "pipe"
+    os.mkfifo(path)
+    writer = os.open(path, os.O_RDWR)
+    with pytest.raises(FileError, match="save it as a file"):
+        predict(path, club="driver")
+    os.close(writer)
 
 
 def test_names_left_out_stand_beside_the_file(write, tmp_path):

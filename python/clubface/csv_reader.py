@@ -40,6 +40,8 @@ class CsvReader:
         except (OSError, ValueError) as error:
             raise FileError(self.path, None, f"cannot be read: {getattr(error, 'strerror', None) or error}") from None
         try:
+            if not self._file.seekable():
+                raise FileError(self.path, None, "a pipe cannot be read twice: save it as a file first")
             self._read_header()
         except BaseException:
             self._file.close()
