@@ -25,3 +25,17 @@ autodoc_typehints_description_target = "documented_params"
 napoleon_google_docstring = False
 napoleon_use_ivar = True
 napoleon_use_rtype = False
+
+
+def keep_names_together(app, what, name, obj, options, lines):
+    """Let one description serve several attributes: a space in ``:ivar toe, high:`` would make a type of the first."""
+    for number, line in enumerate(lines):
+        names, found, rest = line.removeprefix(":ivar ").partition(":")
+        if line.startswith(":ivar ") and found and ", " in names:
+            together = names.replace(", ", ",\N{ZERO WIDTH SPACE}")
+            lines[number] = f":ivar {together}:{rest}"
+
+
+def setup(app):
+    """Run after napoleon, which makes the fields."""
+    app.connect("autodoc-process-docstring", keep_names_together, priority=900)
