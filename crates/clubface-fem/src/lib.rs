@@ -2,8 +2,12 @@
 //!
 //! SI units throughout. Everything is generic over the stored number, [`clubface_math::Real`]: `f64`, or `f64` with derivatives.
 
+pub mod ball;
 pub mod contact;
 pub mod element;
+pub mod error;
 pub mod material;
 pub mod mesh;
 pub mod solve;
+
+pub use error::FemError;

@@ -1,9 +1,12 @@
 //! Contact of the ball with a face.
 
+mod head;
 mod rigid;
 
+pub use head::RigidHead;
 pub use rigid::{Plane, RigidContact, RigidSurface};
 
+use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
 
 /// Energies of a contact, J.
@@ -40,4 +43,8 @@ pub trait Contact<R: Real>: Send {
     fn resultant(&self) -> Resultant<R>;
     /// Energies at the last step.
     fn energy(&self) -> ContactEnergy;
+    /// Signed distance of a point from the face (m, positive in front of it) and the face's unit normal.
+    fn nearest(&self, point: Vec3<R>) -> (R, Vec3<R>);
+    /// Motion of a rigid head; none if the head is made of nodes.
+    fn head(&self) -> Option<Motion<R>>;
 }

@@ -1,6 +1,7 @@
 //! Nodes of the ball against a rigid surface: penalty with Coulomb friction that sticks.
 
 use super::{Contact, ContactEnergy, Resultant};
+use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
 
 /// Penalty stiffness over node mass over the square of the time step. The elements leave room for this much: a node of stiffness
@@ -21,6 +22,8 @@ pub trait RigidSurface<R: Real>: Send {
     fn advance(&mut self, dt: f64);
     /// Kinetic energy, J.
     fn kinetic_energy(&self) -> f64;
+    /// Velocity of the mass centre, m/s, and angular velocity, rad/s.
+    fn motion(&self) -> Motion<R>;
 }
 
 /// A plane that does not move: through the origin with normal +x.
@@ -38,6 +41,9 @@ impl<R: Real> RigidSurface<R> for Plane {
     fn advance(&mut self, _dt: f64) {}
     fn kinetic_energy(&self) -> f64 {
         0.0
+    }
+    fn motion(&self) -> Motion<R> {
+        Motion { velocity: Vec3::zero(), spin: Vec3::zero() }
     }
 }
 
@@ -131,5 +137,11 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
     }
     fn energy(&self) -> ContactEnergy {
         self.energy
+    }
+    fn nearest(&self, point: Vec3<R>) -> (R, Vec3<R>) {
+        self.surface.nearest(point)
+    }
+    fn head(&self) -> Option<Motion<R>> {
+        Some(self.surface.motion())
     }
 }

@@ -1,0 +1,205 @@
+//! The ball: pieces of material, meshed, with its mass distributed to the nodes.
+
+use crate::element::{Patch, SolidPatch, PATCH};
+use crate::error::FemError;
+use crate::material::Material;
+use crate::mesh::{cubed_sphere, Fineness, SolidMesh};
+use clubface_math::{Mat3, Real, Row, Vec3};
+
+/// Most pieces a ball may have.
+pub const MAX_PIECES: usize = 5;
+
+/// One piece of a ball: the core, or a layer around it.
+#[derive(Clone, Debug)]
+pub struct Piece<R> {
+    /// Name, for messages.
+    pub name: String,
+    /// Outer radius, m.
+    pub radius: f64,
+    /// Element layers through it.
+    pub layers: usize,
+    /// What it is made of.
+    pub material: Material<R>,
+}
+
+/// A ball as designed.
+#[derive(Clone, Debug)]
+pub struct Ball<R> {
+    /// Pieces from the centre outwards.
+    pub pieces: Vec<Piece<R>>,
+    /// Elements along the edge of the cube inside.
+    pub cube: usize,
+    /// Mass of the ball, kg: the core takes the density that gives it. Without it the core's own density counts.
+    pub mass: Option<f64>,
+}
+
+/// A ball as meshed.
+pub struct MeshedBall<R> {
+    /// The mesh, in place.
+    pub mesh: SolidMesh,
+    /// Elements by patches, of one piece each.
+    pub patches: Vec<Box<dyn Patch<R>>>,
+    /// Name of the piece of each patch.
+    pub parts: Vec<String>,
+    /// Mass of each node, kg.
+    pub masses: Vec<R>,
+    /// Outer nodes.
+    pub surface: Vec<u32>,
+    /// Outer quadrilaterals.
+    pub sides: Vec<[u32; 4]>,
+    /// Share of each node in the surface, m2.
+    pub areas: Vec<f64>,
+    /// Radius, m.
+    pub radius: f64,
+    /// Mass, kg.
+    pub mass: R,
+    /// Moment of inertia about a diameter, kg m2 (mean of three).
+    pub inertia: R,
+    /// Density of the core, kg/m3.
+    pub core_density: R,
+}
+
+impl<R: Real> Ball<R> {
+    /// Outer radius, m.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.pieces.last().map_or(f64::NAN, |piece| piece.radius)
+    }
+
+    /// Checks what the mesh cannot be made of.
+    ///
+    /// # Errors
+    /// [`FemError::Input`] that names the first value that is not allowed.
+    pub fn check(&self) -> Result<(), FemError> {
+        if self.pieces.is_empty() || self.pieces.len() > MAX_PIECES {
+            return Err(FemError::input(
+                "pieces",
+                self.pieces.len(),
+                format!("1 to {MAX_PIECES} are allowed"),
+            ));
+        }
+        if !(2..=96).contains(&self.cube) || self.cube % 2 == 1 {
+            return Err(FemError::input("ball.cube", self.cube, "an even number from 2 to 96 is allowed"));
+        }
+        let mut inside = 0.0;
+        for piece in &self.pieces {
+            let name = &piece.name;
+            if !(piece.radius > inside + 1e-5 && piece.radius < 0.1) {
+                let allowed =
+                    "it must exceed that of the piece inside by 0.01 mm, and stay below 100 mm".to_owned();
+                return Err(FemError::input(
+                    format!("radius of {name}"),
+                    format!("{} mm", piece.radius * 1e3),
+                    allowed,
+                ));
+            }
+            if !(1..=48).contains(&piece.layers) {
+                return Err(FemError::input(format!("{name}.layers"), piece.layers, "1 to 48 are allowed"));
+            }
+            inside = piece.radius;
+        }
+        if let Some(mass) = self.mass {
+            if !(mass > 0.0 && mass < 1.0) {
+                return Err(FemError::input(
+                    "ball.mass",
+                    format!("{} g", mass * 1e3),
+                    "0 to 1000 g is allowed",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Meshes the ball about `centre`, with a pole of the mesh along the first column of `turn`.
+    ///
+    /// # Errors
+    /// As [`Ball::check`], or when the other pieces alone are heavier than the ball.
+    pub fn mesh(&self, turn: &Mat3<f64>, centre: Vec3<f64>) -> Result<MeshedBall<R>, FemError> {
+        self.check()?;
+        let radii: Vec<f64> = self.pieces.iter().map(|piece| piece.radius).collect();
+        let layers = self.pieces.iter().map(|piece| piece.layers).collect();
+        let mut mesh = cubed_sphere(&radii, &Fineness { cube: self.cube, layers });
+        for node in &mut mesh.nodes {
+            *node = *turn * *node + centre;
+        }
+        let volumes: Vec<f64> = (0..mesh.elements.len()).map(|e| mesh.volume(e)).collect();
+        let materials = self.materials(&mesh, &volumes)?;
+        let mut masses = vec![R::zero(); mesh.nodes.len()];
+        for ((element, &piece), &volume) in mesh.elements.iter().zip(&mesh.layer).zip(&volumes) {
+            let share = materials[piece as usize].density * (volume / 8.0);
+            for &node in element {
+                masses[node as usize] += share;
+            }
+        }
+        let (mut patches, mut parts) = (Vec::new(), Vec::new());
+        let mut start = 0;
+        while start < mesh.elements.len() {
+            let piece = mesh.layer[start];
+            let same = mesh.layer[start..].iter().take(PATCH).take_while(|&&layer| layer == piece).count();
+            let patch = SolidPatch::new(&mesh, start..start + same, materials[piece as usize].clone());
+            patches.push(Box::new(patch) as Box<dyn Patch<R>>);
+            parts.push(self.pieces[piece as usize].name.clone());
+            start += same;
+        }
+        let sides = mesh.surface();
+        let mut areas = vec![0.0; mesh.nodes.len()];
+        for side in &sides {
+            let [a, b, c, d] = side.map(|n| mesh.nodes[n as usize]);
+            let area = (c - a).cross(d - b).norm() * 0.5;
+            for &node in side {
+                areas[node as usize] += area / 4.0;
+            }
+        }
+        let surface = (0..mesh.nodes.len() as u32).filter(|&n| areas[n as usize] > 0.0).collect();
+        let (mut mass, mut polar) = (R::zero(), R::zero());
+        for (node, &m) in mesh.nodes.iter().zip(&masses) {
+            mass += m;
+            polar += m * (*node - centre).norm_squared();
+        }
+        Ok(MeshedBall {
+            mesh,
+            patches,
+            parts,
+            masses,
+            surface,
+            sides,
+            areas,
+            radius: self.radius(),
+            mass,
+            inertia: polar * (2.0 / 3.0),
+            core_density: materials[0].density,
+        })
+    }
+
+    /// Materials of the pieces, the core with the density that gives the ball its mass.
+    fn materials(&self, mesh: &SolidMesh, volumes: &[f64]) -> Result<Vec<Material<R>>, FemError> {
+        let mut materials: Vec<_> = self.pieces.iter().map(|piece| piece.material.clone()).collect();
+        let Some(target) = self.mass else { return Ok(materials) };
+        let mut volume = vec![0.0; materials.len()];
+        for (&piece, v) in mesh.layer.iter().zip(volumes) {
+            volume[piece as usize] += v;
+        }
+        let mut rest = R::from_f64(target);
+        for (material, &v) in materials.iter().zip(&volume).skip(1) {
+            rest -= material.density * v;
+        }
+        let density = rest / volume[0];
+        if density.re() <= 100.0 {
+            return Err(FemError::input(
+                "ball.mass",
+                format!("{:.2} g", target * 1e3),
+                format!("the pieces around the core leave it a density of {:.0} kg/m3; make them lighter or thinner", density.re()),
+            ));
+        }
+        materials[0].density = density;
+        Ok(materials)
+    }
+}
+
+impl<R: Real> MeshedBall<R> {
+    /// Positions of the nodes as rows.
+    #[must_use]
+    pub fn positions(&self) -> Vec<Row<R>> {
+        self.mesh.nodes.iter().map(|p| Row([p.x, p.y, p.z, 0.0].map(R::from_f64))).collect()
+    }
+}

@@ -1,0 +1,97 @@
+//! A rigid clubhead with a plane or torus face, moving freely.
+
+use super::RigidSurface;
+use clubface_impact::face::Face;
+use clubface_impact::first_touch::{FirstTouch, Motion};
+use clubface_math::{Mat3, Quat, Real, Vec3};
+
+/// The head, in face axes of first touch with the origin at its CG then.
+#[derive(Clone, Debug)]
+pub struct RigidHead<R> {
+    face: Face<R>,
+    /// CG to face centre, face axes, m.
+    lever: Vec3<R>,
+    mass: R,
+    inertia: Mat3<R>,
+    inverse_inertia: Mat3<R>,
+    position: Vec3<R>,
+    attitude: Quat<R>,
+    /// Rotation from face axes to those of first touch.
+    turn: Mat3<R>,
+    velocity: Vec3<R>,
+    angular_momentum: Vec3<R>,
+    spin: Vec3<R>,
+    force: Vec3<R>,
+    torque: Vec3<R>,
+}
+
+impl<R: Real> RigidHead<R> {
+    /// The head of a shot at first touch.
+    pub fn new(touch: &FirstTouch<R>) -> Self {
+        Self {
+            face: touch.face,
+            lever: touch.lever,
+            mass: touch.club_mass,
+            inertia: touch.inertia,
+            inverse_inertia: touch.inertia.inverse(),
+            position: Vec3::zero(),
+            attitude: Quat::identity(),
+            turn: Mat3::diagonal(R::one()),
+            velocity: touch.club_velocity,
+            angular_momentum: touch.inertia * touch.club_spin,
+            spin: touch.club_spin,
+            force: Vec3::zero(),
+            torque: Vec3::zero(),
+        }
+    }
+}
+
+impl<R: Real> RigidSurface<R> for RigidHead<R> {
+    fn nearest(&self, point: Vec3<R>) -> (R, Vec3<R>) {
+        let local = self.turn.transpose() * (point - self.position) - self.lever;
+        let nearest = self.face.nearest(local);
+        (nearest.distance, self.turn * nearest.normal)
+    }
+    fn velocity(&self, point: Vec3<R>) -> Vec3<R> {
+        self.velocity + self.spin.cross(point - self.position)
+    }
+    fn push(&mut self, force: Vec3<R>, point: Vec3<R>) {
+        self.force += force;
+        self.torque += (point - self.position).cross(force);
+    }
+    fn advance(&mut self, dt: f64) {
+        let step = R::from_f64(dt);
+        self.velocity += self.force * (step / self.mass);
+        self.angular_momentum += self.torque * step;
+        // Attitude by a half step with the old rotation, then with the rotation found there (midpoint rule).
+        let middle = self.turned(self.body_spin(self.turn), dt * 0.5);
+        self.attitude = self.turned(self.body_spin(middle.matrix()), dt);
+        self.turn = self.attitude.matrix();
+        self.spin = self.turn * self.body_spin(self.turn);
+        self.position += self.velocity * step;
+        self.force = Vec3::zero();
+        self.torque = Vec3::zero();
+    }
+    fn kinetic_energy(&self) -> f64 {
+        let body = self.turn.transpose() * self.spin;
+        0.5 * (self.mass * self.velocity.norm_squared() + body.dot(self.inertia * body)).re()
+    }
+    fn motion(&self) -> Motion<R> {
+        Motion { velocity: self.velocity, spin: self.spin }
+    }
+}
+
+impl<R: Real> RigidHead<R> {
+    /// Angular velocity in body axes, for a rotation.
+    fn body_spin(&self, turn: Mat3<R>) -> Vec3<R> {
+        self.inverse_inertia * (turn.transpose() * self.angular_momentum)
+    }
+    /// Attitude after turning for `dt` seconds, of unit length.
+    fn turned(&self, body_spin: Vec3<R>, dt: f64) -> Quat<R> {
+        let rate = self.attitude.rate(body_spin);
+        let step = R::from_f64(dt);
+        let (w, v) = (self.attitude.w + rate.w * step, self.attitude.v + rate.v * step);
+        let scale = (w * w + v.norm_squared()).sqrt().recip();
+        Quat { w: w * scale, v: v * scale }
+    }
+}

@@ -1,0 +1,55 @@
+//! What can go wrong.
+
+use thiserror::Error;
+
+/// A request that cannot be met, or a run that had to stop.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum FemError {
+    /// An input that makes no sense.
+    #[error("{name} is {value}: {allowed}")]
+    Input {
+        /// What was given, such as "cover.poisson".
+        name: String,
+        /// Its value, with unit.
+        value: String,
+        /// What is allowed, and what to do.
+        allowed: String,
+    },
+    /// An element was squeezed or stretched beyond what its law can follow.
+    #[error("an element of {part} kept {ratio:.2} of its volume at {microseconds:.0} us: the material is too soft for this impact, the mesh too coarse, or the time step too long")]
+    ElementLost {
+        /// Piece of the ball, or part of the head.
+        part: String,
+        /// Current over reference volume.
+        ratio: f64,
+        /// Time, us.
+        microseconds: f64,
+    },
+    /// The energies no longer add up.
+    #[error("the energies were off by {percent:.1}% at {microseconds:.0} us (1% is allowed): the time step is too long, or an element is failing")]
+    Energy {
+        /// Error over the initial kinetic energy, per cent.
+        percent: f64,
+        /// Time, us.
+        microseconds: f64,
+    },
+    /// The ball and the face never met.
+    #[error("the ball and the face did not meet in {microseconds:.0} us: the head moves away from the ball, or passes it")]
+    Missed {
+        /// Simulated time, us.
+        microseconds: f64,
+    },
+    /// Stopped by request.
+    #[error("stopped at {microseconds:.0} us by request")]
+    Interrupted {
+        /// Time, us.
+        microseconds: f64,
+    },
+}
+
+impl FemError {
+    /// An input that is not allowed.
+    pub fn input(name: impl Into<String>, value: impl std::fmt::Display, allowed: impl Into<String>) -> Self {
+        Self::Input { name: name.into(), value: value.to_string(), allowed: allowed.into() }
+    }
+}
