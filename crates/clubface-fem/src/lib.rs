@@ -3,6 +3,7 @@
 //! SI units throughout. Everything is generic over the stored number, [`clubface_math::Real`]: `f64`, or `f64` with derivatives.
 
 pub mod ball;
+pub mod cases;
 pub mod contact;
 pub mod element;
 pub mod error;

@@ -12,7 +12,6 @@ pub struct RigidHead<R> {
     /// CG to face centre, face axes, m.
     lever: Vec3<R>,
     mass: R,
-    inertia: Mat3<R>,
     inverse_inertia: Mat3<R>,
     position: Vec3<R>,
     attitude: Quat<R>,
@@ -23,6 +22,8 @@ pub struct RigidHead<R> {
     spin: Vec3<R>,
     force: Vec3<R>,
     torque: Vec3<R>,
+    /// Velocity and angular velocity half a step earlier.
+    before: (Vec3<R>, Vec3<R>),
 }
 
 impl<R: Real> RigidHead<R> {
@@ -32,7 +33,6 @@ impl<R: Real> RigidHead<R> {
             face: touch.face,
             lever: touch.lever,
             mass: touch.club_mass,
-            inertia: touch.inertia,
             inverse_inertia: touch.inertia.inverse(),
             position: Vec3::zero(),
             attitude: Quat::identity(),
@@ -42,6 +42,7 @@ impl<R: Real> RigidHead<R> {
             spin: touch.club_spin,
             force: Vec3::zero(),
             torque: Vec3::zero(),
+            before: (touch.club_velocity, touch.club_spin),
         }
     }
 }
@@ -61,6 +62,7 @@ impl<R: Real> RigidSurface<R> for RigidHead<R> {
     }
     fn advance(&mut self, dt: f64) {
         let step = R::from_f64(dt);
+        self.before = (self.velocity, self.spin);
         self.velocity += self.force * (step / self.mass);
         self.angular_momentum += self.torque * step;
         // Attitude by a half step with the old rotation, then with the rotation found there (midpoint rule).
@@ -73,8 +75,8 @@ impl<R: Real> RigidSurface<R> for RigidHead<R> {
         self.torque = Vec3::zero();
     }
     fn kinetic_energy(&self) -> f64 {
-        let body = self.turn.transpose() * self.spin;
-        0.5 * (self.mass * self.velocity.norm_squared() + body.dot(self.inertia * body)).re()
+        let (velocity, spin) = self.before;
+        0.5 * (self.mass * self.velocity.dot(velocity) + self.angular_momentum.dot(spin)).re()
     }
     fn motion(&self) -> Motion<R> {
         Motion { velocity: self.velocity, spin: self.spin }

@@ -1,5 +1,9 @@
 //! Time stepping: central differences over all nodes, elements and contact side by side.
 
+mod history;
+mod impact;
 mod structure;
 
+pub use history::{ContactFrame, EnergyFrame, Figures, History, MotionFrame};
+pub use impact::{turn, Impact, Options, Outcome, Progress};
 pub use structure::{Kinetics, Structure};

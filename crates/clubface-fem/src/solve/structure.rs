@@ -22,6 +22,8 @@ pub struct Kinetics<R> {
     pub velocity: Vec3<R>,
     /// Angular velocity of the rigid rotation that fits the velocities best, weighted by mass, rad/s.
     pub spin: Vec3<R>,
+    /// Angular momentum about the mass centre, kg m2/s.
+    pub angular_momentum: Vec3<R>,
 }
 
 /// Nodes with mass, and patches of elements between them.
@@ -32,6 +34,8 @@ pub struct Structure<R> {
     pub velocities: Vec<Row<R>>,
     /// Masses, kg.
     pub masses: Vec<R>,
+    /// Number of rows that are positions; those behind are rotations of shells.
+    pub translations: usize,
     inverse_masses: Vec<R>,
     patches: Vec<Box<dyn Patch<R>>>,
     /// Where the forces on node `n` stand: `slots[first[n]..first[n + 1]]`, each a patch and a place in it.
@@ -62,6 +66,7 @@ impl<R: Real> Structure<R> {
         }
         let inverse_masses = masses.iter().map(|m| m.recip()).collect();
         Self {
+            translations: positions.len(),
             velocities: vec![Row::zero(); positions.len()],
             positions,
             masses,
@@ -73,7 +78,7 @@ impl<R: Real> Structure<R> {
     }
 
     /// Forces of all patches, and of the contact, at the current positions.
-    fn assemble(&mut self, contact: &mut dyn Contact<R>, dt: f64) {
+    pub fn assemble(&mut self, contact: &mut dyn Contact<R>, dt: f64) {
         let (positions, velocities, patches) = (&self.positions, &self.velocities, &mut self.patches);
         rayon::join(
             || contact.assemble(positions, velocities, dt),
@@ -81,9 +86,9 @@ impl<R: Real> Structure<R> {
         );
     }
 
-    /// One step: velocities from half a step before the positions to half a step after, then positions.
-    pub fn step(&mut self, contact: &mut dyn Contact<R>, dt: f64) {
-        self.assemble(contact, dt);
+    /// One step under the forces of the last [`Structure::assemble`]: velocities from half a step before the positions to half a step after,
+    /// then positions.
+    pub fn advance(&mut self, contact: &dyn Contact<R>, dt: f64) {
         let forces: Vec<&[Row<R>]> =
             self.patches.iter().map(|p| p.forces()).chain([contact.forces()]).collect();
         let (first, slots) = (&self.first, &self.slots);
@@ -105,6 +110,12 @@ impl<R: Real> Structure<R> {
                     add(&mut x[i], &velocity, step);
                 }
             });
+    }
+
+    /// Smallest and largest volume ratio of each patch.
+    pub fn volume_ratios(&mut self) -> Vec<(f64, f64)> {
+        let positions = &self.positions;
+        self.patches.par_iter_mut().map(|p| p.volume_ratios(positions)).collect()
     }
 
     /// Energies of the elements, J, at the current positions.
@@ -140,12 +151,13 @@ impl<R: Real> Structure<R> {
             }
         }
         let spin = clubface_math::Mat3::symmetric(moments).inverse() * angular;
-        Kinetics { mass, centre, velocity, spin }
+        Kinetics { mass, centre, velocity, spin, angular_momentum: angular }
     }
 
-    /// Kinetic energy, J, of the velocities.
-    pub fn kinetic_energy(&self) -> f64 {
-        self.velocities.iter().zip(&self.masses).map(|(v, m)| 0.5 * (v.vec().norm_squared() * *m).re()).sum()
+    /// Kinetic energy, J, between two fields of velocities: with those before and after a step it is the one that central differences conserve.
+    pub fn kinetic_energy(&self, before: &[Row<R>]) -> f64 {
+        let pairs = self.velocities.iter().zip(before).zip(&self.masses);
+        pairs.map(|((a, b), m)| 0.5 * (a.vec().dot(b.vec()) * *m).re()).sum()
     }
 
     /// Bound of the stable step, s: two over the highest frequency of the structure as it stands, by power iteration on the forces.
@@ -158,7 +170,8 @@ impl<R: Real> Structure<R> {
             .iter()
             .map(|_| {
                 [0; 3].map(|_: i32| {
-                    seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                    seed =
+                        seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
                     (seed >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
                 })
             })
@@ -169,8 +182,7 @@ impl<R: Real> Structure<R> {
             for d in direction.iter_mut().flatten() {
                 *d /= norm;
             }
-            let largest =
-                direction.iter().flat_map(|d| d.iter()).fold(0.0_f64, |m, c| m.max(c.abs()));
+            let largest = direction.iter().flat_map(|d| d.iter()).fold(0.0_f64, |m, c| m.max(c.abs()));
             let scale = size / largest;
             for (x, (r, d)) in self.positions.iter_mut().zip(rest.iter().zip(&direction)) {
                 for c in 0..3 {
@@ -181,9 +193,7 @@ impl<R: Real> Structure<R> {
             self.patches.par_iter_mut().for_each(|patch| patch.assemble(positions, velocities, 0.0));
             for (node, d) in direction.iter_mut().enumerate() {
                 let mut sum = Row::<R>::zero();
-                for &(patch, place) in
-                    &self.slots[self.first[node] as usize..self.first[node + 1] as usize]
-                {
+                for &(patch, place) in &self.slots[self.first[node] as usize..self.first[node + 1] as usize] {
                     if let Some(patch) = self.patches.get(patch as usize) {
                         add(&mut sum, &patch.forces()[place as usize], R::one());
                     }
