@@ -1,5 +1,7 @@
 """Mistakes on the command line: one message on the error stream, status 2, no traceback."""
 
+import sys
+
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -90,6 +92,14 @@ def test_no_text_brings_a_traceback(capsys, option, text):
     assert status in (0, 2)
     assert "Traceback" not in captured.err
     assert (captured.out == "") == (status == 2)
+
+
+def test_a_library_that_is_not_installed_is_named_with_its_extra(clubface_, monkeypatch):
+    for name in [name for name in sys.modules if name.startswith(("matplotlib", "clubface.plots"))]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    ran = clubface_("shot", "driver", "--speed", "50 m/s", "--plot", "a.png")
+    assert_mistake(ran, "matplotlib", "pip install 'clubface[plots]'")
 
 
 def test_a_mistake_of_the_program_is_told_from_one_of_the_user(clubface_, monkeypatch):

@@ -42,7 +42,7 @@ def report(error: BaseException) -> int:
     if isinstance(error, ClubfaceError):
         say(str(error))
         return 2
-    if isinstance(error, ModuleNotFoundError) and error.name in EXTRAS:
+    if isinstance(error, ModuleNotFoundError) and _library(error) in EXTRAS:
         return missing_library(error)
     if isinstance(error, OSError) and error.filename is not None:
         say(f"{error.filename}: {error.strerror}")
@@ -62,11 +62,15 @@ def report(error: BaseException) -> int:
 
 def missing_library(error: ModuleNotFoundError) -> int:
     """Tell which extra brings a library that is not installed; return the exit status."""
-    extra = EXTRAS.get(error.name or "")
-    if extra is None:
+    library = _library(error)
+    if library not in EXTRAS:
         raise error
-    say(f"this needs {error.name}, which is not installed: pip install 'clubface[{extra}]'")
+    say(f"this needs {library}, which is not installed: pip install 'clubface[{EXTRAS[library]}]'")
     return 2
+
+
+def _library(error: ModuleNotFoundError) -> str:
+    return (error.name or "").partition(".")[0]
 
 
 def _misused(error: Any) -> int:
