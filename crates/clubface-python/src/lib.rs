@@ -2,6 +2,7 @@
 
 mod columns;
 mod describe;
+mod fem;
 mod flight;
 mod impact;
 
@@ -12,6 +13,8 @@ use pyo3::prelude::*;
 mod _core {
     #[pymodule_export]
     use crate::describe::{flight_inputs, flight_outputs, inputs, models, outputs, pressure_at_altitude};
+    #[pymodule_export]
+    use crate::fem::{fem_ball, fem_head, fem_laws, fem_plane};
     #[pymodule_export]
     use crate::flight::{fly, fly_sensitivity, trajectory};
     #[pymodule_export]

@@ -6,11 +6,13 @@
 mod hencky;
 mod mooney_rivlin;
 mod neo_hookean;
+mod registry;
 mod viscous;
 
 pub use hencky::Hencky;
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
+pub use registry::{LawInfo, LAWS};
 pub use viscous::{add_branches, history_length, Decay, Maxwell, MAX_TERMS};
 
 use clubface_math::{Mat3, Pack, Real, Scalar, Vec3};

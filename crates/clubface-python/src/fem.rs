@@ -1,0 +1,260 @@
+//! Finite element impacts: a ball and what it meets go in, histories come out.
+
+use clubface_fem::ball::{Ball, Piece};
+use clubface_fem::cases::{against_head, against_plane};
+use clubface_fem::material::{Material, Maxwell, Shape, LAWS};
+use clubface_fem::solve::{Impact, Options, Outcome, Progress};
+use clubface_fem::FemError;
+use clubface_impact::first_touch::FirstTouch;
+use clubface_impact::shot::{Shot, INPUT_COUNT};
+use numpy::{PyArray1, PyArray2, PyArray3};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+
+/// One piece of a ball.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct PieceValues {
+    name: String,
+    radius: f64,
+    layers: usize,
+    law: String,
+    constants: Vec<f64>,
+    bulk: f64,
+    maxwell: Vec<(f64, f64)>,
+    density: f64,
+}
+
+/// A ball.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct BallValues {
+    pieces: Vec<PieceValues>,
+    cube: usize,
+    mass: Option<f64>,
+}
+
+/// How to run.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct RunValues {
+    duration: f64,
+    safety: f64,
+    interval: f64,
+    until_separation: bool,
+    threads: usize,
+    frames: usize,
+}
+
+fn error_of(error: &FemError) -> PyErr {
+    match error {
+        FemError::Input { name, value, allowed } => {
+            PyValueError::new_err((name.clone(), value.clone(), allowed.clone()))
+        }
+        other => PyValueError::new_err(("", "", other.to_string())),
+    }
+}
+
+fn ball_of(values: &BallValues) -> PyResult<Ball<f64>> {
+    let mut pieces = Vec::new();
+    for piece in &values.pieces {
+        let shape = Shape::from_name(&piece.law, &piece.constants).map_err(|e| error_of(&e))?;
+        let maxwell = piece.maxwell.iter().map(|&(modulus, time)| Maxwell { modulus, time }).collect();
+        let material = Material { shape, bulk: piece.bulk, maxwell, density: piece.density };
+        pieces.push(Piece { name: piece.name.clone(), radius: piece.radius, layers: piece.layers, material });
+    }
+    Ok(Ball { pieces, cube: values.cube, mass: values.mass })
+}
+
+/// The laws of materials: [{name, constants, summary}, ...].
+#[pyfunction]
+pub fn fem_laws(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
+    let list = PyList::empty(py);
+    for law in LAWS {
+        let entry = PyDict::new(py);
+        entry.set_item("name", law.name)?;
+        entry.set_item("constants", law.constants.to_vec())?;
+        entry.set_item("summary", law.summary)?;
+        list.append(entry)?;
+    }
+    Ok(list)
+}
+
+/// Mass properties of a ball as meshed: {mass, inertia, core_density, radius, nodes, elements}.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_ball<'py>(py: Python<'py>, ball: BallValues) -> PyResult<Bound<'py, PyDict>> {
+    let ball = ball_of(&ball)?;
+    let still = clubface_math::Mat3::diagonal(1.0);
+    let meshed = ball.mesh(&still, clubface_math::Vec3::zero()).map_err(|e| error_of(&e))?;
+    let dict = PyDict::new(py);
+    dict.set_item("mass", meshed.mass)?;
+    dict.set_item("inertia", meshed.inertia)?;
+    dict.set_item("core_density", meshed.core_density)?;
+    dict.set_item("radius", meshed.radius)?;
+    dict.set_item("nodes", meshed.mesh.nodes.len())?;
+    dict.set_item("elements", meshed.mesh.elements.len())?;
+    Ok(dict)
+}
+
+/// A ball thrown at a rigid plane at `speed` (m/s) and `angle` (rad) from its normal.
+#[pyfunction]
+#[pyo3(signature = (ball, speed, angle, friction, run, progress=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_plane<'py>(
+    py: Python<'py>,
+    ball: BallValues,
+    speed: f64,
+    angle: f64,
+    friction: f64,
+    run: RunValues,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let ball = ball_of(&ball)?;
+    let mut impact = against_plane(&ball, speed, angle, friction).map_err(|e| error_of(&e))?;
+    let ran = simulate(py, &mut impact, &run, progress)?;
+    to_dict(py, &impact, &ran, None)
+}
+
+/// A shot with a rigid head; `inputs` in the order of `inputs()`. Mass, radius and inertia of the ball come from the mesh.
+#[pyfunction]
+#[pyo3(signature = (ball, inputs, friction, run, progress=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_head<'py>(
+    py: Python<'py>,
+    ball: BallValues,
+    inputs: Vec<f64>,
+    friction: f64,
+    run: RunValues,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let inputs: &[f64; INPUT_COUNT] =
+        inputs.as_slice().try_into().map_err(|_| PyValueError::new_err(("inputs", "", "all are needed")))?;
+    clubface_impact::check::check(inputs).map_err(|e| PyValueError::new_err((e.input, "", e.message)))?;
+    let touch = FirstTouch::of(&Shot::from_inputs(inputs));
+    let ball = ball_of(&ball)?;
+    let mut impact = against_head(&ball, &touch, friction).map_err(|e| error_of(&e))?;
+    let ran = simulate(py, &mut impact, &run, progress)?;
+    to_dict(py, &impact, &ran, Some(&touch))
+}
+
+/// A finished run with the positions kept on the way.
+struct Ran {
+    outcome: Outcome<f64>,
+    times: Vec<f64>,
+    positions: Vec<f64>,
+}
+
+fn simulate<'py>(
+    py: Python<'py>,
+    impact: &mut Impact<f64>,
+    run: &RunValues,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<Ran> {
+    let options = Options {
+        duration: run.duration,
+        safety: run.safety,
+        interval: run.interval,
+        until_separation: run.until_separation,
+        ..Options::default()
+    };
+    let progress = progress.map(Bound::unbind);
+    let frame_gap = if run.frames > 1 { run.duration / (run.frames - 1) as f64 } else { f64::INFINITY };
+    let frames = run.frames;
+    let (mut times, mut positions) = (Vec::new(), Vec::new());
+    let mut raised = None;
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(run.threads)
+        .build()
+        .map_err(|e| PyValueError::new_err(("threads", "", e.to_string())))?;
+    let outcome = py.detach(|| {
+        let mut watch = |at: &Progress, now: &Impact<f64>| {
+            if frames > 0 && at.time >= times.len() as f64 * frame_gap {
+                times.push(at.time);
+                positions
+                    .extend(now.structure.positions.iter().flat_map(|row| [row.0[0], row.0[1], row.0[2]]));
+            }
+            let looked = Python::attach(|py| {
+                py.check_signals()?;
+                progress.as_ref().map_or(Ok(()), |f| f.call1(py, (at.time, at.duration)).map(|_| ()))
+            });
+            match looked {
+                Ok(()) => true,
+                Err(error) => {
+                    raised = Some(error);
+                    false
+                }
+            }
+        };
+        pool.install(|| impact.run(&options, &mut watch))
+    });
+    let outcome = outcome.map_err(|e| error_of(&e))?;
+    if let Some(error) = raised {
+        if !error.is_instance_of::<pyo3::exceptions::PyKeyboardInterrupt>(py) {
+            return Err(error);
+        }
+    }
+    Ok(Ran { outcome, times, positions })
+}
+
+fn to_dict<'py>(
+    py: Python<'py>,
+    impact: &Impact<f64>,
+    ran: &Ran,
+    touch: Option<&FirstTouch<f64>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let outcome = &ran.outcome;
+    let history = &outcome.history;
+    let figures = history.figures(impact.radius);
+    let dict = PyDict::new(py);
+    macro_rules! figure {
+        ($($name:ident)+) => { $(dict.set_item(stringify!($name), figures.$name)?;)+ };
+    }
+    figure!(peak_force peak_force_time contact_time tangential_max tangential_min reversal_time spin_max contraction contraction_time f_prime f energy_error);
+    dict.set_item("ball_velocity", outcome.ball.velocity.array().to_vec())?;
+    dict.set_item("ball_spin", outcome.ball.spin.array().to_vec())?;
+    dict.set_item("axes", PyArray2::from_vec2(py, &impact.axes.map(|a| a.array().to_vec()))?)?;
+    dict.set_item("steps", outcome.steps)?;
+    dict.set_item("step", outcome.step)?;
+    dict.set_item("wall", outcome.wall)?;
+    dict.set_item("stopped", outcome.stopped.as_ref().map(ToString::to_string))?;
+    dict.set_item("interrupted", matches!(outcome.stopped, Some(FemError::Interrupted { .. })))?;
+    if let Some(touch) = touch {
+        let mut launch = touch.launch(outcome.ball, outcome.head);
+        launch.contact_time = figures.contact_time;
+        launch.peak_force = figures.peak_force;
+        dict.set_item("launch", PyArray1::from_slice(py, &launch.outputs()))?;
+    }
+    let contact = PyDict::new(py);
+    macro_rules! columns {
+        ($into:ident, $frames:expr, $($name:ident)+) => {
+            $($into.set_item(stringify!($name), PyArray1::from_iter(py, $frames.iter().map(|f| f.$name)))?;)+
+        };
+    }
+    columns!(contact, history.contact, time normal tangential toe area);
+    dict.set_item("contact", contact)?;
+    let motion = PyDict::new(py);
+    columns!(motion, history.motion, time radius);
+    let rows = |pick: fn(&clubface_fem::solve::MotionFrame) -> [f64; 3]| -> Vec<Vec<f64>> {
+        history.motion.iter().map(|f| pick(f).to_vec()).collect()
+    };
+    motion.set_item("velocity", PyArray2::from_vec2(py, &rows(|f| f.velocity))?)?;
+    motion.set_item("spin", PyArray2::from_vec2(py, &rows(|f| f.spin))?)?;
+    dict.set_item("motion", motion)?;
+    let energy = PyDict::new(py);
+    columns!(energy, history.energy, time kinetic contact friction);
+    macro_rules! element_energies {
+        ($($name:ident)+) => {
+            $(energy.set_item(stringify!($name), PyArray1::from_iter(py, history.energy.iter().map(|f| f.elements.$name)))?;)+
+        };
+    }
+    element_energies!(strain hourglass viscous plastic);
+    dict.set_item("energy", energy)?;
+    let nodes = impact.structure.positions.len();
+    let frames: Vec<Vec<Vec<f64>>> =
+        ran.positions.chunks(nodes * 3).map(|frame| frame.chunks(3).map(<[f64]>::to_vec).collect()).collect();
+    dict.set_item("frame_times", PyArray1::from_slice(py, &ran.times))?;
+    dict.set_item("frames", PyArray3::from_vec3(py, &frames)?)?;
+    Ok(dict)
+}
