@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from clubface import errors as errors
+    from clubface import fem as fem
     from clubface import units as units
     from clubface.balls import Ball as Ball
     from clubface.balls import ball as ball
@@ -51,7 +52,7 @@ _HOME = {
 }
 """The module in which each public name is defined."""
 
-_MODULES = ("errors", "units")
+_MODULES = ("errors", "fem", "units")
 
 __all__ = [*_HOME, *_MODULES]  # pyright: ignore[reportUnsupportedDunderAll]
 

@@ -13,7 +13,7 @@ from clubface.clubs import Club
 from clubface.delivery import Delivery
 from clubface.errors import InputError, UnknownNameError
 from clubface.launch import Comparison, Launch
-from clubface.models import models
+from clubface.models import FEM, models
 from clubface.parameters import ParameterSet
 from clubface.quantities import outputs
 from clubface.results import first_error
@@ -122,19 +122,36 @@ def impact(
         )  # fmt: skip
     check_on_error(on_error)
     accuracy, cores = tolerance(accuracy), thread_count(threads)
+    meshed = None
+    if model == FEM.name:
+        meshed, ball = _meshed_ball(ball, accuracy)
     with_ = equipment(club, ball)
     chosen = parameter_set(model, with_.club, parameters)
     hit = shots(with_, values, hand=hand)
     names = tuple(chosen.values)
     hit, columns = broadcast(hit, chosen.columns(), names, len(outputs()))
-    try:
-        computed, problems = _core.impact(model, hit.columns, columns, math.prod(hit.shape), accuracy, cores, progress)
-    except ValueError as error:
-        raise shot_error(error, hit.columns, chosen) from None
+    count = math.prod(hit.shape)
+    if meshed is not None:
+        from clubface.fem.as_model import launches
+
+        computed, problems = launches(meshed, hit.columns, columns[0], count, progress)
+    else:
+        try:
+            computed, problems = _core.impact(model, hit.columns, columns, count, accuracy, cores, progress)
+        except ValueError as error:
+            raise shot_error(error, hit.columns, chosen) from None
     if problems and on_error == "raise":
         row, name, _ = problems[0]
         raise first_error(problems, value_of(name, row, hit.columns, names, columns), hit.shape)
     return Launch(computed, hit, model, chosen, accuracy, problems)
+
+
+def _meshed_ball(ball: Any, accuracy: float | None) -> tuple[Any, Any]:
+    """Return the ball of the finite elements and its rigid counterpart; the module is large, and seldom needed."""
+    from clubface.fem import as_model
+
+    as_model.check_no_accuracy(accuracy)
+    return as_model.meshed_ball(ball)
 
 
 def model_names(model: ModelNames) -> tuple[str, ...]:

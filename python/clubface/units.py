@@ -76,6 +76,8 @@ def _table() -> dict[str, Unit]:
     add("force", "N,n")
     add("force", "kN,kn", 1e3)
     add("energy", "J")
+    add("density", "kg/m3,kg_m3")
+    add("density", "g/cm3,g_cm3", 1e3)
     add("volumetric stiffness", "N/m3")
     add("inverse speed", "s/m")
     add("inverse speed", "ms/m", 1.0, 1e3)

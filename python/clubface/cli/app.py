@@ -24,6 +24,7 @@ COMMANDS = {
     "clubs": "clubs",
     "club": "club",
     "tour": "tour",
+    "fem": "fem",
 }
 """The module of each command, in the order of the help."""
 READER_GONE = 128 + 13

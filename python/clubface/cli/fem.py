@@ -1,0 +1,244 @@
+"""``clubface fem``: finite element impacts."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import options, output
+from clubface.cli.failures import say
+
+app = typer.Typer(add_completion=False, no_args_is_help=True, help="Finite elements: impacts of meshed balls.")
+
+Friction = Annotated[float, typer.Option("--friction", metavar="NUMBER", help="Coulomb's coefficient.")]
+Refine = Annotated[int, typer.Option("--refine", metavar="TIMES", help="Finer along every edge, 1 to 8 times.")]
+BallOption = Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball of finite elements.")]
+Folder = Annotated[
+    str | None, typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures there.")
+]
+RPM = 30.0 / math.pi
+
+
+@app.command("reference")
+def reference(
+    friction: Friction = 0.35,
+    refine: Refine = 1,
+    ball: BallOption = "reference",
+    as_json: options.Json = False,
+) -> None:
+    """Throw P2's ball at a rigid plane: the case by which solvers are compared."""
+    from clubface import fem
+
+    found = run_with_progress(
+        lambda progress: fem.reference(which=ball, friction=friction, refine=refine, progress=progress)
+    )
+    document = {
+        "normal_mps": found.normal_velocity,
+        "tangential_mps": found.tangential_velocity,
+        "spin_rpm": found.backspin * RPM,
+        "spin_max_rpm": found.spin_max * RPM,
+        "peak_force_n": found.peak_force,
+        "peak_force_time_s": found.peak_force_time,
+        "contact_time_s": found.contact_time,
+        "tangential_max_n": found.tangential_max,
+        "tangential_min_n": found.tangential_min,
+        "reversal_time_s": found.reversal_time,
+        "energy_error": found.energy_error,
+        "elements": found.ball.elements,
+        "steps": found.steps,
+        "wall_s": found.wall,
+    }
+    if as_json:
+        output.print_json(document)
+        return
+    from clubface.cli.tables import print_numbers
+
+    shown = REFERENCE_ROWS
+    rows = [
+        [label, output.number(document[key] * scale, digits), *others] for label, key, scale, digits, *others in shown
+    ]
+    print_numbers(
+        ("", "clubface", "one-point", "8-point", "2nd code"), rows, title="Reference case, beside other solvers"
+    )
+    print(_cost(found))
+
+
+@app.command("run")
+def run(
+    case: Annotated[str, typer.Argument(metavar="CASE", help="A built-in case, or a TOML file.")],
+    folder: Folder = None,
+    as_json: options.Json = False,
+) -> None:
+    """Run a case: ball, head, delivery and settings in one TOML file."""
+    from clubface.fem import case as cases
+    from clubface.fem import files
+
+    chosen = cases.case(case)
+    if folder is not None:
+        files.prepare(folder)
+    found = run_with_progress(lambda progress: chosen.run(progress))
+    written = files.write_run(found, folder) if folder is not None else []
+    document = files.document(found)
+    if as_json:
+        output.print_json(document)
+    else:
+        rows = [[key, f"{value:.6g}" if isinstance(value, float) else str(value)] for key, value in document.items()]
+        from clubface.cli.tables import print_numbers
+
+        print_numbers(("", ""), rows, title=chosen.description or chosen.name)
+    _tell(written)
+
+
+@app.command("paper")
+def paper(
+    case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="A variation of P2's case.")] = "paper",
+    folder: Folder = None,
+    as_json: options.Json = False,
+) -> None:
+    """Run P2's case and show its table with ours beside it; with -o redraw its figures."""
+    from clubface.fem import files
+    from clubface.fem import paper as job
+
+    if folder is not None:
+        files.prepare(folder)
+    found = run_with_progress(lambda progress: job.paper(case, progress))
+    written = files.write_paper(found, folder) if folder is not None else []
+    if as_json:
+        output.print_json(job.document(found))
+    else:
+        from clubface.cli.tables import print_numbers
+
+        ours = job.table(found)
+        rows = [
+            [label, output.number(job.PUBLISHED[key] * scale, digits), output.number(ours[key] * scale, digits)]
+            for label, key, scale, digits in PAPER_ROWS
+        ]
+        print_numbers(("", "P2", "clubface"), rows, title="P2's case, as published and as computed")
+        print(_cost(found))
+    _tell(written)
+
+
+@app.command("sweep")
+def sweep(
+    speed: Annotated[str, typer.Option("--speed", metavar="FIRST:LAST:STEP", help="Clubhead speeds, m/s.")] = "30:60:5",
+    loft: Annotated[str, typer.Option("--loft", metavar="FIRST:LAST:STEP", help="Lofts, deg.")] = "8:12:1",
+    case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="The case that is varied.")] = "paper",
+    folder: Folder = None,
+    workers: Annotated[int | None, typer.Option("--workers", help="Runs at a time; all cores unless given.")] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Run a case over speeds and lofts, a run a core (P2's Fig. 8); with -o it can be resumed."""
+    from clubface.fem import files
+    from clubface.fem import sweep as job
+
+    speeds, lofts = job.grid(speed, "speed", "--speed"), job.grid(loft, "angle", "--loft")
+    target = files.prepare(folder) / "sweep.csv" if folder is not None else None
+    with progress_bar() as update:
+        rows = job.sweep(
+            case, speeds=speeds, lofts=lofts, output=target, workers=workers,
+            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} runs")),
+        )  # fmt: skip
+    written = [target, *files.write_sweep(rows, folder)] if folder is not None else []
+    if as_json:
+        output.print_json(rows)
+    else:
+        from clubface.cli.tables import print_numbers
+
+        heads = ("speed\nm/s", "loft\ndeg", "ball\nm/s", "launch\ndeg", "spin\nrpm", "club after\nm/s", "peak\nN", "f")
+        keys = (("speed_mps", 1), ("loft_deg", 1), ("ball_speed_mps", 1), ("launch_deg", 2), ("spin_rpm", 0),
+                ("club_speed_after_mps", 1), ("peak_force_n", 0), ("f", 4))  # fmt: skip
+        print_numbers(heads, [[output.number(row[key], digits) for key, digits in keys] for row in rows])
+    _tell(written)
+
+
+@app.command("export")
+def export(
+    case: Annotated[str, typer.Argument(metavar="CASE", help="A built-in case, or a TOML file.")] = "paper",
+    form: Annotated[
+        str, typer.Option("--format", metavar="lsdyna|vtu", help="Keyword deck, or shapes over time.")
+    ] = "vtu",
+    folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Where to write.")] = "out",
+) -> None:
+    """Write a case as a keyword deck, or run it and write its shapes for ParaView."""
+    from clubface.equipment import check_choice
+    from clubface.fem import case as cases
+    from clubface.fem import files
+
+    check_choice("--format", form, ("lsdyna", "vtu"))
+    chosen = cases.case(case)
+    target = files.prepare(folder)
+    if form == "lsdyna":
+        _tell([keyword.write(chosen, target / f"{chosen.name}.k")])
+        return
+    wanted = chosen if chosen.settings.frames else chosen.replace(settings={"frames": 51})
+    found = run_with_progress(lambda progress: wanted.run(progress))
+    _tell(vtu.write_series(found, target, chosen.name)[-1:])
+
+
+def _cost(found: Any) -> str:
+    counts = f"{found.ball.elements} elements, {found.steps} steps, {found.wall:.2f} s"
+    return f"{counts}; energies close to {found.energy_error:.2%}"
+
+
+def _tell(files: list[Any]) -> None:
+    if files:
+        say(f"wrote {', '.join(str(each) for each in files)}")
+
+
+PAPER_ROWS: tuple[tuple[str, str, float, int], ...] = (
+    ("ball speed, m/s", "ball_speed_mps", 1.0, 1),
+    ("launch angle, deg", "launch_deg", 1.0, 1),
+    ("club speed after, m/s", "club_speed_after_mps", 1.0, 1),
+    ("spin, rpm", "spin_rpm", 1.0, 0),
+    ("peak force, N", "peak_force_n", 1.0, 0),
+    ("at, us", "peak_force_time_s", 1e6, 0),
+    ("reversal, us", "reversal_time_s", 1e6, 0),
+    ("contraction, %", "contraction", 100.0, 1),
+    ("at, us ", "contraction_time_s", 1e6, 0),
+    ("f'", "f_prime", 1.0, 4),
+    ("f", "f", 1.0, 4),
+)
+"""Label, key, scale and digits."""
+
+REFERENCE_ROWS: tuple[tuple[Any, ...], ...] = (
+    ("normal rebound, m/s", "normal_mps", 1.0, 2, "32.08", "32.06", "32.31"),
+    ("tangential rebound, m/s", "tangential_mps", 1.0, 2, "5.82", "5.82", "5.75"),
+    ("spin, rpm", "spin_rpm", 1.0, 0, "1216", "1221", "1286"),
+    ("largest spin, rpm", "spin_max_rpm", 1.0, 0, "3735", "3749", ""),
+    ("peak force, N", "peak_force_n", 1.0, 0, "8637", "8708", "8925"),
+    ("at, us", "peak_force_time_s", 1e6, 0, "278", "282", "295"),
+    ("contact, us", "contact_time_s", 1e6, 0, "626", "624", "601"),
+    ("largest tangential force, N", "tangential_max_n", 1.0, 0, "843", "851", "833"),
+    ("smallest tangential force, N", "tangential_min_n", 1.0, 0, "-727", "-678", "-667"),
+    ("reversal, us", "reversal_time_s", 1e6, 0, "307", "305", "305"),
+)
+"""Label, key, scale, digits, and what independent open solvers gave."""
+
+
+@contextmanager
+def progress_bar() -> Iterator[Callable[[float, float, str], object] | None]:
+    """Show a bar on the error stream where that is a terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("starting", total=1.0)
+        yield lambda part, whole, text: bar.update(task, completed=part / whole, description=text)
+
+
+def run_with_progress(run: Callable[[Callable[[float, float], object] | None], Any]) -> Any:
+    """Run an impact under a bar; tell of one that stopped early."""
+    with progress_bar() as update:
+        found = run(update and (lambda time, whole: update(time, whole, f"{time * 1e6:.0f} us")))
+    if found.stopped:
+        say(f"note: {found.stopped}; what follows is what there was until then")
+    return found

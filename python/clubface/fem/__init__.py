@@ -1,0 +1,29 @@
+"""Explicit finite elements: a meshed ball against a rigid plane or a clubhead, from first touch to launch.
+
+A :class:`Ball` is made of pieces, each of a :class:`Material`; :func:`ball` reads one by name or from TOML.
+:func:`strike` hits it with a club, :func:`throw` throws it at a rigid plane; both give an :class:`Impact` with forces,
+motion, energies and the figures of P2 ("Analysis of golf ball spin mechanism at impact by FEM").
+"""
+
+from __future__ import annotations
+
+from clubface.fem.balls import Ball, Piece, ball, ball_names
+from clubface.fem.materials import Material, Maxwell, laws
+from clubface.fem.reference import reference
+from clubface.fem.result import Impact
+from clubface.fem.run import Settings, strike, throw
+
+__all__ = [
+    "Ball",
+    "Impact",
+    "Material",
+    "Maxwell",
+    "Piece",
+    "Settings",
+    "ball",
+    "ball_names",
+    "laws",
+    "reference",
+    "strike",
+    "throw",
+]

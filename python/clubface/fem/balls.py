@@ -1,0 +1,217 @@
+"""Balls made of pieces: from TOML, from code or built in, checked."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from clubface import units
+from clubface.equipment import builtin_names, builtin_path, check_name, check_text, is_path
+from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.fem.materials import Material, Maxwell, laws
+from clubface.strict_toml import Document
+
+FOLDER = "fem_balls"
+MAX_PIECES = 5
+
+
+@dataclass(frozen=True, kw_only=True)
+class Piece:
+    """The core of a ball, or one layer around it.
+
+    Attributes
+    ----------
+    name
+        For tables and messages.
+    material
+        What it is made of.
+    layers
+        Element layers through it; for the core, between the cube inside and its surface.
+    thickness
+        [m]; None for the core, which fills what the layers leave.
+    """
+
+    name: str
+    material: Material
+    layers: int
+    thickness: float | None = None
+
+    def __post_init__(self) -> None:
+        check_name(self.name)
+        _check_count(f"layers of {self.name}", self.layers, 48)
+        if self.thickness is not None:
+            value = units.parse(self.thickness, "length", name=f"thickness of {self.name}")
+            object.__setattr__(self, "thickness", value)
+            if not 1e-5 <= value <= 0.02:
+                raise InputError(f"thickness of {self.name}", units.show(value, "mm"), "0.01 to 20 mm")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ball:
+    """A ball for finite elements, SI.
+
+    Attributes
+    ----------
+    name
+        What it is called in tables.
+    diameter
+        [m].
+    pieces
+        From the core outwards.
+    mass
+        [kg]: the core takes the density that gives it; None leaves the core its own.
+    cube
+        Elements along an edge of the cube inside the core, even; the sphere has 6 cube^2 elements around.
+    description
+        One sentence, or more where it was fitted to something.
+    """
+
+    name: str
+    diameter: float
+    pieces: tuple[Piece, ...]
+    mass: float | None = None
+    cube: int = 12
+    description: str = ""
+
+    def __post_init__(self) -> None:
+        check_name(self.name)
+        check_text("description", self.description)
+        object.__setattr__(self, "diameter", units.parse(self.diameter, "length", name="diameter"))
+        object.__setattr__(self, "pieces", tuple(self.pieces))
+        if not 0.01 <= self.diameter <= 0.2:
+            raise InputError("diameter", units.show(self.diameter, "mm"), "10 to 200 mm")
+        if self.mass is not None:
+            object.__setattr__(self, "mass", units.parse(self.mass, "mass", name="mass"))
+            if not 1e-3 <= self.mass <= 1.0:
+                raise InputError("mass", units.show(self.mass, "g"), "1 to 1000 g")
+        _check_count("cube", self.cube, 96)
+        if self.cube % 2:
+            raise InputError("cube", self.cube, "even, so that a node stands where ball and face first touch")
+        if not 1 <= len(self.pieces) <= MAX_PIECES:
+            raise InputError("pieces", len(self.pieces), f"1 to {MAX_PIECES}")
+        core, *around = self.pieces
+        if core.thickness is not None:
+            raise InputError("thickness of the core", units.show(core.thickness, "mm"), "left out: it fills the rest")
+        if core.material.density is None and self.mass is None:
+            raise InputError("mass", None, "given, or else the density of the core")
+        for piece in around:
+            if piece.thickness is None or piece.material.density is None:
+                missing = "thickness" if piece.thickness is None else "density"
+                raise InputError(f"{missing} of {piece.name}", None, "given; only the core may leave it out")
+        self.radii()
+
+    def radii(self) -> list[float]:
+        """Return the outer radius of each piece [m]."""
+        radii = [self.diameter / 2.0]
+        for piece in reversed(self.pieces[1:]):
+            radii.append(radii[-1] - (piece.thickness or 0.0))
+        if radii[-1] < 0.1 * self.diameter:
+            total = sum(piece.thickness or 0.0 for piece in self.pieces[1:])
+            raise InputError("thickness of the layers", units.show(total, "mm"), "less than 80% of the radius in all")
+        return radii[::-1]
+
+    @property
+    def elements(self) -> int:
+        """Number of hexahedra."""
+        return self.cube**3 + 6 * self.cube**2 * sum(piece.layers for piece in self.pieces)
+
+    def refined(self, times: int) -> Ball:
+        """Return the ball with ``times`` as many elements along every edge."""
+        _check_count("refine", times, 8)
+        pieces = tuple(replace(piece, layers=piece.layers * times) for piece in self.pieces)
+        return replace(self, cube=self.cube * times, pieces=pieces)
+
+    def properties(self) -> Mapping[str, float]:
+        """Return what was meshed: mass [kg], inertia [kg m2], core density [kg/m3], radius [m], nodes, elements."""
+        from clubface import _core
+
+        return _core.fem_ball(self.values())
+
+    def values(self) -> dict[str, Any]:
+        """Return what the core takes."""
+        pieces = [
+            {
+                "name": piece.name,
+                "radius": radius,
+                "layers": piece.layers,
+                "law": piece.material.law,
+                "constants": list(piece.material.constants.values()),
+                "bulk": piece.material.bulk,
+                "maxwell": [(branch.modulus, branch.time) for branch in piece.material.maxwell],
+                "density": piece.material.density or 0.0,
+            }
+            for piece, radius in zip(self.pieces, self.radii(), strict=True)
+        ]
+        return {"pieces": pieces, "cube": self.cube, "mass": self.mass}
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Ball:
+        """Read a ball from a TOML file; every error carries file and line."""
+        return from_document(Document.read(path))
+
+
+def ball_names() -> tuple[str, ...]:
+    """Return the names of the balls that come with clubface."""
+    return builtin_names(FOLDER)
+
+
+def ball(which: str | os.PathLike[str] | Ball) -> Ball:
+    """Return a built-in ball by name, or read one from a TOML file."""
+    if isinstance(which, Ball):
+        return which
+    if is_path(which):
+        return Ball.from_toml(which)
+    if which not in ball_names():
+        raise UnknownNameError("ball of finite elements", which, ball_names())
+    return Ball.from_toml(builtin_path("fem_ball", str(which), ball_names()))
+
+
+BALL_KEYS = ("name", "description", "mass", "diameter", "cube", "pieces")
+MATERIAL_KEYS = ("law", "youngs", "poisson", "density", "maxwell")
+
+
+def from_document(document: Document) -> Ball:
+    """Read the ball a TOML document describes."""
+    data = dict(document.data)
+    document.check_keys(data, BALL_KEYS, ("name", "diameter", "pieces"))
+    document.check_text(data, ("name", "description"))
+    tables = data.pop("pieces")
+    if not (isinstance(tables, list) and all(isinstance(each, dict) for each in tables)):
+        raise document.error("pieces must be tables, each under [[pieces]]", "pieces")
+    pieces = []
+    for number, table in enumerate(tables):
+        try:
+            pieces.append(_piece(document, table, number))
+        except InputError as error:
+            raise document.wrap(error, "pieces", number) from error
+    try:
+        return Ball(pieces=tuple(pieces), **data)
+    except ClubfaceError as error:
+        raise document.wrap(error) from error
+
+
+def _piece(document: Document, table: dict[str, Any], number: int) -> Piece:
+    constants = {name for law in laws().values() for name in law.constants}
+    known = ("name", "layers", "thickness", *MATERIAL_KEYS, *sorted(constants))
+    document.check_keys(table, known, ("name", "law", "layers", "poisson"), "pieces", number)
+    branches = table.get("maxwell", [])
+    if not (isinstance(branches, list) and all(isinstance(each, dict) for each in branches)):
+        raise InputError("maxwell", branches, "tables, each under [[pieces.maxwell]]")
+    for branch in branches:
+        document.check_keys(branch, ("modulus", "time"), ("modulus", "time"), "pieces.maxwell")
+    common = {"density": table.get("density"), "maxwell": tuple(Maxwell(**each) for each in branches)}
+    if "youngs" in table:
+        if table["law"] != "linear":
+            raise InputError("youngs", table["youngs"], f"left out: {table['law']} has constants of its own")
+        material = Material.linear(table["youngs"], table["poisson"], **common)
+    else:
+        given = {name: table[name] for name in table if name in constants}
+        material = Material(law=table["law"], constants=given, poisson=table["poisson"], **common)
+    return Piece(name=table["name"], material=material, layers=table["layers"], thickness=table.get("thickness"))
+
+
+def _check_count(name: str, value: object, most: int) -> None:
+    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= most:
+        raise InputError(name, value, f"a whole number from 1 to {most}")

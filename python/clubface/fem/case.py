@@ -1,0 +1,144 @@
+"""Cases: what meets what and how, in one TOML file, so that a run can be repeated and varied."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from clubface.clubs import Club, club
+from clubface.delivery import DIMENSIONS
+from clubface.equipment import builtin_names, builtin_path, check_choice, check_name, check_text, is_path
+from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.fem.balls import Ball, ball
+from clubface.fem.result import Impact
+from clubface.fem.run import Progress, Settings, strike, throw
+from clubface.strict_toml import Document
+
+FOLDER = "fem_cases"
+PLANE, RIGID = "plane", "rigid"
+HEADS = (PLANE, RIGID)
+KEYS = ("name", "description", "ball", "friction", "head", "delivery", "run")
+HEAD_KEYS = ("kind", "club")
+PLANE_KEYS = ("speed", "angle")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Case:
+    """One case.
+
+    Attributes
+    ----------
+    name, description
+        For tables.
+    ball
+        The ball.
+    head
+        "plane" (rigid, at rest) or "rigid" (the head of ``club``).
+    club
+        For a head.
+    delivery
+        Of the head, as of :func:`clubface.impact`; for a plane, ``speed`` and ``angle`` of the ball.
+    friction
+        Coulomb's coefficient.
+    settings
+        How to run.
+    """
+
+    name: str
+    ball: Ball
+    head: str
+    delivery: Mapping[str, Any]
+    club: Club | None = None
+    friction: float = 0.35
+    settings: Settings = field(default_factory=Settings)
+    description: str = ""
+
+    def __post_init__(self) -> None:
+        check_name(self.name)
+        check_text("description", self.description)
+        check_choice("kind of head", self.head, HEADS)
+        known = PLANE_KEYS if self.head == PLANE else tuple(DIMENSIONS)
+        for key in self.delivery:
+            if key not in known:
+                raise UnknownNameError("value of the delivery", key, known)
+        if "speed" not in self.delivery:
+            raise InputError("speed", None, 'given, as in speed = "35 m/s"')
+        if self.head != PLANE and self.club is None:
+            raise InputError("club", None, "given for a rigid head")
+
+    def replace(self, *, settings: Mapping[str, Any] | None = None, **changes: Any) -> Case:
+        """Return the case with values of the delivery, the ball, the friction or the settings changed."""
+        fields = {key: changes.pop(key) for key in ("ball", "friction", "club") if key in changes}
+        return replace(
+            self,
+            delivery={**self.delivery, **changes},
+            settings=replace(self.settings, **(settings or {})),
+            **fields,
+        )
+
+    def run(self, progress: Progress | None = None) -> Impact:
+        """Run the case."""
+        if self.head == PLANE:
+            return throw(self.ball, friction=self.friction, settings=self.settings, progress=progress, **self.delivery)
+        assert self.club is not None
+        return strike(
+            self.club, self.delivery, which=self.ball, friction=self.friction, settings=self.settings, progress=progress
+        )
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Case:
+        """Read a case from a TOML file; balls and clubs it names by path are looked for beside it."""
+        return from_document(Document.read(path), Path(os.fspath(path)).parent)
+
+
+def case_names() -> tuple[str, ...]:
+    """Return the names of the cases that come with clubface."""
+    return builtin_names(FOLDER)
+
+
+def case(which: str | os.PathLike[str] | Case) -> Case:
+    """Return a built-in case by name, or read one from a TOML file."""
+    if isinstance(which, Case):
+        return which
+    if is_path(which):
+        return Case.from_toml(which)
+    return Case.from_toml(builtin_path("fem_case", str(which), case_names()))
+
+
+def from_document(document: Document, folder: Path) -> Case:
+    """Read the case a TOML document describes."""
+    data = dict(document.data)
+    document.check_keys(data, KEYS, ("name", "ball", "head", "delivery"))
+    document.check_text(data, ("name", "description", "ball"))
+    tables = {key: data.get(key, {}) for key in ("head", "delivery", "run")}
+    for key, table in tables.items():
+        if not isinstance(table, dict):
+            raise document.error(f"{key} must be a table: [{key}]", key)
+    document.check_keys(tables["head"], HEAD_KEYS, ("kind",), "head")
+    document.check_text(tables["head"], HEAD_KEYS, "head")
+    document.check_keys(tables["run"], tuple(Settings.__dataclass_fields__), (), "run")
+    named = tables["head"].get("club")
+    try:
+        settings = Settings(**tables["run"])
+    except ClubfaceError as error:
+        raise document.wrap(error, "run") from error
+    try:
+        return Case(
+            name=data["name"],
+            description=data.get("description", ""),
+            ball=ball(_beside(data["ball"], folder)),
+            head=tables["head"]["kind"],
+            club=None if named is None else club(_beside(named, folder)),
+            delivery=tables["delivery"],
+            friction=data.get("friction", 0.35),
+            settings=settings,
+        )
+    except ClubfaceError as error:
+        raise document.wrap(error, "delivery") from error
+
+
+def _beside(name: str, folder: Path) -> str:
+    return str(folder / name) if is_path(name) else name

@@ -1,0 +1,78 @@
+"""What runs leave on disk: figures as JSON, histories as CSV, pictures."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from clubface.fem.result import FIGURES, Impact
+
+
+def prepare(folder: str | os.PathLike[str]) -> Path:
+    """Make the folder; one that cannot be made is told before any work is done."""
+    path = Path(folder)
+    path.mkdir(parents=True, exist_ok=True)
+    return path
+
+
+def document(found: Impact) -> dict[str, Any]:
+    """Return figures and launch, SI, in the order of the table."""
+    figures = {name: getattr(found, name) for name in FIGURES}
+    rebound = {} if found.launch else {"normal_velocity": found.normal_velocity, "backspin": found.backspin}
+    return {**found.launch, **rebound, **figures, "elements": found.ball.elements, "stopped": found.stopped or ""}
+
+
+def write_run(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
+    """Write figures, histories and pictures of one impact."""
+    path = prepare(folder)
+    figures = path / "figures.json"
+    plain = {key: _finite(value) for key, value in document(found).items()}
+    figures.write_text(json.dumps(plain, indent=2) + "\n", encoding="utf-8")
+    tables = [_columns(path / f"{name}.csv", getattr(found, name)) for name in ("contact", "motion", "energy")]
+    from clubface import plots
+    from clubface.plots import fem as pictures
+
+    drawn = [plots.save(pictures.patch_figure(found), path / "patch.png")]
+    return [figures, *tables, *drawn]
+
+
+def write_paper(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
+    """Write a run, and P2's Figs. 3 to 7 redrawn."""
+    from clubface import plots
+    from clubface.plots import fem as pictures
+
+    written = write_run(found, folder)
+    return [*written, plots.save(pictures.paper_figure(found), prepare(folder) / "paper.png")]
+
+
+def write_sweep(rows: Sequence[Mapping[str, Any]], folder: str | os.PathLike[str]) -> list[Path]:
+    """Draw a sweep (P2, Fig. 8)."""
+    from clubface import plots
+    from clubface.plots import fem as pictures
+
+    return [plots.save(pictures.sweep_figure(rows), prepare(folder) / "sweep.png")]
+
+
+def _columns(path: Path, arrays: Mapping[str, Any]) -> Path:
+    """Write arrays over the same records as CSV, a vector as three columns; SI."""
+    columns: dict[str, list[float]] = {}
+    for name, values in arrays.items():
+        if values.ndim == 1:
+            columns[name] = values.tolist()
+        else:
+            for index, axis in enumerate(("normal", "up", "toe")):
+                columns[f"{name}_{axis}"] = values[:, index].tolist()
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(zip(*columns.values(), strict=True))
+    return path
+
+
+def _finite(value: Any) -> Any:
+    return None if isinstance(value, float) and not math.isfinite(value) else value

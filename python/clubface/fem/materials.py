@@ -1,0 +1,149 @@
+"""What the pieces of a ball are made of: an elastic law, how much it resists a change of volume, and how it creeps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from clubface import units
+from clubface.errors import InputError, UnknownNameError
+
+
+class Law(NamedTuple):
+    """An elastic law of the core.
+
+    Attributes
+    ----------
+    name
+        As in files.
+    constants
+        The names of its constants, all in Pa.
+    summary
+        One line.
+    """
+
+    name: str
+    constants: tuple[str, ...]
+    summary: str
+
+
+@cache
+def laws() -> Mapping[str, Law]:
+    """Return the elastic laws by name."""
+    from clubface import _core
+
+    found = (Law(each["name"], tuple(each["constants"]), each["summary"]) for each in _core.fem_laws())
+    return MappingProxyType({law.name: law for law in found})
+
+
+@dataclass(frozen=True)
+class Maxwell:
+    """One viscoelastic branch over the elastic law.
+
+    Attributes
+    ----------
+    modulus
+        Its shear modulus over that of the elastic law.
+    time
+        The time in which its stress falls to 1/e [s], or text with a unit.
+    """
+
+    modulus: float
+    time: float
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "modulus", units.parse(self.modulus, units.DIMENSIONLESS, name="modulus"))
+        object.__setattr__(self, "time", units.parse(self.time, "time", name="time"))
+        if not 0.0 < self.modulus <= 1e3:
+            raise InputError("modulus", self.modulus, "above 0 and at most 1000 times that of the elastic law")
+        if not 1e-7 <= self.time <= 1e3:
+            raise InputError("time", units.show(self.time, "us"), "0.1 us to 1000 s")
+
+
+MAX_BRANCHES = 4
+
+
+@dataclass(frozen=True, kw_only=True)
+class Material:
+    """A material of finite strain.
+
+    Attributes
+    ----------
+    law
+        The name of an elastic law, see :func:`laws`; "linear" is also given by ``youngs``.
+    constants
+        Its constants by name [Pa].
+    poisson
+        Poisson's ratio at small strain, below 0.5: sets the bulk modulus.
+    density
+        [kg/m3]; None for a core that takes what the mass of the ball leaves.
+    maxwell
+        Viscoelastic branches.
+    """
+
+    law: str
+    constants: Mapping[str, float]
+    poisson: float
+    density: float | None = None
+    maxwell: tuple[Maxwell, ...] = field(default=())
+
+    def __post_init__(self) -> None:
+        if self.law not in laws():
+            raise UnknownNameError("law", self.law, laws())
+        wanted = laws()[self.law].constants
+        for name in self.constants:
+            if name not in wanted:
+                raise UnknownNameError(f"constant of {self.law}", name, wanted)
+        missing = [name for name in wanted if name not in self.constants]
+        if missing:
+            raise InputError("constants", dict(self.constants), f"given in full: {', '.join(missing)} missing")
+        values = {name: units.parse(self.constants[name], "pressure", name=name) for name in wanted}
+        object.__setattr__(self, "constants", MappingProxyType(values))
+        object.__setattr__(self, "poisson", units.parse(self.poisson, units.DIMENSIONLESS, name="poisson"))
+        if not -0.9 <= self.poisson <= 0.4999:
+            allowed = "-0.9 to 0.4999; a material of 0.5 cannot change its volume, which explicit steps cannot follow"
+            raise InputError("poisson", self.poisson, allowed)
+        if self.density is not None:
+            object.__setattr__(self, "density", units.parse(self.density, "density", name="density"))
+            if not 10.0 <= self.density <= 30e3:
+                raise InputError("density", units.show(self.density, "kg/m3"), "10 to 30000 kg/m3")
+        object.__setattr__(self, "maxwell", tuple(self.maxwell))
+        if len(self.maxwell) > MAX_BRANCHES:
+            raise InputError("maxwell", len(self.maxwell), f"at most {MAX_BRANCHES} branches")
+        if not 1e3 <= self.shear <= 1e12:
+            raise InputError(f"shear modulus of {self.law}", units.show(self.shear, "MPa"), "0.001 to 1000000 MPa")
+        low = min(values.values())
+        if low < 0.0 and self.law != "ogden":
+            name = min(values, key=lambda each: values[each])
+            raise InputError(name, units.show(low, "MPa"), "zero or above")
+
+    @property
+    def shear(self) -> float:
+        """Shear modulus of small, slow deformation [Pa]."""
+        total = sum(self.constants.values())
+        return 2.0 * total if self.law == "mooney-rivlin" else total
+
+    @property
+    def bulk(self) -> float:
+        """Bulk modulus [Pa]."""
+        return 2.0 * self.shear * (1.0 + self.poisson) / (3.0 * (1.0 - 2.0 * self.poisson))
+
+    @property
+    def youngs(self) -> float:
+        """Young's modulus of small, slow deformation [Pa]."""
+        return 2.0 * self.shear * (1.0 + self.poisson)
+
+    @classmethod
+    def linear(cls, youngs: Any, poisson: Any, density: Any = None, maxwell: Sequence[Maxwell] = ()) -> Material:
+        """Return a material linear in logarithmic strain, from Young's modulus and Poisson's ratio."""
+        modulus = units.parse(youngs, "pressure", name="youngs")
+        ratio = units.parse(poisson, units.DIMENSIONLESS, name="poisson")
+        if not modulus > 0.0:
+            raise InputError("youngs", units.show(modulus, "MPa"), "above 0")
+        if not -0.9 <= ratio <= 0.4999:
+            raise InputError("poisson", ratio, "-0.9 to 0.4999")
+        shear = modulus / (2.0 * (1.0 + ratio))
+        return cls(law="linear", constants={"shear": shear}, poisson=ratio, density=density, maxwell=tuple(maxwell))

@@ -1,0 +1,60 @@
+"""The case of P2: "Analysis of golf ball spin mechanism at impact by FEM", its table and ours beside it."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from clubface import units
+from clubface.fem.case import Case, case
+from clubface.fem.result import Impact
+from clubface.fem.run import Progress
+
+PUBLISHED: dict[str, float] = {
+    "ball_speed_mps": 50.4,
+    "launch_deg": 9.8,
+    "club_speed_after_mps": 24.0,
+    "spin_rpm": 2047.0,
+    "peak_force_n": 6600.0,
+    "peak_force_time_s": 280e-6,
+    "reversal_time_s": 320e-6,
+    "contraction": 0.23,
+    "contraction_time_s": 300e-6,
+    "f_prime": 0.8379,
+    "f": 0.9476,
+}
+"""What P2 computed: Figs. 3 to 7, Eqs. (9) and (11)."""
+
+
+def paper(which: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> Impact:
+    """Run P2's case, or a variation of it."""
+    return case(which).run(progress)
+
+
+def table(found: Impact) -> dict[str, float]:
+    """Return P2's figures as computed, under the keys of ``PUBLISHED``."""
+    launch = found.launch
+    return {
+        "ball_speed_mps": launch["ball_speed"],
+        "launch_deg": units.from_si(launch["launch"], "deg"),
+        "club_speed_after_mps": sum(launch[f"club_velocity_{axis}"] ** 2 for axis in "xyz") ** 0.5,
+        "spin_rpm": units.from_si(launch["backspin"], "rpm"),
+        "peak_force_n": found.peak_force,
+        "peak_force_time_s": found.peak_force_time,
+        "reversal_time_s": found.reversal_time,
+        "contraction": found.contraction,
+        "contraction_time_s": found.contraction_time,
+        "f_prime": found.f_prime,
+        "f": found.f,
+    }
+
+
+def document(found: Impact) -> dict[str, Any]:
+    """Return everything ``clubface fem paper --json`` prints."""
+    return {
+        **table(found),
+        "energy_error": found.energy_error,
+        "elements": found.ball.elements,
+        "steps": found.steps,
+        "wall_s": found.wall,
+    }

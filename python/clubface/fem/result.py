@@ -1,0 +1,151 @@
+"""What an impact of finite elements gives: figures, histories, energies."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from clubface.fem.balls import Ball
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from clubface.fem.run import Settings
+    from clubface.shots import Shots
+
+FIGURES = (
+    "peak_force",
+    "peak_force_time",
+    "contact_time",
+    "tangential_max",
+    "tangential_min",
+    "reversal_time",
+    "spin_max",
+    "contraction",
+    "contraction_time",
+    "f_prime",
+    "f",
+    "energy_error",
+    "steps",
+    "step",
+    "wall",
+)
+
+
+class Impact:
+    """One impact, SI.
+
+    Attributes
+    ----------
+    peak_force, peak_force_time
+        Largest normal force [N], and when [s].
+    contact_time
+        Time of the last touch [s].
+    tangential_max, tangential_min, reversal_time
+        Extremes of the force along the face [N], positive where it makes backspin, and when it turns negative [s].
+    spin_max
+        Largest backspin on the way [rad/s].
+    contraction, contraction_time
+        Greatest loss of the distance from mass centre to face over the radius, and when [s].
+    f_prime, f
+        P2's compression factors, Eqs. (9) and (11).
+    energy_error
+        Largest error of the energy balance over the initial kinetic energy.
+    steps, step, wall
+        Steps taken, their length [s], time of the loop [s].
+    stopped
+        Why the run ended early, or None.
+    contact
+        Arrays over the steps: time, normal, tangential, toe [N], area [m2].
+    motion
+        Arrays over the records: time, velocity and spin along the normal, up the face and to the toe, radius (from mass
+        centre to face) [m].
+    energy
+        Arrays over fewer records [J]: kinetic, strain, hourglass, viscous, plastic, contact, friction.
+    patch
+        Arrays over the nodes of the ball in contact at the records: time, up and toe (from the mass centre, along the
+        face of first touch [m]), normal and tangential force [N].
+    frame_times, frames
+        Times [s] and node positions [m] of the deformed shapes that were asked for.
+    ball, friction, settings, given
+        What went in.
+    """
+
+    peak_force: float
+    peak_force_time: float
+    contact_time: float
+    tangential_max: float
+    tangential_min: float
+    reversal_time: float
+    spin_max: float
+    contraction: float
+    contraction_time: float
+    f_prime: float
+    f: float
+    energy_error: float
+    steps: int
+    step: float
+    wall: float
+
+    def __init__(
+        self,
+        found: dict[str, Any],
+        ball: Ball,
+        given: dict[str, Any],
+        friction: float,
+        settings: Settings,
+        shots: Shots | None = None,
+    ) -> None:
+        for name in FIGURES:
+            setattr(self, name, found[name])
+        self.contact: dict[str, NDArray[Any]] = found["contact"]
+        self.motion: dict[str, NDArray[Any]] = found["motion"]
+        self.energy: dict[str, NDArray[Any]] = found["energy"]
+        self.patch: dict[str, NDArray[Any]] = found["patch"]
+        self.frame_times: NDArray[Any] = found["frame_times"]
+        self.frames: NDArray[Any] = found["frames"]
+        self.stopped: str | None = found["stopped"]
+        self.interrupted: bool = found["interrupted"]
+        self.axes: NDArray[Any] = found["axes"]
+        self.ball = ball
+        self.given = given
+        self.friction = friction
+        self.settings = settings
+        self._shots = shots
+        self._ball_velocity = found["ball_velocity"]
+        self._ball_spin = found["ball_spin"]
+        self._launch = found.get("launch")
+        self._frame_velocity = found["frame_velocity"]
+        self._attitude = found["attitude"]
+
+    @property
+    def normal_velocity(self) -> float:
+        """Velocity of the ball along the face normal of first touch after the impact [m/s]."""
+        return float(self.axes[0] @ self._ball_velocity)
+
+    @property
+    def tangential_velocity(self) -> float:
+        """Velocity of the ball up the face after the impact [m/s]."""
+        return float(self.axes[1] @ self._ball_velocity)
+
+    @property
+    def backspin(self) -> float:
+        """Spin of the ball about the toe direction after the impact [rad/s]."""
+        return float(self.axes[2] @ self._ball_spin)
+
+    @property
+    def launch(self) -> dict[str, float]:
+        """Launch quantities in world axes [SI], as of the reduced models; empty for a ball thrown at a plane."""
+        if self._launch is None:
+            return {}
+        from clubface.quantities import outputs
+
+        return dict(zip(outputs(), map(float, self._launch), strict=True))
+
+    def world_velocity(self) -> NDArray[Any]:
+        """Return the velocity of the ball over the records in world axes [m/s], records by three."""
+        along = self.motion["velocity"] + self._frame_velocity
+        return along @ self.axes @ self._attitude.T
+
+    def __repr__(self) -> str:
+        state = f", stopped: {self.stopped}" if self.stopped else ""
+        return f"<finite element impact of {self.ball.name}: {self.steps} steps in {self.wall:.2f} s{state}>"

@@ -1,0 +1,161 @@
+"""Running an impact: a ball thrown at a rigid plane, or struck by a club."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from clubface import units
+from clubface.balls import Ball as RigidBall
+from clubface.clubs import Club
+from clubface.delivery import Delivery
+from clubface.errors import InputError, RuleWarning
+from clubface.fem.balls import Ball, ball
+from clubface.fem.result import Impact
+
+Progress = Callable[[float, float], object]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Settings:
+    """How to run.
+
+    Attributes
+    ----------
+    duration
+        Simulated time [s].
+    safety
+        Time step over the stable step.
+    interval
+        Time between the records of motion [s]; contact is recorded at every step.
+    until_separation
+        Whether to end soon after the last touch.
+    frames
+        Number of deformed shapes to keep, evenly over the simulated time.
+    threads
+        0 for all cores; the result does not depend on it.
+    """
+
+    duration: float = 1e-3
+    safety: float = 0.8
+    interval: float = 5e-6
+    until_separation: bool = False
+    frames: int = 0
+    threads: int = 0
+
+    def __post_init__(self) -> None:
+        for name in ("duration", "interval"):
+            object.__setattr__(self, name, units.parse(getattr(self, name), "time", name=name))
+        if not 1e-6 <= self.duration <= 0.1:
+            raise InputError("duration", units.show(self.duration, "us"), "1 us to 0.1 s")
+        if not 1e-8 <= self.interval <= self.duration:
+            raise InputError("interval", units.show(self.interval, "us"), "0.01 us to the duration")
+        if not 0.05 <= self.safety <= 1.0:
+            raise InputError("safety", self.safety, "0.05 to 1, the stable step")
+        for name, most in (("frames", 10_000), ("threads", 1024)):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
+                raise InputError(name, value, f"a whole number from 0 to {most}")
+
+    def values(self) -> dict[str, Any]:
+        """Return what the core takes."""
+        return {name: getattr(self, name) for name in self.__dataclass_fields__}
+
+
+def throw(
+    which: str | os.PathLike[str] | Ball = "reference",
+    *,
+    speed: Any,
+    angle: Any = 0.0,
+    friction: Any = 0.35,
+    settings: Settings | None = None,
+    progress: Progress | None = None,
+) -> Impact:
+    """Throw a ball at a rigid plane.
+
+    Parameters
+    ----------
+    which
+        A built-in ball of finite elements, the path of a TOML file, or a :class:`Ball`.
+    speed
+        [m/s], or text with a unit.
+    angle
+        Between the velocity and the plane's normal [rad].
+    friction
+        Coulomb's coefficient.
+    settings
+        How to run.
+    progress
+        Called with simulated time and duration [s].
+    """
+    made = ball(which)
+    v = units.parse(speed, "speed", name="speed")
+    if not 0.01 <= v <= 150.0:
+        raise InputError("speed", units.show(v, "m/s"), "0.01 to 150 m/s")
+    incidence = units.parse(angle, "angle", name="angle")
+    if not 0.0 <= incidence <= units.parse("80 deg", "angle"):
+        raise InputError("angle", units.show(incidence, "deg"), "0 to 80 deg from the normal")
+    mu, how = _friction(friction), settings or Settings()
+    from clubface import _core
+
+    found = _core_call(_core.fem_plane, made.values(), v, incidence, mu, how.values(), progress)
+    return Impact(found, made, {"speed": v, "angle": incidence}, mu, how)
+
+
+def strike(
+    club: str | os.PathLike[str] | Club,
+    delivery: Delivery | Mapping[str, Any] | None = None,
+    *,
+    which: str | os.PathLike[str] | Ball = "reference",
+    friction: Any = 0.35,
+    settings: Settings | None = None,
+    progress: Progress | None = None,
+    **values: Any,
+) -> Impact:
+    """Hit a ball with the rigid head of a club.
+
+    Parameters
+    ----------
+    club, delivery, **values
+        As of :func:`clubface.impact`, for one shot.
+    which, friction, settings, progress
+        As of :func:`throw`.
+    """
+    from clubface import _core
+    from clubface.shots import as_values, equipment, shots
+
+    made, mu, how = ball(which), _friction(friction), settings or Settings()
+    hit = shots(equipment(club, rigid_ball(made)), dict(as_values(delivery, values)))
+    if hit.shape != ():
+        raise InputError("delivery", hit.shape, "one shot; use a sweep for several")
+    inputs = [float(value) for value in hit.columns]
+    found = _core_call(_core.fem_head, made.values(), inputs, mu, how.values(), progress)
+    return Impact(found, made, dict(as_values(delivery, values)), mu, how, hit)
+
+
+def rigid_ball(made: Ball) -> RigidBall:
+    """Return the ball as the reduced models see it: mass, radius and inertia of the mesh."""
+    found = made.properties()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuleWarning)
+        return RigidBall(name=made.name, mass=found["mass"], radius=found["radius"], inertia=found["inertia"])
+
+
+def _friction(value: Any) -> float:
+    mu = units.parse(value, units.DIMENSIONLESS, name="friction")
+    if not 0.0 <= mu <= 10.0:
+        raise InputError("friction", mu, "0 to 10")
+    return mu
+
+
+def _core_call(function: Callable[..., Any], *arguments: Any) -> dict[str, Any]:
+    try:
+        return function(*arguments)
+    except ValueError as error:
+        if len(error.args) != 3:
+            raise
+        name, value, allowed = error.args
+        raise InputError(name, value, allowed) from None

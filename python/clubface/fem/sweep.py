@@ -1,0 +1,176 @@
+"""Sweeps: one case over a grid of speeds and lofts, a run a core, resumable."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import json
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from pathlib import Path
+from typing import Any
+
+from clubface import units
+from clubface.errors import FileError, InputError
+from clubface.fem.case import Case, case
+from clubface.fem.result import Impact
+
+COLUMNS = (
+    "speed_mps", "loft_deg", "ball_speed_mps", "launch_deg", "spin_rpm", "club_speed_after_mps", "peak_force_n",
+    "peak_force_time_s", "contact_time_s", "reversal_time_s", "contraction", "f_prime", "f", "energy_error", "steps",
+    "wall_s", "stopped",
+)  # fmt: skip
+"""Columns of the table, one row a run."""
+
+MOST = 10_000
+
+
+def grid(text: str, dimension: str, name: str) -> list[float]:
+    """Return the values [SI] of "first:last:step", or of values with commas; bare numbers are m/s and degrees."""
+    unit = {"speed": "m/s", "angle": "deg"}[dimension]
+    try:
+        if ":" in text:
+            first, last, step = (float(each) for each in text.split(":"))
+            count = int((last - first) / step + 1.0 + 1e-9) if step > 0.0 else 0
+            values = [first + i * step for i in range(min(count, MOST + 1))]
+        else:
+            values = [float(each) for each in text.split(",")]
+    except (ValueError, OverflowError):
+        values = []
+    if not 1 <= len(values) <= MOST:
+        raise InputError(name, text, f'"first:last:step" in {unit}, as in "30:60:5", or values with commas')
+    return [units.parse(f"{value!r} {unit}", dimension, name=name) for value in values]
+
+
+def sweep(
+    which: str | os.PathLike[str] | Case,
+    *,
+    speeds: Sequence[float],
+    lofts: Sequence[float],
+    output: str | os.PathLike[str] | None = None,
+    workers: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> list[dict[str, Any]]:
+    """Run a case at every speed and loft.
+
+    Parameters
+    ----------
+    which
+        A :class:`Case`, the name of a built-in one, or the path of a TOML file.
+    speeds, lofts
+        [m/s], [rad].
+    output
+        A CSV file: each run is added as it ends, and runs found there are not repeated.
+    workers
+        Runs at a time, each on one core; left out, as many as there are cores.
+    progress
+        Called with the runs done and the runs in all.
+
+    Returns
+    -------
+    list
+        One mapping of ``COLUMNS`` a run, in the order of speeds, then lofts.
+    """
+    base = case(which)
+    points = [(speed, loft) for speed in speeds for loft in lofts]
+    table = _Table(base, output)
+    done = {point: table.find(point) for point in points}
+    open_ = [point for point, row in done.items() if row is None]
+    count = workers or os.cpu_count() or 1
+    if count < 1:
+        raise InputError("workers", workers, "1 or more")
+    running: dict[Future[Impact], tuple[float, float]] = {}
+    with ThreadPoolExecutor(count) as pool:
+        stop: list[bool] = []
+
+        def keep_going(time: float, whole: float) -> None:
+            if stop:
+                raise KeyboardInterrupt
+
+        try:
+            while open_ or running:
+                while open_ and len(running) < count:
+                    point = open_.pop(0)
+                    each = base.replace(speed=point[0], loft=point[1], settings={"threads": 1})
+                    running[pool.submit(each.run, keep_going)] = point
+                finished, _ = wait(running, timeout=0.05, return_when=FIRST_COMPLETED)
+                for future in finished:
+                    point = running.pop(future)
+                    done[point] = table.add(point, future.result())
+                    if progress is not None:
+                        progress(sum(row is not None for row in done.values()), len(points))
+        except BaseException:
+            stop.append(True)
+            raise
+    return [row for row in done.values() if row is not None]
+
+
+def row_of(point: tuple[float, float], found: Impact) -> dict[str, Any]:
+    """Return one row of the table."""
+    launch = found.launch
+    return {
+        "speed_mps": point[0],
+        "loft_deg": units.from_si(point[1], "deg"),
+        "ball_speed_mps": launch["ball_speed"],
+        "launch_deg": units.from_si(launch["launch"], "deg"),
+        "spin_rpm": units.from_si(launch["backspin"], "rpm"),
+        "club_speed_after_mps": sum(launch[f"club_velocity_{axis}"] ** 2 for axis in "xyz") ** 0.5,
+        "peak_force_n": found.peak_force,
+        "peak_force_time_s": found.peak_force_time,
+        "contact_time_s": found.contact_time,
+        "reversal_time_s": found.reversal_time,
+        "contraction": found.contraction,
+        "f_prime": found.f_prime,
+        "f": found.f,
+        "energy_error": found.energy_error,
+        "steps": found.steps,
+        "wall_s": found.wall,
+        "stopped": found.stopped or "",
+    }
+
+
+class _Table:
+    """Runs already done, in a file where one is given; its first line tells which case they belong to."""
+
+    def __init__(self, base: Case, path: str | os.PathLike[str] | None) -> None:
+        self._path = None if path is None else Path(path)
+        self._rows: dict[tuple[str, str], dict[str, Any]] = {}
+        self._mark = "# case " + _fingerprint(base)
+        if self._path is None:
+            return
+        if self._path.exists():
+            self._read(self._path)
+        else:
+            self._path.parent.mkdir(parents=True, exist_ok=True)
+            self._path.write_text(f"{self._mark}\n{','.join(COLUMNS)}\n", encoding="utf-8")
+
+    def _read(self, path: Path) -> None:
+        lines = path.read_text(encoding="utf-8").split("\n")
+        if lines[:1] != [self._mark] or lines[1:2] != [",".join(COLUMNS)]:
+            raise FileError(str(path), 1, "this is not the table of this case; give another file, or remove it")
+        # A last line without its end was being written when the run was cut off.
+        complete = lines[2:-1]
+        for line in csv.DictReader(complete, COLUMNS):
+            row = {name: text if name == "stopped" else float(text) for name, text in line.items()}
+            self._rows[(line["speed_mps"], line["loft_deg"])] = row
+        path.write_text("\n".join([*lines[:2], *complete, ""]), encoding="utf-8")
+
+    def find(self, point: tuple[float, float]) -> dict[str, Any] | None:
+        return self._rows.get((repr(point[0]), repr(units.from_si(point[1], "deg"))))
+
+    def add(self, point: tuple[float, float], found: Impact) -> dict[str, Any]:
+        row = row_of(point, found)
+        if self._path is not None:
+            with self._path.open("a", encoding="utf-8", newline="") as file:
+                texts = [value if isinstance(value, str) else repr(value) for value in row.values()]
+                csv.writer(file, lineterminator="\n").writerow(texts)
+        return row
+
+
+def _fingerprint(base: Case) -> str:
+    """Return a mark of everything in a case but what is swept."""
+    delivery = {key: str(value) for key, value in base.delivery.items() if key not in ("speed", "loft")}
+    club = None if base.club is None else str(base.club)
+    content = [base.ball.values(), base.head, club, delivery, base.friction, base.settings.values()]
+    return hashlib.sha256(json.dumps(content, default=str, sort_keys=True).encode()).hexdigest()[:16]
