@@ -98,6 +98,27 @@ pub fn fem_ball<'py>(py: Python<'py>, ball: BallValues) -> PyResult<Bound<'py, P
     Ok(dict)
 }
 
+/// The mesh of a ball about the origin, its pole of first contact along -x: {nodes: (n, 3), elements: (m, 8) in the order round the bottom, then
+/// round the top, piece: (m,), density: one a piece}.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_mesh<'py>(py: Python<'py>, ball: BallValues) -> PyResult<Bound<'py, PyDict>> {
+    const ROUND: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
+    let ball = ball_of(&ball)?;
+    let still = clubface_math::Mat3::diagonal(1.0);
+    let meshed = ball.mesh(&still, clubface_math::Vec3::zero()).map_err(|e| error_of(&e))?;
+    let nodes: Vec<Vec<f64>> = meshed.mesh.nodes.iter().map(|p| p.array().to_vec()).collect();
+    let elements: Vec<Vec<u32>> =
+        meshed.mesh.elements.iter().map(|e| ROUND.iter().map(|&corner| e[corner]).collect()).collect();
+    let dict = PyDict::new(py);
+    dict.set_item("nodes", PyArray2::from_vec2(py, &nodes)?)?;
+    dict.set_item("elements", PyArray2::from_vec2(py, &elements)?)?;
+    dict.set_item("piece", PyArray1::from_slice(py, &meshed.mesh.layer))?;
+    let densities = ball.pieces.iter().skip(1).map(|piece| piece.material.density);
+    dict.set_item("density", std::iter::once(meshed.core_density).chain(densities).collect::<Vec<f64>>())?;
+    Ok(dict)
+}
+
 /// A ball thrown at a rigid plane at `speed` (m/s) and `angle` (rad) from its normal.
 #[pyfunction]
 #[pyo3(signature = (ball, speed, angle, friction, run, progress=None))]
@@ -139,11 +160,41 @@ pub fn fem_head<'py>(
     to_dict(py, &impact, &ran, Some(&touch))
 }
 
-/// A finished run with the positions kept on the way.
+/// A finished run with the shapes and contact patches kept on the way.
 struct Ran {
     outcome: Outcome<f64>,
     times: Vec<f64>,
     positions: Vec<f64>,
+    patch: Vec<PatchPoint>,
+}
+
+/// A node of the ball in contact at some time: its place along the face relative to the mass centre (m), its forces (N).
+struct PatchPoint {
+    time: f64,
+    up: f64,
+    toe: f64,
+    normal: f64,
+    tangential: f64,
+}
+
+fn patch_points(time: f64, now: &Impact<f64>, into: &mut Vec<PatchPoint>) {
+    let [normal, up, toe] = now.axes;
+    let mut centre = None;
+    for (&node, row) in now.contact.nodes().iter().zip(now.contact.forces()) {
+        let force = row.vec();
+        if node as usize >= now.ball_nodes || force.norm_squared() == 0.0 {
+            continue;
+        }
+        let middle = *centre.get_or_insert_with(|| now.structure.kinetics(0..now.ball_nodes).centre);
+        let place = now.structure.positions[node as usize].vec() - middle;
+        into.push(PatchPoint {
+            time,
+            up: place.dot(up),
+            toe: place.dot(toe),
+            normal: force.dot(normal),
+            tangential: -force.dot(up),
+        });
+    }
 }
 
 fn simulate<'py>(
@@ -162,7 +213,7 @@ fn simulate<'py>(
     let progress = progress.map(Bound::unbind);
     let frame_gap = if run.frames > 1 { run.duration / (run.frames - 1) as f64 } else { f64::INFINITY };
     let frames = run.frames;
-    let (mut times, mut positions) = (Vec::new(), Vec::new());
+    let (mut times, mut positions, mut patch) = (Vec::new(), Vec::new(), Vec::new());
     let mut raised = None;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(run.threads)
@@ -175,6 +226,7 @@ fn simulate<'py>(
                 positions
                     .extend(now.structure.positions.iter().flat_map(|row| [row.0[0], row.0[1], row.0[2]]));
             }
+            patch_points(at.time, now, &mut patch);
             let looked = Python::attach(|py| {
                 py.check_signals()?;
                 progress.as_ref().map_or(Ok(()), |f| f.call1(py, (at.time, at.duration)).map(|_| ()))
@@ -195,7 +247,7 @@ fn simulate<'py>(
             return Err(error);
         }
     }
-    Ok(Ran { outcome, times, positions })
+    Ok(Ran { outcome, times, positions, patch })
 }
 
 fn to_dict<'py>(
@@ -215,6 +267,10 @@ fn to_dict<'py>(
     dict.set_item("ball_velocity", outcome.ball.velocity.array().to_vec())?;
     dict.set_item("ball_spin", outcome.ball.spin.array().to_vec())?;
     dict.set_item("axes", PyArray2::from_vec2(py, &impact.axes.map(|a| a.array().to_vec()))?)?;
+    let along = impact.axes.map(|axis| axis.dot(impact.head_velocity));
+    dict.set_item("frame_velocity", PyArray1::from_slice(py, &along))?;
+    let attitude = touch.map_or(clubface_math::Mat3::diagonal(1.0), |t| t.attitude);
+    dict.set_item("attitude", PyArray2::from_vec2(py, &attitude.rows.map(|r| r.array().to_vec()))?)?;
     dict.set_item("steps", outcome.steps)?;
     dict.set_item("step", outcome.step)?;
     dict.set_item("wall", outcome.wall)?;
@@ -251,6 +307,9 @@ fn to_dict<'py>(
     }
     element_energies!(strain hourglass viscous plastic);
     dict.set_item("energy", energy)?;
+    let patch = PyDict::new(py);
+    columns!(patch, ran.patch, time up toe normal tangential);
+    dict.set_item("patch", patch)?;
     let nodes = impact.structure.positions.len();
     let frames: Vec<Vec<Vec<f64>>> =
         ran.positions.chunks(nodes * 3).map(|frame| frame.chunks(3).map(<[f64]>::to_vec).collect()).collect();
