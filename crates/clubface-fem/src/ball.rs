@@ -1,6 +1,6 @@
 //! The ball: pieces of material, meshed, with its mass distributed to the nodes.
 
-use crate::element::{Patch, SolidPatch, PATCH};
+use crate::element::{solid_patches, Patch};
 use crate::error::FemError;
 use crate::material::Material;
 use crate::mesh::{cubed_sphere, Fineness, SolidMesh};
@@ -135,11 +135,12 @@ impl<R: Real> Ball<R> {
         let mut start = 0;
         while start < mesh.elements.len() {
             let piece = mesh.layer[start];
-            let same = mesh.layer[start..].iter().take(PATCH).take_while(|&&layer| layer == piece).count();
-            let patch = SolidPatch::new(&mesh, start..start + same, materials[piece as usize].clone());
-            patches.push(Box::new(patch) as Box<dyn Patch<R>>);
-            parts.push(self.pieces[piece as usize].name.clone());
-            start += same;
+            let end = start + mesh.layer[start..].iter().take_while(|&&layer| layer == piece).count();
+            for patch in solid_patches(&mesh, start..end, &materials[piece as usize]) {
+                patches.push(Box::new(patch) as Box<dyn Patch<R>>);
+                parts.push(self.pieces[piece as usize].name.clone());
+            }
+            start = end;
         }
         let sides = mesh.surface();
         let mut areas = vec![0.0; mesh.nodes.len()];

@@ -36,6 +36,19 @@ impl<R: Scalar> Row<R> {
     }
 }
 
+/// Asks the CPU to bring the value `ahead` places further into its cache; there need be none.
+#[inline(always)]
+pub fn prefetch<T>(from: *const T, ahead: usize) {
+    #[cfg(target_arch = "x86_64")]
+    for line in (0..size_of::<T>()).step_by(64) {
+        let at = from.wrapping_add(ahead).cast::<i8>().wrapping_add(line);
+        // SAFETY: a prefetch reads nothing and cannot fault, and every CPU of this kind has it.
+        unsafe { core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(at) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = (from, ahead);
+}
+
 /// A number that is stored in arrays, with the packs that compute on it: `f64`, or `f64` with derivatives.
 pub trait Real: Scalar + Send + Sync {
     /// Runs a kernel with the widest packs of this number that the CPU has.
@@ -60,6 +73,19 @@ pub trait Pack: Scalar {
     fn load(values: &[Self::Real]) -> Self;
     /// Writes `LANES` consecutive numbers.
     fn store(self, values: &mut [Self::Real]);
+    /// `LANES` consecutive numbers from an address, of any alignment that the number itself may have.
+    ///
+    /// # Safety
+    /// All of them can be read.
+    unsafe fn read(at: *const Self::Real) -> Self;
+    /// Writes `LANES` consecutive numbers to an address.
+    ///
+    /// # Safety
+    /// All of them can be written.
+    unsafe fn write(self, at: *mut Self::Real);
+    /// Lanes moved up by one, the first filled with the last of the pack that stands before this one.
+    #[must_use]
+    fn after(self, before: Self) -> Self;
     /// Number of one lane.
     fn real(self, lane: usize) -> Self::Real;
     /// Vectors of the nodes `index[..LANES]`, one a lane.
@@ -72,6 +98,8 @@ pub trait Pack: Scalar {
     /// # Safety
     /// As for [`Pack::gather`].
     unsafe fn scatter_add(rows: &mut [Row<Self::Real>], index: &[u32], value: Vec3<Self>);
+    /// Writes one row a lane, the lanes of the first pack to the first rows.
+    fn put_rows(rows: &mut [Row<Self::Real>], value: Vec3<Self>);
 }
 
 impl Real for f64 {
@@ -119,6 +147,20 @@ impl Pack for f64 {
         values[0] = self;
     }
     #[inline(always)]
+    unsafe fn read(at: *const f64) -> f64 {
+        // SAFETY: the caller's promise.
+        unsafe { *at }
+    }
+    #[inline(always)]
+    unsafe fn write(self, at: *mut f64) {
+        // SAFETY: the caller's promise.
+        unsafe { *at = self };
+    }
+    #[inline(always)]
+    fn after(self, before: f64) -> f64 {
+        before
+    }
+    #[inline(always)]
     fn real(self, _lane: usize) -> f64 {
         self
     }
@@ -131,6 +173,10 @@ impl Pack for f64 {
     unsafe fn scatter_add(rows: &mut [Row<f64>], index: &[u32], value: Vec3<f64>) {
         // SAFETY: the caller's promise.
         unsafe { rows.get_unchecked_mut(*index.get_unchecked(0) as usize) }.add(value);
+    }
+    #[inline(always)]
+    fn put_rows(rows: &mut [Row<f64>], value: Vec3<f64>) {
+        rows[0] = Row::from_vec(value);
     }
 }
 
@@ -155,6 +201,24 @@ impl<P: Lanes, const N: usize> Pack for Dual<P, N> {
         }
     }
     #[inline(always)]
+    unsafe fn read(at: *const Dual<f64, N>) -> Self {
+        // SAFETY: the caller's promise.
+        Self::load(unsafe { std::slice::from_raw_parts(at, P::LANES) })
+    }
+    #[inline(always)]
+    unsafe fn write(self, at: *mut Dual<f64, N>) {
+        // SAFETY: the caller's promise.
+        self.store(unsafe { std::slice::from_raw_parts_mut(at, P::LANES) });
+    }
+    #[inline(always)]
+    fn after(self, before: Self) -> Self {
+        let mut tangent = self.tangent;
+        for i in 0..N {
+            tangent[i] = tangent[i].after(before.tangent[i]);
+        }
+        Self { value: self.value.after(before.value), tangent }
+    }
+    #[inline(always)]
     fn real(self, lane: usize) -> Dual<f64, N> {
         Dual { value: self.value.lane(lane), tangent: self.tangent.map(|t| t.lane(lane)) }
     }
@@ -177,6 +241,12 @@ impl<P: Lanes, const N: usize> Pack for Dual<P, N> {
                 value.y.real(lane),
                 value.z.real(lane),
             ));
+        }
+    }
+    #[inline(always)]
+    fn put_rows(rows: &mut [Row<Dual<f64, N>>], value: Vec3<Self>) {
+        for lane in 0..P::LANES {
+            rows[lane] = Row::from_vec(Vec3::new(value.x.real(lane), value.y.real(lane), value.z.real(lane)));
         }
     }
 }
@@ -205,6 +275,33 @@ mod x86 {
             fn store(self, values: &mut [f64]) {
                 let values = &mut values[..Self::LANES];
                 unsafe { $store(values.as_mut_ptr(), self.0) };
+            }
+            #[inline(always)]
+            unsafe fn read(at: *const f64) -> Self {
+                // SAFETY: the caller's promise.
+                Self(unsafe { $load(at) })
+            }
+            #[inline(always)]
+            unsafe fn write(self, at: *mut f64) {
+                // SAFETY: the caller's promise.
+                unsafe { $store(at, self.0) };
+            }
+            #[inline(always)]
+            unsafe fn scatter_add(rows: &mut [Row<f64>], index: &[u32], value: Vec3<Self>) {
+                let lanes = Self::rows(value);
+                for lane in 0..Self::LANES {
+                    // SAFETY: the caller's promise.
+                    unsafe { add(rows, index, lane, lanes[lane]) };
+                }
+            }
+            #[inline(always)]
+            fn put_rows(rows: &mut [Row<f64>], value: Vec3<Self>) {
+                let rows = &mut rows[..Self::LANES];
+                let lanes = Self::rows(value);
+                for lane in 0..Self::LANES {
+                    // SAFETY: a row is 32 bytes, aligned to 32.
+                    unsafe { _mm256_store_pd(rows[lane].0.as_mut_ptr(), lanes[lane]) };
+                }
             }
             #[inline(always)]
             fn real(self, lane: usize) -> f64 {
@@ -262,7 +359,20 @@ mod x86 {
             }
         }
         #[inline(always)]
-        unsafe fn scatter_add(rows: &mut [Row<f64>], index: &[u32], v: Vec3<Self>) {
+        fn after(self, before: Self) -> Self {
+            // SAFETY: as above.
+            Self(unsafe {
+                _mm512_castsi512_pd(_mm512_alignr_epi64::<7>(
+                    _mm512_castpd_si512(self.0),
+                    _mm512_castpd_si512(before.0),
+                ))
+            })
+        }
+    }
+    impl F64x8 {
+        /// One row a lane.
+        #[inline(always)]
+        fn rows(v: Vec3<Self>) -> [__m256d; 8] {
             // SAFETY: as above.
             unsafe {
                 let zero = _mm512_setzero_pd();
@@ -274,14 +384,16 @@ mod x86 {
                 let r46 = _mm512_permutex2var_pd(xy_even, second, z_even);
                 let r13 = _mm512_permutex2var_pd(xy_odd, first, z_odd);
                 let r57 = _mm512_permutex2var_pd(xy_odd, second, z_odd);
-                add(rows, index, 0, _mm512_castpd512_pd256(r02));
-                add(rows, index, 1, _mm512_castpd512_pd256(r13));
-                add(rows, index, 2, _mm512_extractf64x4_pd::<1>(r02));
-                add(rows, index, 3, _mm512_extractf64x4_pd::<1>(r13));
-                add(rows, index, 4, _mm512_castpd512_pd256(r46));
-                add(rows, index, 5, _mm512_castpd512_pd256(r57));
-                add(rows, index, 6, _mm512_extractf64x4_pd::<1>(r46));
-                add(rows, index, 7, _mm512_extractf64x4_pd::<1>(r57));
+                [
+                    _mm512_castpd512_pd256(r02),
+                    _mm512_castpd512_pd256(r13),
+                    _mm512_extractf64x4_pd::<1>(r02),
+                    _mm512_extractf64x4_pd::<1>(r13),
+                    _mm512_castpd512_pd256(r46),
+                    _mm512_castpd512_pd256(r57),
+                    _mm512_extractf64x4_pd::<1>(r46),
+                    _mm512_extractf64x4_pd::<1>(r57),
+                ]
             }
         }
     }
@@ -304,16 +416,29 @@ mod x86 {
             }
         }
         #[inline(always)]
-        unsafe fn scatter_add(rows: &mut [Row<f64>], index: &[u32], v: Vec3<Self>) {
+        fn after(self, before: Self) -> Self {
+            // SAFETY: as above.
+            Self(unsafe {
+                let joined = _mm256_permute2f128_pd::<0x21>(before.0, self.0);
+                _mm256_shuffle_pd::<0x5>(joined, self.0)
+            })
+        }
+    }
+    impl F64x4 {
+        /// One row a lane.
+        #[inline(always)]
+        fn rows(v: Vec3<Self>) -> [__m256d; 4] {
             // SAFETY: as above.
             unsafe {
                 let zero = _mm256_setzero_pd();
                 let (xy_even, xy_odd) = (_mm256_unpacklo_pd(v.x.0, v.y.0), _mm256_unpackhi_pd(v.x.0, v.y.0));
                 let (z_even, z_odd) = (_mm256_unpacklo_pd(v.z.0, zero), _mm256_unpackhi_pd(v.z.0, zero));
-                add(rows, index, 0, _mm256_permute2f128_pd::<0x20>(xy_even, z_even));
-                add(rows, index, 1, _mm256_permute2f128_pd::<0x20>(xy_odd, z_odd));
-                add(rows, index, 2, _mm256_permute2f128_pd::<0x31>(xy_even, z_even));
-                add(rows, index, 3, _mm256_permute2f128_pd::<0x31>(xy_odd, z_odd));
+                [
+                    _mm256_permute2f128_pd::<0x20>(xy_even, z_even),
+                    _mm256_permute2f128_pd::<0x20>(xy_odd, z_odd),
+                    _mm256_permute2f128_pd::<0x31>(xy_even, z_even),
+                    _mm256_permute2f128_pd::<0x31>(xy_odd, z_odd),
+                ]
             }
         }
     }

@@ -1,14 +1,22 @@
 //! Elements: how forces at nodes follow from their positions.
 
+mod indexed;
+mod lattice;
 mod one_point;
+mod point;
 mod solid;
 
-pub use solid::{SolidPatch, PATCH};
+pub use solid::{solid_patches, SolidPatch};
 
 use clubface_math::{Real, Row};
 
 /// Elements a block of stored constants holds, whatever the width of the packs that read it.
 pub const BLOCK: usize = 8;
+
+/// Numbers that stand on a boundary of the cache's lines, so that no pack straddles two.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+struct Aligned<A>(A);
 
 /// Energies of a group of elements, J.
 #[derive(Clone, Copy, Debug, Default)]

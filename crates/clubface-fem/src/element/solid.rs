@@ -1,55 +1,120 @@
 //! Patches of hexahedra of one material.
 
-use super::one_point::{constants, Hexahedron, CONSTANTS};
-use super::{Energy, Patch, BLOCK};
-use crate::material::{add_branches, history_length, Decay, Isochoric, Kinematics, Material, UseLaw, MAX_TERMS};
+use super::indexed::Indexed;
+use super::lattice::{shape, Lattice, DEPTH};
+use super::one_point::{constants, CONSTANTS, VOLUME};
+use super::point::{Block, Elastic, Tally, Viscous};
+use super::{Aligned, Energy, Patch, BLOCK};
+use crate::material::{history_length, Decay, Isochoric, Material, UseLaw, MAX_TERMS};
 use crate::mesh::{SolidMesh, CORNERS};
-use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
-use std::collections::HashMap;
+use clubface_math::{Pack, PackKernel, Real, Row};
+use std::sync::Arc;
 
-/// Elements a patch: enough to hide the cost of starting on it, few enough that its nodes stay in the first-level cache. It does not depend on the
+/// Elements a patch: enough to hide the cost of starting on it, few enough that its nodes stay in the fast caches. It does not depend on the
 /// number of threads, so neither do the sums.
-pub const PATCH: usize = 288;
+pub const PATCH: usize = 432;
+
+/// Layers a patch of a lattice has, if the lattice has as many.
+const LAYERS: usize = 3;
+
+/// How elements find their nodes.
+enum Layout<R> {
+    Lattice(Lattice<R>),
+    Indexed(Indexed<R>),
+}
 
 /// Some hexahedra of one material, in blocks of eight.
 pub struct SolidPatch<R> {
     material: Material<R>,
+    layout: Layout<R>,
+    /// Longer than the list by a block, so that packs may overrun.
     nodes: Vec<u32>,
-    /// Places in `nodes`, by block, corner and lane.
-    corners: Vec<[u32; CORNERS * BLOCK]>,
-    constants: Vec<R>,
+    /// Largest of them.
+    last: u32,
+    constants: Arc<[Block<R>]>,
     history: Vec<R>,
     history_length: usize,
-    elements: usize,
-    positions: Vec<Row<R>>,
-    forces: Vec<Row<R>>,
+}
+
+/// Patches of some elements of a mesh, of one material, in their undeformed shape. Where elements follow each other as in a lattice, the patches are
+/// lattices, and those that differ by a rotation share their constants.
+pub fn solid_patches<R: Real>(
+    mesh: &SolidMesh,
+    elements: std::ops::Range<usize>,
+    material: &Material<R>,
+) -> Vec<SolidPatch<R>> {
+    let mut patches: Vec<SolidPatch<R>> = Vec::new();
+    let mut start = elements.start;
+    while start < elements.end {
+        let [ni, nj, nk] = shape(&mesh.elements[start..elements.end]);
+        let block = start;
+        // Short rows would leave the packs half empty.
+        if ni < 3 || ni * nj * nk < 4 * BLOCK {
+            start = (start + PATCH).min(elements.end);
+            patches.push(SolidPatch::new(mesh, &(block..start).collect::<Vec<_>>(), None, material));
+            continue;
+        }
+        start += ni * nj * nk;
+        for layers in parts(nk, LAYERS.min(DEPTH)) {
+            for rows in parts(nj, (PATCH / (ni * layers.len())).max(1)) {
+                let mut list = Vec::new();
+                for k in layers.clone() {
+                    for j in rows.clone() {
+                        list.extend((0..ni).map(|i| block + (k * nj + j) * ni + i));
+                    }
+                }
+                let mut patch = SolidPatch::new(mesh, &list, Some([ni, rows.len(), layers.len()]), material);
+                if let Some(alike) = patches.iter().find(|p| alike(&p.constants, &patch.constants)) {
+                    patch.constants = Arc::clone(&alike.constants);
+                }
+                patches.push(patch);
+            }
+        }
+    }
+    patches
+}
+
+/// `0..count` in equal parts of at most `most`, give or take one.
+fn parts(count: usize, most: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
+    let parts = count.div_ceil(most);
+    (0..parts).map(move |part| part * count / parts..(part + 1) * count / parts)
+}
+
+/// Whether constants are the same to rounding.
+fn alike<R: Real>(a: &[Block<R>], b: &[Block<R>]) -> bool {
+    let mut largest = [0.0_f64; CONSTANTS];
+    for (at, value) in a.iter().flat_map(|block| block.0.iter().enumerate()) {
+        let largest = &mut largest[at / BLOCK];
+        *largest = largest.max(value.re().abs());
+    }
+    a.len() == b.len()
+        && a.iter().zip(b).all(|(a, b)| {
+            (0..CONSTANTS * BLOCK).all(|at| {
+                // Shapes of hourglass patterns are relative to the edges; they may all be zero but for rounding.
+                let size = largest[at / BLOCK].max(if at < VOLUME * BLOCK { 1e-3 } else { 0.0 });
+                (a.0[at] - b.0[at]).re().abs() <= 1e-12 * size
+            })
+        })
 }
 
 impl<R: Real> SolidPatch<R> {
-    /// From some elements of a mesh, in their undeformed shape.
-    pub fn new(mesh: &SolidMesh, elements: std::ops::Range<usize>, material: Material<R>) -> Self {
-        let mut nodes = Vec::new();
-        let mut place = HashMap::new();
-        let blocks = elements.len().div_ceil(BLOCK);
-        let mut corners = vec![[0; CORNERS * BLOCK]; blocks];
-        let mut stored = vec![R::zero(); blocks * CONSTANTS * BLOCK];
-        for slot in 0..blocks * BLOCK {
-            // The last block is filled up with copies of the last element, of no volume: they exert no force.
-            let element = elements.start + slot.min(elements.len() - 1);
-            let (block, lane) = (slot / BLOCK, slot % BLOCK);
-            for (corner, &node) in mesh.elements[element].iter().enumerate() {
-                let local = *place.entry(node).or_insert_with(|| {
-                    nodes.push(node);
-                    nodes.len() as u32 - 1
-                });
-                corners[block][corner * BLOCK + lane] = local;
-            }
-            let mut c = constants(&mesh.corners(element));
-            if slot >= elements.len() {
-                c[CONSTANTS - 1] = 0.0;
-            }
-            for (which, value) in c.into_iter().enumerate() {
-                stored[(block * CONSTANTS + which) * BLOCK + lane] = R::from_f64(value);
+    /// From some elements of a mesh, which make a lattice of the given shape, or none.
+    fn new(mesh: &SolidMesh, elements: &[usize], shape: Option<[usize; 3]>, material: &Material<R>) -> Self {
+        let corners: Vec<[u32; CORNERS]> = elements.iter().map(|&e| mesh.elements[e]).collect();
+        let (layout, mut nodes, lanes) = if let Some(shape) = shape {
+            let (lattice, nodes, lanes) = Lattice::new(shape, &corners);
+            (Layout::Lattice(lattice), nodes, lanes)
+        } else {
+            let (indexed, nodes, lanes) = Indexed::new(&corners);
+            (Layout::Indexed(indexed), nodes, lanes)
+        };
+        nodes.extend([nodes[0]; BLOCK]);
+        let blocks = lanes.len() / BLOCK;
+        let mut stored = vec![Aligned([R::zero(); CONSTANTS * BLOCK]); blocks];
+        for (slot, element) in lanes.iter().enumerate() {
+            let Some(element) = element else { continue };
+            for (which, value) in constants(&mesh.corners(elements[*element])).into_iter().enumerate() {
+                stored[slot / BLOCK].0[which * BLOCK + slot % BLOCK] = R::from_f64(value);
             }
         }
         let terms = material.maxwell.len();
@@ -62,66 +127,47 @@ impl<R: Real> SolidPatch<R> {
                 block[6 * BLOCK..9 * BLOCK].fill(R::one());
             }
         }
-        let rows = vec![Row::zero(); nodes.len()];
-        Self {
-            material,
-            corners,
-            constants: stored,
-            history,
-            history_length,
-            elements: elements.len(),
-            positions: rows.clone(),
-            forces: rows,
-            nodes,
-        }
+        let last = nodes.iter().copied().max().unwrap_or(0);
+        let (material, constants) = (material.clone(), stored.into());
+        Self { material, layout, nodes, last, constants, history, history_length }
     }
 
-    fn load(&mut self, positions: &[Row<R>]) {
-        for (local, &node) in self.positions.iter_mut().zip(&self.nodes) {
-            *local = positions[node as usize];
-        }
+    fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
+        self.check(positions);
+        R::dispatch(Examine { patch: self, positions })
+    }
+
+    /// The promise that every node exists, on which unchecked reads rely.
+    fn check(&self, positions: &[Row<R>]) {
+        assert!((self.last as usize) < positions.len(), "a patch of another mesh");
     }
 }
 
 impl<R: Real> Patch<R> for SolidPatch<R> {
     fn nodes(&self) -> &[u32] {
-        &self.nodes
+        &self.nodes[..self.nodes.len() - BLOCK]
     }
     fn assemble(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64) {
-        self.load(positions);
-        self.forces.fill(Row::zero());
-        R::dispatch(Assemble { patch: self, dt });
+        self.check(positions);
+        R::dispatch(Assemble { patch: self, positions, dt });
     }
     fn forces(&self) -> &[Row<R>] {
-        &self.forces
+        match &self.layout {
+            Layout::Lattice(lattice) => lattice.forces(),
+            Layout::Indexed(indexed) => indexed.forces(),
+        }
     }
     fn energy(&mut self, positions: &[Row<R>]) -> Energy {
-        self.load(positions);
-        R::dispatch(Energies { patch: self }).0
+        self.look(positions).0
     }
     fn volume_ratios(&mut self, positions: &[Row<R>]) -> (f64, f64) {
-        self.load(positions);
-        R::dispatch(Energies { patch: self }).1
+        self.look(positions).1
     }
-}
-
-/// Corner positions of `LANES` elements of a block.
-#[inline(always)]
-fn gather<P: Pack>(
-    positions: &[Row<P::Real>],
-    corners: &[u32; CORNERS * BLOCK],
-    first: usize,
-) -> [Vec3<P>; CORNERS] {
-    let mut x = [Vec3::zero(); CORNERS];
-    for corner in 0..CORNERS {
-        // SAFETY: `SolidPatch::new` makes every entry a place in `nodes`, as long as `positions`; a block holds eight lanes.
-        x[corner] = unsafe { P::gather(positions, &corners[corner * BLOCK + first..]) };
-    }
-    x
 }
 
 struct Assemble<'a, R> {
     patch: &'a mut SolidPatch<R>,
+    positions: &'a [Row<R>],
     dt: f64,
 }
 
@@ -129,104 +175,96 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
     type Output = ();
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
-        let material = self.patch.material.clone();
-        material.with_law::<P, _>(self);
-    }
-}
-
-impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Assemble<'_, R> {
-    type Output = ();
-    #[inline(always)]
-    fn with<L: Isochoric<P>>(self, law: L) {
-        let patch = self.patch;
-        let bulk = P::splat(patch.material.bulk);
-        let shear = P::splat(patch.material.shear());
-        let mut decays = [Decay { whole: P::zero(), half: P::zero() }; MAX_TERMS];
-        let terms = patch.material.maxwell.len();
-        for (decay, term) in decays.iter_mut().zip(&patch.material.maxwell) {
+        let SolidPatch { material, layout, nodes, constants, history, history_length, .. } = self.patch;
+        let nothing = Decay { whole: P::zero(), half: P::zero() };
+        let mut decays = [nothing; MAX_TERMS];
+        for (decay, term) in decays.iter_mut().zip(&material.maxwell) {
             let step = term.decay(self.dt);
             *decay = Decay { whole: P::splat(step.whole), half: P::splat(step.half) };
         }
-        for (block, corners) in patch.corners.iter().enumerate() {
-            let constants = &patch.constants[block * CONSTANTS * BLOCK..(block + 1) * CONSTANTS * BLOCK];
-            for first in (0..BLOCK).step_by(P::LANES) {
-                let x = gather::<P>(&patch.positions, corners, first);
-                let element = Hexahedron::<P>::new(constants, first, &x);
-                let at = Kinematics::new(element.gradient());
-                let mut stress = law.stress(&at.c);
-                if terms > 0 {
-                    let mut history = [P::zero(); 13 + 6 * MAX_TERMS];
-                    let stored = &mut patch.history[block * patch.history_length * BLOCK..];
-                    for i in 0..patch.history_length {
-                        history[i] = P::load(&stored[i * BLOCK + first..]);
-                    }
-                    stress =
-                        add_branches(&at, stress, &decays[..terms], &mut history[..patch.history_length]);
-                    for i in 0..patch.history_length {
-                        history[i].store(&mut stored[i * BLOCK + first..]);
-                    }
-                }
-                let piola = at.first_piola(&stress, bulk * (at.volume - 1.0));
-                let forces = element.forces(&piola, shear);
-                for corner in 0..CORNERS {
-                    // SAFETY: as in `gather`; `forces` is as long as `positions`.
-                    unsafe {
-                        P::scatter_add(
-                            &mut patch.forces,
-                            &corners[corner * BLOCK + first..],
-                            forces[corner],
-                        );
-                    }
-                }
+        let rest = Loop {
+            layout,
+            positions: self.positions,
+            nodes,
+            constants,
+            history,
+            history_length: *history_length,
+            bulk: P::splat(material.bulk),
+            shear: P::splat(material.shear()),
+            decays,
+            terms: material.maxwell.len(),
+        };
+        material.with_law::<P, _>(rest);
+    }
+}
+
+/// All that the elements of a patch need, before the law is known.
+struct Loop<'a, P: Pack> {
+    layout: &'a mut Layout<P::Real>,
+    positions: &'a [Row<P::Real>],
+    nodes: &'a [u32],
+    constants: &'a [Block<P::Real>],
+    history: &'a mut [P::Real],
+    history_length: usize,
+    bulk: P,
+    shear: P,
+    decays: [Decay<P>; MAX_TERMS],
+    terms: usize,
+}
+
+impl<P: Pack> UseLaw<P> for Loop<'_, P> {
+    type Output = ();
+    #[inline(always)]
+    fn with<L: Isochoric<P>>(self, law: L) {
+        let Loop { layout, positions, nodes, constants, history, history_length, bulk, shear, decays, terms } =
+            self;
+        // Compiled apart: without branches nothing is kept for them.
+        if terms == 0 {
+            let elastic = Elastic { law, constants, bulk, shear };
+            match layout {
+                // SAFETY: `assemble` has checked the nodes.
+                Layout::Lattice(lattice) => unsafe { lattice.assemble(positions, nodes, elastic) },
+                Layout::Indexed(indexed) => indexed.assemble(positions, nodes, elastic),
+            }
+        } else {
+            let decays = &decays[..terms];
+            let viscous =
+                Viscous { elastic: Elastic { law, constants, bulk, shear }, decays, history, history_length };
+            match layout {
+                // SAFETY: `assemble` has checked the nodes.
+                Layout::Lattice(lattice) => unsafe { lattice.assemble(positions, nodes, viscous) },
+                Layout::Indexed(indexed) => indexed.assemble(positions, nodes, viscous),
             }
         }
     }
 }
 
-struct Energies<'a, R> {
-    patch: &'a SolidPatch<R>,
+struct Examine<'a, R> {
+    patch: &'a mut SolidPatch<R>,
+    positions: &'a [Row<R>],
 }
 
-impl<R: Real> PackKernel<R> for Energies<'_, R> {
+impl<R: Real> PackKernel<R> for Examine<'_, R> {
     type Output = (Energy, (f64, f64));
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) -> Self::Output {
-        self.patch.material.with_law::<P, _>(Energies { patch: self.patch })
+        let material = self.patch.material.clone();
+        material.with_law::<P, _>(self)
     }
 }
 
-impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Energies<'_, R> {
+impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Examine<'_, R> {
     type Output = (Energy, (f64, f64));
     #[inline(always)]
     fn with<L: Isochoric<P>>(self, law: L) -> Self::Output {
-        let patch = self.patch;
-        let bulk = P::splat(patch.material.bulk);
-        let shear = P::splat(patch.material.shear());
-        let mut energy = Energy::default();
-        let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
-        for (block, corners) in patch.corners.iter().enumerate() {
-            let constants = &patch.constants[block * CONSTANTS * BLOCK..(block + 1) * CONSTANTS * BLOCK];
-            for first in (0..BLOCK).step_by(P::LANES) {
-                let x = gather::<P>(&patch.positions, corners, first);
-                let element = Hexahedron::<P>::new(constants, first, &x);
-                let at = Kinematics::new(element.gradient());
-                let strain = element.strain_energy(law, bulk, &at);
-                let hourglass = element.hourglass_energy(shear);
-                let viscous = if patch.history_length > 0 {
-                    let at = (block * patch.history_length + 12) * BLOCK + first;
-                    P::load(&patch.history[at..]) * element.volume
-                } else {
-                    P::zero()
-                };
-                for lane in 0..P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first)) {
-                    energy.strain += strain.lane(lane);
-                    energy.hourglass += hourglass.lane(lane);
-                    energy.viscous += viscous.lane(lane);
-                    ratios.0 = ratios.0.min(at.volume.lane(lane));
-                    ratios.1 = ratios.1.max(at.volume.lane(lane));
-                }
-            }
+        let SolidPatch { material, layout, nodes, constants, history, history_length, .. } = self.patch;
+        let (bulk, shear) = (P::splat(material.bulk), P::splat(material.shear()));
+        let mut tally = Tally::new(Elastic { law, constants, bulk, shear }, history, *history_length);
+        match layout {
+            // SAFETY: `look` has checked the nodes.
+            Layout::Lattice(lattice) => unsafe { lattice.visit(self.positions, nodes, &mut tally) },
+            Layout::Indexed(indexed) => indexed.visit(self.positions, nodes, &mut tally),
         }
-        (energy, ratios)
+        (tally.energy, tally.ratios)
     }
 }

@@ -41,8 +41,9 @@ pub fn cubed_sphere(radii: &[f64], fineness: &Fineness) -> SolidMesh {
     let mut depth = 0;
     let mut from = None;
     for (piece, (&radius, &count)) in radii.iter().zip(&fineness.layers).enumerate() {
-        for layer in 0..count {
-            for side in 0..6 {
+        // Side by side, so that the elements of each make a lattice.
+        for side in 0..6 {
+            for layer in 0..count {
                 for v in 0..n {
                     for u in 0..n {
                         let mut element = [0; CORNERS];

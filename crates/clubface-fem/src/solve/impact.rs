@@ -125,7 +125,7 @@ impl<R: Real> Impact<R> {
         watch: &mut dyn FnMut(&Progress, &Self) -> bool,
     ) -> Result<Outcome<R>, FemError> {
         options.check()?;
-        let dt = self.structure.stable_step(60) * options.safety;
+        let dt = self.structure.stable_step(40) * options.safety;
         let every = (options.interval / dt).round().max(1.0) as usize;
         let start = std::time::Instant::now();
         let mut run = Run { history: History::default(), touched: None, dt, step: 0 };

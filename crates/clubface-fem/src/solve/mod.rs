@@ -2,6 +2,7 @@
 
 mod history;
 mod impact;
+mod stable_step;
 mod structure;
 
 pub use history::{ContactFrame, EnergyFrame, Figures, History, MotionFrame};

@@ -5,7 +5,7 @@
 
 use crate::contact::Contact;
 use crate::element::{Energy, Patch};
-use clubface_math::{Real, Row, Scalar, Vec3};
+use clubface_math::{Pack, PackKernel, Real, Row, Scalar, Vec3};
 use rayon::prelude::*;
 
 /// Nodes a task of the second phase.
@@ -36,11 +36,39 @@ pub struct Structure<R> {
     pub masses: Vec<R>,
     /// Number of rows that are positions; those behind are rotations of shells.
     pub translations: usize,
-    inverse_masses: Vec<R>,
-    patches: Vec<Box<dyn Patch<R>>>,
-    /// Where the forces on node `n` stand: `slots[first[n]..first[n + 1]]`, each a patch and a place in it.
-    first: Vec<u32>,
+    pub(super) inverse_masses: Vec<R>,
+    pub(super) patches: Vec<Box<dyn Patch<R>>>,
+    /// Where the forces on the nodes stand, by chunk.
+    shares: Vec<Shares>,
+    /// Number of forces of each patch, and of the contact.
+    lengths: Vec<usize>,
+}
+
+/// Where the forces on the nodes of a chunk stand. Nodes with the same number of forces follow each other, so that a CPU guesses right how
+/// often to add.
+struct Shares {
+    /// Number of nodes with no force, one, two, ...
+    counts: Vec<usize>,
+    /// Nodes, counted from the first of the chunk.
+    nodes: Vec<u32>,
+    /// Patch of each force, and place in it, node by node in the order of the patches.
     slots: Vec<(u32, u32)>,
+}
+
+impl Shares {
+    /// From the forces on each node of the chunk.
+    fn new(on_node: &[Vec<(u32, u32)>]) -> Self {
+        let most = on_node.iter().map(Vec::len).max().unwrap_or(0);
+        let mut shares = Self { counts: vec![0; most + 1], nodes: Vec::new(), slots: Vec::new() };
+        for count in 0..=most {
+            for (node, slots) in on_node.iter().enumerate().filter(|(_, slots)| slots.len() == count) {
+                shares.counts[count] += 1;
+                shares.nodes.push(node as u32);
+                shares.slots.extend(slots);
+            }
+        }
+        shares
+    }
 }
 
 impl<R: Real> Structure<R> {
@@ -58,12 +86,8 @@ impl<R: Real> Structure<R> {
                 on_node[node as usize].push((patch as u32, place as u32));
             }
         }
-        let mut first = vec![0];
-        let mut slots = Vec::new();
-        for list in on_node {
-            slots.extend(list);
-            first.push(slots.len() as u32);
-        }
+        let lengths = patches.iter().map(|p| p.nodes().len()).chain([contact.len()]).collect();
+        let shares = on_node.chunks(CHUNK).map(Shares::new).collect();
         let inverse_masses = masses.iter().map(|m| m.recip()).collect();
         Self {
             translations: positions.len(),
@@ -72,8 +96,8 @@ impl<R: Real> Structure<R> {
             masses,
             inverse_masses,
             patches,
-            first,
-            slots,
+            shares,
+            lengths,
         }
     }
 
@@ -91,24 +115,17 @@ impl<R: Real> Structure<R> {
     pub fn advance(&mut self, contact: &dyn Contact<R>, dt: f64) {
         let forces: Vec<&[Row<R>]> =
             self.patches.iter().map(|p| p.forces()).chain([contact.forces()]).collect();
-        let (first, slots) = (&self.first, &self.slots);
+        for (forces, length) in forces.iter().zip(&self.lengths) {
+            assert_eq!(forces.len(), *length, "a patch has as many forces as nodes");
+        }
         let (forces, step) = (&forces, R::from_f64(dt));
         self.positions
             .par_chunks_mut(CHUNK)
             .zip(self.velocities.par_chunks_mut(CHUNK))
             .zip(self.inverse_masses.par_chunks(CHUNK))
-            .enumerate()
-            .for_each(|(chunk, ((x, v), inverse))| {
-                for i in 0..x.len() {
-                    let node = chunk * CHUNK + i;
-                    let mut sum = Row::zero();
-                    for &(patch, place) in &slots[first[node] as usize..first[node + 1] as usize] {
-                        add(&mut sum, &forces[patch as usize][place as usize], R::one());
-                    }
-                    add(&mut v[i], &sum, inverse[i] * step);
-                    let velocity = v[i];
-                    add(&mut x[i], &velocity, step);
-                }
+            .zip(&self.shares)
+            .for_each(|(((positions, velocities), inverse_masses), shares)| {
+                R::dispatch(Advance { positions, velocities, inverse_masses, shares, forces, step });
             });
     }
 
@@ -159,53 +176,46 @@ impl<R: Real> Structure<R> {
         let pairs = self.velocities.iter().zip(before).zip(&self.masses);
         pairs.map(|((a, b), m)| 0.5 * (a.vec().dot(b.vec()) * *m).re()).sum()
     }
+}
 
-    /// Bound of the stable step, s: two over the highest frequency of the structure as it stands, by power iteration on the forces.
-    pub fn stable_step(&mut self, iterations: usize) -> f64 {
-        let rest = self.positions.clone();
-        let mut frequency = 0.0_f64;
-        // A deterministic start with a part along every mode.
-        let mut seed = 1_u64;
-        let mut direction: Vec<[f64; 3]> = rest
-            .iter()
-            .map(|_| {
-                [0; 3].map(|_: i32| {
-                    seed =
-                        seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-                    (seed >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
-                })
-            })
-            .collect();
-        let size = 1e-8;
-        for _ in 0..iterations {
-            let norm = length(&direction, &self.masses);
-            for d in direction.iter_mut().flatten() {
-                *d /= norm;
-            }
-            let largest = direction.iter().flat_map(|d| d.iter()).fold(0.0_f64, |m, c| m.max(c.abs()));
-            let scale = size / largest;
-            for (x, (r, d)) in self.positions.iter_mut().zip(rest.iter().zip(&direction)) {
-                for c in 0..3 {
-                    x.0[c] = r.0[c] + d[c] * scale;
-                }
-            }
-            let (positions, velocities) = (&self.positions, &self.velocities);
-            self.patches.par_iter_mut().for_each(|patch| patch.assemble(positions, velocities, 0.0));
-            for (node, d) in direction.iter_mut().enumerate() {
-                let mut sum = Row::<R>::zero();
-                for &(patch, place) in &self.slots[self.first[node] as usize..self.first[node + 1] as usize] {
-                    if let Some(patch) = self.patches.get(patch as usize) {
-                        add(&mut sum, &patch.forces()[place as usize], R::one());
+/// The second phase of a step, for a chunk of nodes.
+struct Advance<'a, R> {
+    positions: &'a mut [Row<R>],
+    velocities: &'a mut [Row<R>],
+    inverse_masses: &'a [R],
+    shares: &'a Shares,
+    forces: &'a [&'a [Row<R>]],
+    step: R,
+}
+
+impl<R: Real> PackKernel<R> for Advance<'_, R> {
+    type Output = ();
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) {
+        let Advance { positions, velocities, inverse_masses, shares, forces, step } = self;
+        assert!(positions.len() == velocities.len() && positions.len() == inverse_masses.len());
+        let (mut node, mut slot) = (0, 0);
+        for (count, &nodes) in shares.counts.iter().enumerate() {
+            for _ in 0..nodes {
+                // SAFETY: `Structure::new` makes shares of nodes in their chunk, and of places within the lists of nodes of patches, to which
+                // `Structure::step` has compared the forces.
+                unsafe {
+                    let n = *shares.nodes.get_unchecked(node) as usize;
+                    debug_assert!(n < positions.len());
+                    let mut sum = Row::zero();
+                    for i in slot..slot + count {
+                        let (patch, place) = *shares.slots.get_unchecked(i);
+                        let force = forces.get_unchecked(patch as usize).get_unchecked(place as usize);
+                        add(&mut sum, force, R::one());
                     }
+                    let (x, v) = (positions.get_unchecked_mut(n), velocities.get_unchecked_mut(n));
+                    add(v, &sum, *inverse_masses.get_unchecked(n) * step);
+                    add(x, v, step);
                 }
-                for c in 0..3 {
-                    d[c] = -(sum.0[c] * self.inverse_masses[node]).re() / scale;
-                }
+                node += 1;
+                slot += count;
             }
-            frequency = frequency.max(length(&direction, &self.masses).sqrt());
         }
-        self.positions = rest;
-        2.0 / frequency
     }
 }
 
@@ -215,9 +225,4 @@ fn add<R: Scalar>(sum: &mut Row<R>, v: &Row<R>, s: R) {
     for c in 0..4 {
         sum.0[c] += v.0[c] * s;
     }
-}
-
-/// Length of a field of velocities, weighted by mass.
-fn length<R: Real>(field: &[[f64; 3]], masses: &[R]) -> f64 {
-    field.iter().zip(masses).map(|(d, m)| d.iter().map(|c| c * c).sum::<f64>() * m.re()).sum::<f64>().sqrt()
 }

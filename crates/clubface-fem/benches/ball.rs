@@ -1,0 +1,101 @@
+//! Cost of the ball on a rigid plane (the reference case), in nanoseconds per element and step, beside the launch it computes.
+//!
+//! `cargo bench -p clubface-fem --bench ball`: criterion's figures for a step after the impact, and a table with the least time of a step during it,
+//! which is what the machine does when nobody else uses it.
+
+#![allow(missing_docs)]
+
+use clubface_fem::ball::{Ball, Piece};
+use clubface_fem::cases::against_plane;
+use clubface_fem::contact::Contact;
+use clubface_fem::material::{Hencky, Material, MooneyRivlin, Shape};
+use clubface_fem::solve::Structure;
+use criterion::Criterion;
+use std::time::{Duration, Instant};
+
+struct Case {
+    structure: Structure<f64>,
+    contact: Box<dyn Contact<f64>>,
+    step: f64,
+    elements: usize,
+}
+
+fn bulk(shear: f64, poisson: f64) -> f64 {
+    2.0 * shear * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson))
+}
+
+/// The reference case, `refine` times as fine.
+fn case(refine: usize) -> Case {
+    let core = Material {
+        shape: Shape::MooneyRivlin(MooneyRivlin { c10: 4e6, c01: 1e6 }),
+        bulk: bulk(10e6, 0.49),
+        maxwell: vec![],
+        density: 1150.0,
+    };
+    let shear = 350e6 / 2.8;
+    let cover = Material {
+        shape: Shape::Hencky(Hencky { shear }),
+        bulk: bulk(shear, 0.4),
+        maxwell: vec![],
+        density: 950.0,
+    };
+    let piece = |name: &str, radius: f64, layers: usize, material: Material<f64>| Piece {
+        name: name.into(),
+        radius,
+        layers: layers * refine,
+        material,
+    };
+    let pieces = vec![piece("core", 0.0196, 6, core), piece("cover", 0.0214, 3, cover)];
+    let ball = Ball { pieces, cube: 12 * refine, mass: Some(0.046) };
+    let impact = against_plane(&ball, 35.0, 11.5_f64.to_radians(), 0.35).expect("the reference case");
+    let (mut structure, contact) = (impact.structure, impact.contact);
+    let step = 0.8 * structure.stable_step(40);
+    let elements = 12_usize.pow(3) + 54 * 12_usize.pow(2);
+    Case { structure, contact, step, elements: elements * refine.pow(3) }
+}
+
+impl Case {
+    fn step(&mut self) {
+        self.structure.assemble(self.contact.as_mut(), self.step);
+        self.structure.advance(self.contact.as_ref(), self.step);
+    }
+}
+
+fn main() {
+    let mut criterion = Criterion::default()
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(200))
+        .measurement_time(Duration::from_secs(2))
+        .configure_from_args();
+    let mut table = String::new();
+    for refine in [1, 2] {
+        for threads in [1, 2] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            let mut case = case(refine);
+            let steps = (1e-3 / case.step).ceil() as usize;
+            let mut least = Duration::MAX;
+            let mut peak = 0.0_f64;
+            pool.install(|| {
+                for _ in 0..steps {
+                    let start = Instant::now();
+                    case.step();
+                    least = least.min(start.elapsed());
+                    peak = peak.max(case.contact.resultant().normal);
+                }
+            });
+            let launch = case.structure.kinetics(0..case.structure.positions.len());
+            let each = |time: Duration| time.as_secs_f64() * 1e9 / case.elements as f64;
+            table += &format!(
+                "fineness {refine}, {threads} threads: {:.1} ns per element and step; {:.3} m/s normal, {:.3} tangential, {:.0} rpm, {peak:.0} N\n",
+                each(least),
+                launch.velocity.x,
+                launch.velocity.y,
+                launch.spin.z * 60.0 / std::f64::consts::TAU,
+            );
+            criterion.bench_function(&format!("ball/fineness {refine}/{threads} threads"), |b| {
+                b.iter(|| pool.install(|| case.step()));
+            });
+        }
+    }
+    println!("{table}");
+}
