@@ -9,6 +9,7 @@ pub mod element;
 pub mod error;
 pub mod material;
 pub mod mesh;
+pub mod sensitivity;
 pub mod solve;
 
 pub use error::FemError;

@@ -16,6 +16,7 @@ EXTRAS = {
     "pandas": "tables",
     "xarray": "tables",
     "pyarrow": "tables",
+    "meshio": "fem",
 }
 """The extra of the package that brings each optional library."""
 

@@ -167,13 +167,13 @@ def export(
     """Write a case as a keyword deck, or run it and write its shapes for ParaView."""
     from clubface.equipment import check_choice
     from clubface.fem import case as cases
-    from clubface.fem import files
+    from clubface.fem import files, keyword, vtu
 
     check_choice("--format", form, ("lsdyna", "vtu"))
     chosen = cases.case(case)
     target = files.prepare(folder)
     if form == "lsdyna":
-        _tell([keyword.write(chosen, target / f"{chosen.name}.k")])
+        _tell([keyword.write(chosen, target / f"{vtu.file_stem(chosen.name)}.k")])
         return
     wanted = chosen if chosen.settings.frames else chosen.replace(settings={"frames": 51})
     found = run_with_progress(lambda progress: wanted.run(progress))

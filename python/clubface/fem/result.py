@@ -65,7 +65,14 @@ class Impact:
         Arrays over the nodes of the ball in contact at the records: time, up and toe (from the mass centre, along the
         face of first touch [m]), normal and tangential force [N].
     frame_times, frames
-        Times [s] and node positions [m] of the deformed shapes that were asked for.
+        Times [s] and node positions [m] of the deformed shapes that were asked for, in face axes of first touch (those
+        of the plane) with the origin at the clubhead's CG then (where the ball first touches the plane).
+    axes
+        Normal, up the face and to the toe at the point of first touch, a row each, in face axes.
+    attitude
+        Rotation from face axes to the world's.
+    frame_velocity
+        Velocity of the clubhead at first touch along ``axes`` [m/s], to which ``motion`` is relative.
     ball, friction, settings, given
         What went in.
     """
@@ -114,8 +121,8 @@ class Impact:
         self._ball_velocity = found["ball_velocity"]
         self._ball_spin = found["ball_spin"]
         self._launch = found.get("launch")
-        self._frame_velocity = found["frame_velocity"]
-        self._attitude = found["attitude"]
+        self.frame_velocity: NDArray[Any] = found["frame_velocity"]
+        self.attitude: NDArray[Any] = found["attitude"]
 
     @property
     def normal_velocity(self) -> float:
@@ -143,8 +150,16 @@ class Impact:
 
     def world_velocity(self) -> NDArray[Any]:
         """Return the velocity of the ball over the records in world axes [m/s], records by three."""
-        along = self.motion["velocity"] + self._frame_velocity
-        return along @ self.axes @ self._attitude.T
+        along = self.motion["velocity"] + self.frame_velocity
+        return along @ self.axes @ self.attitude.T
+
+    def world_positions(self) -> NDArray[Any]:
+        """Return the nodes of the deformed shapes in world axes [m], shapes by nodes by three.
+
+        The origin is the clubhead's CG of first touch, or the point of a plane where the ball first touches it. For a
+        left-handed club it is the mirror image of what it plays.
+        """
+        return self.frames @ self.attitude.T
 
     def __repr__(self) -> str:
         state = f", stopped: {self.stopped}" if self.stopped else ""

@@ -1,0 +1,130 @@
+//! Derivatives of the launch with respect to everything that goes into an impact with a rigid head, by running the same code on dual numbers.
+
+use crate::ball::{Ball, Piece};
+use crate::cases::against_head;
+use crate::error::FemError;
+use crate::material::{Material, Maxwell, Shape};
+use crate::solve::{Options, Progress};
+use clubface_impact::first_touch::FirstTouch;
+use clubface_impact::launch::OUTPUT_COUNT;
+use clubface_impact::shot::{Shot, INPUTS, INPUT_COUNT};
+use clubface_math::{Dual, Real};
+
+/// Derivatives found in one run.
+const WIDTH: usize = 4;
+
+/// A ball about to be met by a rigid head.
+#[derive(Clone, Debug)]
+pub struct Setting {
+    /// The ball.
+    pub ball: Ball<f64>,
+    /// Delivery, club and ball in the order of [`INPUTS`]; those of the ball are not used, as its pieces say more.
+    pub inputs: [f64; INPUT_COUNT],
+    /// Coefficient of friction.
+    pub friction: f64,
+}
+
+/// Launch and its derivatives.
+#[derive(Clone, Debug)]
+pub struct Sensitivity {
+    /// Launch, in the order of [`clubface_impact::launch::OUTPUTS`].
+    pub values: [f64; OUTPUT_COUNT],
+    /// Derivatives by outputs, then by the variables asked for.
+    pub jacobian: Vec<Vec<f64>>,
+}
+
+impl Setting {
+    /// Names of all variables: inputs that are differentiable, "friction", and constants of the pieces such as "cover.shear".
+    #[must_use]
+    pub fn variables(&self) -> Vec<String> {
+        let mut names = Vec::new();
+        self.lift(&mut |name, value| {
+            names.push(name.to_owned());
+            value
+        });
+        names
+    }
+
+    /// The same setting in another number, each variable made by `number` from its name and value.
+    fn lift<R: Real>(&self, number: &mut dyn FnMut(&str, f64) -> R) -> (Ball<R>, FirstTouch<R>, R) {
+        let inputs = std::array::from_fn(|i| {
+            let input = &INPUTS[i];
+            if input.differentiable && input.group != "ball" {
+                number(input.name, self.inputs[i])
+            } else {
+                R::from_f64(self.inputs[i])
+            }
+        });
+        let friction = number("friction", self.friction);
+        let pieces = self.ball.pieces.iter().map(|piece| lift_piece(piece, number)).collect();
+        let ball = Ball { pieces, cube: self.ball.cube, mass: self.ball.mass };
+        (ball, FirstTouch::of(&Shot::from_inputs(&inputs)), friction)
+    }
+
+    /// Launch and its derivatives by some of [`Setting::variables`]; a run of the impact for every four of them. `watch` is called with the
+    /// run and its progress, and stops everything by returning false.
+    ///
+    /// # Errors
+    /// [`FemError`] of a setting that cannot run, of an unknown variable, or of a run that stopped early.
+    pub fn sensitivity(
+        &self,
+        variables: &[String],
+        options: &Options,
+        watch: &mut dyn FnMut(usize, &Progress) -> bool,
+    ) -> Result<Sensitivity, FemError> {
+        let known = self.variables();
+        if let Some(unknown) = variables.iter().find(|name| !known.contains(name)) {
+            return Err(FemError::input("variable", unknown, format!("known are {}", known.join(", "))));
+        }
+        let mut found =
+            Sensitivity { values: [f64::NAN; OUTPUT_COUNT], jacobian: vec![Vec::new(); OUTPUT_COUNT] };
+        for (run, group) in variables.chunks(WIDTH).enumerate() {
+            let (ball, touch, friction) = self.lift(&mut |name, value| {
+                let place = group.iter().position(|each| each == name);
+                place.map_or_else(|| Dual::<f64, WIDTH>::constant(value), |i| Dual::variable(value, i))
+            });
+            let mut impact = against_head(&ball, &touch, friction)?;
+            let outcome = impact.run(options, &mut |progress, _| watch(run, progress))?;
+            if let Some(stopped) = outcome.stopped {
+                return Err(stopped);
+            }
+            for (row, output) in touch.launch(outcome.ball, outcome.head).outputs().iter().enumerate() {
+                found.values[row] = output.value;
+                found.jacobian[row].extend_from_slice(&output.tangent[..group.len()]);
+            }
+        }
+        Ok(found)
+    }
+}
+
+fn lift_piece<R: Real>(piece: &Piece<f64>, number: &mut dyn FnMut(&str, f64) -> R) -> Piece<R> {
+    let name = &piece.name;
+    let Piece { radius, layers, material, .. } = piece;
+    let mut of = |constant: &str, value: f64| number(&format!("{name}.{constant}"), value);
+    let maxwell = material
+        .maxwell
+        .iter()
+        .enumerate()
+        .map(|(i, branch)| Maxwell {
+            modulus: of(&format!("maxwell.{i}.modulus"), branch.modulus),
+            time: of(&format!("maxwell.{i}.time"), branch.time),
+        })
+        .collect();
+    let shape = match &material.shape {
+        Shape::MooneyRivlin(law) => Shape::MooneyRivlin(crate::material::MooneyRivlin {
+            c10: of("c10", law.c10),
+            c01: of("c01", law.c01),
+        }),
+        Shape::NeoHookean(law) => {
+            Shape::NeoHookean(crate::material::NeoHookean { shear: of("shear", law.shear) })
+        }
+        Shape::Hencky(law) => Shape::Hencky(crate::material::Hencky { shear: of("shear", law.shear) }),
+    };
+    let material = Material {
+        shape,
+        bulk: of("bulk", material.bulk),
+        maxwell,
+        density: of("density", material.density),
+    };
+    Piece { name: name.clone(), radius: *radius, layers: *layers, material }
+}

@@ -1,0 +1,77 @@
+"""Deformed shapes over time as VTU files, with a collection that ParaView opens."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+from xml.sax.saxutils import quoteattr
+
+from clubface.errors import InputError
+from clubface.fem.result import Impact
+
+
+def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> list[Path]:
+    """Write every kept shape of the ball as a VTU file, and a collection of them with their times.
+
+    Axes are the world's (x to the target, y up, z to the right), with the origin at the clubhead's CG of first touch;
+    for a ball thrown at a plane x is the plane's normal. Lengths are in m, times in s. Points carry ``displacement``
+    from the undeformed shape at first touch, cells ``piece``, 0 for the core.
+
+    Parameters
+    ----------
+    found
+        A run with frames.
+    folder
+        Must exist.
+    name
+        Of the files: ``<name>-0000.vtu`` and on, ``<name>.pvd``.
+
+    Returns
+    -------
+    list
+        The files, the collection last.
+
+    Raises
+    ------
+    InputError
+        A run that kept no shapes.
+    """
+    import meshio
+    import numpy as np
+
+    from clubface import _core
+
+    if not len(found.frames):
+        raise InputError("frames", 0, "1 or more; ask for them in the settings of the run")
+    mesh = _core.fem_mesh(found.ball.values())
+    shapes = found.world_positions()
+    cells: list[Any] = [("hexahedron", np.asarray(mesh["elements"], dtype=np.int32))]
+    piece: dict[str, Any] = {"piece": [np.asarray(mesh["piece"], dtype=np.int32)]}
+    target, stem = Path(folder), file_stem(name)
+    written = []
+    for number, shape in enumerate(shapes):
+        moved: dict[str, Any] = {"displacement": (shape - shapes[0]).astype(np.float32)}
+        path = target / f"{stem}-{number:04d}.vtu"
+        meshio.write(path, meshio.Mesh(shapes[0], cells, point_data=moved, cell_data=piece), file_format="vtu")
+        written.append(path)
+    return [*written, _collection(target / f"{stem}.pvd", found.frame_times.tolist(), written)]
+
+
+def file_stem(name: str) -> str:
+    """Return ``name`` with what a file name cannot hold replaced by a hyphen."""
+    kept = "".join(letter if letter.isalnum() or letter in "-_ ." else "-" for letter in name).strip(" .")
+    return kept[:100] or "case"
+
+
+def _collection(path: Path, times: list[float], files: list[Path]) -> Path:
+    entries = "".join(
+        f'    <DataSet timestep="{time!r}" part="0" file={quoteattr(file.name)}/>\n'
+        for time, file in zip(times, files, strict=True)
+    )
+    path.write_text(
+        '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">\n'
+        f"  <Collection>\n{entries}  </Collection>\n</VTKFile>\n",
+        encoding="utf-8",
+    )
+    return path

@@ -1,0 +1,169 @@
+"""Shapes for ParaView and keyword decks: read back, and the same as what was run."""
+
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+
+from clubface import fem
+from clubface.errors import InputError
+from clubface.fem import cards, keyword, vtu
+from clubface.fem.case import case
+from fem_runs import coarse_drive, coarse_throw, drive_case, throw_case
+
+
+def volumes(points, cells):
+    """Volumes of hexahedra, as six tetrahedra each."""
+    split = ((0, 1, 2, 6), (0, 2, 3, 6), (0, 3, 7, 6), (0, 7, 4, 6), (0, 4, 5, 6), (0, 5, 1, 6))
+    total = np.zeros(len(cells))
+    for a, b, c, d in split:
+        p = [points[cells[:, corner]] for corner in (a, b, c, d)]
+        total += np.einsum("ij,ij->i", np.cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) / 6.0
+    return total
+
+
+@pytest.mark.parametrize("run", [coarse_throw, coarse_drive])
+def test_shapes_read_back_as_they_were(tmp_path, run):
+    meshio = pytest.importorskip("meshio")
+    found = run()
+    *shapes, collection = vtu.write_series(found, tmp_path, "an impact: first")
+    assert 4 <= len(shapes) == len(found.frames) <= 5  # the last step ends a little before the simulated time
+    places = found.world_positions()
+    for path, place in zip(shapes, places, strict=True):
+        mesh = meshio.read(path)
+        cells = mesh.cells_dict["hexahedron"]
+        assert len(cells) == found.ball.elements
+        assert mesh.points + mesh.point_data["displacement"] == pytest.approx(place, abs=1e-9)
+        assert set(mesh.cell_data["piece"][0]) == {0, 1}
+        assert (volumes(mesh.points, cells) > 0.0).all()
+        assert (volumes(place, cells) > 0.0).all()
+    entries = ET.parse(collection).getroot().findall("./Collection/DataSet")
+    assert [tmp_path / entry.attrib["file"] for entry in entries] == shapes
+    assert [float(entry.attrib["timestep"]) for entry in entries] == found.frame_times.tolist()
+
+
+def test_the_ball_of_a_drive_flies_to_the_target_and_up():
+    found = coarse_drive()
+    first, last = found.world_positions()[[0, -1]].mean(axis=1)
+    assert last[0] - first[0] > 0.01
+    assert last[1] - first[1] > 0.001
+
+
+def test_a_run_without_shapes_is_refused(tmp_path):
+    with pytest.raises(InputError, match="frames"):
+        vtu.write_series(throw_case(duration="20 us").run(), tmp_path, "none")
+
+
+class Deck:
+    """A deck read by its rules: a line beginning with $ is a comment, * a keyword, fields have fixed widths."""
+
+    def __init__(self, path):
+        self.keywords = []
+        text = path.read_text(encoding="ascii")
+        assert all(len(line) <= 80 for line in text.splitlines())
+        for line in text.splitlines():
+            if line.startswith("*"):
+                self.keywords.append((line[1:], []))
+            elif not line.startswith("$"):
+                self.keywords[-1][1].append(line)
+
+    def all(self, name):
+        return [cards for keyword, cards in self.keywords if keyword == name]
+
+    def one(self, name):
+        (cards,) = self.all(name)
+        return cards
+
+    def nodes(self):
+        rows = [line for cards in self.all("NODE") for line in cards]
+        assert [int(line[:8]) for line in rows] == list(range(1, len(rows) + 1))
+        return np.array([[float(line[start : start + 16]) for start in (8, 24, 40)] for line in rows])
+
+    def elements(self, name):
+        return np.array([[int(line[at : at + 8]) for at in range(0, len(line), 8)] for line in self.one(name)])
+
+
+def fields(line, width=10):
+    return [float(text) if (text := line[at : at + width].strip()) else None for at in range(0, len(line), width)]
+
+
+@pytest.fixture(scope="module")
+def reference_deck(tmp_path_factory):
+    ball = fem.ball("reference")
+    given = throw_case().replace(ball=ball, settings={"duration": "1000 us"})
+    return given, Deck(keyword.write(given, tmp_path_factory.mktemp("deck") / "reference.k"))
+
+
+def test_the_reference_deck_holds_the_mesh_and_the_mass(reference_deck):
+    given, deck = reference_deck
+    properties = given.ball.properties()
+    nodes, solids = deck.nodes(), deck.elements("ELEMENT_SOLID")
+    assert (len(nodes), len(solids)) == (properties["nodes"], properties["elements"])
+    assert solids[:, 0].tolist() == list(range(1, 9505))
+    density = {int(fields(cards[0])[0]): fields(cards[0])[1] for name, cards in deck.keywords if name[:4] == "MAT_"}
+    volume = volumes(nodes, solids[:, 2:] - 1)
+    assert (volume > 0.0).all()
+    mass = sum(density[part] * volume[solids[:, 1] == part].sum() for part in (1, 2))
+    assert mass == pytest.approx(0.046, rel=2e-3)
+    assert nodes[:, 0].min() == pytest.approx(0.0, abs=1e-9)
+    assert np.linalg.norm(nodes - [0.0214, 0.0, 0.0], axis=1).max() == pytest.approx(0.0214, rel=1e-6)
+
+
+def test_the_reference_deck_holds_laws_velocity_and_wall(reference_deck):
+    _, deck = reference_deck
+    assert fields(deck.one("MAT_MOONEY-RIVLIN_RUBBER")[0])[2:] == [0.49, 4e6, 1e6]
+    assert fields(deck.one("MAT_ELASTIC")[0]) == [2, 950.0, 350e6, 0.4]
+    velocity = fields(deck.one("INITIAL_VELOCITY_GENERATION")[0])
+    assert velocity[:3] == [1, 1, 0.0]
+    assert velocity[3:] == pytest.approx([-35 * np.cos(np.radians(11.5)), 35 * np.sin(np.radians(11.5)), 0], rel=1e-7)
+    assert fields(deck.one("RIGIDWALL_PLANAR")[1]) == [0, 0, 0, 1, 0, 0, 0.35]
+    assert fields(deck.one("CONTROL_TERMINATION")[0]) == [1e-3]
+    assert [fields(cards[1])[:5] for cards in deck.all("PART")] == [[1, 1, 1, 0, 1], [2, 1, 2, 0, 1]]
+    assert fields(deck.one("SECTION_SOLID")[0]) == [1, 1]
+    assert fields(deck.one("HOURGLASS")[0])[1] == 6
+    assert deck.keywords[0][0] == "KEYWORD"
+    assert deck.keywords[-1] == ("END", [])
+
+
+def test_the_deck_of_a_drive_holds_the_head(tmp_path):
+    given = drive_case().replace(toe="8 mm", high="-3 mm", closure="2400 deg/s", attack="-2 deg", face="1 deg")
+    deck = Deck(keyword.write(given, tmp_path / "drive.k"))
+    title, _, place, inertia, motion = deck.one("PART_INERTIA")
+    assert title == "P2 head: rigid"
+    cg, mass = np.array(fields(place)[:3]), fields(place)[3]
+    assert mass == 0.210
+    spherical = [1526e-7, 0, 0, 1526e-7, 0, 1526e-7]
+    assert fields(inertia) == pytest.approx(spherical, rel=1e-6, abs=1e-12)
+    velocity, spin = np.array(fields(motion)[:3]), np.array(fields(motion)[3:])
+    assert np.linalg.norm(velocity) == pytest.approx(35.0, rel=1e-6)
+    assert np.linalg.norm(spin) == pytest.approx(np.radians(2400), rel=1e-6)
+    # The face meets the ball at the origin, with its normal along x, and moves towards it.
+    nodes, quads = deck.nodes(), deck.elements("ELEMENT_SHELL")
+    corners = nodes[quads[:, 2:] - 1]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 3] - corners[:, 0])
+    nearest = np.argmin(np.linalg.norm(corners.mean(axis=1), axis=1))
+    assert abs(normals[nearest, 0]) / np.linalg.norm(normals[nearest]) == pytest.approx(1.0, abs=1e-3)
+    assert corners[nearest].mean(axis=0) == pytest.approx([-0.5 * keyword.SHELL, 0, 0], abs=2e-3)
+    assert (velocity + np.cross(spin, -cg))[0] > 30.0
+    assert (normals @ normals[nearest] > 0.0).all()
+    # Viscous rubber and cover.
+    core = deck.one("MAT_HYPERELASTIC_RUBBER")
+    assert fields(core[1]) == [3.1e6, 0.8e6]
+    assert fields(core[2]) == pytest.approx([0.15 * 2 * 3.9e6, 1 / 180e-6], rel=1e-6)
+    cover = fields(deck.one("MAT_VISCOELASTIC")[0])
+    assert cover[3] == pytest.approx(2.1 * cover[4], rel=1e-6)
+    assert fields(deck.one("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE")[1]) == [0.23, 0.23]
+
+
+def test_a_head_that_moves_away_gives_no_deck(tmp_path):
+    given = case("paper").replace(attack="89 deg", face="80 deg")
+    with pytest.raises(InputError):
+        keyword.write(given.replace(path="-89 deg", attack="0 deg"), tmp_path / "away.k")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("value", [0.0, 1.0, -1.0, 1e-300, -1.2345678901e-5, 123456789.123, -0.000123456789, 7e22, 3])
+def test_a_field_is_ten_characters_and_close(value):
+    text = cards.field(value)
+    assert len(text) == 10
+    assert float(text) == pytest.approx(value, rel=1e-4)
