@@ -15,7 +15,7 @@ pub struct Piece<R> {
     /// Name, for messages.
     pub name: String,
     /// Outer radius, m.
-    pub radius: f64,
+    pub radius: R,
     /// Element layers through it.
     pub layers: usize,
     /// What it is made of.
@@ -36,7 +36,7 @@ pub struct Ball<R> {
 /// A ball as meshed.
 pub struct MeshedBall<R> {
     /// The mesh, in place.
-    pub mesh: SolidMesh,
+    pub mesh: SolidMesh<R>,
     /// Elements by patches, of one piece each.
     pub patches: Vec<Box<dyn Patch<R>>>,
     /// Name of the piece of each patch.
@@ -63,7 +63,7 @@ impl<R: Real> Ball<R> {
     /// Outer radius, m.
     #[must_use]
     pub fn radius(&self) -> f64 {
-        self.pieces.last().map_or(f64::NAN, |piece| piece.radius)
+        self.pieces.last().map_or(f64::NAN, |piece| piece.radius.re())
     }
 
     /// Checks what the mesh cannot be made of.
@@ -84,19 +84,20 @@ impl<R: Real> Ball<R> {
         let mut inside = 0.0;
         for piece in &self.pieces {
             let name = &piece.name;
-            if !(piece.radius > inside + 1e-5 && piece.radius < 0.1) {
+            let radius = piece.radius.re();
+            if !(radius > inside + 1e-5 && radius < 0.1) {
                 let allowed =
                     "it must exceed that of the piece inside by 0.01 mm, and stay below 100 mm".to_owned();
                 return Err(FemError::input(
                     format!("radius of {name}"),
-                    format!("{} mm", piece.radius * 1e3),
+                    format!("{} mm", radius * 1e3),
                     allowed,
                 ));
             }
             if !(1..=48).contains(&piece.layers) {
                 return Err(FemError::input(format!("{name}.layers"), piece.layers, "1 to 48 are allowed"));
             }
-            inside = piece.radius;
+            inside = radius;
         }
         if let Some(mass) = self.mass {
             if !(mass > 0.0 && mass < 1.0) {
@@ -114,15 +115,16 @@ impl<R: Real> Ball<R> {
     ///
     /// # Errors
     /// As [`Ball::check`], or when the other pieces alone are heavier than the ball.
-    pub fn mesh(&self, turn: &Mat3<f64>, centre: Vec3<f64>) -> Result<MeshedBall<R>, FemError> {
+    pub fn mesh(&self, turn: &Mat3<f64>, centre: Vec3<R>) -> Result<MeshedBall<R>, FemError> {
         self.check()?;
-        let radii: Vec<f64> = self.pieces.iter().map(|piece| piece.radius).collect();
+        let radii: Vec<R> = self.pieces.iter().map(|piece| piece.radius).collect();
         let layers = self.pieces.iter().map(|piece| piece.layers).collect();
         let mut mesh = cubed_sphere(&radii, &Fineness { cube: self.cube, layers });
+        let turn = Mat3 { rows: turn.rows.map(|row| Vec3::from_f64(row.array())) };
         for node in &mut mesh.nodes {
-            *node = *turn * *node + centre;
+            *node = turn * *node + centre;
         }
-        let volumes: Vec<f64> = (0..mesh.elements.len()).map(|e| mesh.volume(e)).collect();
+        let volumes: Vec<R> = (0..mesh.elements.len()).map(|e| mesh.volume(e)).collect();
         let materials = self.materials(&mesh, &volumes)?;
         let mut masses = vec![R::zero(); mesh.nodes.len()];
         for ((element, &piece), &volume) in mesh.elements.iter().zip(&mesh.layer).zip(&volumes) {
@@ -146,7 +148,7 @@ impl<R: Real> Ball<R> {
         let mut areas = vec![0.0; mesh.nodes.len()];
         for side in &sides {
             let [a, b, c, d] = side.map(|n| mesh.nodes[n as usize]);
-            let area = (c - a).cross(d - b).norm() * 0.5;
+            let area = (c - a).cross(d - b).norm().re() * 0.5;
             for &node in side {
                 areas[node as usize] += area / 4.0;
             }
@@ -173,11 +175,11 @@ impl<R: Real> Ball<R> {
     }
 
     /// Materials of the pieces, the core with the density that gives the ball its mass.
-    fn materials(&self, mesh: &SolidMesh, volumes: &[f64]) -> Result<Vec<Material<R>>, FemError> {
+    fn materials(&self, mesh: &SolidMesh<R>, volumes: &[R]) -> Result<Vec<Material<R>>, FemError> {
         let mut materials: Vec<_> = self.pieces.iter().map(|piece| piece.material.clone()).collect();
         let Some(target) = self.mass else { return Ok(materials) };
-        let mut volume = vec![0.0; materials.len()];
-        for (&piece, v) in mesh.layer.iter().zip(volumes) {
+        let mut volume = vec![R::zero(); materials.len()];
+        for (&piece, &v) in mesh.layer.iter().zip(volumes) {
             volume[piece as usize] += v;
         }
         let mut rest = R::from_f64(target);
@@ -201,6 +203,6 @@ impl<R: Real> MeshedBall<R> {
     /// Positions of the nodes as rows.
     #[must_use]
     pub fn positions(&self) -> Vec<Row<R>> {
-        self.mesh.nodes.iter().map(|p| Row([p.x, p.y, p.z, 0.0].map(R::from_f64))).collect()
+        self.mesh.nodes.iter().map(|p| Row::from_vec(*p)).collect()
     }
 }

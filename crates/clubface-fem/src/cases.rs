@@ -18,7 +18,7 @@ pub fn against_plane<R: Real>(
     friction: R,
 ) -> Result<Impact<R>, FemError> {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from_f64);
-    let meshed = ball.mesh(&turn(&axes), Vec3::new(ball.radius(), 0.0, 0.0))?;
+    let meshed = ball.mesh(&turn(&axes), Vec3::new(radius(ball), R::zero(), R::zero()))?;
     let contact = RigidContact::new(Plane, friction, meshed.surface.clone(), &meshed.masses, &meshed.areas);
     let (radius, inertia, parts) = (meshed.radius, meshed.inertia, meshed.parts.clone());
     let mut structure = Structure::new(meshed.positions(), meshed.masses, meshed.patches, &meshed.surface);
@@ -56,7 +56,7 @@ pub fn against_head<R: Real>(
     let primal = |v: Vec3<R>| Vec3::new(v.x.re(), v.y.re(), v.z.re());
     let (up, toe) = touch.tangents();
     let axes = [touch.normal, up, toe].map(primal);
-    let centre = primal(touch.contact) + axes[0] * ball.radius();
+    let centre = touch.contact + touch.normal * radius(ball);
     let meshed = ball.mesh(&turn(&axes), centre)?;
     let head = RigidHead::new(touch);
     let contact = RigidContact::new(head, friction, meshed.surface.clone(), &meshed.masses, &meshed.areas);
@@ -72,4 +72,9 @@ pub fn against_head<R: Real>(
         head_velocity: touch.club_velocity,
         parts,
     })
+}
+
+/// Outer radius of a ball that is not empty, m.
+fn radius<R: Real>(ball: &Ball<R>) -> R {
+    ball.pieces.last().map_or_else(R::zero, |piece| piece.radius)
 }

@@ -126,5 +126,6 @@ fn lift_piece<R: Real>(piece: &Piece<f64>, number: &mut dyn FnMut(&str, f64) -> 
         maxwell,
         density: of("density", material.density),
     };
-    Piece { name: name.clone(), radius: *radius, layers: *layers, material }
+    let radius = of("radius", *radius);
+    Piece { name: name.clone(), radius, layers: *layers, material }
 }

@@ -32,38 +32,36 @@ const PATTERNS: [usize; 4] = [6, 5, 3, 7];
 const PLATE: f64 = 4.0;
 
 /// Constants of an element from its corners.
-pub fn constants(corners: &[Vec3<f64>; CORNERS]) -> [f64; CONSTANTS] {
+pub fn constants<R: Scalar>(corners: &[Vec3<R>; CORNERS]) -> [R; CONSTANTS] {
     let mut modes = [Vec3::zero(); CORNERS];
     for (mode, sum) in modes.iter_mut().enumerate() {
         for (corner, position) in corners.iter().enumerate() {
             let s = signs(corner);
             let sign: f64 = (0..3).filter(|axis| mode >> axis & 1 == 1).map(|axis| s[axis]).product();
-            *sum += *position * sign;
+            *sum += *position * R::from_f64(sign);
         }
     }
     let [a, b, c] = LINEAR.map(|mode| modes[mode]);
     let inverse = Mat3::from_columns(a, b, c).inverse();
-    let mut stored = [0.0; CONSTANTS];
+    let mut stored = [R::zero(); CONSTANTS];
     // The element's own frame: x along a, y in the plane of a and b.
-    let x = a * (1.0 / a.norm());
-    let z = a.cross(b) * (1.0 / a.cross(b).norm());
+    let x = a * a.norm().recip();
+    let z = a.cross(b) * a.cross(b).norm().recip();
     let y = z.cross(x);
     let [r, s, t] = inverse.rows;
     stored[..SKEW].copy_from_slice(&[r.dot(x), r.dot(y), r.dot(z), s.dot(y), s.dot(z), t.dot(z)]);
     for (pattern, mode) in PATTERNS.into_iter().enumerate() {
-        (inverse * modes[mode] * -1.0).put(&mut stored, SKEW + 3 * pattern);
+        (-(inverse * modes[mode])).put(&mut stored, SKEW + 3 * pattern);
     }
     for (i, base) in [a, b, c].into_iter().enumerate() {
         // Eight corners a sum: a quarter of it is the edge.
-        stored[EDGES + i] = 64.0 / base.norm_squared();
+        stored[EDGES + i] = base.norm_squared().recip() * 64.0;
     }
     let at = 1.0 / 3.0_f64.sqrt();
-    stored[VOLUME] = (0..CORNERS)
-        .map(|point| {
-            let [a, b, d] = base_vectors(corners, signs(point).map(|s| s * at));
-            a.dot(b.cross(d))
-        })
-        .sum();
+    for point in 0..CORNERS {
+        let [a, b, d] = base_vectors(corners, signs(point).map(|s| s * at));
+        stored[VOLUME] += a.dot(b.cross(d));
+    }
     stored
 }
 

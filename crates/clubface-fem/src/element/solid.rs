@@ -39,7 +39,7 @@ pub struct SolidPatch<R> {
 /// Patches of some elements of a mesh, of one material, in their undeformed shape. Where elements follow each other as in a lattice, the patches are
 /// lattices, and those that differ by a rotation share their constants.
 pub fn solid_patches<R: Real>(
-    mesh: &SolidMesh,
+    mesh: &SolidMesh<R>,
     elements: std::ops::Range<usize>,
     material: &Material<R>,
 ) -> Vec<SolidPatch<R>> {
@@ -99,7 +99,12 @@ fn alike<R: Real>(a: &[Block<R>], b: &[Block<R>]) -> bool {
 
 impl<R: Real> SolidPatch<R> {
     /// From some elements of a mesh, which make a lattice of the given shape, or none.
-    fn new(mesh: &SolidMesh, elements: &[usize], shape: Option<[usize; 3]>, material: &Material<R>) -> Self {
+    fn new(
+        mesh: &SolidMesh<R>,
+        elements: &[usize],
+        shape: Option<[usize; 3]>,
+        material: &Material<R>,
+    ) -> Self {
         let corners: Vec<[u32; CORNERS]> = elements.iter().map(|&e| mesh.elements[e]).collect();
         let (layout, mut nodes, lanes) = if let Some(shape) = shape {
             let (lattice, nodes, lanes) = Lattice::new(shape, &corners);
@@ -114,7 +119,7 @@ impl<R: Real> SolidPatch<R> {
         for (slot, element) in lanes.iter().enumerate() {
             let Some(element) = element else { continue };
             for (which, value) in constants(&mesh.corners(elements[*element])).into_iter().enumerate() {
-                stored[slot / BLOCK].0[which * BLOCK + slot % BLOCK] = R::from_f64(value);
+                stored[slot / BLOCK].0[which * BLOCK + slot % BLOCK] = value;
             }
         }
         let terms = material.maxwell.len();

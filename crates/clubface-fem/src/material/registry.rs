@@ -23,7 +23,11 @@ pub const LAWS: &[LawInfo] = &[
         summary: "rubber, W = c10 (I1 - 3) + c01 (I2 - 3)",
     },
     LawInfo { name: "neo-hookean", constants: &["shear"], summary: "rubber, W = shear/2 (I1 - 3)" },
-    LawInfo { name: "linear", constants: &["shear"], summary: "plastics and metals, linear in logarithmic strain" },
+    LawInfo {
+        name: "linear",
+        constants: &["shear"],
+        summary: "plastics and metals, linear in logarithmic strain",
+    },
 ];
 
 impl<R: Real> Shape<R> {
@@ -38,11 +42,19 @@ impl<R: Real> Shape<R> {
         };
         if constants.len() != info.constants.len() {
             let wanted = info.constants.join(", ");
-            return Err(FemError::input(format!("constants of {name}"), constants.len(), format!("these are needed: {wanted}")));
+            return Err(FemError::input(
+                format!("constants of {name}"),
+                constants.len(),
+                format!("these are needed: {wanted}"),
+            ));
         }
         let sum = constants.iter().map(|c| c.re()).sum::<f64>();
         if !(sum > 0.0 && sum.is_finite()) {
-            return Err(FemError::input(format!("shear modulus of {name}"), format!("{sum} Pa"), "it must be above zero"));
+            return Err(FemError::input(
+                format!("shear modulus of {name}"),
+                format!("{sum} Pa"),
+                "it must be above zero",
+            ));
         }
         Ok(match name {
             "mooney-rivlin" => Self::MooneyRivlin(MooneyRivlin { c10: constants[0], c01: constants[1] }),

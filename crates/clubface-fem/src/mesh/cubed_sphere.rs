@@ -1,7 +1,7 @@
 //! The mesh of a ball: a cube of hexahedra inside, six blocks of layers around it out to the sphere.
 
 use super::{SolidMesh, CORNERS};
-use clubface_math::Vec3;
+use clubface_math::{Scalar, Vec3};
 use std::collections::HashMap;
 
 /// How fine the mesh of a ball is.
@@ -20,7 +20,7 @@ const SWELL: f64 = 0.35;
 
 /// A ball about the origin, made of pieces with the given outer radii (m), innermost first.
 #[must_use]
-pub fn cubed_sphere(radii: &[f64], fineness: &Fineness) -> SolidMesh {
+pub fn cubed_sphere<R: Scalar>(radii: &[R], fineness: &Fineness) -> SolidMesh<R> {
     let n = fineness.cube;
     let mut builder = Builder { n, nodes: Vec::new(), index: HashMap::new() };
     let mut mesh = SolidMesh { nodes: Vec::new(), elements: Vec::new(), layer: Vec::new() };
@@ -31,7 +31,7 @@ pub fn cubed_sphere(radii: &[f64], fineness: &Fineness) -> SolidMesh {
                 let mut element = [0; CORNERS];
                 for corner in 0..CORNERS {
                     let at = [i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2 & 1)];
-                    element[corner] = builder.node(at, 0, |q| inner(q) * core);
+                    element[corner] = builder.node(at, 0, |q| scaled(inner(q), core));
                 }
                 mesh.elements.push(element);
                 mesh.layer.push(0);
@@ -53,8 +53,9 @@ pub fn cubed_sphere(radii: &[f64], fineness: &Fineness) -> SolidMesh {
                             let share = (layer + (corner >> 2)) as f64 / count as f64;
                             let at = on_side(side, u + (corner & 1), v + (corner >> 1 & 1), n);
                             element[corner] = builder.node(at, level, |q| {
-                                let start = from.map_or_else(|| inner(q) * core, |r| outer(q) * r);
-                                start * (1.0 - share) + outer(q) * (radius * share)
+                                let start =
+                                    from.map_or_else(|| scaled(inner(q), core), |r| scaled(outer(q), r));
+                                start * R::from_f64(1.0 - share) + scaled(outer(q), radius * share)
                             });
                         }
                         mesh.elements.push(element);
@@ -70,15 +71,15 @@ pub fn cubed_sphere(radii: &[f64], fineness: &Fineness) -> SolidMesh {
     mesh
 }
 
-struct Builder {
+struct Builder<R> {
     n: usize,
-    nodes: Vec<Vec3<f64>>,
+    nodes: Vec<Vec3<R>>,
     /// Nodes by lattice point of the cube and level outside it.
     index: HashMap<([usize; 3], usize), u32>,
 }
 
-impl Builder {
-    fn node(&mut self, at: [usize; 3], level: usize, position: impl Fn([f64; 3]) -> Vec3<f64>) -> u32 {
+impl<R: Scalar> Builder<R> {
+    fn node(&mut self, at: [usize; 3], level: usize, position: impl Fn([f64; 3]) -> Vec3<R>) -> u32 {
         let n = self.n;
         let nodes = &mut self.nodes;
         *self.index.entry((at, level)).or_insert_with(|| {
@@ -116,4 +117,9 @@ fn inner(q: [f64; 3]) -> Vec3<f64> {
 fn outer(q: [f64; 3]) -> Vec3<f64> {
     let p = Vec3::from_f64(q.map(|c| (c * std::f64::consts::FRAC_PI_4).tan()));
     p * (1.0 / p.norm())
+}
+
+/// A point in units of a radius.
+fn scaled<R: Scalar>(point: Vec3<f64>, radius: R) -> Vec3<R> {
+    Vec3::new(radius * point.x, radius * point.y, radius * point.z)
 }

@@ -4,7 +4,7 @@ mod cubed_sphere;
 
 pub use cubed_sphere::{cubed_sphere, Fineness};
 
-use clubface_math::Vec3;
+use clubface_math::{Scalar, Vec3};
 
 /// Signs of the reference coordinates of a hexahedron's corners: bit 0 of the corner is the first coordinate, bit 1 the second, bit 2
 /// the third. A mesh in the usual order (round the bottom, then round the top) exchanges corners 2 and 3, and 6 and 7.
@@ -12,27 +12,27 @@ pub const CORNERS: usize = 8;
 
 /// Hexahedra, each belonging to a layer (the piece of the ball it is made of).
 #[derive(Clone, Debug)]
-pub struct SolidMesh {
+pub struct SolidMesh<R = f64> {
     /// Node positions, m.
-    pub nodes: Vec<Vec3<f64>>,
+    pub nodes: Vec<Vec3<R>>,
     /// Corner nodes of each element, in binary order.
     pub elements: Vec<[u32; CORNERS]>,
     /// Layer of each element, 0 innermost; elements of a layer are consecutive.
     pub layer: Vec<u32>,
 }
 
-impl SolidMesh {
+impl<R: Scalar> SolidMesh<R> {
     /// Corner positions of an element, m.
     #[must_use]
-    pub fn corners(&self, element: usize) -> [Vec3<f64>; CORNERS] {
+    pub fn corners(&self, element: usize) -> [Vec3<R>; CORNERS] {
         self.elements[element].map(|n| self.nodes[n as usize])
     }
     /// Volume of an element by its eight-point quadrature, m3.
     #[must_use]
-    pub fn volume(&self, element: usize) -> f64 {
+    pub fn volume(&self, element: usize) -> R {
         let corners = self.corners(element);
         let at = 1.0 / 3.0_f64.sqrt();
-        (0..CORNERS).map(|point| jacobian(&corners, signs(point).map(|s| s * at))).sum()
+        (0..CORNERS).fold(R::zero(), |sum, point| sum + jacobian(&corners, signs(point).map(|s| s * at)))
     }
     /// Quadrilaterals that belong to one element only, seen from outside in counterclockwise order.
     #[must_use]
@@ -67,14 +67,14 @@ pub fn signs(corner: usize) -> [f64; 3] {
 
 /// Base vectors of the trilinear map at a reference point, m.
 #[must_use]
-pub fn base_vectors(corners: &[Vec3<f64>; CORNERS], at: [f64; 3]) -> [Vec3<f64>; 3] {
+pub fn base_vectors<R: Scalar>(corners: &[Vec3<R>; CORNERS], at: [f64; 3]) -> [Vec3<R>; 3] {
     let mut base = [Vec3::zero(); 3];
     for (corner, position) in corners.iter().enumerate() {
         let s = signs(corner);
         for axis in 0..3 {
             let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
             let slope = s[axis] * (1.0 + s[j] * at[j]) * (1.0 + s[k] * at[k]) / 8.0;
-            base[axis] += *position * slope;
+            base[axis] += *position * R::from_f64(slope);
         }
     }
     base
@@ -82,7 +82,7 @@ pub fn base_vectors(corners: &[Vec3<f64>; CORNERS], at: [f64; 3]) -> [Vec3<f64>;
 
 /// Determinant of the trilinear map at a reference point, m3.
 #[must_use]
-pub fn jacobian(corners: &[Vec3<f64>; CORNERS], at: [f64; 3]) -> f64 {
+pub fn jacobian<R: Scalar>(corners: &[Vec3<R>; CORNERS], at: [f64; 3]) -> R {
     let [a, b, c] = base_vectors(corners, at);
     a.dot(b.cross(c))
 }
