@@ -120,135 +120,67 @@ impl Real for f64 {
 impl<const N: usize> Real for Dual<f64, N> {
     #[inline(always)]
     fn dispatch<K: PackKernel<Self>>(kernel: K) -> K::Output {
-        struct Derived<K, const N: usize>(K);
-        impl<K: PackKernel<Dual<f64, N>>, const N: usize> Kernel for Derived<K, N> {
-            type Output = K::Output;
-            #[inline(always)]
-            fn run<S: Lanes>(self) -> K::Output {
-                self.0.run::<Dual<S, N>>()
-            }
-        }
-        dispatch(Derived(kernel))
+        kernel.run::<Self>()
     }
+}
+
+/// A number on its own as a pack of one lane.
+macro_rules! single {
+    () => {
+        type Real = Self;
+        #[inline(always)]
+        fn splat(value: Self) -> Self {
+            value
+        }
+        #[inline(always)]
+        fn load(values: &[Self]) -> Self {
+            values[0]
+        }
+        #[inline(always)]
+        fn store(self, values: &mut [Self]) {
+            values[0] = self;
+        }
+        #[inline(always)]
+        unsafe fn read(at: *const Self) -> Self {
+            // SAFETY: the caller's promise.
+            unsafe { *at }
+        }
+        #[inline(always)]
+        unsafe fn write(self, at: *mut Self) {
+            // SAFETY: the caller's promise.
+            unsafe { *at = self };
+        }
+        #[inline(always)]
+        fn after(self, before: Self) -> Self {
+            before
+        }
+        #[inline(always)]
+        fn real(self, _lane: usize) -> Self {
+            self
+        }
+        #[inline(always)]
+        unsafe fn gather(rows: &[Row<Self>], index: &[u32]) -> Vec3<Self> {
+            // SAFETY: the caller's promise.
+            unsafe { rows.get_unchecked(*index.get_unchecked(0) as usize) }.vec()
+        }
+        #[inline(always)]
+        unsafe fn scatter_add(rows: &mut [Row<Self>], index: &[u32], value: Vec3<Self>) {
+            // SAFETY: the caller's promise.
+            unsafe { rows.get_unchecked_mut(*index.get_unchecked(0) as usize) }.add(value);
+        }
+        #[inline(always)]
+        fn put_rows(rows: &mut [Row<Self>], value: Vec3<Self>) {
+            rows[0] = Row::from_vec(value);
+        }
+    };
 }
 
 impl Pack for f64 {
-    type Real = f64;
-    #[inline(always)]
-    fn splat(value: f64) -> f64 {
-        value
-    }
-    #[inline(always)]
-    fn load(values: &[f64]) -> f64 {
-        values[0]
-    }
-    #[inline(always)]
-    fn store(self, values: &mut [f64]) {
-        values[0] = self;
-    }
-    #[inline(always)]
-    unsafe fn read(at: *const f64) -> f64 {
-        // SAFETY: the caller's promise.
-        unsafe { *at }
-    }
-    #[inline(always)]
-    unsafe fn write(self, at: *mut f64) {
-        // SAFETY: the caller's promise.
-        unsafe { *at = self };
-    }
-    #[inline(always)]
-    fn after(self, before: f64) -> f64 {
-        before
-    }
-    #[inline(always)]
-    fn real(self, _lane: usize) -> f64 {
-        self
-    }
-    #[inline(always)]
-    unsafe fn gather(rows: &[Row<f64>], index: &[u32]) -> Vec3<f64> {
-        // SAFETY: the caller's promise.
-        unsafe { rows.get_unchecked(*index.get_unchecked(0) as usize) }.vec()
-    }
-    #[inline(always)]
-    unsafe fn scatter_add(rows: &mut [Row<f64>], index: &[u32], value: Vec3<f64>) {
-        // SAFETY: the caller's promise.
-        unsafe { rows.get_unchecked_mut(*index.get_unchecked(0) as usize) }.add(value);
-    }
-    #[inline(always)]
-    fn put_rows(rows: &mut [Row<f64>], value: Vec3<f64>) {
-        rows[0] = Row::from_vec(value);
-    }
+    single!();
 }
-
-impl<P: Lanes, const N: usize> Pack for Dual<P, N> {
-    type Real = Dual<f64, N>;
-    #[inline(always)]
-    fn splat(value: Dual<f64, N>) -> Self {
-        Self { value: P::from_f64(value.value), tangent: value.tangent.map(|t| P::from_f64(t)) }
-    }
-    #[inline(always)]
-    fn load(values: &[Dual<f64, N>]) -> Self {
-        let mut pack = Self::constant(P::from_fn(|lane| values[lane].value));
-        for i in 0..N {
-            pack.tangent[i] = P::from_fn(|lane| values[lane].tangent[i]);
-        }
-        pack
-    }
-    #[inline(always)]
-    fn store(self, values: &mut [Dual<f64, N>]) {
-        for lane in 0..P::LANES {
-            values[lane] = self.real(lane);
-        }
-    }
-    #[inline(always)]
-    unsafe fn read(at: *const Dual<f64, N>) -> Self {
-        // SAFETY: the caller's promise.
-        Self::load(unsafe { std::slice::from_raw_parts(at, P::LANES) })
-    }
-    #[inline(always)]
-    unsafe fn write(self, at: *mut Dual<f64, N>) {
-        // SAFETY: the caller's promise.
-        self.store(unsafe { std::slice::from_raw_parts_mut(at, P::LANES) });
-    }
-    #[inline(always)]
-    fn after(self, before: Self) -> Self {
-        let mut tangent = self.tangent;
-        for i in 0..N {
-            tangent[i] = tangent[i].after(before.tangent[i]);
-        }
-        Self { value: self.value.after(before.value), tangent }
-    }
-    #[inline(always)]
-    fn real(self, lane: usize) -> Dual<f64, N> {
-        Dual { value: self.value.lane(lane), tangent: self.tangent.map(|t| t.lane(lane)) }
-    }
-    #[inline(always)]
-    unsafe fn gather(rows: &[Row<Dual<f64, N>>], index: &[u32]) -> Vec3<Self> {
-        let mut v = [Self::zero(); 3];
-        for c in 0..3 {
-            v[c].value = P::from_fn(|lane| rows[index[lane] as usize].0[c].value);
-            for i in 0..N {
-                v[c].tangent[i] = P::from_fn(|lane| rows[index[lane] as usize].0[c].tangent[i]);
-            }
-        }
-        Vec3 { x: v[0], y: v[1], z: v[2] }
-    }
-    #[inline(always)]
-    unsafe fn scatter_add(rows: &mut [Row<Dual<f64, N>>], index: &[u32], value: Vec3<Self>) {
-        for lane in 0..P::LANES {
-            rows[index[lane] as usize].add(Vec3::new(
-                value.x.real(lane),
-                value.y.real(lane),
-                value.z.real(lane),
-            ));
-        }
-    }
-    #[inline(always)]
-    fn put_rows(rows: &mut [Row<Dual<f64, N>>], value: Vec3<Self>) {
-        for lane in 0..P::LANES {
-            rows[lane] = Row::from_vec(Vec3::new(value.x.real(lane), value.y.real(lane), value.z.real(lane)));
-        }
-    }
+/// Derivatives fill the registers by themselves: packs of such numbers would only make more code.
+impl<const N: usize> Pack for Dual<f64, N> {
+    single!();
 }
 
 #[cfg(target_arch = "x86_64")]
