@@ -6,6 +6,7 @@
 use crate::elementary::{self, Primal};
 use crate::pack::Pack;
 use crate::scalar::{Computation, Mask, Scalar};
+use core::cell::Cell;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A scalar without derivatives that can be filled and read lane by lane.
@@ -22,15 +23,30 @@ pub trait Kernel {
     fn run<S: Lanes>(self) -> Self::Output;
 }
 
+thread_local! {
+    /// Most lanes that [`dispatch`] may choose on this thread.
+    static WIDEST: Cell<usize> = const { Cell::new(usize::MAX) };
+}
+
+/// Runs a computation with at most `lanes` lanes in the kernels that it dispatches on its own thread: shows that results do not depend on
+/// the width of packs.
+pub fn with_lanes<T>(lanes: usize, computation: impl FnOnce() -> T) -> T {
+    let before = WIDEST.replace(lanes);
+    let result = computation();
+    WIDEST.set(before);
+    result
+}
+
 /// Runs a kernel with eight lanes (AVX-512), four (AVX2) or one.
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
     {
-        if x86::has_eight() {
+        let widest = WIDEST.get();
+        if widest >= 8 && x86::has_eight() {
             // SAFETY: the features the function enables were found on this CPU.
             return unsafe { x86::run_eight(kernel) };
         }
-        if x86::has_four() {
+        if widest >= 4 && x86::has_four() {
             // SAFETY: as above.
             return unsafe { x86::run_four(kernel) };
         }

@@ -12,7 +12,7 @@ pub mod scalar;
 pub mod vec3;
 
 pub use dual::Dual;
-pub use lanes::{dispatch, Kernel, Lanes};
+pub use lanes::{dispatch, with_lanes, Kernel, Lanes};
 pub use mat3::Mat3;
 pub use pack::{Pack, PackKernel, Real, Row};
 pub use quat::Quat;

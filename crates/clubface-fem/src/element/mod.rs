@@ -1,13 +1,18 @@
 //! Elements: how forces at nodes follow from their positions.
 
+mod full;
+mod full_patch;
 mod indexed;
 mod lattice;
 mod one_point;
 mod point;
 mod solid;
 
+pub use full_patch::{full_patches, FullPatch};
 pub use solid::{solid_patches, SolidPatch};
 
+use crate::material::Material;
+use crate::mesh::SolidMesh;
 use clubface_math::{Real, Row};
 
 /// Elements a block of stored constants holds, whatever the width of the packs that read it.
@@ -60,4 +65,32 @@ pub trait Patch<R: Real>: Send + Sync {
     fn energy(&mut self, positions: &[Row<R>]) -> Energy;
     /// Smallest and largest ratio of current to reference volume.
     fn volume_ratios(&mut self, positions: &[Row<R>]) -> (f64, f64);
+}
+
+/// Kinds of solid elements.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Element {
+    /// One point of integration and hourglass control.
+    #[default]
+    OnePoint,
+    /// Eight points of integration and one pressure.
+    FullyIntegrated,
+}
+
+impl Element {
+    /// Patches of some elements of a mesh, of one material, in their undeformed shape.
+    pub fn patches<R: Real>(
+        self,
+        mesh: &SolidMesh<R>,
+        elements: std::ops::Range<usize>,
+        material: &Material<R>,
+    ) -> Vec<Box<dyn Patch<R>>> {
+        fn boxed<R: Real, T: Patch<R> + 'static>(patch: T) -> Box<dyn Patch<R>> {
+            Box::new(patch)
+        }
+        match self {
+            Self::OnePoint => solid_patches(mesh, elements, material).into_iter().map(boxed).collect(),
+            Self::FullyIntegrated => full_patches(mesh, elements, material).into_iter().map(boxed).collect(),
+        }
+    }
 }

@@ -1,0 +1,245 @@
+//! Patches of fully integrated hexahedra of one material.
+
+use super::full::{constants, Forces, Hexahedron, Point, CONSTANTS, POINTS};
+use super::{Energy, Patch, BLOCK};
+use crate::material::{add_branches, history_length, Decay, Isochoric, Kinematics, Material, UseLaw, MAX_TERMS};
+use crate::mesh::{SolidMesh, CORNERS};
+use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
+use std::collections::HashMap;
+
+/// Some fully integrated hexahedra of one material, in blocks of eight.
+pub struct FullPatch<R> {
+    material: Material<R>,
+    /// Nodes of the elements, then once more those of the copies that fill up the last block: nobody reads the forces on these.
+    nodes: Vec<u32>,
+    real_nodes: usize,
+    /// Places in `nodes`, by block, corner and lane.
+    corners: Vec<[u32; CORNERS * BLOCK]>,
+    constants: Vec<[R; CONSTANTS * BLOCK]>,
+    /// By block, point, number and lane.
+    history: Vec<R>,
+    history_length: usize,
+    elements: usize,
+    positions: Vec<Row<R>>,
+    forces: Vec<Row<R>>,
+}
+
+/// Elements a patch: as much work as a patch of one-point elements, give or take.
+const PATCH: usize = 96;
+
+/// Patches of some fully integrated elements of a mesh, of one material, in their undeformed shape.
+pub fn full_patches<R: Real>(
+    mesh: &SolidMesh<R>,
+    elements: std::ops::Range<usize>,
+    material: &Material<R>,
+) -> Vec<FullPatch<R>> {
+    let end = elements.end;
+    elements.step_by(PATCH).map(|start| FullPatch::new(mesh, start..(start + PATCH).min(end), material.clone())).collect()
+}
+
+impl<R: Real> FullPatch<R> {
+    /// From some elements of a mesh, in their undeformed shape.
+    fn new(mesh: &SolidMesh<R>, elements: std::ops::Range<usize>, material: Material<R>) -> Self {
+        let blocks = elements.len().div_ceil(BLOCK);
+        let mut corners = vec![[0; CORNERS * BLOCK]; blocks];
+        let mut stored = vec![[R::zero(); CONSTANTS * BLOCK]; blocks];
+        let (mut nodes, mut place) = (Vec::new(), HashMap::new());
+        let mut real_nodes = 0;
+        for slot in 0..blocks * BLOCK {
+            if slot == elements.len() {
+                place.clear();
+                real_nodes = nodes.len();
+            }
+            let element = elements.start + slot.min(elements.len() - 1);
+            let (block, lane) = (slot / BLOCK, slot % BLOCK);
+            for (corner, &node) in mesh.elements[element].iter().enumerate() {
+                let local = *place.entry(node).or_insert_with(|| {
+                    nodes.push(node);
+                    nodes.len() as u32 - 1
+                });
+                corners[block][corner * BLOCK + lane] = local;
+            }
+            for (which, value) in constants(&mesh.corners(element)).into_iter().enumerate() {
+                stored[block][which * BLOCK + lane] = value;
+            }
+        }
+        if blocks * BLOCK == elements.len() {
+            real_nodes = nodes.len();
+        }
+        let terms = material.maxwell.len();
+        assert!(terms <= MAX_TERMS, "at most {MAX_TERMS} viscoelastic terms");
+        let history_length = history_length(terms);
+        let mut history = vec![R::zero(); blocks * POINTS * history_length * BLOCK];
+        if terms > 0 {
+            // The undeformed C̄ is the identity; its driving stress has no deviator.
+            for point in history.chunks_exact_mut(history_length * BLOCK) {
+                point[6 * BLOCK..9 * BLOCK].fill(R::one());
+            }
+        }
+        let rows = vec![Row::zero(); nodes.len()];
+        Self {
+            material,
+            real_nodes,
+            corners,
+            constants: stored,
+            history,
+            history_length,
+            elements: elements.len(),
+            positions: rows.clone(),
+            forces: rows,
+            nodes,
+        }
+    }
+
+    fn load(&mut self, positions: &[Row<R>]) {
+        for (local, &node) in self.positions.iter_mut().zip(&self.nodes) {
+            *local = positions[node as usize];
+        }
+    }
+
+    /// Elements of a block, from lane `first` on.
+    #[inline(always)]
+    fn gather<P: Pack<Real = R>>(&self, block: usize, first: usize) -> Hexahedron<P> {
+        let mut x = [Vec3::zero(); CORNERS];
+        for corner in 0..CORNERS {
+            // SAFETY: `new` makes every entry a place in `nodes`, as long as `positions`; a block holds eight lanes.
+            x[corner] = unsafe { P::gather(&self.positions, &self.corners[block][corner * BLOCK + first..]) };
+        }
+        Hexahedron::new(&x)
+    }
+}
+
+impl<R: Real> Patch<R> for FullPatch<R> {
+    fn nodes(&self) -> &[u32] {
+        &self.nodes[..self.real_nodes]
+    }
+    fn assemble(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64) {
+        self.load(positions);
+        self.forces.fill(Row::zero());
+        R::dispatch(Assemble { patch: self, dt });
+    }
+    fn forces(&self) -> &[Row<R>] {
+        &self.forces[..self.real_nodes]
+    }
+    fn energy(&mut self, positions: &[Row<R>]) -> Energy {
+        self.load(positions);
+        R::dispatch(Energies { patch: self }).0
+    }
+    fn volume_ratios(&mut self, positions: &[Row<R>]) -> (f64, f64) {
+        self.load(positions);
+        R::dispatch(Energies { patch: self }).1
+    }
+}
+
+struct Assemble<'a, R> {
+    patch: &'a mut FullPatch<R>,
+    dt: f64,
+}
+
+impl<R: Real> PackKernel<R> for Assemble<'_, R> {
+    type Output = ();
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) {
+        let material = self.patch.material.clone();
+        material.with_law::<P, _>(self);
+    }
+}
+
+impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Assemble<'_, R> {
+    type Output = ();
+    #[inline(always)]
+    fn with<L: Isochoric<P>>(self, law: L) {
+        let patch = self.patch;
+        let bulk = P::splat(patch.material.bulk);
+        let mut decays = [Decay { whole: P::zero(), half: P::zero() }; MAX_TERMS];
+        let terms = patch.material.maxwell.len();
+        for (decay, term) in decays.iter_mut().zip(&patch.material.maxwell) {
+            let step = term.decay(self.dt);
+            *decay = Decay { whole: P::splat(step.whole), half: P::splat(step.half) };
+        }
+        let length = patch.history_length;
+        for block in 0..patch.corners.len() {
+            for first in (0..BLOCK).step_by(P::LANES) {
+                let element = patch.gather::<P>(block, first);
+                let mut forces = Forces::zero();
+                let mut volume = P::zero();
+                for point in 0..POINTS {
+                    let constants = Point::<P>::load(&patch.constants[block], first, point);
+                    let at = Kinematics::new(element.gradient(point, &constants));
+                    let mut stress = law.stress(&at.c);
+                    if terms > 0 {
+                        let mut history = [P::zero(); 13 + 6 * MAX_TERMS];
+                        let stored = &mut patch.history[(block * POINTS + point) * length * BLOCK..];
+                        for i in 0..length {
+                            history[i] = P::load(&stored[i * BLOCK + first..]);
+                        }
+                        stress = add_branches(&at, stress, &decays[..terms], &mut history[..length]);
+                        for i in 0..length {
+                            history[i].store(&mut stored[i * BLOCK + first..]);
+                        }
+                    }
+                    forces.add_stress(point, &constants, &at.first_piola(&stress, P::zero()));
+                    volume += constants.volume;
+                }
+                forces.add_pressure(&element, bulk * (element.volume() / volume - 1.0));
+                let forces = forces.corners();
+                for corner in 0..CORNERS {
+                    let places = &patch.corners[block][corner * BLOCK + first..];
+                    // SAFETY: as in `gather`; `forces` is as long as `positions`.
+                    unsafe { P::scatter_add(&mut patch.forces, places, forces[corner]) };
+                }
+            }
+        }
+    }
+}
+
+struct Energies<'a, R> {
+    patch: &'a FullPatch<R>,
+}
+
+impl<R: Real> PackKernel<R> for Energies<'_, R> {
+    type Output = (Energy, (f64, f64));
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) -> Self::Output {
+        self.patch.material.with_law::<P, _>(Energies { patch: self.patch })
+    }
+}
+
+impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Energies<'_, R> {
+    type Output = (Energy, (f64, f64));
+    #[inline(always)]
+    fn with<L: Isochoric<P>>(self, law: L) -> Self::Output {
+        let patch = self.patch;
+        let bulk = P::splat(patch.material.bulk);
+        let mut energy = Energy::default();
+        let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
+        for block in 0..patch.corners.len() {
+            for first in (0..BLOCK).step_by(P::LANES) {
+                let lanes = P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first));
+                let element = patch.gather::<P>(block, first);
+                let (mut strain, mut viscous, mut volume) = (P::zero(), P::zero(), P::zero());
+                for point in 0..POINTS {
+                    let constants = Point::<P>::load(&patch.constants[block], first, point);
+                    let at = Kinematics::new(element.gradient(point, &constants));
+                    strain += law.energy(&at.c) * constants.volume;
+                    if patch.history_length > 0 {
+                        let work = ((block * POINTS + point) * patch.history_length + 12) * BLOCK + first;
+                        viscous += P::load(&patch.history[work..]) * constants.volume;
+                    }
+                    volume += constants.volume;
+                    for lane in 0..lanes {
+                        ratios.0 = ratios.0.min(at.volume.lane(lane));
+                        ratios.1 = ratios.1.max(at.volume.lane(lane));
+                    }
+                }
+                let dilation = element.volume() / volume - 1.0;
+                strain += bulk * dilation * dilation * volume * 0.5;
+                for lane in 0..lanes {
+                    energy.strain += strain.lane(lane);
+                    energy.viscous += viscous.lane(lane);
+                }
+            }
+        }
+        (energy, ratios)
+    }
+}

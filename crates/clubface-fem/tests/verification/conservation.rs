@@ -1,0 +1,71 @@
+//! What a free ball keeps, what a run on more threads repeats, and the balance of energy.
+
+use super::support::{elastic, step, structure, Free, Random, ELEMENTS};
+use clubface_fem::element::Element;
+use clubface_fem::material::Maxwell;
+use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
+use clubface_fem::solve::Structure;
+use clubface_math::{Row, Vec3};
+
+fn mesh() -> SolidMesh {
+    cubed_sphere(&[0.02], &Fineness { cube: 6, layers: vec![4] })
+}
+
+/// A viscoelastic ball that flies, spins and is shaken through and through.
+fn shaken(element: Element, mesh: &SolidMesh) -> Structure<f64> {
+    let mut material = elastic(30e6, 0.45, 1000.0);
+    material.maxwell = vec![Maxwell { modulus: 0.5, time: 1e-4 }];
+    let mut ball = structure(element, mesh, &material, &[]);
+    let mut random = Random(8);
+    for (v, x) in ball.velocities.iter_mut().zip(&mesh.nodes) {
+        let velocity = Vec3::new(30.0, 5.0, -2.0) + Vec3::new(100.0, -300.0, 200.0).cross(*x) + random.vector();
+        *v = Row([velocity.x, velocity.y, velocity.z, 0.0]);
+    }
+    ball
+}
+
+/// Momentum (kg m/s) and angular momentum about the origin (kg m2/s).
+fn momenta(ball: &Structure<f64>) -> [Vec3<f64>; 2] {
+    let mut sums = [Vec3::zero(); 2];
+    for ((x, v), m) in ball.positions.iter().zip(&ball.velocities).zip(&ball.masses) {
+        sums[0] += v.vec() * *m;
+        sums[1] += x.vec().cross(v.vec()) * *m;
+    }
+    sums
+}
+
+#[test]
+fn a_free_ball_keeps_momentum_and_angular_momentum() {
+    // Rounding only: forces inside are equal and opposite, and central differences keep both momenta exactly.
+    let mesh = mesh();
+    for element in ELEMENTS {
+        let mut ball = shaken(element, &mesh);
+        let dt = ball.stable_step(60) * 0.5;
+        let before = momenta(&ball);
+        for _ in 0..500 {
+            step(&mut ball, &mut Free, dt);
+        }
+        for (after, before) in momenta(&ball).iter().zip(before) {
+            assert!((*after - before).norm() < 1e-10 * before.norm(), "{after:?} {before:?}");
+        }
+    }
+}
+
+#[test]
+fn threads_do_not_change_a_bit() {
+    let mesh = mesh();
+    let run = |element: Element, threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
+        pool.install(|| {
+            let mut ball = shaken(element, &mesh);
+            let dt = ball.stable_step(60) * 0.5;
+            for _ in 0..100 {
+                step(&mut ball, &mut Free, dt);
+            }
+            ball.positions.iter().flat_map(|x| x.0.map(f64::to_bits)).collect::<Vec<_>>()
+        })
+    };
+    for element in ELEMENTS {
+        assert!(run(element, 1) == run(element, 2));
+    }
+}

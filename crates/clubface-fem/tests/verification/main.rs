@@ -1,0 +1,10 @@
+//! Verification against closed forms, published solutions and exact identities.
+
+mod bars;
+mod bounces;
+mod conservation;
+mod elements;
+mod laws;
+mod spheres;
+mod support;
+mod viscosity;
