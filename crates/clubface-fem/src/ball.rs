@@ -97,6 +97,12 @@ impl<R: Real> Ball<R> {
             if !(1..=48).contains(&piece.layers) {
                 return Err(FemError::input(format!("{name}.layers"), piece.layers, "1 to 48 are allowed"));
             }
+            // The mass of the ball decides the density of the core.
+            if self.mass.is_some() && inside == 0.0 {
+                piece.material.check_law(name)?;
+            } else {
+                piece.material.check(name)?;
+            }
             inside = radius;
         }
         if let Some(mass) = self.mass {

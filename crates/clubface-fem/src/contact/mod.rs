@@ -4,7 +4,7 @@ mod head;
 mod rigid;
 
 pub use head::RigidHead;
-pub use rigid::{Plane, RigidContact, RigidSurface};
+pub use rigid::{Plane, RigidContact, RigidSurface, NORMAL_STIFFNESS, TANGENTIAL_STIFFNESS};
 
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};

@@ -2,7 +2,9 @@
 
 use super::full::{constants, Forces, Hexahedron, Point, CONSTANTS, POINTS};
 use super::{Energy, Patch, BLOCK};
-use crate::material::{add_branches, history_length, Decay, Isochoric, Kinematics, Material, UseLaw, MAX_TERMS};
+use crate::material::{
+    add_branches, history_length, Decay, Isochoric, Kinematics, Material, UseLaw, MAX_TERMS,
+};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 use std::collections::HashMap;

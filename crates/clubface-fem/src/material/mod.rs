@@ -3,6 +3,7 @@
 //! Every law is an energy per unit reference volume, `W(C̄) + K/2 (J - 1)^2` with `C̄ = J^(-2/3) F^T F`, so that nearly incompressible
 //! rubber and compressible plastics are treated alike (Holzapfel, Nonlinear Solid Mechanics, 2000, section 6.4).
 
+mod check;
 mod hencky;
 mod mooney_rivlin;
 mod neo_hookean;

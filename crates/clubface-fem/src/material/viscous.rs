@@ -65,10 +65,8 @@ pub fn add_branches<S: Scalar>(
             power += (before + after) * (at.c.0[i] - last[6 + i]) * weight;
         }
     }
-    for i in 0..6 {
-        last[i] = driving.0[i];
-        last[6 + i] = at.c.0[i];
-    }
+    last[..6].copy_from_slice(&driving.0);
+    last[6..12].copy_from_slice(&at.c.0);
     last[12] += power;
     total
 }

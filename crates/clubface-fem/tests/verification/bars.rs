@@ -1,7 +1,7 @@
 //! A slender bar: period of its longitudinal vibration, and its stroke against a wall (Saint-Venant).
 
 use super::support::{block, elastic, masses, period, step, structure, ELEMENTS};
-use clubface_fem::contact::{Contact, Plane, RigidContact};
+use clubface_fem::contact::{Contact, Plane, RigidContact, NORMAL_STIFFNESS};
 use clubface_fem::element::Element;
 use clubface_math::{Row, Vec3};
 
@@ -26,7 +26,6 @@ fn period_of_a_free_bar() {
     for element in ELEMENTS {
         let mut bar = structure(element, &mesh, &elastic(YOUNG, 0.0, DENSITY), &[]);
         let found = period(&mut bar, &mode, expected);
-        println!("{element:?} {}", found / expected);
         assert!((found / expected - 1.0).abs() < 1.2e-3, "{found} {expected}");
     }
 }
@@ -35,7 +34,8 @@ fn period_of_a_free_bar() {
 fn a_bar_strikes_a_wall() {
     // The wall feels rho c v A until the wave returns from the far end, 2 L / c later, and the bar leaves with the opposite velocity.
     let mesh = block([80, 2, 2], [LENGTH, WIDTH, WIDTH]);
-    let touching: Vec<u32> = (0..mesh.nodes.len() as u32).filter(|&n| mesh.nodes[n as usize].x == 0.0).collect();
+    let touching: Vec<u32> =
+        (0..mesh.nodes.len() as u32).filter(|&n| mesh.nodes[n as usize].x == 0.0).collect();
     let mut bar = structure(Element::OnePoint, &mesh, &elastic(YOUNG, 0.0, DENSITY), &touching);
     let areas = vec![WIDTH * WIDTH / 9.0; mesh.nodes.len()];
     let mut contact = RigidContact::new(Plane, 0.0, touching, &masses(&mesh, DENSITY), &areas);
@@ -58,11 +58,13 @@ fn a_bar_strikes_a_wall() {
     }
     let mean = plateau.iter().sum::<f64>() / plateau.len() as f64;
     let velocity = bar.kinetics(0..mesh.nodes.len()).velocity.x;
-    println!("{} {} {} {}", mean / expected, 2.0 * lasted / returns, velocity / speed, impulse / expected / returns);
     // The front is spread over a few elements and rings; the mean over most of the plateau does not care.
     assert!((mean / expected - 1.0).abs() < 5e-3, "{mean} {expected}");
-    // Half of the impulse has passed when half of the time has.
-    assert!((2.0 * lasted / returns - 1.0).abs() < 1e-2, "{lasted} {returns}");
+    // The springs of the contact, a quarter of node mass over step squared, give the front a rise of its own: its time constant is
+    // rho c A over their stiffness, by which every part of the impulse is late.
+    let mass = DENSITY * WIDTH * WIDTH * LENGTH / 160.0;
+    let late = DENSITY * SPEED * WIDTH * WIDTH * dt * dt / (NORMAL_STIFFNESS * mass);
+    assert!((2.0 * (lasted - late) / returns - 1.0).abs() < 1e-2, "{lasted} {late} {returns}");
     // What rings in the bar is missing in the rebound.
     assert!((velocity / speed - 1.0).abs() < 2e-2, "{velocity}");
 }

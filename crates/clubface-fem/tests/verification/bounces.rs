@@ -2,7 +2,7 @@
 
 use super::support::{bounce, elastic, masses, outside, patches, rows, Bounce};
 use clubface_fem::element::Element;
-use clubface_fem::material::{Material, Maxwell, MooneyRivlin, Shape};
+use clubface_fem::material::{Material, MooneyRivlin, Shape};
 use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
 use clubface_fem::solve::Structure;
 use clubface_math::Vec3;
@@ -23,9 +23,21 @@ fn ball(cube: usize, layers: usize, finer: f64) -> SolidMesh {
     mesh
 }
 
-fn drop(element: Element, mesh: &SolidMesh, material: &Material<f64>, friction: f64, velocity: Vec3<f64>, duration: f64) -> Bounce {
+fn drop(
+    element: Element,
+    mesh: &SolidMesh,
+    material: &Material<f64>,
+    friction: f64,
+    velocity: Vec3<f64>,
+    duration: f64,
+) -> Bounce {
     let (surface, areas) = outside(mesh);
-    let mut body = Structure::new(rows(&mesh.nodes), masses(mesh, material.density), patches(element, mesh, material), &surface);
+    let mut body = Structure::new(
+        rows(&mesh.nodes),
+        masses(mesh, material.density),
+        patches(element, mesh, material),
+        &surface,
+    );
     bounce(&mut body, &surface, &areas, friction, velocity, duration)
 }
 
@@ -38,17 +50,25 @@ fn hertz(cube: usize) -> [f64; 2] {
     let depth: f64 = 0.02 * RADIUS;
     let speed = (0.8 * stiffness * depth.powf(2.5) / mass).sqrt();
     let duration = 2.943_28 * depth / speed;
-    let found = drop(Element::OnePoint, &mesh, &elastic(young, poisson, density), 0.0, Vec3::new(-speed, 0.0, 0.0), 1.3 * duration);
-    println!("steps {} e {}", found.steps, found.velocity.x / speed);
+    let found = drop(
+        Element::OnePoint,
+        &mesh,
+        &elastic(young, poisson, density),
+        0.0,
+        Vec3::new(-speed, 0.0, 0.0),
+        1.3 * duration,
+    );
     [found.peak.0 / (stiffness * depth.powf(1.5)), found.contact / duration]
 }
 
 #[test]
 fn a_slow_ball_obeys_hertz() {
     let (coarse, fine) = (hertz(8), hertz(16));
-    println!("{coarse:?} {fine:?}");
     for i in 0..2 {
-        assert!((fine[i] - 1.0).abs() < 0.03 && (fine[i] - 1.0).abs() < (coarse[i] - 1.0).abs(), "{coarse:?} {fine:?}");
+        assert!(
+            (fine[i] - 1.0).abs() < 0.03 && (fine[i] - 1.0).abs() < (coarse[i] - 1.0).abs(),
+            "{coarse:?} {fine:?}"
+        );
     }
 }
 
@@ -57,27 +77,21 @@ fn sliding_is_limited_by_friction() {
     // Gross sliding: the impulse along the plane is mu times that across, and all of it turns the ball.
     let mesh = ball(8, 4, 1.0);
     let (friction, fall, along) = (0.1, 1.0, 2.0);
-    let found = drop(Element::OnePoint, &mesh, &elastic(1e9, 0.3, 1000.0), friction, Vec3::new(-fall, along, 0.0), 4e-4);
+    let found = drop(
+        Element::OnePoint,
+        &mesh,
+        &elastic(1e9, 0.3, 1000.0),
+        friction,
+        Vec3::new(-fall, along, 0.0),
+        4e-4,
+    );
     let mass: f64 = masses(&mesh, 1000.0).iter().sum();
     let expected = along - friction * (fall + found.velocity.x);
-    println!("{} {expected} {:?}", found.velocity.y, found.contact);
     // Rounding: every node slides all the time.
     assert!((found.velocity.y / expected - 1.0).abs() < 1e-9, "{} {expected}", found.velocity.y);
     let torque = mass * (along - found.velocity.y) * RADIUS;
-    println!("{}", -found.angular_momentum.z / torque);
-    assert!((-found.angular_momentum.z / torque - 1.0).abs() < 0.02);
-}
-
-#[test]
-fn a_sticking_ball_leaves_rolling() {
-    let mesh = ball(8, 4, 1.0);
-    let mut material = elastic(1e9, 0.3, 1000.0);
-    material.maxwell = vec![Maxwell { modulus: 5.0, time: 2e-5 }];
-    for (m, t) in [(2.0, 2e-5), (5.0, 2e-5), (5.0, 5e-5), (20.0, 2e-5)] {
-        material.maxwell = vec![Maxwell { modulus: m, time: t }];
-        let found = drop(Element::OnePoint, &mesh, &material, 5.0, Vec3::new(-2.0, 1.0, 0.0), 8e-4);
-        println!("{m} {t} {:?} {} {}", found.velocity, found.contact, found.velocity.y * 1.4);
-    }
+    // The pressure leans towards where the ball comes from: its arm is of the order of the indentation.
+    assert!((found.angular_momentum.z / torque - 1.0).abs() < 0.02);
 }
 
 fn reference(element: Element) {
@@ -99,23 +113,33 @@ fn reference(element: Element) {
     let shape = Shape::MooneyRivlin(MooneyRivlin { c10: 4e6, c01: 1e6 });
     let rubber = Material { shape, bulk: 496.67e6, maxwell: vec![], density };
     let masses: Vec<f64> = masses(&inside, density).iter().zip(&outer).map(|(a, b)| a + b).collect();
+    let inertias = masses.clone();
     let mut elements = patches(element, &inside, &rubber);
     elements.extend(patches(element, &cover, &elastic(350e6, 0.4, 950.0)));
     let (surface, areas) = outside(&mesh);
     let mut body = Structure::new(rows(&mesh.nodes), masses, elements, &surface);
     let (s, c) = 11.5_f64.to_radians().sin_cos();
     let found = bounce(&mut body, &surface, &areas, 0.35, Vec3::new(-35.0 * c, 35.0 * s, 0.0), 1e-3);
-    let inertia = 0.4 * 0.046 * 0.0214 * 0.0214;
-    println!(
-        "{:?} spin {} peak {:?} contact {} ft {:?} reversal {} imbalance {}",
-        found.velocity,
-        -found.angular_momentum.z / inertia * 60.0 / std::f64::consts::TAU,
-        found.peak,
-        found.contact,
-        found.tangential,
-        found.reversal,
-        found.imbalance
-    );
+    // As spin the angular momentum over the inertia, free of vibration: that of the whole meshed ball, two thirds of the polar moment.
+    let centre = Vec3::new(0.0214, 0.0, 0.0);
+    let inertia: f64 =
+        mesh.nodes.iter().zip(&inertias).map(|(x, m)| m * (*x - centre).norm_squared() / 1.5).sum();
+    let spin = found.angular_momentum.z / inertia * 60.0 / std::f64::consts::TAU;
+    let close = |name: &str, value: f64, expected: f64, share: f64| {
+        assert!(
+            (value / expected - 1.0).abs() < share,
+            "{element:?}, {name}: {value}, expected {expected} within {share}"
+        );
+    };
+    // Means of the first two solvers, which model what we do; each differs from the mean by less than a tenth of these tolerances.
+    close("normal velocity", found.velocity.x, 32.07, 0.01);
+    close("tangential velocity", found.velocity.y, 5.82, 0.01);
+    close("spin", spin, 1218.0, 0.06);
+    close("reversal", found.reversal, 306e-6, 0.021);
+    close("tangential force", found.tangential.0, 847.0, 0.06);
+    // Forces ripple as rings of nodes touch down; the impulse over 20 us does not. The second code has 8925 N.
+    close("peak force", found.peak.0, 8670.0, 0.03);
+    assert!(found.imbalance < 0.01, "{element:?}: {}", found.imbalance);
 }
 
 #[test]
@@ -124,6 +148,7 @@ fn reference_case() {
 }
 
 #[test]
+#[ignore = "twelve seconds: run when elements or contact change"]
 fn reference_case_fully_integrated() {
     reference(Element::FullyIntegrated);
 }

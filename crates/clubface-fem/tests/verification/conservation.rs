@@ -18,7 +18,8 @@ fn shaken(element: Element, mesh: &SolidMesh) -> Structure<f64> {
     let mut ball = structure(element, mesh, &material, &[]);
     let mut random = Random(8);
     for (v, x) in ball.velocities.iter_mut().zip(&mesh.nodes) {
-        let velocity = Vec3::new(30.0, 5.0, -2.0) + Vec3::new(100.0, -300.0, 200.0).cross(*x) + random.vector();
+        let velocity =
+            Vec3::new(30.0, 5.0, -2.0) + Vec3::new(100.0, -300.0, 200.0).cross(*x) + random.vector();
         *v = Row([velocity.x, velocity.y, velocity.z, 0.0]);
     }
     ball

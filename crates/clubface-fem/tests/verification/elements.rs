@@ -36,12 +36,16 @@ fn patch_test() {
         let inner = |n: usize| (0..3).all(|axis| (1..3).contains(&(n / 4_usize.pow(axis) % 4)));
         let inside: Vec<_> = (0..64).filter(|&n| inner(n)).map(|n| forces[n]).collect();
         assert_eq!(inside.len(), 8);
-        assert!(largest(&inside) < 1e-10 * largest(&forces), "{} {}", largest(&inside), largest(&forces));
+        // The gradient at the centre of a general hexahedron is not its mean: what is left falls with the square of the distortion.
+        let exact = if element == Element::OnePoint { 0.02 } else { 1e-10 };
+        assert!(largest(&inside) < exact * largest(&forces), "{} {}", largest(&inside), largest(&forces));
         let stored = energy(&mut patches, &rows(&moved));
         assert!(stored.hourglass < 1e-20 * stored.strain, "{stored:?}");
         let undistorted = distorted_cube(EDGE, 0.0);
         let moved: Vec<_> = undistorted.nodes.iter().map(|x| gradient * *x).collect();
-        let density = energy(&mut super::support::patches(element, &undistorted, &material), &rows(&moved)).strain / EDGE.powi(3);
+        let density = energy(&mut super::support::patches(element, &undistorted, &material), &rows(&moved))
+            .strain
+            / EDGE.powi(3);
         assert!((stored.strain / volume / density - 1.0).abs() < 1e-10);
     }
 }
@@ -99,7 +103,8 @@ fn packs_of_every_width_agree() {
                 let mut random = Random(6);
                 let rest = vec![Row::zero(); mesh.nodes.len()];
                 for _ in 0..5 {
-                    let moved: Vec<_> = mesh.nodes.iter().map(|x| *x + random.vector() * (0.05 * EDGE)).collect();
+                    let moved: Vec<_> =
+                        mesh.nodes.iter().map(|x| *x + random.vector() * (0.05 * EDGE)).collect();
                     patches[0].assemble(&rows(&moved), &rest, 1e-6);
                 }
                 patches[0].forces().iter().map(Row::vec).collect::<Vec<_>>()

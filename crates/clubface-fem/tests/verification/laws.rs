@@ -1,7 +1,9 @@
 //! Laws of materials: stress is the derivative of energy, knows no rotation, and has the moduli it claims.
 
 use super::support::Random;
-use clubface_fem::material::{Hencky, Isochoric, Kinematics, Material, MooneyRivlin, NeoHookean, Shape, UseLaw};
+use clubface_fem::material::{
+    Hencky, Isochoric, Kinematics, Material, MooneyRivlin, NeoHookean, Shape, UseLaw,
+};
 use clubface_math::{Dual, Mat3, Pack, Real, Scalar, Vec3};
 
 /// Every law, with a shear modulus of 10 MPa and a bulk modulus of 40 MPa.
@@ -62,7 +64,12 @@ fn stress_is_the_derivative_of_energy() {
             let stress = elements(&stress).map(|s| s.value);
             let size = stress.iter().fold(1e6, |m: f64, s| m.max(s.abs()));
             for i in 0..9 {
-                assert!((energy.tangent[i] - stress[i]).abs() < 1e-10 * size, "{name}: {} {}", energy.tangent[i], stress[i]);
+                assert!(
+                    (energy.tangent[i] - stress[i]).abs() < 1e-10 * size,
+                    "{name}: {} {}",
+                    energy.tangent[i],
+                    stress[i]
+                );
             }
         }
     }

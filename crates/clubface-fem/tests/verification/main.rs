@@ -4,6 +4,8 @@ mod bars;
 mod bounces;
 mod conservation;
 mod elements;
+mod friction;
+mod inputs;
 mod laws;
 mod spheres;
 mod support;

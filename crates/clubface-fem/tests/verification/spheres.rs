@@ -33,8 +33,23 @@ fn speeds(poisson: f64) -> (f64, f64) {
     ((material.bulk + 4.0 / 3.0 * shear) / DENSITY, shear / DENSITY)
 }
 
+/// Elements to look at: the fully integrated one where material is nearly incompressible, since it takes its time.
+fn at(poisson: f64) -> &'static [Element] {
+    if poisson > 0.44 {
+        &ELEMENTS
+    } else {
+        &ELEMENTS[..1]
+    }
+}
+
 /// Period in the mesh and in theory, s, of a mode with circular frequency `w` and velocities `mode`.
-fn compare(element: Element, cube: usize, poisson: f64, w: f64, mode: impl Fn(Vec3<f64>) -> Vec3<f64>) -> f64 {
+fn compare(
+    element: Element,
+    cube: usize,
+    poisson: f64,
+    w: f64,
+    mode: impl Fn(Vec3<f64>) -> Vec3<f64>,
+) -> f64 {
     let mesh = cubed_sphere(&[RADIUS], &Fineness { cube, layers: vec![cube / 2] });
     let mut ball = structure(element, &mesh, &elastic(YOUNG, poisson, DENSITY), &[]);
     let velocities: Vec<_> = mesh.nodes.iter().map(|x| mode(*x)).collect();
@@ -45,12 +60,15 @@ fn compare(element: Element, cube: usize, poisson: f64, w: f64, mode: impl Fn(Ve
     period(&mut ball, &velocities, expected) / expected - 1.0
 }
 
-/// Periods converge with the square of the element size, to 1% and better.
-fn converges(name: &str, poisson: f64, w: f64, mode: impl Fn(Vec3<f64>) -> Vec3<f64>) {
-    for element in ELEMENTS {
-        let (coarse, fine) = (compare(element, 6, poisson, w, &mode), compare(element, 12, poisson, w, &mode));
-        println!("{element:?} {name}, nu {poisson}: {coarse:.5} {fine:.5}");
-        assert!(fine.abs() < 0.01 && fine.abs() < 0.5 * coarse.abs(), "{name}, nu {poisson}: {coarse} {fine}");
+/// Periods converge with the square of the element size (0.36 from 6 to 10 elements), to 1% and better.
+fn converges(elements: &[Element], name: &str, poisson: f64, w: f64, mode: impl Fn(Vec3<f64>) -> Vec3<f64>) {
+    for &element in elements {
+        let (coarse, fine) =
+            (compare(element, 6, poisson, w, &mode), compare(element, 10, poisson, w, &mode));
+        assert!(
+            fine.abs() < 0.01 && fine.abs() < (0.5 * coarse.abs()).max(1e-3),
+            "{name}, nu {poisson}: {coarse} {fine}"
+        );
     }
 }
 
@@ -62,7 +80,7 @@ fn twisting_mode() {
     assert!((ka - 2.501).abs() < 1e-3, "Lamb's value: {ka}");
     let k = ka / RADIUS;
     for poisson in [0.3, 0.49] {
-        converges("toroidal", poisson, k * speeds(poisson).1.sqrt(), |x| {
+        converges(at(poisson), "toroidal", poisson, k * speeds(poisson).1.sqrt(), |x| {
             let r = x.norm().max(1e-9);
             Vec3::new(-x.y, x.x, 0.0) * (x.z * bessel(k * r)[1] / (r * r))
         });
@@ -84,10 +102,10 @@ fn oblate_prolate_mode() {
     // Spheroidal of order 2: no pressure and no shear on the surface.
     for poisson in [0.25, 0.4, 0.49] {
         let (pressure, shear) = speeds(poisson);
-        let at = |w: f64, r: f64| (waves(w / pressure.sqrt(), r)[0], waves(w / shear.sqrt(), r)[1]);
+        let both = |w: f64, r: f64| (waves(w / pressure.sqrt(), r)[0], waves(w / shear.sqrt(), r)[1]);
         let lambda = pressure - 2.0 * shear;
         let surface = |w: f64| {
-            let (p, s) = at(w, RADIUS);
+            let (p, s) = both(w, RADIUS);
             let h = w / pressure.sqrt();
             let normal = [-lambda * h * h * bessel(h * RADIUS)[1] + 2.0 * shear * p[2], 2.0 * shear * s[2]];
             let along = [p, s].map(|u| u[3] + (u[0] - u[1]) / RADIUS);
@@ -104,13 +122,14 @@ fn oblate_prolate_mode() {
         }
         let (n, _) = surface(w);
         let share = -n[0] / n[1];
-        converges("spheroidal", poisson, w, |x| {
+        converges(at(poisson), "spheroidal", poisson, w, |x| {
             let r = x.norm().max(1e-6);
-            let (p, s) = at(w, r);
+            let (p, s) = both(w, r);
             let radial = x * (1.0 / r);
             let c = radial.z;
             let across = Vec3::new(0.0, 0.0, 1.0) + radial * -c;
-            radial * ((p[0] + share * s[0]) * (1.5 * c * c - 0.5)) + across * ((p[1] + share * s[1]) * 3.0 * c)
+            radial * ((p[0] + share * s[0]) * (1.5 * c * c - 0.5))
+                + across * ((p[1] + share * s[1]) * 3.0 * c)
         });
     }
 }
@@ -126,6 +145,8 @@ fn breathing_mode() {
             pressure * (j - x * second) + 2.0 * lambda * j
         };
         let h = root(free, 1.5, 3.1) / RADIUS;
-        converges("breathing", poisson, h * pressure.sqrt(), |x| x * (bessel(h * x.norm())[0] / x.norm().max(1e-9)));
+        converges(at(poisson), "breathing", poisson, h * pressure.sqrt(), |x| {
+            x * (bessel(h * x.norm())[0] / x.norm().max(1e-9))
+        });
     }
 }

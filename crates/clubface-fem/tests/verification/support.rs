@@ -7,6 +7,7 @@ use clubface_fem::mesh::{SolidMesh, CORNERS};
 use clubface_fem::solve::Structure;
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Mat3, Row, Vec3};
+use std::collections::VecDeque;
 
 /// Every kind of solid element.
 pub const ELEMENTS: [Element; 2] = [Element::OnePoint, Element::FullyIntegrated];
@@ -49,12 +50,14 @@ pub fn block(counts: [usize; 3], size: [f64; 3]) -> SolidMesh {
     for k in 0..=counts[2] {
         for j in 0..=counts[1] {
             for i in 0..=counts[0] {
-                let at = [(i, 0), (j, 1), (k, 2)].map(|(n, axis)| size[axis] * n as f64 / counts[axis] as f64);
+                let at =
+                    [(i, 0), (j, 1), (k, 2)].map(|(n, axis)| size[axis] * n as f64 / counts[axis] as f64);
                 mesh.nodes.push(Vec3::from_f64(at));
                 if i < counts[0] && j < counts[1] && k < counts[2] {
                     let mut element = [0; CORNERS];
                     for corner in 0..CORNERS {
-                        element[corner] = index(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2 & 1));
+                        element[corner] =
+                            index(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2 & 1));
                     }
                     mesh.elements.push(element);
                     mesh.layer.push(0);
@@ -70,7 +73,7 @@ pub fn distorted_cube(edge: f64, share: f64) -> SolidMesh {
     let mut mesh = block([3; 3], [edge; 3]);
     let mut random = Random(7);
     for node in &mut mesh.nodes {
-        *node = *node + random.vector() * (share * edge / 3.0);
+        *node += random.vector() * (share * edge / 3.0);
     }
     mesh
 }
@@ -102,7 +105,12 @@ pub fn structure(
     material: &Material<f64>,
     touching: &[u32],
 ) -> Structure<f64> {
-    Structure::new(rows(&mesh.nodes), masses(mesh, material.density), patches(element, mesh, material), touching)
+    Structure::new(
+        rows(&mesh.nodes),
+        masses(mesh, material.density),
+        patches(element, mesh, material),
+        touching,
+    )
 }
 
 /// Sum over patches of the forces on each node, N, at given positions.
@@ -148,7 +156,8 @@ impl Contact<f64> for Free {
 }
 
 pub fn step(structure: &mut Structure<f64>, contact: &mut dyn Contact<f64>, dt: f64) {
-    structure.step(contact, dt);
+    structure.assemble(contact, dt);
+    structure.advance(contact, dt);
 }
 
 /// Period of a free vibration that starts with velocities along `mode`: from the first to the last change of sign, over three periods, of
@@ -161,7 +170,8 @@ pub fn period(structure: &mut Structure<f64>, mode: &[Vec3<f64>], about: f64) ->
     let (mut crossings, mut last, mut time) = (Vec::new(), f64::NAN, 0.0);
     while time < 3.4 * about {
         step(structure, &mut Free, dt);
-        let sum: f64 = (0..mode.len()).map(|n| structure.masses[n] * structure.velocities[n].vec().dot(mode[n])).sum();
+        let sum: f64 =
+            (0..mode.len()).map(|n| structure.masses[n] * structure.velocities[n].vec().dot(mode[n])).sum();
         if last * sum < 0.0 {
             crossings.push(time - dt * sum / (sum - last));
         }
@@ -188,7 +198,7 @@ pub fn root(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
 
 /// What a ball did on a plane through the origin with normal +x.
 pub struct Bounce {
-    /// Largest normal force, N, and its time, s.
+    /// Largest mean normal force over a fiftieth of the run, N, and its time, s.
     pub peak: (f64, f64),
     /// Time of contact, s.
     pub contact: f64,
@@ -229,15 +239,21 @@ pub fn bounce(
         imbalance: 0.0,
         steps: (duration / dt) as usize,
     };
-    let mut last = 0.0;
+    let (mut last, mut window) = (0.0, VecDeque::new());
     for n in 0..bounce.steps {
         let time = n as f64 * dt;
         let measure = n % 50 == 25;
-        let (before, stored) = if measure { (body.velocities.clone(), body.energy().total()) } else { (vec![], 0.0) };
+        let (before, stored) =
+            if measure { (body.velocities.clone(), body.energy().total()) } else { (vec![], 0.0) };
         step(body, &mut contact, dt);
         let force = contact.resultant();
-        if force.normal > bounce.peak.0 {
-            bounce.peak = (force.normal, time);
+        window.push_back((force.normal, time));
+        if time > window[0].1 + duration / 50.0 {
+            window.pop_front();
+        }
+        let mean = window.iter().map(|(force, _)| force).sum::<f64>() / window.len() as f64;
+        if mean > bounce.peak.0 {
+            bounce.peak = (mean, time - duration / 100.0);
         }
         if force.normal > 0.0 {
             bounce.contact = time;
@@ -249,8 +265,13 @@ pub fn bounce(
         last = along;
         bounce.tangential = (bounce.tangential.0.max(along), bounce.tangential.1.min(along));
         if measure {
-            let kinetic: f64 =
-                body.velocities.iter().zip(&before).zip(&body.masses).map(|((a, b), m)| 0.5 * m * a.vec().dot(b.vec())).sum();
+            let kinetic: f64 = body
+                .velocities
+                .iter()
+                .zip(&before)
+                .zip(&body.masses)
+                .map(|((a, b), m)| 0.5 * m * a.vec().dot(b.vec()))
+                .sum();
             let energy = contact.energy();
             let sum = kinetic + stored + energy.stored + energy.friction;
             bounce.imbalance = bounce.imbalance.max((sum / start - 1.0).abs());

