@@ -36,7 +36,10 @@ pub fn full_patches<R: Real>(
     material: &Material<R>,
 ) -> Vec<FullPatch<R>> {
     let end = elements.end;
-    elements.step_by(PATCH).map(|start| FullPatch::new(mesh, start..(start + PATCH).min(end), material.clone())).collect()
+    elements
+        .step_by(PATCH)
+        .map(|start| FullPatch::new(mesh, start..(start + PATCH).min(end), material.clone()))
+        .collect()
 }
 
 impl<R: Real> FullPatch<R> {

@@ -60,7 +60,8 @@ fn rigid_motion_makes_no_force() {
         let moved: Vec<_> = mesh.nodes.iter().map(|x| turn * *x + Vec3::new(0.3, -0.1, 0.2)).collect();
         let scale = material.bulk * (EDGE / 3.0).powi(2);
         assert!(largest(&forces(&mut patches, &rows(&moved))) < 1e-10 * scale);
-        assert!(energy(&mut patches, &rows(&moved)).total() < 1e-20 * scale * EDGE);
+        // Energies are differences of invariants: rounding of the moduli times the volume.
+        assert!(energy(&mut patches, &rows(&moved)).total().abs() < 1e-14 * scale * EDGE);
     }
 }
 
