@@ -1,15 +1,18 @@
 //! Many shots at once: columns in, columns out, on all lanes and threads.
 
-use crate::check::{check_approach, check_delivery, check_equipment, check_parameters, unseparated};
+use crate::check::{
+    check_approach, check_delivery, check_equipment, check_parameters, good_delivery, good_parameters,
+    unseparated,
+};
 use crate::error::ImpactError;
 use crate::first_touch::FirstTouch;
 use crate::history::Unrecorded;
 use crate::launch::OUTPUT_COUNT;
-use crate::model::Accuracy;
+use crate::model::{Accuracy, ModelInfo};
 use crate::registry::ModelKind;
 use crate::shot::{DELIVERY_COUNT, INPUT_COUNT};
 use clubface_math::lanes::{dispatch, Kernel, Lanes};
-use clubface_math::Mask;
+use clubface_math::{Mask, Scalar};
 use core::ops::Range;
 use rayon::prelude::*;
 
@@ -129,27 +132,26 @@ impl Kernel for Chunk<'_, '_, '_> {
         let Self { batch, first, outputs } = self;
         let info = batch.model.info();
         let rows = outputs[0].len();
-        let checks = Checks::new(batch);
+        let mut checks = Checks::new(batch);
         let mut rejects = Vec::new();
         let mut pack_start = 0;
         while pack_start < rows {
             let used = S::LANES.min(rows - pack_start);
-            // Lanes beyond the last shot repeat it.
-            let row = |lane: usize| first + pack_start + lane.min(used - 1);
-            let mut inputs: [S; INPUT_COUNT] = gather(batch.inputs, row);
-            let mut parameters: [S; MOST_PARAMETERS] = gather(batch.parameters, row);
+            let start = first + pack_start;
+            let row = |lane: usize| start + lane.min(used - 1);
+            let mut inputs: [S; INPUT_COUNT] = gather(batch.inputs, start, used);
+            let mut parameters: [S; MOST_PARAMETERS] = gather(batch.parameters, start, used);
             let mut faults: [Option<ImpactError>; MOST_LANES] = [const { None }; MOST_LANES];
-            for lane in 0..used {
-                faults[lane] = checks.row(batch, row(lane)).err();
-            }
             let mut touch = FirstTouch::of_inputs(&inputs);
             let approach = touch.approach();
-            for lane in 0..used {
-                if faults[lane].is_none() {
-                    faults[lane] = check_approach(approach.lane(lane)).err();
+            let good = checks.good(&inputs, info, &parameters).and(approach.gt(S::zero()));
+            if !good.all() {
+                for lane in 0..used {
+                    faults[lane] =
+                        checks.row(batch, row(lane)).and_then(|()| check_approach(approach.lane(lane))).err();
                 }
             }
-            if faults.iter().any(Option::is_some) {
+            if !good.all() && faults.iter().any(Option::is_some) {
                 // A lane that cannot be computed takes a harmless shot, so that it does not hold up its pack.
                 let bad = |lane: usize| faults[lane.min(used - 1)].is_some();
                 replace(&mut inputs, &HARMLESS, bad);
@@ -157,18 +159,28 @@ impl Kernel for Chunk<'_, '_, '_> {
                 touch = FirstTouch::of_inputs(&inputs);
             }
             let parameters = &parameters[..info.parameters.len()];
-            let impact = batch.model.impact(&touch, parameters, batch.accuracy, &mut Unrecorded);
+            let impact = batch.model.impacts(&touch, parameters, batch.accuracy, &mut Unrecorded);
             let values = impact.launch.outputs();
-            for lane in 0..used {
-                if faults[lane].is_none() && !impact.separated.lane(lane) {
-                    faults[lane] = Some(unseparated());
+            for (output, value) in outputs.iter_mut().zip(&values) {
+                if used == S::LANES {
+                    value.store(&mut output[pack_start..]);
+                } else {
+                    for lane in 0..used {
+                        output[pack_start + lane] = value.lane(lane);
+                    }
                 }
-                let bad = faults[lane].is_some();
-                for (output, value) in outputs.iter_mut().zip(&values) {
-                    output[pack_start + lane] = if bad { f64::NAN } else { value.lane(lane) };
-                }
-                if let Some(error) = faults[lane].take() {
-                    rejects.push(Reject { row: row(lane), error });
+            }
+            if !good.and(impact.separated).all() {
+                for lane in 0..used {
+                    if faults[lane].is_none() && !impact.separated.lane(lane) {
+                        faults[lane] = Some(unseparated());
+                    }
+                    if let Some(error) = faults[lane].take() {
+                        rejects.push(Reject { row: row(lane), error });
+                        for output in outputs.iter_mut() {
+                            output[pack_start + lane] = f64::NAN;
+                        }
+                    }
                 }
             }
             pack_start += used;
@@ -177,14 +189,15 @@ impl Kernel for Chunk<'_, '_, '_> {
     }
 }
 
-/// Values of one row a lane.
+/// Values of `used` rows from `start`, one a lane; lanes beyond the last row repeat it.
 #[inline(always)]
-fn gather<S: Lanes, const N: usize>(columns: &[Column], row: impl Fn(usize) -> usize) -> [S; N] {
+fn gather<S: Lanes, const N: usize>(columns: &[Column], start: usize, used: usize) -> [S; N] {
     let mut values = [S::zero(); N];
     for (value, column) in values.iter_mut().zip(columns) {
         *value = match column {
             Column::Constant(constant) => S::from_f64(*constant),
-            Column::Values(column) => S::from_fn(|lane| column[row(lane)]),
+            Column::Values(column) if used == S::LANES => S::load(&column[start..]),
+            Column::Values(column) => S::from_fn(|lane| column[start + lane.min(used - 1)]),
         };
     }
     values
@@ -197,32 +210,52 @@ fn replace<S: Lanes, const N: usize>(values: &mut [S; N], other: &[f64], lane_is
     }
 }
 
-/// What is known of all rows of a batch: equipment and parameters that do not vary are checked once.
+/// What is known of the rows of a batch: the equipment that was last found good, since it hardly ever varies, and whether
+/// parameters that do not vary are good.
 struct Checks {
-    equipment: Option<Result<(), ImpactError>>,
+    equipment: Option<[f64; INPUT_COUNT]>,
     parameters: Option<Result<(), ImpactError>>,
 }
 
 impl Checks {
     fn new(batch: &Batch) -> Self {
-        let fixed = |columns: &[Column]| columns.iter().all(|column| matches!(column, Column::Constant(_)));
-        Self {
-            equipment: fixed(&batch.inputs[DELIVERY_COUNT..])
-                .then(|| check_equipment(&gather(batch.inputs, |_| 0))),
-            parameters: fixed(batch.parameters).then(|| parameters_of(batch, 0)),
+        let fixed = batch.parameters.iter().all(|column| matches!(column, Column::Constant(_)));
+        Self { equipment: None, parameters: fixed.then(|| parameters_of(batch, 0)) }
+    }
+
+    /// The lanes that need no further check.
+    #[inline(always)]
+    fn good<S: Scalar>(&mut self, inputs: &[S; INPUT_COUNT], info: &ModelInfo, parameters: &[S]) -> S::Mask {
+        let mut good = good_delivery(inputs);
+        if self.equipment.is_none() {
+            let mut values = [0.0; INPUT_COUNT];
+            for (value, input) in values.iter_mut().zip(inputs) {
+                *value = input.re();
+            }
+            self.equipment = check_equipment(&values).is_ok().then_some(values);
+        }
+        let Some(equipment) = &self.equipment else { return S::Mask::splat(false) };
+        for i in DELIVERY_COUNT..INPUT_COUNT {
+            let known = S::from_f64(equipment[i]);
+            good = good.and(inputs[i].le(known)).and(inputs[i].ge(known));
+        }
+        match &self.parameters {
+            Some(Ok(())) => good,
+            Some(Err(_)) => S::Mask::splat(false),
+            None => good.and(good_parameters(info, parameters)),
         }
     }
 
     fn row(&self, batch: &Batch, row: usize) -> Result<(), ImpactError> {
-        let inputs = gather(batch.inputs, |_| row);
-        self.equipment.clone().unwrap_or_else(|| check_equipment(&inputs))?;
+        let inputs = gather(batch.inputs, row, 1);
+        check_equipment(&inputs)?;
         check_delivery(&inputs)?;
         self.parameters.clone().unwrap_or_else(|| parameters_of(batch, row))
     }
 }
 
 fn parameters_of(batch: &Batch, row: usize) -> Result<(), ImpactError> {
-    let parameters: [f64; MOST_PARAMETERS] = gather(batch.parameters, |_| row);
+    let parameters: [f64; MOST_PARAMETERS] = gather(batch.parameters, row, 1);
     let info = batch.model.info();
     check_parameters(info, &parameters[..info.parameters.len()])
 }

@@ -3,7 +3,7 @@
 use crate::error::ImpactError;
 use crate::model::ModelInfo;
 use crate::shot::{Shot, DELIVERY_COUNT, INPUTS, INPUT_COUNT};
-use clubface_math::{Mat3, Vec3};
+use clubface_math::{Mask, Mat3, Scalar, Vec3};
 use core::f64::consts::FRAC_PI_2;
 
 /// Largest loft, rad: beyond it the face no longer drives the ball forwards.
@@ -93,6 +93,36 @@ fn check_club(shot: &Shot<f64>) -> Result<(), ImpactError> {
     Ok(())
 }
 
+/// Highest speed of a clubhead, m/s.
+const HIGHEST_SPEED: f64 = 150.0;
+/// Largest angular velocity of a clubhead about any axis, rad/s.
+const LARGEST_RATE: f64 = 1000.0;
+
+/// The lanes whose delivery [`check_delivery`] lets pass: packs of good shots need no look at each.
+#[inline(always)]
+pub fn good_delivery<S: Scalar>(values: &[S; INPUT_COUNT]) -> S::Mask {
+    let Shot { delivery: d, club, .. } = Shot::from_inputs(values);
+    let mut good = d.speed.ge(S::from_f64(LARGEST.recip())).and(d.speed.le(S::from_f64(HIGHEST_SPEED)));
+    good = good.and(d.loft.abs().le(S::from_f64(LARGEST_LOFT)));
+    for angle in [d.attack, d.path, d.face, d.lie] {
+        good = good.and(angle.abs().lt(S::from_f64(FRAC_PI_2)));
+    }
+    for rate in [d.closure, d.pitch_rate, d.lie_rate] {
+        good = good.and(rate.abs().le(S::from_f64(LARGEST_RATE)));
+    }
+    good.and(d.toe.abs().le(club.face_width * 0.5)).and(d.high.abs().le(club.face_height * 0.5))
+}
+
+/// The lanes whose parameters [`check_parameters`] lets pass.
+#[inline(always)]
+pub fn good_parameters<S: Scalar>(info: &ModelInfo, values: &[S]) -> S::Mask {
+    let mut good = S::Mask::splat(true);
+    for (parameter, &value) in info.parameters.iter().zip(values) {
+        good = good.and(value.ge(S::from_f64(parameter.lower))).and(value.le(S::from_f64(parameter.upper)));
+    }
+    good
+}
+
 /// Checks the delivery of a shot.
 ///
 /// # Errors
@@ -103,7 +133,7 @@ pub fn check_delivery(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
         check_finite(values, "delivery")?;
     }
     positive("speed", delivery.speed)?;
-    if delivery.speed > 150.0 {
+    if delivery.speed > HIGHEST_SPEED {
         return Err(fault("speed", delivery.speed, "must be at most 150 m/s; is the unit right?"));
     }
     if delivery.loft.abs() > LARGEST_LOFT {
@@ -119,7 +149,7 @@ pub fn check_delivery(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
     for (name, value) in
         [("closure", delivery.closure), ("pitch_rate", delivery.pitch_rate), ("lie_rate", delivery.lie_rate)]
     {
-        if value.abs() > 1000.0 {
+        if value.abs() > LARGEST_RATE {
             return Err(fault(name, value, "must be within +-1000 rad/s; is the unit right?"));
         }
     }

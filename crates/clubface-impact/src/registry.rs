@@ -39,6 +39,27 @@ macro_rules! registry {
                     })+
                 }
             }
+            /// [`ModelKind::impact`] of lanes that hold different shots, for models whose lanes may (see
+            /// [`ModelInfo::lanes`]) and for single shots: the others are not even compiled for packs here.
+            #[inline(always)]
+            pub fn impacts<S: Scalar, R: Recorder<S>>(
+                self,
+                touch: &FirstTouch<S>,
+                parameters: &[S],
+                accuracy: Accuracy,
+                recorder: &mut R,
+            ) -> Impact<S> {
+                match self {
+                    $(Self::$variant => {
+                        if const { S::LANES == 1 || <$($path)::+<()> as Describe>::INFO.lanes } {
+                            let model = <$($path)::+<S> as Model<S>>::from_values(parameters);
+                            S::outline(Run { model, touch, accuracy, recorder })
+                        } else {
+                            unreachable!("this model takes one shot at a time")
+                        }
+                    })+
+                }
+            }
         }
     };
 }

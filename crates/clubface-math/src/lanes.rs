@@ -154,6 +154,10 @@ impl Scalar for f64 {
         f64::sqrt(self)
     }
     #[inline(always)]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+    #[inline(always)]
     fn exp(self) -> Self {
         elementary::exp(self)
     }
@@ -246,7 +250,8 @@ pub mod x86 {
 
     macro_rules! pack {
         ($type:ident, $mask:ident, $lanes:literal, $load:ident, $store:ident, $set:ident, $sqrt:ident,
-         $add:ident, $sub:ident, $mul:ident, $div:ident, $fused:ident, $outline:ident) => {
+         $add:ident, $sub:ident, $mul:ident, $div:ident, $min:ident, $max:ident, $fused:ident,
+         $outline:ident) => {
             binary!($type, Add, add, $add);
             binary!($type, Sub, sub, $sub);
             binary!($type, Mul, mul, $mul);
@@ -322,6 +327,22 @@ pub mod x86 {
                     // SAFETY: see the type for the feature.
                     Self(unsafe { $sqrt(self.0) })
                 }
+                // The instructions give the second operand for NaN and for equal zeros, as the comparisons of the
+                // trait's own definitions do.
+                #[inline(always)]
+                fn max(self, other: Self) -> Self {
+                    // SAFETY: see the type for the feature.
+                    Self(unsafe { $max(self.0, other.0) })
+                }
+                #[inline(always)]
+                fn min(self, other: Self) -> Self {
+                    // SAFETY: see the type for the feature.
+                    Self(unsafe { $min(self.0, other.0) })
+                }
+                #[inline(always)]
+                fn abs(self) -> Self {
+                    self.absolute()
+                }
                 #[inline(always)]
                 fn mul_add(self, factor: Self, term: Self) -> Self {
                     // SAFETY: see the type for the feature.
@@ -359,6 +380,8 @@ pub mod x86 {
         _mm256_sub_pd,
         _mm256_mul_pd,
         _mm256_div_pd,
+        _mm256_min_pd,
+        _mm256_max_pd,
         _mm256_fmadd_pd,
         outline_four
     );
@@ -374,6 +397,8 @@ pub mod x86 {
         _mm512_sub_pd,
         _mm512_mul_pd,
         _mm512_div_pd,
+        _mm512_min_pd,
+        _mm512_max_pd,
         _mm512_fmadd_pd,
         outline_eight
     );
@@ -383,6 +408,10 @@ pub mod x86 {
         #[inline(always)]
         fn negated(self) -> Self {
             Self(unsafe { _mm256_xor_pd(self.0, _mm256_set1_pd(-0.0)) })
+        }
+        #[inline(always)]
+        fn absolute(self) -> Self {
+            Self(unsafe { _mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0) })
         }
         #[inline(always)]
         fn less<const OP: i32>(self, other: Self) -> Mask4 {
@@ -397,6 +426,10 @@ pub mod x86 {
         #[inline(always)]
         fn negated(self) -> Self {
             Self(unsafe { _mm512_xor_pd(self.0, _mm512_set1_pd(-0.0)) })
+        }
+        #[inline(always)]
+        fn absolute(self) -> Self {
+            Self(unsafe { _mm512_andnot_pd(_mm512_set1_pd(-0.0), self.0) })
         }
         #[inline(always)]
         fn less<const OP: i32>(self, other: Self) -> Mask8 {

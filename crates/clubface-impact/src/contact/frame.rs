@@ -79,13 +79,16 @@ impl Frame {
         let club_spin = Vec3::of(y, CLUB_SPIN);
         let surface_spin = Vec3::of(y, BALL_SPIN);
         let mut spin_energy = 0.5 * touch.ball.inertia * surface_spin.norm_squared();
-        let (mut layer_energy, mut layer_work) = (0.0, 0.0);
-        if let (true, Some(core)) = (N == LAYERED, core) {
+        let mut layer_energy = 0.0;
+        if let (true, Some(core)) = (layered(N), core) {
             let cover = touch.ball.inertia - core.inertia;
             spin_energy = 0.5 * cover * surface_spin.norm_squared()
                 + 0.5 * core.inertia * Vec3::of(y, CORE_SPIN).norm_squared();
             layer_energy = 0.5 * core.stiffness * Vec3::of(y, TWIST).norm_squared();
-            layer_work = y[LAYER_WORK];
+        }
+        let mut work = [0.0; LEDGER];
+        if recorded(N) {
+            work.copy_from_slice(&y[N - LEDGER..]);
         }
         let kinetic_energy = spin_energy
             + 0.5 * touch.ball.mass * ball.velocity.norm_squared()
@@ -109,9 +112,9 @@ impl Frame {
             club_attitude: [attitude.w, turn.x, turn.y, turn.z],
             kinetic_energy,
             layer_energy,
-            normal_work: y[WORK],
-            friction_work: y[WORK + 1],
-            layer_work,
+            normal_work: work[0],
+            friction_work: work[1],
+            layer_work: work[2],
         }
     }
 }

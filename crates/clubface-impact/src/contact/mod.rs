@@ -14,7 +14,10 @@ pub use dynamics::Contact;
 pub use frame::Frame;
 pub use run::{motions, run};
 pub use separation::Separation;
-pub use state::{initial, scales, Touching, CLUB_SPIN, LAYERED, SLIDING, SLIP, SOLID, VELOCITY};
+pub use state::{
+    initial, scales, Touching, CLUB_SPIN, LAYERED, RECORDED_LAYERED, RECORDED_SLIDING, RECORDED_SOLID,
+    SLIDING, SLIP, SOLID, VELOCITY,
+};
 
 use clubface_math::{Dual, Scalar, Vec3};
 

@@ -15,7 +15,8 @@ const FAST_STEPS: usize = 2_000;
 /// Steps after which a contact at a stated tolerance is given up; 1e-12 takes about 10 000.
 const TIGHT_STEPS: usize = 400_000;
 
-/// Integrates a contact and turns its end into a launch. `N`: [`SOLID`] or [`LAYERED`].
+/// Integrates a contact and turns its end into a launch. `N`: [`SOLID`] or [`LAYERED`], or the same recorded if the
+/// recorder is active.
 #[inline(always)]
 pub fn run<S, L, R, const N: usize>(
     touch: &FirstTouch<S>,
@@ -38,13 +39,21 @@ where
     let mut control = Control {
         tolerance: L::FAST_TOLERANCE,
         scale: scales::<S, N>(touch),
-        first: crossing * 0.01,
+        first: crossing * 0.02,
         longest: crossing * 0.1,
         max_steps: FAST_STEPS,
     };
     let mut watch = Separation::new(&contact, recorder, start);
     let outcome = match accuracy {
-        Accuracy::Fast => integrate(&Rosenbrock, &contact, start, &control, &mut watch),
+        Accuracy::Fast => {
+            if layered(N) {
+                // A cover holds less than half of the ball's inertia, and its spin counts in the launch by that part.
+                for i in BALL_SPIN..BALL_SPIN + 3 {
+                    control.scale[i] = control.scale[i] * 2.0;
+                }
+            }
+            integrate(&Rosenbrock, &contact, start, &control, &mut watch)
+        }
         Accuracy::Tolerance(tolerance) => {
             control.tolerance = tolerance;
             control.first = crossing * 1e-3;
@@ -73,7 +82,7 @@ pub fn motions<S: Scalar, const N: usize>(
     let relative = turn * Vec3::of(y, VELOCITY);
     let common = touch.club_velocity * (touch.club_mass * total);
     let mut ball_spin = Vec3::of(y, BALL_SPIN);
-    if let (true, Some(core)) = (N == LAYERED, core_inertia) {
+    if let (true, Some(core)) = (layered(N), core_inertia) {
         let share = core / touch.ball.inertia;
         ball_spin += (Vec3::of(y, CORE_SPIN) - ball_spin) * share;
     }

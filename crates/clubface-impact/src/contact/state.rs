@@ -12,26 +12,49 @@ pub const VELOCITY: usize = 3;
 pub const CLUB_SPIN: usize = 6;
 /// Angular velocity of the ball, or of its cover, rad/s.
 pub const BALL_SPIN: usize = 9;
-/// The states before this one are all that the contact force depends on.
-pub const SEEN: usize = 12;
 /// Attitude of the clubhead relative to first touch, a quaternion.
 pub const ATTITUDE: usize = 12;
-/// Work taken by the normal force and by friction, J.
-pub const WORK: usize = 16;
 /// Number of states of a ball in one piece.
-pub const SOLID: usize = 18;
+pub const SOLID: usize = 16;
 /// Sliding distance along y' and z', m (contacts that remember it).
-pub const SLIP: usize = 18;
+pub const SLIP: usize = 16;
 /// Number of states of a ball in one piece on a face that remembers the sliding distance.
-pub const SLIDING: usize = 20;
+pub const SLIDING: usize = 18;
 /// Angular velocity of the core, rad/s (layered ball).
-pub const CORE_SPIN: usize = 18;
+pub const CORE_SPIN: usize = 16;
 /// Rotation of the cover relative to the core, rad (layered ball).
-pub const TWIST: usize = 21;
-/// Work taken by the damper between cover and core, J (layered ball).
-pub const LAYER_WORK: usize = 24;
+pub const TWIST: usize = 19;
 /// Number of states of a layered ball.
-pub const LAYERED: usize = 25;
+pub const LAYERED: usize = 22;
+/// The energy ledger, which recorded contacts carry behind their other states: work taken by the normal force, by
+/// friction and by the damper between cover and core, J. It acts on nothing and has no part in the size of a step, so that
+/// a recorded contact ends as any other.
+pub const LEDGER: usize = 3;
+/// Number of states of a recorded ball in one piece.
+pub const RECORDED_SOLID: usize = SOLID + LEDGER;
+/// Number of states of a recorded ball on a face that remembers the sliding distance.
+pub const RECORDED_SLIDING: usize = SLIDING + LEDGER;
+/// Number of states of a recorded layered ball.
+pub const RECORDED_LAYERED: usize = LAYERED + LEDGER;
+
+/// Natural size that takes a state out of the error of a step.
+const UNMEASURED: f64 = 1e200;
+
+/// Whether contacts of `n` states have a layered ball.
+#[must_use]
+pub const fn layered(n: usize) -> bool {
+    n == LAYERED || n == RECORDED_LAYERED
+}
+/// Whether contacts of `n` states remember the sliding distance.
+#[must_use]
+pub const fn sliding(n: usize) -> bool {
+    n == SLIDING || n == RECORDED_SLIDING
+}
+/// Whether contacts of `n` states carry the energy ledger: it is their last [`LEDGER`] states.
+#[must_use]
+pub const fn recorded(n: usize) -> bool {
+    n == RECORDED_SOLID || n == RECORDED_SLIDING || n == RECORDED_LAYERED
+}
 
 /// The contact point at one instant.
 #[derive(Clone, Copy, Debug)]
@@ -102,13 +125,14 @@ pub fn scales<S: Scalar, const N: usize>(touch: &FirstTouch<S>) -> [S; N] {
     set(VELOCITY, 3, speed);
     set(CLUB_SPIN, 3, turn * 0.1);
     set(BALL_SPIN, 3, turn);
-    set(WORK, 2, touch.ball.mass * speed * speed);
-    if N == LAYERED {
+    if layered(N) {
         set(CORE_SPIN, 3, turn);
-        set(LAYER_WORK, 1, touch.ball.mass * speed * speed);
     }
-    if N == SLIDING {
+    if sliding(N) {
         set(SLIP, 2, touch.ball.radius * 0.1);
+    }
+    if recorded(N) {
+        set(N - LEDGER, LEDGER, S::from_f64(UNMEASURED));
     }
     scale
 }

@@ -1,7 +1,7 @@
 //! Contact-area model of Arakawa (P1 section 2.2.3, Eqs. 17-21, letters as in the original work).
 
 use super::hertz;
-use crate::contact::{run, ContactLaw, SOLID};
+use crate::contact::{run, ContactLaw, RECORDED_SOLID, SOLID};
 use crate::first_touch::FirstTouch;
 use crate::history::Recorder;
 use crate::model::{parameters, Accuracy, Describe, Impact, Kind, Law, Model, ModelInfo};
@@ -40,7 +40,7 @@ impl Describe for Area<()> {
 }
 
 impl<S: Scalar> ContactLaw<S> for Area<S> {
-    const FAST_TOLERANCE: f64 = 8e-6;
+    const FAST_TOLERANCE: f64 = 2.4e-5;
 
     #[inline(always)]
     fn normal_force<const K: usize>(
@@ -86,6 +86,10 @@ impl<S: Scalar> Model<S> for Area<S> {
         accuracy: Accuracy,
         recorder: &mut R,
     ) -> Impact<S> {
-        run::<S, _, R, SOLID>(touch, *self, accuracy, recorder)
+        if R::ACTIVE {
+            run::<S, _, R, RECORDED_SOLID>(touch, *self, accuracy, recorder)
+        } else {
+            run::<S, _, R, SOLID>(touch, *self, accuracy, recorder)
+        }
     }
 }

@@ -2,7 +2,8 @@
 
 use super::hertz;
 use crate::contact::{
-    initial, motions, scales, Contact, ContactLaw, Separation, Touching, CLUB_SPIN, SLIDING, VELOCITY,
+    initial, motions, scales, Contact, ContactLaw, Separation, Touching, CLUB_SPIN, RECORDED_SLIDING,
+    SLIDING, VELOCITY,
 };
 use crate::face::tangents;
 use crate::first_touch::FirstTouch;
@@ -59,6 +60,7 @@ struct RingLaw<S> {
 }
 
 impl<S: Scalar> RingLaw<S> {
+    #[inline(always)]
     fn commit(&self) {
         self.rings.borrow_mut().commit();
     }
@@ -119,6 +121,7 @@ impl<S: Scalar> ContactLaw<S> for RingLaw<S> {
 /// Greatest penetration (m) of the normal motion alone: Hertz's force with Hunt-Crossley damping `damping` d on a mass
 /// of inverse `inverse_mass` (1/kg) that arrives at `speed` v. Integrating v dv/(1 + d v) = -(k/m) x^1.5 dx,
 /// (2/5)(k/m) x^2.5 = (d v - ln(1 + d v))/d^2.
+#[inline(always)]
 fn deepest<S: Scalar>(stiffness: S, damping: S, inverse_mass: S, speed: S) -> S {
     let z = damping * speed;
     // (z - ln(1 + z))/z^2 by its series where the difference would cancel.
@@ -131,17 +134,37 @@ fn deepest<S: Scalar>(stiffness: S, damping: S, inverse_mass: S, speed: S) -> S 
 }
 
 /// Acceleration of approach per normal force at first touch, 1/kg.
+#[inline(always)]
 fn normal_mobility<S: Scalar>(touch: &FirstTouch<S>) -> S {
     let arm = touch.contact.cross(touch.normal);
     touch.ball.mass.recip() + touch.club_mass.recip() + arm.dot(touch.inertia.inverse() * arm)
 }
 
 impl<S: Scalar> Model<S> for Rings<S> {
+    #[inline(always)]
     fn from_values(values: &[S]) -> Self {
         Self::from_slice(values)
     }
 
+    #[inline(always)]
     fn impact<R: Recorder<S>>(
+        &self,
+        touch: &FirstTouch<S>,
+        accuracy: Accuracy,
+        recorder: &mut R,
+    ) -> Impact<S> {
+        if R::ACTIVE {
+            self.integrate::<R, RECORDED_SLIDING>(touch, accuracy, recorder)
+        } else {
+            self.integrate::<R, SLIDING>(touch, accuracy, recorder)
+        }
+    }
+}
+
+impl<S: Scalar> Rings<S> {
+    /// From first touch to launch, in `N` states.
+    #[inline(always)]
+    fn integrate<R: Recorder<S>, const N: usize>(
         &self,
         touch: &FirstTouch<S>,
         accuracy: Accuracy,
@@ -158,7 +181,7 @@ impl<S: Scalar> Model<S> for Rings<S> {
             RingMaterial { friction: self.friction, poisson: self.poisson, modulus: self.ring_modulus };
         let rings = RefCell::new(RingContact::new(RINGS, material, largest_radius));
         let contact = Contact::new(touch, RingLaw { parameters: *self, rings });
-        let start = initial::<S, SLIDING>(touch);
+        let start = initial::<S, N>(touch);
         if R::ACTIVE {
             recorder.record(&contact, S::zero(), &start);
             recorder.record_rings(&contact.law.frame());
@@ -178,7 +201,7 @@ impl<S: Scalar> Model<S> for Rings<S> {
             Accuracy::Tolerance(tolerance) => {
                 let control = Control {
                     tolerance,
-                    scale: scales::<S, SLIDING>(touch),
+                    scale: scales::<S, N>(touch),
                     first: deepest / speed * 1e-3,
                     longest: deepest / speed * LONGEST_STEP,
                     max_steps: MOST_STEPS[1],
@@ -196,11 +219,12 @@ impl<S: Scalar> Model<S> for Rings<S> {
 }
 
 /// Integrates in steps that fit the rings; whether the bodies separated.
-fn ring_by_ring<S: Scalar, R: Recorder<S>>(
+#[inline(always)]
+fn ring_by_ring<S: Scalar, R: Recorder<S>, const N: usize>(
     contact: &Contact<S, RingLaw<S>>,
-    mut y: [S; SLIDING],
+    mut y: [S; N],
     steps: &RingSteps<S>,
-    history: &mut RingHistory<'_, S, R>,
+    history: &mut RingHistory<'_, S, R, N>,
 ) -> bool {
     let mut rate = contact.rhs(&y);
     let mut time = S::zero();
@@ -222,19 +246,20 @@ fn ring_by_ring<S: Scalar, R: Recorder<S>>(
 }
 
 /// Commits the rings at every accepted step.
-struct RingHistory<'a, S, R> {
+struct RingHistory<'a, S, R, const N: usize> {
     law: &'a RingLaw<S>,
-    watch: Separation<'a, S, RingLaw<S>, R, SLIDING>,
+    watch: Separation<'a, S, RingLaw<S>, R, N>,
 }
 
-impl<S: Scalar, R: Recorder<S>> Observer<S, SLIDING> for RingHistory<'_, S, R> {
+impl<S: Scalar, R: Recorder<S>, const N: usize> Observer<S, N> for RingHistory<'_, S, R, N> {
+    #[inline(always)]
     fn observe(
         &mut self,
         accepted: S::Mask,
         time: S,
         h: S,
-        start: (&[S; SLIDING], &[S; SLIDING]),
-        end: (&[S; SLIDING], &[S; SLIDING]),
+        start: (&[S; N], &[S; N]),
+        end: (&[S; N], &[S; N]),
     ) -> S::Mask {
         self.law.commit();
         let separated = self.watch.observe(accepted, time, h, start, end);

@@ -1,6 +1,6 @@
 //! Two-layer ball with a volumetric normal force (P1 section 2.2.1, Eqs. 12-13), after McNally, Gonthier and Brown.
 
-use crate::contact::{run, ContactLaw, Core, LAYERED};
+use crate::contact::{run, ContactLaw, Core, LAYERED, RECORDED_LAYERED};
 use crate::first_touch::FirstTouch;
 use crate::history::Recorder;
 use crate::model::{parameters, Accuracy, Describe, Impact, Kind, Law, Model, ModelInfo};
@@ -56,7 +56,7 @@ pub fn overlap<S: Scalar>(depth: S, curvature: S, radius: S) -> (S, S) {
 }
 
 impl<S: Scalar> ContactLaw<S> for Volumetric<S> {
-    const FAST_TOLERANCE: f64 = 2.5e-5;
+    const FAST_TOLERANCE: f64 = 7.5e-5;
 
     #[inline(always)]
     fn normal_force<const K: usize>(
@@ -107,6 +107,10 @@ impl<S: Scalar> Model<S> for Volumetric<S> {
         accuracy: Accuracy,
         recorder: &mut R,
     ) -> Impact<S> {
-        run::<S, _, R, LAYERED>(touch, *self, accuracy, recorder)
+        if R::ACTIVE {
+            run::<S, _, R, RECORDED_LAYERED>(touch, *self, accuracy, recorder)
+        } else {
+            run::<S, _, R, LAYERED>(touch, *self, accuracy, recorder)
+        }
     }
 }

@@ -25,6 +25,7 @@ pub struct RingSteps<S> {
 
 impl<S: Scalar> RingSteps<S> {
     /// Next step (s) from penetration `depth` (m) with its first and second time derivatives.
+    #[inline(always)]
     pub fn next(&self, depth: S, rate: S, acceleration: S) -> S {
         let grows = rate.re() > 0.0;
         let target = self.target(depth, grows);
@@ -51,6 +52,7 @@ impl<S: Scalar> RingSteps<S> {
     }
 
     /// Penetration at the end of the next step but for its longest duration; a little below zero to separate.
+    #[inline(always)]
     fn target(&self, depth: S, grows: bool) -> S {
         let (n, parts) = (self.rings as f64, self.steps_per_ring as f64);
         // Depth in terms of stations, which are `parts` to a ring, one of them just short of every mid-radius.

@@ -10,6 +10,7 @@ pub use rosenbrock::Rosenbrock;
 pub use runge_kutta::{RungeKutta, BOGACKI_SHAMPINE, DORMAND_PRINCE, RK4};
 
 use crate::scalar::{Computation, Mask, Scalar};
+use core::mem::MaybeUninit;
 
 /// An autonomous system of ordinary differential equations.
 pub trait System<S: Scalar, const N: usize> {
@@ -32,6 +33,7 @@ pub trait StiffSystem<S: Scalar, const N: usize>: System<S, N> {
 }
 
 /// One attempted step.
+#[derive(Clone, Copy, Debug)]
 pub struct Attempt<S, const N: usize> {
     /// State at its end.
     pub y: [S; N],
@@ -45,8 +47,16 @@ pub struct Attempt<S, const N: usize> {
 pub trait Method<P, S: Scalar, const N: usize> {
     /// Order of the error estimate, which sizes the steps; 0 for fixed steps.
     const ERROR_ORDER: u32;
-    /// Tries a step of `h` seconds from state `y` with time derivative `rate`.
-    fn attempt(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S) -> Attempt<S, N>;
+    /// Tries a step of `h` seconds from state `y` with time derivative `rate`, and writes all of `attempt`.
+    fn attempt_into(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S, attempt: &mut Attempt<S, N>);
+
+    /// A step tried.
+    #[inline(always)]
+    fn attempt(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S) -> Attempt<S, N> {
+        let mut attempt = Attempt { y: *y, error: *y, rate: *rate };
+        self.attempt_into(problem, y, rate, h, &mut attempt);
+        attempt
+    }
 }
 
 /// Sees every accepted step and says which lanes are done.
@@ -105,16 +115,19 @@ where
     let mut time = S::zero();
     let mut h = control.first.primal();
     let mut finished = S::Mask::splat(false);
+    let mut last = Last::none();
+    let mut attempt = Attempt { y, error: y, rate };
     let mut steps = 0;
     while steps < control.max_steps {
         steps += 1;
-        let attempt = S::outline(Try { method, problem, y: &y, rate: &rate, h });
+        S::outline(Try { method, problem, y: &y, rate: &rate, h, attempt: &mut attempt });
         let (accepted, factor) = if M::ERROR_ORDER == 0 {
             (S::Mask::splat(true), S::one())
         } else {
             let error = error_norm(&attempt.error, &y, &attempt.y, control);
             // A NaN error compares false: the step is rejected and shortened until the lane is given up.
-            (error.le(S::one()), step_factor(error, M::ERROR_ORDER))
+            let accepted = error.le(S::one());
+            (accepted, last.step_factor(error, accepted, M::ERROR_ORDER))
         };
         let accepted = accepted.and(finished.not());
         if accepted.any() {
@@ -140,6 +153,29 @@ fn rate_of<P: System<S, N>, S: Scalar, const N: usize>(problem: &P, y: &[S; N]) 
     S::outline(Rate { problem, y })
 }
 
+/// Room for a state that is written as a whole: an array that need not be filled first.
+struct Room<S, const N: usize>([MaybeUninit<S>; N]);
+
+impl<S: Copy, const N: usize> Room<S, N> {
+    #[inline(always)]
+    fn new() -> Self {
+        Self([const { MaybeUninit::uninit() }; N])
+    }
+    #[inline(always)]
+    fn write(&mut self, n: usize, value: S) {
+        self.0[n].write(value);
+    }
+    /// What was written.
+    ///
+    /// # Safety
+    /// All of it must have been written.
+    #[inline(always)]
+    unsafe fn read(&self) -> &[S; N] {
+        // SAFETY: an array of written elements has the layout of the array of their values.
+        unsafe { &*self.0.as_ptr().cast() }
+    }
+}
+
 struct Rate<'a, P, S, const N: usize> {
     problem: &'a P,
     y: &'a [S; N],
@@ -159,13 +195,14 @@ struct Try<'a, M, P, S, const N: usize> {
     y: &'a [S; N],
     rate: &'a [S; N],
     h: S,
+    attempt: &'a mut Attempt<S, N>,
 }
 
 impl<M: Method<P, S, N>, P, S: Scalar, const N: usize> Computation for Try<'_, M, P, S, N> {
-    type Output = Attempt<S, N>;
+    type Output = ();
     #[inline(always)]
-    fn run(self) -> Attempt<S, N> {
-        self.method.attempt(self.problem, self.y, self.rate, self.h)
+    fn run(self) {
+        self.method.attempt_into(self.problem, self.y, self.rate, self.h, self.attempt);
     }
 }
 
@@ -177,24 +214,60 @@ fn error_norm<S: Scalar, const N: usize>(
     after: &[S; N],
     control: &Control<S, N>,
 ) -> S {
-    let mut largest = S::zero();
+    // The largest of the fractions error / size, found by products: a division takes as long as all the rest.
+    let (mut largest, mut size, mut sum) = (S::zero(), S::one(), S::zero());
     for i in 0..N {
-        let size = before[i].primal().abs().max(after[i].primal().abs());
-        let ratio = error[i].primal().abs() / (control.scale[i].primal() + size);
-        // A NaN ratio must win: `largest.max(ratio)` keeps its argument where either is NaN.
-        largest = S::select(ratio.le(largest), largest, ratio);
+        let error = error[i].primal().abs();
+        let here = control.scale[i].primal() + before[i].primal().abs().max(after[i].primal().abs());
+        let larger = (largest * here).lt(error * size);
+        largest = S::select(larger, error, largest);
+        size = S::select(larger, here, size);
+        sum += error;
     }
-    largest / control.tolerance
+    // Comparisons do not see a NaN, the sum does.
+    let error = largest / (size * control.tolerance);
+    S::select(sum.le(S::from_f64(f64::MAX)), error, sum)
 }
 
-/// Factor for the next step: 0.9 error^-(about 1/order), within 0.2 to 5. Powers come from square roots alone
-/// (3/8 for order 3, 3/16 for order 5), since a step controller needs no exact exponent and lanes have no power.
-#[inline(always)]
-fn step_factor<S: Scalar>(error: S, order: u32) -> S {
-    let fourth = error.max(S::from_f64(1e-12)).sqrt().sqrt();
-    let eighth = fourth.sqrt();
-    let root = if order <= 3 { fourth * eighth } else { eighth * eighth.sqrt() };
-    let factor = (S::from_f64(0.9) / root).min(S::from_f64(5.0));
-    // `max` returns its argument for a NaN error: shorten.
-    factor.max(S::from_f64(0.2))
+/// Share of the step that would meet the tolerance exactly.
+const SAFETY: f64 = 0.9;
+/// Bounds of the change from step to step.
+const SHORTEN: f64 = 0.2;
+const LENGTHEN: f64 = 5.0;
+
+/// What the control of the steps remembers of the last one.
+struct Last<S: Scalar> {
+    accepted: S::Mask,
+    /// Error of the last accepted step in units of the tolerance, to a power.
+    error: S,
+}
+
+impl<S: Scalar> Last<S> {
+    #[inline(always)]
+    fn none() -> Self {
+        Self { accepted: S::Mask::splat(true), error: S::one() }
+    }
+
+    /// Factor for the next step after one with this error, for an error estimate of order `order`.
+    ///
+    /// Error^(-1/k) for order k, and for low orders, whose steps are many and alike, proportional and integral control (K.
+    /// Gustafsson, ACM TOMS 17, 1991, 533-554): about error^(-0.7/k) last^(0.4/k) after an accepted step, but no longer
+    /// step right after a rejected one. Powers come from square roots alone (1/4, 1/8 and 3/8 for order 3, 3/16 for
+    /// order 5), since a controller needs no exact exponent and lanes have no power.
+    #[inline(always)]
+    fn step_factor(&mut self, error: S, accepted: S::Mask, order: u32) -> S {
+        let fourth = error.max(S::from_f64(1e-4)).sqrt().sqrt();
+        let eighth = fourth.sqrt();
+        if order > 3 {
+            let factor = S::from_f64(SAFETY) / (eighth * eighth.sqrt());
+            return factor.min(S::from_f64(LENGTHEN)).max(S::from_f64(SHORTEN));
+        }
+        let longest = S::select(self.accepted, S::from_f64(LENGTHEN), S::one());
+        let smooth = (self.error * SAFETY / fourth).min(longest);
+        let alone = S::from_f64(SAFETY) / (fourth * eighth);
+        self.error = S::select(accepted, eighth, self.error);
+        self.accepted = accepted;
+        // `max` returns its argument for a NaN error, here and above: shorten.
+        S::select(accepted, smooth, alone).max(S::from_f64(SHORTEN))
+    }
 }

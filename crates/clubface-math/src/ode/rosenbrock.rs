@@ -4,7 +4,7 @@
 // Coefficients are quoted with all their published digits.
 #![allow(clippy::excessive_precision)]
 
-use super::{rate_of, Attempt, Method, StiffSystem};
+use super::{rate_of, Attempt, Method, Room, StiffSystem};
 use crate::scalar::Scalar;
 
 /// ROS34PW2: order 3(2), four stages, stiffly accurate, a W-method (J. Rang and L. Angermann, BIT 45, 2005, 761-787).
@@ -30,6 +30,86 @@ const COUPLING: [[f64; 4]; 4] = [
 const EMBEDDED: [f64; 4] =
     [3.781_090_314_581_936_9e-1, -9.604_229_221_242_317_8e-2, 0.5, 2.179_332_607_542_295_0e-1];
 
+/// Weights of the solution minus those of the embedded one.
+const ERROR: [f64; 4] = [
+    ALPHA[4][0] - EMBEDDED[0],
+    ALPHA[4][1] - EMBEDDED[1],
+    ALPHA[4][2] - EMBEDDED[2],
+    ALPHA[4][3] - EMBEDDED[3],
+];
+
+/// Component `n` of a weighted sum of stages.
+#[inline(always)]
+fn weighted<S: Scalar, const N: usize, const J: usize>(
+    n: usize,
+    stages: [&[S; N]; J],
+    weights: [f64; J],
+) -> S {
+    let mut sum = stages[0][n] * weights[0];
+    for j in 1..J {
+        sum += stages[j][n] * weights[j];
+    }
+    sum
+}
+
+/// The time derivative at state `y` plus a weighted sum of stages.
+#[inline(always)]
+fn rate_at<P, S, const N: usize, const J: usize>(
+    problem: &P,
+    y: &[S; N],
+    stages: [&[S; N]; J],
+    weights: [f64; J],
+) -> [S; N]
+where
+    S: Scalar,
+    P: StiffSystem<S, N>,
+{
+    let mut argument = Room::new();
+    for n in 0..N {
+        argument.write(n, y[n] + weighted(n, stages, weights));
+    }
+    // SAFETY: all components were written.
+    rate_of(problem, unsafe { argument.read() })
+}
+
+/// The next stage, from the time derivative at its argument and the stages before it.
+///
+/// (I - g A) k = h f + h A w with g = gamma h: solve for k + w / gamma, so that A itself is not needed.
+#[inline(always)]
+fn stage<P, S, const N: usize, const J: usize>(
+    problem: &P,
+    solver: &P::Solver,
+    slope: &[S; N],
+    stages: [&[S; N]; J],
+    coupling: [f64; J],
+    h: S,
+) -> [S; N]
+where
+    S: Scalar,
+    P: StiffSystem<S, N>,
+{
+    let (mut right, mut coupled) = (Room::<S, N>::new(), Room::<S, N>::new());
+    for n in 0..N {
+        if J == 0 {
+            right.write(n, slope[n] * h);
+        } else {
+            let sum = weighted(n, stages, coupling) * (1.0 / GAMMA);
+            coupled.write(n, sum);
+            right.write(n, sum + slope[n] * h);
+        }
+    }
+    // SAFETY: all components were written.
+    let mut stage = problem.solve(solver, unsafe { right.read() });
+    if J > 0 {
+        // SAFETY: as above.
+        let coupled = unsafe { coupled.read() };
+        for n in 0..N {
+            stage[n] -= coupled[n];
+        }
+    }
+    stage
+}
+
 impl<P, S, const N: usize> Method<P, S, N> for Rosenbrock
 where
     S: Scalar,
@@ -38,48 +118,24 @@ where
     const ERROR_ORDER: u32 = 3;
 
     #[inline(always)]
-    fn attempt(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S) -> Attempt<S, N> {
+    fn attempt_into(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S, attempt: &mut Attempt<S, N>) {
         let jacobian = problem.linearize(y);
         let solver = problem.factor(&jacobian, h * GAMMA);
-        let mut stages = [[S::zero(); N]; 4];
-        let mut slope = *rate;
-        let mut end = *y;
-        let mut coupling = [S::zero(); N];
-        let mut right = [S::zero(); N];
-        for i in 0..5 {
-            if i > 0 {
-                for n in 0..N {
-                    let mut sum = y[n];
-                    for j in 0..i {
-                        sum += stages[j][n] * ALPHA[i][j];
-                    }
-                    end[n] = sum;
-                }
-                slope = rate_of(problem, &end);
-            }
-            if i == 4 {
-                break;
-            }
-            // (I - g A) k = h f + h A w with g = gamma h: solve for k + w / gamma, so that A itself is not needed.
-            for n in 0..N {
-                let mut sum = S::zero();
-                for j in 0..i {
-                    sum += stages[j][n] * (COUPLING[i][j] / GAMMA);
-                }
-                coupling[n] = sum;
-                right[n] = sum + slope[n] * h;
-            }
-            let solution = problem.solve(&solver, &right);
-            for n in 0..N {
-                stages[i][n] = solution[n] - coupling[n];
-            }
-        }
-        let mut error = [S::zero(); N];
+        // Written out stage by stage, so that the zeros of the tables cost nothing.
+        let first = stage(problem, &solver, rate, [], [], h);
+        let slope = rate_at(problem, y, [&first], [ALPHA[1][0]]);
+        let second = stage(problem, &solver, &slope, [&first], [COUPLING[1][0]], h);
+        let slope = rate_at(problem, y, [&first, &second], [ALPHA[2][0], ALPHA[2][1]]);
+        let third = stage(problem, &solver, &slope, [&first, &second], [COUPLING[2][0], COUPLING[2][1]], h);
+        let slope = rate_at(problem, y, [&third], [ALPHA[3][2]]);
+        let stages = [&first, &second, &third];
+        let fourth =
+            stage(problem, &solver, &slope, stages, [COUPLING[3][0], COUPLING[3][1], COUPLING[3][2]], h);
+        let stages = [&first, &second, &third, &fourth];
         for n in 0..N {
-            for j in 0..4 {
-                error[n] += stages[j][n] * (ALPHA[4][j] - EMBEDDED[j]);
-            }
+            attempt.y[n] = y[n] + weighted(n, stages, ALPHA[4]);
+            attempt.error[n] = weighted(n, stages, ERROR);
         }
-        Attempt { y: end, error, rate: slope }
+        attempt.rate = rate_of(problem, &attempt.y);
     }
 }

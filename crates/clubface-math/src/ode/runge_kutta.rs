@@ -61,26 +61,25 @@ where
     const ERROR_ORDER: u32 = ORDER;
 
     #[inline(always)]
-    fn attempt(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S) -> Attempt<S, N> {
+    fn attempt_into(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S, attempt: &mut Attempt<S, N>) {
         let mut stages = [*rate; STAGES];
-        let mut end = *y;
         for i in 1..STAGES {
-            end = *y;
+            attempt.y = *y;
             for j in 0..i {
                 let weight = h * self.weights[i][j];
                 for n in 0..N {
-                    end[n] += stages[j][n] * weight;
+                    attempt.y[n] += stages[j][n] * weight;
                 }
             }
-            stages[i] = rate_of(problem, &end);
+            stages[i] = rate_of(problem, &attempt.y);
         }
-        let mut error = [S::zero(); N];
+        attempt.error = [S::zero(); N];
         for j in 0..STAGES {
             let weight = h * self.error[j];
             for n in 0..N {
-                error[n] += stages[j][n] * weight;
+                attempt.error[n] += stages[j][n] * weight;
             }
         }
-        Attempt { y: end, error, rate: stages[STAGES - 1] }
+        attempt.rate = stages[STAGES - 1];
     }
 }
