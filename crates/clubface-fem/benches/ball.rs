@@ -8,6 +8,7 @@
 use clubface_fem::ball::{Ball, Piece};
 use clubface_fem::cases::against_plane;
 use clubface_fem::contact::Contact;
+use clubface_fem::element::Element;
 use clubface_fem::material::{Hencky, Material, MooneyRivlin, Shape};
 use clubface_fem::solve::Structure;
 use criterion::Criterion;
@@ -46,7 +47,7 @@ fn case(refine: usize) -> Case {
         material,
     };
     let pieces = vec![piece("core", 0.0196, 6, core), piece("cover", 0.0214, 3, cover)];
-    let ball = Ball { pieces, cube: 12 * refine, mass: Some(0.046) };
+    let ball = Ball { pieces, cube: 12 * refine, element: Element::OnePoint, mass: Some(0.046) };
     let impact = against_plane(&ball, 35.0, 11.5_f64.to_radians(), 0.35).expect("the reference case");
     let (mut structure, contact) = (impact.structure, impact.contact);
     let step = 0.8 * structure.stable_step(40);

@@ -1,6 +1,6 @@
 //! The ball: pieces of material, meshed, with its mass distributed to the nodes.
 
-use crate::element::{solid_patches, Patch};
+use crate::element::{Element, Patch};
 use crate::error::FemError;
 use crate::material::Material;
 use crate::mesh::{cubed_sphere, Fineness, SolidMesh};
@@ -29,6 +29,8 @@ pub struct Ball<R> {
     pub pieces: Vec<Piece<R>>,
     /// Elements along the edge of the cube inside.
     pub cube: usize,
+    /// Kind of elements.
+    pub element: Element,
     /// Mass of the ball, kg: the core takes the density that gives it. Without it the core's own density counts.
     pub mass: Option<f64>,
 }
@@ -104,6 +106,7 @@ impl<R: Real> Ball<R> {
                 piece.material.check(name)?;
             }
             inside = radius;
+            piece.material.check_law(name)?;
         }
         if let Some(mass) = self.mass {
             if !(mass > 0.0 && mass < 1.0) {
@@ -144,8 +147,8 @@ impl<R: Real> Ball<R> {
         while start < mesh.elements.len() {
             let piece = mesh.layer[start];
             let end = start + mesh.layer[start..].iter().take_while(|&&layer| layer == piece).count();
-            for patch in solid_patches(&mesh, start..end, &materials[piece as usize]) {
-                patches.push(Box::new(patch) as Box<dyn Patch<R>>);
+            for patch in self.element.patches(&mesh, start..end, &materials[piece as usize]) {
+                patches.push(patch);
                 parts.push(self.pieces[piece as usize].name.clone());
             }
             start = end;

@@ -57,7 +57,7 @@ impl Setting {
         });
         let friction = number("friction", self.friction);
         let pieces = self.ball.pieces.iter().map(|piece| lift_piece(piece, number)).collect();
-        let ball = Ball { pieces, cube: self.ball.cube, mass: self.ball.mass };
+        let ball = Ball { pieces, cube: self.ball.cube, element: self.ball.element, mass: self.ball.mass };
         (ball, FirstTouch::of(&Shot::from_inputs(&inputs)), friction)
     }
 

@@ -2,6 +2,7 @@
 
 use clubface_fem::ball::{Ball, Piece};
 use clubface_fem::cases::against_plane;
+use clubface_fem::element::Element;
 use clubface_fem::element::{solid_patches, Patch};
 use clubface_fem::material::{Hencky, Material, Maxwell, MooneyRivlin, Shape};
 use clubface_fem::mesh::{cubed_sphere, Fineness};
@@ -29,7 +30,7 @@ fn fly<R: Real>(speed: R, c10: R, steps: usize) -> [R; 3] {
         Piece { name: "core".into(), radius: 0.0196, layers: 2, material: rubber(c10) },
         Piece { name: "cover".into(), radius: 0.0214, layers: 1, material: cover },
     ];
-    let ball = Ball { pieces, cube: 4, mass: Some(0.046) };
+    let ball = Ball { pieces, cube: 4, element: Element::OnePoint, mass: Some(0.046) };
     let friction = R::from_f64(0.35);
     let impact = against_plane(&ball, speed, R::from_f64(0.2), friction).expect("the case is valid");
     let (mut structure, mut contact) = (impact.structure, impact.contact);

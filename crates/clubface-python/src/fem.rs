@@ -1,8 +1,11 @@
 //! Finite element impacts: a ball and what it meets go in, histories come out.
 
+use crate::columns::Derivatives;
 use clubface_fem::ball::{Ball, Piece};
 use clubface_fem::cases::{against_head, against_plane};
+use clubface_fem::element::Element;
 use clubface_fem::material::{Material, Maxwell, Shape, LAWS};
+use clubface_fem::sensitivity::Setting;
 use clubface_fem::solve::{Impact, Options, Outcome, Progress};
 use clubface_fem::FemError;
 use clubface_impact::first_touch::FirstTouch;
@@ -32,6 +35,8 @@ pub struct PieceValues {
 pub struct BallValues {
     pieces: Vec<PieceValues>,
     cube: usize,
+    #[pyo3(default = "one-point".to_owned())]
+    element: String,
     mass: Option<f64>,
 }
 
@@ -64,7 +69,8 @@ fn ball_of(values: &BallValues) -> PyResult<Ball<f64>> {
         let material = Material { shape, bulk: piece.bulk, maxwell, density: piece.density };
         pieces.push(Piece { name: piece.name.clone(), radius: piece.radius, layers: piece.layers, material });
     }
-    Ok(Ball { pieces, cube: values.cube, mass: values.mass })
+    let element = Element::from_name(&values.element).map_err(|e| error_of(&e))?;
+    Ok(Ball { pieces, cube: values.cube, element, mass: values.mass })
 }
 
 /// The laws of materials: [{name, constants, summary}, ...].
@@ -160,6 +166,72 @@ pub fn fem_head<'py>(
     to_dict(py, &impact, &ran, Some(&touch))
 }
 
+/// The shot of a ball and a rigid head whose launch is differentiated.
+fn setting_of(ball: &BallValues, inputs: &[f64], friction: f64) -> PyResult<Setting> {
+    let inputs = inputs.try_into().map_err(|_| PyValueError::new_err(("inputs", "", "all are needed")))?;
+    Ok(Setting { ball: ball_of(ball)?, inputs, friction })
+}
+
+/// Names of the variables of [`fem_sensitivity`].
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_variables(ball: BallValues, inputs: Vec<f64>) -> PyResult<Vec<String>> {
+    Ok(setting_of(&ball, &inputs, 0.0)?.variables())
+}
+
+/// Launch of a shot with a rigid head, and its derivatives by some variables: (outputs, array of outputs by variables). `progress` is called with
+/// the run (one for every four variables), simulated time and duration.
+#[pyfunction]
+#[pyo3(signature = (ball, inputs, friction, run, variables, progress=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_sensitivity<'py>(
+    py: Python<'py>,
+    ball: BallValues,
+    inputs: Vec<f64>,
+    friction: f64,
+    run: RunValues,
+    variables: Vec<String>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Derivatives<'py>> {
+    let setting = setting_of(&ball, &inputs, friction)?;
+    clubface_impact::check::check(&setting.inputs)
+        .map_err(|e| PyValueError::new_err((e.input, "", e.message)))?;
+    let pool = pool_of(&run)?;
+    let mut raised = None;
+    let found = py.detach(|| {
+        let mut watch = |which: usize, at: &Progress| {
+            let looked = Python::attach(|py| {
+                py.check_signals()?;
+                progress.as_ref().map_or(Ok(()), |f| f.call1(py, (which, at.time, at.duration)).map(|_| ()))
+            });
+            looked.map_err(|error| raised = Some(error)).is_ok()
+        };
+        pool.install(|| setting.sensitivity(&variables, &options_of(&run), &mut watch))
+    });
+    if let Some(error) = raised {
+        return Err(error);
+    }
+    let found = found.map_err(|e| error_of(&e))?;
+    Ok((PyArray1::from_slice(py, &found.values), PyArray2::from_vec2(py, &found.jacobian)?))
+}
+
+fn options_of(run: &RunValues) -> Options {
+    Options {
+        duration: run.duration,
+        safety: run.safety,
+        interval: run.interval,
+        until_separation: run.until_separation,
+        ..Options::default()
+    }
+}
+
+fn pool_of(run: &RunValues) -> PyResult<rayon::ThreadPool> {
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(run.threads)
+        .build()
+        .map_err(|e| PyValueError::new_err(("threads", "", e.to_string())))
+}
+
 /// A finished run with the shapes and contact patches kept on the way.
 struct Ran {
     outcome: Outcome<f64>,
@@ -203,22 +275,13 @@ fn simulate<'py>(
     run: &RunValues,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Ran> {
-    let options = Options {
-        duration: run.duration,
-        safety: run.safety,
-        interval: run.interval,
-        until_separation: run.until_separation,
-        ..Options::default()
-    };
+    let options = options_of(run);
     let progress = progress.map(Bound::unbind);
     let frame_gap = if run.frames > 1 { run.duration / (run.frames - 1) as f64 } else { f64::INFINITY };
     let frames = run.frames;
     let (mut times, mut positions, mut patch) = (Vec::new(), Vec::new(), Vec::new());
     let mut raised = None;
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(run.threads)
-        .build()
-        .map_err(|e| PyValueError::new_err(("threads", "", e.to_string())))?;
+    let pool = pool_of(run)?;
     let outcome = py.detach(|| {
         let mut watch = |at: &Progress, now: &Impact<f64>| {
             if frames > 0 && at.time >= times.len() as f64 * frame_gap {

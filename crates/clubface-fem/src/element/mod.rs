@@ -11,6 +11,7 @@ mod solid;
 pub use full_patch::{full_patches, FullPatch};
 pub use solid::{solid_patches, SolidPatch};
 
+use crate::error::FemError;
 use crate::material::Material;
 use crate::mesh::SolidMesh;
 use clubface_math::{Real, Row};
@@ -78,6 +79,26 @@ pub enum Element {
 }
 
 impl Element {
+    /// Its name in case files and on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::OnePoint => "one-point",
+            Self::FullyIntegrated => "full",
+        }
+    }
+
+    /// The kind called `name`.
+    ///
+    /// # Errors
+    /// [`FemError::Input`] for an unknown name.
+    pub fn from_name(name: &str) -> Result<Self, FemError> {
+        let known = [Self::OnePoint, Self::FullyIntegrated];
+        known.into_iter().find(|kind| kind.name() == name).ok_or_else(|| {
+            FemError::input("element", name, format!("known are {}", known.map(Self::name).join(", ")))
+        })
+    }
+
     /// Patches of some elements of a mesh, of one material, in their undeformed shape.
     pub fn patches<R: Real>(
         self,
