@@ -27,8 +27,8 @@ fn fly<R: Real>(speed: R, c10: R, steps: usize) -> [R; 3] {
         density: R::from_f64(950.0),
     };
     let pieces = vec![
-        Piece { name: "core".into(), radius: 0.0196, layers: 2, material: rubber(c10) },
-        Piece { name: "cover".into(), radius: 0.0214, layers: 1, material: cover },
+        Piece { name: "core".into(), radius: R::from_f64(0.0196), layers: 2, material: rubber(c10) },
+        Piece { name: "cover".into(), radius: R::from_f64(0.0214), layers: 1, material: cover },
     ];
     let ball = Ball { pieces, cube: 4, element: Element::OnePoint, mass: Some(0.046) };
     let friction = R::from_f64(0.35);
