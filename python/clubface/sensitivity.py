@@ -13,6 +13,7 @@ from clubface.delivery import Delivery
 from clubface.errors import InputError, UnitError, UnknownNameError
 from clubface.impact import Parameters
 from clubface.launch import Launch
+from clubface.models import FEM, models
 from clubface.models import model as model_named
 from clubface.parameters import ParameterSet
 from clubface.quantities import Quantity, inputs
@@ -190,6 +191,8 @@ def sensitivity(
     """
     accuracy = tolerance(accuracy)
     with_ = equipment(club, ball)
+    if model == FEM.name:
+        raise InputError("model", model, f"one with derivatives: {', '.join(models())}")
     chosen = parameter_set(model, with_.club, parameters)
     hit = shots(with_, as_values(delivery, values), hand=hand)
     columns, parameter_columns = single(hit, chosen, "a sensitivity")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -11,7 +10,8 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output
-from clubface.cli.failures import say
+from clubface.cli.failures import Interrupted, say
+from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RPM, RUN_ROWS
 
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Finite elements: impacts of meshed balls.")
 
@@ -21,13 +21,17 @@ BallOption = Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A 
 Folder = Annotated[
     str | None, typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures there.")
 ]
-RPM = 30.0 / math.pi
+MOVING = 81
+"""Pictures of an animation."""
 
 
 @app.command("reference")
 def reference(
     friction: Friction = 0.35,
     refine: Refine = 1,
+    element: Annotated[
+        str, typer.Option("--element", metavar="one-point|full", help="Kind of elements.")
+    ] = "one-point",
     ball: BallOption = "reference",
     as_json: options.Json = False,
 ) -> None:
@@ -35,7 +39,7 @@ def reference(
     from clubface import fem
 
     found = run_with_progress(
-        lambda progress: fem.reference(which=ball, friction=friction, refine=refine, progress=progress)
+        lambda progress: fem.reference(which=ball, friction=friction, refine=refine, element=element, progress=progress)
     )
     document = {
         "normal_mps": found.normal_velocity,
@@ -55,6 +59,7 @@ def reference(
     }
     if as_json:
         output.print_json(document)
+        _end(found)
         return
     from clubface.cli.tables import print_numbers
 
@@ -66,32 +71,43 @@ def reference(
         ("", "clubface", "one-point", "8-point", "2nd code"), rows, title="Reference case, beside other solvers"
     )
     print(_cost(found))
+    _end(found)
 
 
 @app.command("run")
 def run(
     case: Annotated[str, typer.Argument(metavar="CASE", help="A built-in case, or a TOML file.")],
     folder: Folder = None,
+    frames: Annotated[
+        int | None,
+        typer.Option("--frames", metavar="NUMBER", help="Deformed shapes to keep; those of the case unless given."),
+    ] = None,
+    animate: Annotated[bool, typer.Option("--animate", help="With -o: the impact as a moving picture (GIF).")] = False,
     as_json: options.Json = False,
 ) -> None:
     """Run a case: ball, head, delivery and settings in one TOML file."""
+    from clubface.errors import InputError
     from clubface.fem import case as cases
     from clubface.fem import files
 
     chosen = cases.case(case)
+    if animate and folder is None:
+        raise InputError("--animate", True, "given together with --output, the folder to write to")
+    if frames is not None or (animate and chosen.settings.frames < 2):
+        chosen = chosen.replace(settings={"frames": MOVING if frames is None else frames})
     if folder is not None:
         files.prepare(folder)
     found = run_with_progress(lambda progress: chosen.run(progress))
-    written = files.write_run(found, folder) if folder is not None else []
-    document = files.document(found)
+    written = files.write_run(found, folder, animation=animate) if folder is not None else []
     if as_json:
-        output.print_json(document)
+        output.print_json(files.document(found))
     else:
-        rows = [[key, f"{value:.6g}" if isinstance(value, float) else str(value)] for key, value in document.items()]
         from clubface.cli.tables import print_numbers
 
-        print_numbers(("", ""), rows, title=chosen.description or chosen.name)
+        print_numbers(("", ""), _rows_of(found), title=chosen.description or chosen.name)
+        print(_cost(found))
     _tell(written)
+    _end(found)
 
 
 @app.command("paper")
@@ -121,6 +137,7 @@ def paper(
         print_numbers(("", "P2", "clubface"), rows, title="P2's case, as published and as computed")
         print(_cost(found))
     _tell(written)
+    _end(found)
 
 
 @app.command("sweep")
@@ -178,6 +195,7 @@ def export(
     wanted = chosen if chosen.settings.frames else chosen.replace(settings={"frames": 51})
     found = run_with_progress(lambda progress: wanted.run(progress))
     _tell(vtu.write_series(found, target, chosen.name)[-1:])
+    _end(found)
 
 
 def _cost(found: Any) -> str:
@@ -185,39 +203,30 @@ def _cost(found: Any) -> str:
     return f"{counts}; energies close to {found.energy_error:.2%}"
 
 
+def _rows_of(found: Any) -> list[list[str]]:
+    """Return the figures of a run for people."""
+    figures = {
+        **found.launch,
+        "normal_velocity": found.normal_velocity,
+        "tangential_velocity": found.tangential_velocity,
+    }
+    figures.setdefault("backspin", found.backspin)
+    shown = [row for row in RUN_ROWS if row[1] in figures and not (found.launch and row[1] in REBOUND)]
+    rows = [[label, output.number(figures[key] * scale, digits)] for label, key, scale, digits in shown]
+    return rows + [
+        [label, output.number(getattr(found, key) * scale, digits)] for label, key, scale, digits in FIGURE_ROWS
+    ]
+
+
+def _end(found: Any) -> None:
+    """After Ctrl-C, when everything until then is printed and written, end as an interrupted program does."""
+    if found.interrupted:
+        raise Interrupted(f"interrupted at {found.contact['time'][-1:].sum() * 1e6:.0f} us of the impact")
+
+
 def _tell(files: list[Any]) -> None:
     if files:
         say(f"wrote {', '.join(str(each) for each in files)}")
-
-
-PAPER_ROWS: tuple[tuple[str, str, float, int], ...] = (
-    ("ball speed, m/s", "ball_speed_mps", 1.0, 1),
-    ("launch angle, deg", "launch_deg", 1.0, 1),
-    ("club speed after, m/s", "club_speed_after_mps", 1.0, 1),
-    ("spin, rpm", "spin_rpm", 1.0, 0),
-    ("peak force, N", "peak_force_n", 1.0, 0),
-    ("at, us", "peak_force_time_s", 1e6, 0),
-    ("reversal, us", "reversal_time_s", 1e6, 0),
-    ("contraction, %", "contraction", 100.0, 1),
-    ("at, us ", "contraction_time_s", 1e6, 0),
-    ("f'", "f_prime", 1.0, 4),
-    ("f", "f", 1.0, 4),
-)
-"""Label, key, scale and digits."""
-
-REFERENCE_ROWS: tuple[tuple[Any, ...], ...] = (
-    ("normal rebound, m/s", "normal_mps", 1.0, 2, "32.08", "32.06", "32.31"),
-    ("tangential rebound, m/s", "tangential_mps", 1.0, 2, "5.82", "5.82", "5.75"),
-    ("spin, rpm", "spin_rpm", 1.0, 0, "1216", "1221", "1286"),
-    ("largest spin, rpm", "spin_max_rpm", 1.0, 0, "3735", "3749", ""),
-    ("peak force, N", "peak_force_n", 1.0, 0, "8637", "8708", "8925"),
-    ("at, us", "peak_force_time_s", 1e6, 0, "278", "282", "295"),
-    ("contact, us", "contact_time_s", 1e6, 0, "626", "624", "601"),
-    ("largest tangential force, N", "tangential_max_n", 1.0, 0, "843", "851", "833"),
-    ("smallest tangential force, N", "tangential_min_n", 1.0, 0, "-727", "-678", "-667"),
-    ("reversal, us", "reversal_time_s", 1e6, 0, "307", "305", "305"),
-)
-"""Label, key, scale, digits, and what independent open solvers gave."""
 
 
 @contextmanager
@@ -239,6 +248,6 @@ def run_with_progress(run: Callable[[Callable[[float, float], object] | None], A
     """Run an impact under a bar; tell of one that stopped early."""
     with progress_bar() as update:
         found = run(update and (lambda time, whole: update(time, whole, f"{time * 1e6:.0f} us")))
-    if found.stopped:
+    if found.stopped and not found.interrupted:
         say(f"note: {found.stopped}; what follows is what there was until then")
     return found

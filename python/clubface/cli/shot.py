@@ -114,17 +114,19 @@ def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any],
     """Draw forces and flights of all models into one file."""
     from clubface import plots, units
     from clubface.history import history
-    from clubface.models import model
+    from clubface.models import FEM, model
     from clubface.trajectory import trajectory
 
     positions = {name: trajectory(launch, **conditions).position for name, launch in launches.items()}
-    histories = {
+    histories: dict[str, Any] = {
         name: history(
             each.club, delivery, model=name, parameters=each.parameters, ball=each.ball, accuracy=each.accuracy or DRAWN
         )
         for name, each in launches.items()
         if model(name).kind == "contact"
     }
+    if FEM.name in launches:
+        histories[FEM.name] = _finite_elements(launches[FEM.name], delivery)
     first = next(iter(launches.values()))
     shown = {"speed": "mph", "toe": "mm", "high": "mm", "closure": "deg/s", "pitch_rate": "deg/s", "lie_rate": "deg/s"}
     described = [
@@ -135,3 +137,14 @@ def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any],
     unbroken = ", ".join(each.replace(" ", "\N{NO-BREAK SPACE}") for each in described)
     figure = plots.shot_figure(positions, histories, title=f"{first.club.name}: {unbroken}")
     plots.save(figure, path)
+
+
+def _finite_elements(launch: Any, delivery: Mapping[str, float]) -> Mapping[str, Any]:
+    """Return the forces of a shot by finite elements."""
+    from clubface.fem.as_model import force_history, meshed_ball
+    from clubface.fem.run import Settings, strike
+
+    made, _ = meshed_ball(launch.ball)
+    friction = launch.parameters.values["friction"]
+    how = Settings(until_separation=True)
+    return force_history(strike(launch.club, delivery, which=made, friction=friction, settings=how))

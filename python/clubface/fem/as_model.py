@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from clubface.balls import Ball as RigidBall
 from clubface.errors import InputError
-from clubface.fem.balls import Ball, ball, ball_names
-from clubface.fem.run import Settings, rigid_ball
+from clubface.fem.balls import Ball, ball
+from clubface.fem.result import Impact
+from clubface.fem.run import Settings, core_call, rigid_ball
+from clubface.shots import DEFAULT_BALL as PUBLISHED
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -17,10 +20,24 @@ DEFAULT_BALL = "reference"
 
 
 def meshed_ball(given: Any) -> tuple[Ball, Any]:
-    """Return the meshed ball that ``given`` names, or the default, and its mass properties as a rigid ball."""
-    named = isinstance(given, Ball) or (isinstance(given, str) and given in ball_names())
-    made = ball(given if named else DEFAULT_BALL)
+    """Return the meshed ball that ``given`` names, or the default, and its mass properties as a rigid ball.
+
+    Given may be a :class:`Ball`, a name, the path of a TOML file, a rigid ball made from a built-in one, or the ball of
+    the published models, in whose place the default stands.
+    """
+    if isinstance(given, RigidBall):
+        given = given.name
+    made = ball(DEFAULT_BALL if given in (None, PUBLISHED) else given)
     return made, rigid_ball(made)
+
+
+def force_history(found: Impact) -> dict[str, NDArray[Any]]:
+    """Return the forces on the ball under the names of :class:`clubface.History` [s, N]."""
+    contact = found.contact
+    touching = contact["time"] <= found.contact_time
+    named = {"time": contact["time"], "normal_force": contact["normal"],
+             "force_y": -contact["tangential"], "force_z": contact["toe"]}  # fmt: skip
+    return {name: values[touching] for name, values in named.items()}
 
 
 def launches(
@@ -38,12 +55,9 @@ def launches(
     for row in range(n):
         inputs = [float(_at(each, row)) for each in columns]
         try:
-            result = _core.fem_head(made.values(), inputs, float(_at(friction, row)), settings)
-        except ValueError as error:
-            if len(error.args) != 3:
-                raise
-            name, value, allowed = error.args
-            problems.append((row, name, f"{value} {allowed}".strip()))
+            result = core_call(_core.fem_head, made.values(), inputs, float(_at(friction, row)), settings)
+        except InputError as error:
+            problems.append((row, error.parameter, error.allowed))
             continue
         if result["interrupted"]:
             raise KeyboardInterrupt

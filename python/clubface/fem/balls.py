@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 from clubface import units
-from clubface.equipment import builtin_names, builtin_path, check_name, check_text, is_path
+from clubface.equipment import builtin_names, builtin_path, check_choice, check_name, check_text, is_path
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.strict_toml import Document
 
 FOLDER = "fem_balls"
 MAX_PIECES = 5
+ELEMENTS = ("one-point", "full")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,6 +42,8 @@ class Piece:
 
     def __post_init__(self) -> None:
         check_name(self.name)
+        if not isinstance(self.material, Material):
+            raise InputError(f"material of {self.name}", self.material, "a Material")
         _check_count(f"layers of {self.name}", self.layers, 48)
         if self.thickness is not None:
             value = units.parse(self.thickness, "length", name=f"thickness of {self.name}")
@@ -62,6 +66,8 @@ class Ball:
         From the core outwards.
     mass
         [kg]: the core takes the density that gives it; None leaves the core its own.
+    element
+        "one-point" (hourglass control) or "full" (eight points of integration, one pressure).
     cube
         Elements along an edge of the cube inside the core, even; the sphere has 6 cube^2 elements around.
     description
@@ -73,6 +79,7 @@ class Ball:
     pieces: tuple[Piece, ...]
     mass: float | None = None
     cube: int = 12
+    element: str = "one-point"
     description: str = ""
 
     def __post_init__(self) -> None:
@@ -87,6 +94,7 @@ class Ball:
             if not 1e-3 <= self.mass <= 1.0:
                 raise InputError("mass", units.show(self.mass, "g"), "1 to 1000 g")
         _check_count("cube", self.cube, 96)
+        check_choice("element", self.element, ELEMENTS)
         if self.cube % 2:
             raise InputError("cube", self.cube, "even, so that a node stands where ball and face first touch")
         if not 1 <= len(self.pieces) <= MAX_PIECES:
@@ -100,7 +108,22 @@ class Ball:
             if piece.thickness is None or piece.material.density is None:
                 missing = "thickness" if piece.thickness is None else "density"
                 raise InputError(f"{missing} of {piece.name}", None, "given; only the core may leave it out")
-        self.radii()
+        self._check_core()
+
+    def _check_core(self) -> None:
+        """Refuse a core that the layers leave no room or no mass."""
+        radii = self.radii()
+        if self.mass is None:
+            return
+        volumes = [4.0 / 3.0 * math.pi * radius**3 for radius in radii]
+        around = sum(
+            (piece.material.density or 0.0) * (outer - inner)
+            for piece, inner, outer in zip(self.pieces[1:], volumes, volumes[1:], strict=False)
+        )
+        density = (self.mass - around) / volumes[0]
+        if not 10.0 <= density <= 30e3:
+            allowed = f"such that the core has 10 to 30000 kg/m3; the layers around it leave it {density:.0f} kg/m3"
+            raise InputError("mass", units.show(self.mass, "g"), allowed)
 
     def radii(self) -> list[float]:
         """Return the outer radius of each piece [m]."""
@@ -144,7 +167,7 @@ class Ball:
             }
             for piece, radius in zip(self.pieces, self.radii(), strict=True)
         ]
-        return {"pieces": pieces, "cube": self.cube, "mass": self.mass}
+        return {"pieces": pieces, "cube": self.cube, "element": self.element, "mass": self.mass}
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Ball:
@@ -168,7 +191,7 @@ def ball(which: str | os.PathLike[str] | Ball) -> Ball:
     return Ball.from_toml(builtin_path("fem_ball", str(which), ball_names()))
 
 
-BALL_KEYS = ("name", "description", "mass", "diameter", "cube", "pieces")
+BALL_KEYS = ("name", "description", "mass", "diameter", "cube", "element", "pieces")
 MATERIAL_KEYS = ("law", "youngs", "poisson", "density", "maxwell")
 
 
@@ -180,36 +203,53 @@ def from_document(document: Document) -> Ball:
     tables = data.pop("pieces")
     if not (isinstance(tables, list) and all(isinstance(each, dict) for each in tables)):
         raise document.error("pieces must be tables, each under [[pieces]]", "pieces")
-    pieces = []
+    pieces, branches = [], 0
     for number, table in enumerate(tables):
-        try:
-            pieces.append(_piece(document, table, number))
-        except InputError as error:
-            raise document.wrap(error, "pieces", number) from error
+        pieces.append(_piece(document, table, number, branches))
+        branches += len(pieces[-1].material.maxwell)
     try:
         return Ball(pieces=tuple(pieces), **data)
     except ClubfaceError as error:
         raise document.wrap(error) from error
 
 
-def _piece(document: Document, table: dict[str, Any], number: int) -> Piece:
+def _piece(document: Document, table: dict[str, Any], number: int, branches: int) -> Piece:
+    """Read one of [[pieces]]; ``branches`` is how many of [[pieces.maxwell]] stand above it."""
     constants = {name for law in laws().values() for name in law.constants}
     known = ("name", "layers", "thickness", *MATERIAL_KEYS, *sorted(constants))
     document.check_keys(table, known, ("name", "law", "layers", "poisson"), "pieces", number)
-    branches = table.get("maxwell", [])
-    if not (isinstance(branches, list) and all(isinstance(each, dict) for each in branches)):
-        raise InputError("maxwell", branches, "tables, each under [[pieces.maxwell]]")
-    for branch in branches:
-        document.check_keys(branch, ("modulus", "time"), ("modulus", "time"), "pieces.maxwell")
-    common = {"density": table.get("density"), "maxwell": tuple(Maxwell(**each) for each in branches)}
-    if "youngs" in table:
-        if table["law"] != "linear":
-            raise InputError("youngs", table["youngs"], f"left out: {table['law']} has constants of its own")
-        material = Material.linear(table["youngs"], table["poisson"], **common)
-    else:
-        given = {name: table[name] for name in table if name in constants}
-        material = Material(law=table["law"], constants=given, poisson=table["poisson"], **common)
-    return Piece(name=table["name"], material=material, layers=table["layers"], thickness=table.get("thickness"))
+    try:
+        check_choice("law", table["law"], laws())
+        common = {"density": table.get("density"), "maxwell": _branches(document, table, branches)}
+        if "youngs" in table:
+            if table["law"] != "linear":
+                raise InputError("youngs", table["youngs"], f"left out: {table['law']} has constants of its own")
+            also = [name for name in table if name in constants]
+            if also:
+                raise InputError(also[0], table[also[0]], "left out where youngs is given")
+            material = Material.linear(table["youngs"], table["poisson"], **common)
+        else:
+            given = {name: table[name] for name in table if name in constants}
+            material = Material(law=table["law"], constants=given, poisson=table["poisson"], **common)
+        return Piece(name=table["name"], material=material, layers=table["layers"], thickness=table.get("thickness"))
+    except InputError as error:
+        # "thickness of cover" stands in the line of "thickness".
+        key = error.parameter.partition(" of ")[0]
+        raise document.error(str(error), key, "pieces", number) from error
+
+
+def _branches(document: Document, table: dict[str, Any], above: int) -> tuple[Maxwell, ...]:
+    tables = table.get("maxwell", [])
+    if not (isinstance(tables, list) and all(isinstance(each, dict) for each in tables)):
+        raise InputError("maxwell", tables, "tables, each under [[pieces.maxwell]]")
+    found = []
+    for number, each in enumerate(tables, above):
+        document.check_keys(each, ("modulus", "time"), ("modulus", "time"), "pieces.maxwell", number)
+        try:
+            found.append(Maxwell(**each))
+        except InputError as error:
+            raise document.wrap(error, "pieces.maxwell", number) from error
+    return tuple(found)
 
 
 def _check_count(name: str, value: object, most: int) -> None:

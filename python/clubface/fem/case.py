@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from clubface.clubs import Club, club
 from clubface.delivery import DIMENSIONS
 from clubface.equipment import builtin_names, builtin_path, check_choice, check_name, check_text, is_path
-from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
 from clubface.fem.balls import Ball, ball
 from clubface.fem.result import Impact
-from clubface.fem.run import Progress, Settings, strike, throw
+from clubface.fem.run import Progress, Settings, friction_value, rigid_ball, strike, throw, throw_values
+from clubface.impact import impact
 from clubface.strict_toml import Document
 
+T = TypeVar("T")
 FOLDER = "fem_cases"
 PLANE, RIGID = "plane", "rigid"
 HEADS = (PLANE, RIGID)
@@ -60,14 +62,22 @@ class Case:
         check_name(self.name)
         check_text("description", self.description)
         check_choice("kind of head", self.head, HEADS)
-        known = PLANE_KEYS if self.head == PLANE else tuple(DIMENSIONS)
+        known = delivery_keys(self.head)
         for key in self.delivery:
             if key not in known:
                 raise UnknownNameError("value of the delivery", key, known)
         if "speed" not in self.delivery:
             raise InputError("speed", None, 'given, as in speed = "35 m/s"')
-        if self.head != PLANE and self.club is None:
+        object.__setattr__(self, "friction", friction_value(self.friction))
+        if self.head == PLANE:
+            if self.club is not None:
+                raise InputError("club", self.club.name, 'left out for a plane; a club needs kind = "rigid"')
+            throw_values(self.delivery["speed"], self.delivery.get("angle", 0.0))
+            return
+        if self.club is None:
             raise InputError("club", None, "given for a rigid head")
+        # The quickest model refuses what no model can compute, such as a face that moves away from the ball.
+        impact(self.club, self.delivery, ball=rigid_ball(self.ball))
 
     def replace(self, *, settings: Mapping[str, Any] | None = None, **changes: Any) -> Case:
         """Return the case with values of the delivery, the ball, the friction or the settings changed."""
@@ -94,6 +104,11 @@ class Case:
         return from_document(Document.read(path), Path(os.fspath(path)).parent)
 
 
+def delivery_keys(head: str) -> tuple[str, ...]:
+    """Return the names of the values of a delivery."""
+    return PLANE_KEYS if head == PLANE else tuple(DIMENSIONS)
+
+
 def case_names() -> tuple[str, ...]:
     """Return the names of the cases that come with clubface."""
     return builtin_names(FOLDER)
@@ -105,6 +120,8 @@ def case(which: str | os.PathLike[str] | Case) -> Case:
         return which
     if is_path(which):
         return Case.from_toml(which)
+    if which not in case_names():
+        raise UnknownNameError("case of finite elements", which, case_names())
     return Case.from_toml(builtin_path("fem_case", str(which), case_names()))
 
 
@@ -120,7 +137,10 @@ def from_document(document: Document, folder: Path) -> Case:
     document.check_keys(tables["head"], HEAD_KEYS, ("kind",), "head")
     document.check_text(tables["head"], HEAD_KEYS, "head")
     document.check_keys(tables["run"], tuple(Settings.__dataclass_fields__), (), "run")
-    named = tables["head"].get("club")
+    kind = tables["head"]["kind"]
+    if kind not in HEADS:
+        raise document.error(str(UnknownNameError("kind of head", kind, HEADS)), "kind", "head")
+    document.check_keys(tables["delivery"], delivery_keys(kind), ("speed",), "delivery")
     try:
         settings = Settings(**tables["run"])
     except ClubfaceError as error:
@@ -129,15 +149,32 @@ def from_document(document: Document, folder: Path) -> Case:
         return Case(
             name=data["name"],
             description=data.get("description", ""),
-            ball=ball(_beside(data["ball"], folder)),
-            head=tables["head"]["kind"],
-            club=None if named is None else club(_beside(named, folder)),
+            ball=_read(document, ball, data["ball"], folder, "ball", ""),
+            head=kind,
+            club=_read(document, club, tables["head"].get("club"), folder, "club", "head"),
             delivery=tables["delivery"],
             friction=data.get("friction", 0.35),
             settings=settings,
         )
+    except FileError:
+        raise
+    except InputError as error:
+        table = {"friction": "", "name": "", "description": "", "club": "head"}.get(error.parameter, "delivery")
+        raise document.wrap(error, table) from error
+
+
+def _read(document: Document, reader: Callable[[str], T], name: str | None, folder: Path, key: str, table: str) -> Any:
+    """Read the ball or club that a case names; files are looked for beside it."""
+    if name is None:
+        return None
+    try:
+        return reader(_beside(name, folder))
+    except FileError as error:
+        if error.line is not None:
+            raise
+        raise document.error(str(error), key, table) from error
     except ClubfaceError as error:
-        raise document.wrap(error, "delivery") from error
+        raise document.error(str(error), key, table) from error
 
 
 def _beside(name: str, folder: Path) -> str:

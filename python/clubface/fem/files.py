@@ -10,13 +10,19 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from clubface.errors import FileError
 from clubface.fem.result import FIGURES, Impact
 
 
 def prepare(folder: str | os.PathLike[str]) -> Path:
     """Make the folder; one that cannot be made is told before any work is done."""
     path = Path(folder)
-    path.mkdir(parents=True, exist_ok=True)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except FileExistsError:
+        raise FileError(str(path), None, "this is a file; give the name of a folder") from None
+    if not os.access(path, os.W_OK):
+        raise FileError(str(path), None, "this folder cannot be written to")
     return path
 
 
@@ -27,17 +33,40 @@ def document(found: Impact) -> dict[str, Any]:
     return {**found.launch, **rebound, **figures, "elements": found.ball.elements, "stopped": found.stopped or ""}
 
 
-def write_run(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
-    """Write figures, histories and pictures of one impact."""
+def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool = False) -> list[Path]:
+    """Write figures, histories and pictures of one impact, also of one that stopped early.
+
+    Parameters
+    ----------
+    found
+        The run.
+    folder
+        Made where it does not exist.
+    animation
+        Whether to write the moving section, which needs frames.
+
+    Returns
+    -------
+    list
+        The files.
+    """
     path = prepare(folder)
     figures = path / "figures.json"
     plain = {key: _finite(value) for key, value in document(found).items()}
     figures.write_text(json.dumps(plain, indent=2) + "\n", encoding="utf-8")
     tables = [_columns(path / f"{name}.csv", getattr(found, name)) for name in ("contact", "motion", "energy")]
+    if not len(found.patch["time"]):
+        return [figures, *tables]
     from clubface import plots
     from clubface.plots import fem as pictures
+    from clubface.plots import fem_section as sections
 
-    drawn = [plots.save(pictures.patch_figure(found), path / "patch.png")]
+    drawn = [plots.save(pictures.impact_figure(found), path / "impact.png")]
+    drawn.append(plots.save(pictures.patch_figure(found), path / "patch.png"))
+    if len(found.frames) > 1:
+        drawn.append(plots.save(sections.section_figure(found), path / "section.png"))
+        if animation:
+            drawn.append(sections.animate(found, path / "impact.gif"))
     return [figures, *tables, *drawn]
 
 
@@ -47,6 +76,8 @@ def write_paper(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
     from clubface.plots import fem as pictures
 
     written = write_run(found, folder)
+    if not len(found.patch["time"]):
+        return written
     return [*written, plots.save(pictures.paper_figure(found), prepare(folder) / "paper.png")]
 
 

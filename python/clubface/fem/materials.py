@@ -64,6 +64,7 @@ class Maxwell:
 
 
 MAX_BRANCHES = 4
+_POISSON = "-0.9 to 0.4999; a material of 0.5 cannot change its volume, which explicit steps cannot follow"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,8 +105,7 @@ class Material:
         object.__setattr__(self, "constants", MappingProxyType(values))
         object.__setattr__(self, "poisson", units.parse(self.poisson, units.DIMENSIONLESS, name="poisson"))
         if not -0.9 <= self.poisson <= 0.4999:
-            allowed = "-0.9 to 0.4999; a material of 0.5 cannot change its volume, which explicit steps cannot follow"
-            raise InputError("poisson", self.poisson, allowed)
+            raise InputError("poisson", self.poisson, _POISSON)
         if self.density is not None:
             object.__setattr__(self, "density", units.parse(self.density, "density", name="density"))
             if not 10.0 <= self.density <= 30e3:
@@ -113,12 +113,11 @@ class Material:
         object.__setattr__(self, "maxwell", tuple(self.maxwell))
         if len(self.maxwell) > MAX_BRANCHES:
             raise InputError("maxwell", len(self.maxwell), f"at most {MAX_BRANCHES} branches")
+        name, low = min(values.items(), key=lambda each: each[1])
+        if low < 0.0 and self.law != "ogden":
+            raise InputError(name, units.show(low, "MPa"), "zero or above")
         if not 1e3 <= self.shear <= 1e12:
             raise InputError(f"shear modulus of {self.law}", units.show(self.shear, "MPa"), "0.001 to 1000000 MPa")
-        low = min(values.values())
-        if low < 0.0 and self.law != "ogden":
-            name = min(values, key=lambda each: values[each])
-            raise InputError(name, units.show(low, "MPa"), "zero or above")
 
     @property
     def shear(self) -> float:
@@ -144,6 +143,6 @@ class Material:
         if not modulus > 0.0:
             raise InputError("youngs", units.show(modulus, "MPa"), "above 0")
         if not -0.9 <= ratio <= 0.4999:
-            raise InputError("poisson", ratio, "-0.9 to 0.4999")
+            raise InputError("poisson", ratio, _POISSON)
         shear = modulus / (2.0 * (1.0 + ratio))
         return cls(law="linear", constants={"shear": shear}, poisson=ratio, density=density, maxwell=tuple(maxwell))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from typing import Any
 
 from clubface.fem.balls import Ball, ball
@@ -19,6 +20,7 @@ def reference(
     which: str | os.PathLike[str] | Ball = "reference",
     friction: Any = FRICTION,
     refine: int = 1,
+    element: str = "one-point",
     settings: Settings | None = None,
     progress: Progress | None = None,
 ) -> Impact:
@@ -32,8 +34,10 @@ def reference(
         Coulomb's coefficient.
     refine
         How many times finer the mesh is along every edge.
+    element
+        The kind of elements: "one-point" or "full".
     settings, progress
         As of :func:`throw`.
     """
-    made = ball(which).refined(refine)
+    made = replace(ball(which).refined(refine), element=element)
     return throw(made, speed=SPEED, angle=ANGLE, friction=friction, settings=settings, progress=progress)

@@ -105,11 +105,14 @@ class Impact:
         for name in FIGURES:
             setattr(self, name, found[name])
         self.contact: dict[str, NDArray[Any]] = found["contact"]
-        self.motion: dict[str, NDArray[Any]] = found["motion"]
+        self.motion: dict[str, NDArray[Any]] = {
+            name: values.reshape(len(found["motion"]["time"]), *(() if values.ndim == 1 else (3,)))
+            for name, values in found["motion"].items()
+        }
         self.energy: dict[str, NDArray[Any]] = found["energy"]
         self.patch: dict[str, NDArray[Any]] = found["patch"]
         self.frame_times: NDArray[Any] = found["frame_times"]
-        self.frames: NDArray[Any] = found["frames"]
+        self.frames: NDArray[Any] = found["frames"].reshape(*found["frames"].shape[:2], 3)
         self.stopped: str | None = found["stopped"]
         self.interrupted: bool = found["interrupted"]
         self.axes: NDArray[Any] = found["axes"]

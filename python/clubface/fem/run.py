@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import os
+import threading
 import warnings
 from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from clubface import units
 from clubface.balls import Ball as RigidBall
 from clubface.clubs import Club
 from clubface.delivery import Delivery
-from clubface.errors import InputError, RuleWarning
+from clubface.errors import InputError, RuleWarning, ShotError
 from clubface.fem.balls import Ball, ball
 from clubface.fem.result import Impact
+
+if TYPE_CHECKING:
+    from clubface.shots import Shots
 
 Progress = Callable[[float, float], object]
 
@@ -53,12 +58,15 @@ class Settings:
             raise InputError("duration", units.show(self.duration, "us"), "1 us to 0.1 s")
         if not 1e-8 <= self.interval <= self.duration:
             raise InputError("interval", units.show(self.interval, "us"), "0.01 us to the duration")
+        object.__setattr__(self, "safety", units.parse(self.safety, units.DIMENSIONLESS, name="safety"))
         if not 0.05 <= self.safety <= 1.0:
             raise InputError("safety", self.safety, "0.05 to 1, the stable step")
         for name, most in (("frames", 10_000), ("threads", 1024)):
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
                 raise InputError(name, value, f"a whole number from 0 to {most}")
+        if not isinstance(self.until_separation, bool):
+            raise InputError("until_separation", self.until_separation, "true or false")
 
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""
@@ -91,18 +99,23 @@ def throw(
     progress
         Called with simulated time and duration [s].
     """
-    made = ball(which)
+    made, (v, incidence) = ball(which), throw_values(speed, angle)
+    mu, how = friction_value(friction), settings or Settings()
+    from clubface import _core
+
+    found = core_call(_core.fem_plane, made.values(), v, incidence, mu, how.values(), progress=progress)
+    return Impact(found, made, {"speed": v, "angle": incidence}, mu, how)
+
+
+def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
+    """Return speed [m/s] and angle [rad] of a throw, checked."""
     v = units.parse(speed, "speed", name="speed")
     if not 0.01 <= v <= 150.0:
         raise InputError("speed", units.show(v, "m/s"), "0.01 to 150 m/s")
     incidence = units.parse(angle, "angle", name="angle")
     if not 0.0 <= incidence <= units.parse("80 deg", "angle"):
         raise InputError("angle", units.show(incidence, "deg"), "0 to 80 deg from the normal")
-    mu, how = _friction(friction), settings or Settings()
-    from clubface import _core
-
-    found = _core_call(_core.fem_plane, made.values(), v, incidence, mu, how.values(), progress)
-    return Impact(found, made, {"speed": v, "angle": incidence}, mu, how)
+    return v, incidence
 
 
 def strike(
@@ -125,15 +138,28 @@ def strike(
         As of :func:`throw`.
     """
     from clubface import _core
-    from clubface.shots import as_values, equipment, shots
+    from clubface.shots import as_values
 
-    made, mu, how = ball(which), _friction(friction), settings or Settings()
-    hit = shots(equipment(club, rigid_ball(made)), dict(as_values(delivery, values)))
+    made, mu, how = ball(which), friction_value(friction), settings or Settings()
+    given = dict(as_values(delivery, values))
+    hit = one_shot(club, given, made)
+    found = core_call(_core.fem_head, made.values(), inputs_of(hit), mu, how.values(), progress=progress)
+    return Impact(found, made, given, mu, how, hit)
+
+
+def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], made: Ball) -> Shots:
+    """Return the shot as the core takes it."""
+    from clubface.shots import equipment, shots
+
+    hit = shots(equipment(club, rigid_ball(made)), delivery)
     if hit.shape != ():
         raise InputError("delivery", hit.shape, "one shot; use a sweep for several")
-    inputs = [float(value) for value in hit.columns]
-    found = _core_call(_core.fem_head, made.values(), inputs, mu, how.values(), progress)
-    return Impact(found, made, dict(as_values(delivery, values)), mu, how, hit)
+    return hit
+
+
+def inputs_of(hit: Shots) -> list[float]:
+    """Return the inputs of one shot in the order of the core."""
+    return [float(value) for value in hit.columns]
 
 
 def rigid_ball(made: Ball) -> RigidBall:
@@ -144,18 +170,45 @@ def rigid_ball(made: Ball) -> RigidBall:
         return RigidBall(name=made.name, mass=found["mass"], radius=found["radius"], inertia=found["inertia"])
 
 
-def _friction(value: Any) -> float:
+def friction_value(value: Any) -> float:
+    """Return a coefficient of friction, checked."""
     mu = units.parse(value, units.DIMENSIONLESS, name="friction")
     if not 0.0 <= mu <= 10.0:
         raise InputError("friction", mu, "0 to 10")
     return mu
 
 
-def _core_call(function: Callable[..., Any], *arguments: Any) -> dict[str, Any]:
+def core_call(function: Callable[..., Any], *arguments: Any, progress: Progress | None = None) -> dict[str, Any]:
+    """Run the core beside the main thread, so that Ctrl-C ends the impact there and then, with what it has."""
+    stop = threading.Event()
+
+    def watch(time: float, whole: float) -> None:
+        if stop.is_set():
+            raise KeyboardInterrupt
+        if progress is not None:
+            progress(time, whole)
+
     try:
-        return function(*arguments)
+        if threading.current_thread() is not threading.main_thread():
+            return function(*arguments, watch)
+        with ThreadPoolExecutor(1) as pool:
+            running = pool.submit(function, *arguments, watch)
+            while True:
+                try:
+                    return running.result(timeout=0.5)
+                except TimeoutError:
+                    if running.done():
+                        raise
+                except KeyboardInterrupt:
+                    if stop.is_set():
+                        raise
+                    stop.set()
     except ValueError as error:
         if len(error.args) != 3:
             raise
-        name, value, allowed = error.args
-        raise InputError(name, value, allowed) from None
+        raise core_error(*error.args) from None
+
+
+def core_error(name: str, value: str, allowed: str) -> InputError:
+    """Return the error the core told as name, value and what is allowed, the first two of which may be empty."""
+    return ShotError(name or "the run", value or None, f"{value}: {allowed}" if value else allowed)

@@ -23,6 +23,7 @@ COLUMNS = (
 )  # fmt: skip
 """Columns of the table, one row a run."""
 
+_KINDS: dict[str, Callable[[str], Any]] = {"steps": int, "stopped": str}
 MOST = 10_000
 
 
@@ -73,13 +74,18 @@ def sweep(
         One mapping of ``COLUMNS`` a run, in the order of speeds, then lofts.
     """
     base = case(which)
+    if workers is not None and (isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= 1024):
+        raise InputError("workers", workers, "a whole number from 1 to 1024, or left out for all cores")
     points = [(speed, loft) for speed in speeds for loft in lofts]
+    if not 1 <= len(points) <= MOST:
+        raise InputError("the runs of a sweep", len(points), f"1 to {MOST}")
+    for speed in (min(speeds), max(speeds)):
+        for loft in (min(lofts), max(lofts)):
+            base.replace(speed=speed, loft=loft)
     table = _Table(base, output)
     done = {point: table.find(point) for point in points}
     open_ = [point for point, row in done.items() if row is None]
     count = workers or os.cpu_count() or 1
-    if count < 1:
-        raise InputError("workers", workers, "1 or more")
     running: dict[Future[Impact], tuple[float, float]] = {}
     with ThreadPoolExecutor(count) as pool:
         stop: list[bool] = []
@@ -100,6 +106,11 @@ def sweep(
                     done[point] = table.add(point, future.result())
                     if progress is not None:
                         progress(sum(row is not None for row in done.values()), len(points))
+        except KeyboardInterrupt:
+            stop.append(True)
+            count = sum(row is not None for row in done.values())
+            kept = "" if output is None else f"; they are in {os.fspath(output)}, and the same sweep goes on after them"
+            raise KeyboardInterrupt(f"{count} of {len(points)} runs are done{kept}") from None
         except BaseException:
             stop.append(True)
             raise
@@ -151,9 +162,12 @@ class _Table:
             raise FileError(str(path), 1, "this is not the table of this case; give another file, or remove it")
         # A last line without its end was being written when the run was cut off.
         complete = lines[2:-1]
-        for line in csv.DictReader(complete, COLUMNS):
-            row = {name: text if name == "stopped" else float(text) for name, text in line.items()}
-            self._rows[(line["speed_mps"], line["loft_deg"])] = row
+        for number, line in enumerate(csv.reader(complete), 3):
+            try:
+                row = {name: _KINDS.get(name, float)(text) for name, text in zip(COLUMNS, line, strict=True)}
+            except ValueError:
+                raise FileError(str(path), number, "this is not a row of a sweep; remove it") from None
+            self._rows[line[0], line[1]] = row
         path.write_text("\n".join([*lines[:2], *complete, ""]), encoding="utf-8")
 
     def find(self, point: tuple[float, float]) -> dict[str, Any] | None:

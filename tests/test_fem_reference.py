@@ -1,0 +1,111 @@
+"""The reference case: a ball whose every constant is stated, against independent solvers; momentum, energy, threads."""
+
+import numpy as np
+import pytest
+
+from clubface import fem, units
+from fem_runs import coarse_drive, coarse_throw, drive_case, reference, throw_case
+
+RPM = units.from_si(1.0, "rpm")
+
+# One-point and eight-point elements of an independent open solver, and how far apart solvers are.
+TABLE = {
+    "normal_velocity": (32.08, 32.06, 0.01),
+    "tangential_velocity": (5.82, 5.82, 0.01),
+    "backspin": (1216 / RPM, 1221 / RPM, 0.06),
+    "reversal_time": (307e-6, 305e-6, 0.02),
+    "contact_time": (626e-6, 624e-6, 0.04),
+    "spin_max": (3735 / RPM, 3749 / RPM, 0.06),
+}
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_the_reference_case_agrees_with_other_solvers(name):
+    low, high = sorted(TABLE[name][:2])
+    tolerance = TABLE[name][2]
+    assert low * (1.0 - tolerance) <= getattr(reference(), name) <= high * (1.0 + tolerance)
+
+
+def test_the_force_rises_to_a_peak_near_that_of_other_solvers():
+    # The momentum given to the ball pins its mean; single steps ring with the rows of nodes that touch down.
+    found = reference()
+    time, force = found.contact["time"], found.contact["normal"]
+    step = time[1] - time[0]
+    count = int(30e-6 / step)
+    smooth = np.convolve(force, np.ones(count) / count, "same")
+    assert smooth.max() == pytest.approx(8637.0, rel=0.03)
+    assert time[smooth.argmax()] == pytest.approx(280e-6, abs=15e-6)
+    assert found.peak_force == pytest.approx(8670.0, rel=0.1)
+    assert (found.tangential_max, -found.tangential_min) == pytest.approx((847.0, 700.0), rel=0.1)
+
+
+def test_the_mesh_of_the_reference_case_is_that_of_p2():
+    properties = reference().ball.properties()
+    assert properties["elements"] == reference().ball.elements == 6912 + 2592
+    assert properties["mass"] == pytest.approx(0.046, rel=1e-12)
+    assert properties["inertia"] == pytest.approx(0.4 * 0.046 * 0.0214**2, rel=0.03)  # the cover is light
+
+
+@pytest.mark.parametrize(("run", "hourglass"), [(reference, 0.02), (coarse_throw, 0.2), (coarse_drive, 0.2)])
+def test_energies_close_and_hourglass_modes_stay_small(run, hourglass):
+    found = run()
+    energy = found.energy
+    total = sum(energy[key] for key in energy if key != "time")
+    assert abs(total - total[0]).max() / energy["kinetic"][0] == pytest.approx(found.energy_error, abs=1e-9)
+    assert found.energy_error < 0.01
+    assert energy["hourglass"].max() < hourglass * energy["strain"].max()
+    assert (np.diff(energy["friction"]) >= -1e-9).all()
+
+
+def test_the_impulse_of_the_force_is_the_momentum_given():
+    found = reference()
+    step = found.step
+    start = 35.0 * np.array([-np.cos(np.radians(11.5)), np.sin(np.radians(11.5))])
+    given = [found.normal_velocity, found.tangential_velocity] - start
+    impulse = step * np.array([found.contact["normal"].sum(), -found.contact["tangential"].sum()])
+    assert impulse == pytest.approx(0.046 * given, rel=1e-9)
+
+
+def test_a_drive_keeps_momentum():
+    found = coarse_drive()
+    launch, mass = found.launch, 0.046
+    club = np.array([launch[f"club_velocity_{axis}"] for axis in "xyz"])
+    ball = np.array([launch[f"velocity_{axis}"] for axis in "xyz"])
+    assert mass * ball + 0.210 * club == pytest.approx([0.210 * 35.0, 0.0, 0.0], abs=1e-9)
+
+
+@pytest.mark.parametrize("make", [throw_case, drive_case])
+def test_the_result_does_not_depend_on_threads(make):
+    one, two = (make(duration="150 us", frames=4, threads=threads).run() for threads in (1, 2))
+    assert (one.frames == two.frames).all()
+    assert (one.contact["normal"] == two.contact["normal"]).all()
+    assert one.backspin == two.backspin
+
+
+def test_no_friction_makes_no_spin_and_leaves_the_velocity_along_the_plane():
+    found = throw_case().replace(friction=0.0).run()
+    assert found.tangential_velocity == pytest.approx(35.0 * np.sin(np.radians(11.5)), rel=1e-9)
+    assert abs(found.backspin) < 1e-6
+    assert np.isnan(found.reversal_time)
+
+
+def test_a_throw_along_the_normal_is_symmetric():
+    found = fem.throw(coarse_throw().ball, speed="35 m/s", friction=0.3)
+    assert abs(found.tangential_velocity) < 1e-9
+    assert abs(found.backspin) < 1e-6
+
+
+def test_a_viscous_ball_loses_energy_and_an_elastic_one_hardly_any():
+    elastic, viscous = coarse_throw(), throw_case().replace(ball=coarse_drive().ball).run()
+    assert viscous.energy["viscous"][-1] > 0.1 * viscous.energy["kinetic"][0]
+    assert elastic.energy["viscous"][-1] == 0.0
+    assert viscous.normal_velocity < 0.93 * elastic.normal_velocity
+
+
+def test_a_run_until_separation_ends_early_with_the_same_launch():
+    short = throw_case(until_separation=True).run()
+    whole = coarse_throw()
+    assert short.contact["time"][-1] < whole.contact["time"][-1]
+    assert short.contact_time == whole.contact_time
+    assert short.normal_velocity == pytest.approx(whole.normal_velocity, rel=1e-9)
+    assert short.backspin == pytest.approx(whole.backspin, rel=1e-9)
