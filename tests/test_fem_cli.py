@@ -110,8 +110,7 @@ def test_a_mistake_is_one_line(clubface_, arguments, words):
 def test_ctrl_c_keeps_what_was_computed(tmp_path):
     pytest.importorskip("matplotlib")
     # Longer than any test waits.
-    path = write_case(tmp_path, duration=100_000)
-    (tmp_path / "ball.toml").write_text((tmp_path / "ball.toml").read_text().replace("cube = 4", "cube = 12"))
+    path = write_case(tmp_path, duration=100_000, old="./ball.toml", new="reference")
     command = [sys.executable, "-c", MAIN, "fem", "run", str(path), "--frames", "5000", "-o"]
     for patience in (1.0, 4.0, 12.0):  # until the run itself has begun, however busy the machine
         out = tmp_path / f"out-{patience:.0f}"
