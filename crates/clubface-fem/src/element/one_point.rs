@@ -266,7 +266,7 @@ impl<'a, P: Pack> Hexahedron<'a, P> {
             let third = p.z.mul_add(t, hourglass[2][axis]);
             let [yz, xz, xy, twist] =
                 [patterns[0][axis], patterns[1][axis], patterns[2][axis], patterns[3][axis]];
-            low[axis][0] = low[axis][0] - third;
+            low[axis][0] -= third;
             low[axis][1] += first - xz;
             low[axis][2] += second - yz;
             low[axis][3] += xy - twist;
