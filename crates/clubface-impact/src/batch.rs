@@ -106,8 +106,10 @@ impl Batch<'_> {
             }
         }
         let work = |(index, mut chunk): (usize, Vec<&mut [f64]>)| {
+            // A pack costs more than one shot alone.
+            let packs = self.model.info().lanes && chunk[0].len() > 1;
             let kernel = Chunk { batch: self, first: rows.start + index * CHUNK, outputs: &mut chunk };
-            if self.model.info().lanes {
+            if packs {
                 dispatch(kernel)
             } else {
                 kernel.run::<f64>()
