@@ -12,9 +12,11 @@ from clubface.fem.materials import Material, Maxwell, laws
 from clubface.fem.reference import reference
 from clubface.fem.result import Impact
 from clubface.fem.run import Settings, strike, throw
+from clubface.fem.sensitivity import Derivatives, sensitivity, variables
 
 __all__ = [
     "Ball",
+    "Derivatives",
     "Impact",
     "Material",
     "Maxwell",
@@ -24,6 +26,8 @@ __all__ = [
     "ball_names",
     "laws",
     "reference",
+    "sensitivity",
     "strike",
     "throw",
+    "variables",
 ]

@@ -1,0 +1,105 @@
+"""Exact derivatives of a finite element launch, by running the same code on numbers with derivatives."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
+
+from clubface.clubs import Club
+from clubface.delivery import Delivery
+from clubface.errors import UnknownNameError
+from clubface.fem.balls import Ball, ball
+from clubface.fem.run import Progress, Settings, core_call, friction_value, inputs_of, one_shot
+from clubface.quantities import outputs
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+VARIABLES_A_RUN = 4
+
+
+class Derivatives(NamedTuple):
+    """Launch of one impact and its derivatives.
+
+    Attributes
+    ----------
+    values
+        Launch quantities by name [SI]; contact time and peak force, which have no derivatives, are NaN.
+    variables
+        Names of the variables.
+    jacobian
+        Derivatives [SI], launch quantities by variables.
+    """
+
+    values: dict[str, float]
+    variables: tuple[str, ...]
+    jacobian: NDArray[Any]
+
+    def by(self, quantity: str, variable: str) -> float:
+        """Return the derivative of one quantity by one variable [SI]."""
+        names = list(self.values)
+        if quantity not in names:
+            raise UnknownNameError("quantity", quantity, names)
+        if variable not in self.variables:
+            raise UnknownNameError("variable", variable, self.variables)
+        return float(self.jacobian[names.index(quantity), self.variables.index(variable)])
+
+
+def variables(club: str | os.PathLike[str] | Club, *, which: str | os.PathLike[str] | Ball = "reference") -> list[str]:
+    """Return what a launch can be differentiated by: delivery, club, friction, and constants of the pieces of a ball.
+
+    A piece has its outer "radius" (thicker cover: smaller "core.radius"), its elastic constants, "bulk", "density",
+    and "maxwell.0.modulus", "maxwell.0.time" and so on.
+    """
+    from clubface import _core
+
+    made = ball(which)
+    return _core.fem_variables(made.values(), inputs_of(one_shot(club, {"speed": 1.0}, made)))
+
+
+def sensitivity(
+    club: str | os.PathLike[str] | Club,
+    delivery: Delivery | Mapping[str, Any] | None = None,
+    *,
+    by: Iterable[str],
+    which: str | os.PathLike[str] | Ball = "reference",
+    friction: Any = 0.35,
+    settings: Settings | None = None,
+    progress: Progress | None = None,
+    **values: Any,
+) -> Derivatives:
+    """Differentiate the launch of one impact with a rigid head.
+
+    Parameters
+    ----------
+    club, delivery, **values, which, friction, settings
+        As of :func:`strike`; left out, the settings end the run soon after the last touch.
+    by
+        Names of variables, see :func:`variables`; every four of them take one run.
+    progress
+        Called with the runs done, in parts, and the runs in all.
+    """
+    from clubface import _core
+    from clubface.shots import as_values
+
+    made, mu = ball(which), friction_value(friction)
+    how = settings or Settings(until_separation=True)
+    names = (by,) if isinstance(by, str) else tuple(by)
+    known = variables(club, which=made)
+    for name in names:
+        if name not in known:
+            raise UnknownNameError("variable", name, known)
+    inputs = inputs_of(one_shot(club, dict(as_values(delivery, values)), made))
+    run, runs = replace(how, frames=0).values(), -(-len(names) // VARIABLES_A_RUN)
+
+    def all_runs(watch: Progress) -> Any:
+        def step(which: int, time: float, whole: float) -> None:
+            watch(which + time / whole, runs)
+
+        return _core.fem_sensitivity(made.values(), inputs, mu, run, list(names), step)
+
+    found, jacobian = cast("tuple[Any, Any]", core_call(all_runs, progress=progress))
+    return Derivatives(dict(zip(outputs(), map(float, found), strict=True)), names, jacobian)
