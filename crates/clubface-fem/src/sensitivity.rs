@@ -66,6 +66,8 @@ impl Setting {
     ///
     /// # Errors
     /// [`FemError`] of a setting that cannot run, of an unknown variable, or of a run that stopped early.
+    // Inlined so that this much code is made only where it is called.
+    #[inline]
     pub fn sensitivity(
         &self,
         variables: &[String],

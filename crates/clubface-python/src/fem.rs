@@ -362,7 +362,7 @@ fn to_dict<'py>(
     motion.set_item("spin", PyArray2::from_vec2(py, &rows(|f| f.spin))?)?;
     dict.set_item("motion", motion)?;
     let energy = PyDict::new(py);
-    columns!(energy, history.energy, time kinetic contact friction);
+    columns!(energy, history.energy, time kinetic contact friction damping);
     macro_rules! element_energies {
         ($($name:ident)+) => {
             $(energy.set_item(stringify!($name), PyArray1::from_iter(py, history.energy.iter().map(|f| f.elements.$name)))?;)+

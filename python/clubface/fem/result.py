@@ -60,7 +60,7 @@ class Impact:
         Arrays over the records: time, velocity and spin along the normal, up the face and to the toe, radius (from mass
         centre to face) [m].
     energy
-        Arrays over fewer records [J]: kinetic, strain, hourglass, viscous, plastic, contact, friction.
+        Arrays over fewer records [J]: kinetic, strain, hourglass, viscous, plastic, contact, friction, damping.
     patch
         Arrays over the nodes of the ball in contact at the records: time, up and toe (from the mass centre, along the
         face of first touch [m]), normal and tangential force [N].

@@ -21,7 +21,7 @@ RPM = units.from_si(1.0, "rpm")
 TAKE_OFF = 5.15
 """Velocity along the face at take-off in P2, section 3.2 [m/s]."""
 ENERGIES = {
-    "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction",
+    "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction", "damping": "damping",
     "hourglass": "hourglass", "contact": "contact springs",
 }  # fmt: skip
 

@@ -16,6 +16,8 @@ pub struct ContactEnergy {
     pub stored: f64,
     /// Turned into heat by sliding.
     pub friction: f64,
+    /// Turned into heat by the damping of nodes that arrive.
+    pub damping: f64,
     /// Kinetic energy of rigid bodies.
     pub bodies: f64,
 }

@@ -7,6 +7,9 @@ use clubface_math::{Real, Row, Vec3};
 /// Penalty stiffness over node mass over the square of the time step. The elements leave room for this much: a node of stiffness
 /// `k` and mass `m` alone is stable up to 4.
 pub const NORMAL_STIFFNESS: f64 = 0.25;
+/// Damping of a node on its normal spring, over critical damping: nodes that arrive one ring after the other at full speed would ring, and the
+/// force with them.
+pub const DAMPING: f64 = 0.15;
 /// Tangential stiffness over normal stiffness.
 pub const TANGENTIAL_STIFFNESS: f64 = 0.5;
 
@@ -103,10 +106,15 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
                 continue;
             }
             let stiffness = candidate.mass * (NORMAL_STIFFNESS / (dt * dt));
-            let pressing = -(stiffness * gap);
+            let relative = velocities[node as usize].vec() - self.surface.velocity(x);
+            let closing = -normal.dot(relative);
+            let spring = -(stiffness * gap);
+            let damper = closing * candidate.mass * (2.0 * DAMPING * NORMAL_STIFFNESS.sqrt() / dt);
+            let pressing = (spring + damper).max(R::zero());
+            self.energy.damping += ((pressing - spring) * closing).re() * dt;
             let tangential = stiffness * TANGENTIAL_STIFFNESS;
             // Stick: the spring follows the node; slip: it is let out until it carries what friction allows.
-            let sliding = (velocities[node as usize].vec() - self.surface.velocity(x)).reject(normal);
+            let sliding = relative.reject(normal);
             let trial = candidate.friction.reject(normal) - sliding * (tangential * dt);
             let most = self.coefficient * pressing;
             let size = trial.norm();
@@ -122,7 +130,7 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
             sum.force += total;
             sum.normal += pressing;
             sum.area += candidate.area;
-            stored += 0.5 * (pressing * pressing / stiffness + friction.norm_squared() / tangential).re();
+            stored += 0.5 * (spring * spring / stiffness + friction.norm_squared() / tangential).re();
         }
         self.resultant = sum;
         self.energy.stored = stored;

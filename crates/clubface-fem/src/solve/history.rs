@@ -43,13 +43,15 @@ pub struct EnergyFrame {
     pub contact: f64,
     /// Turned into heat by friction.
     pub friction: f64,
+    /// Turned into heat by the damping of nodes that arrive at the face.
+    pub damping: f64,
 }
 
 impl EnergyFrame {
     /// Sum of all, J.
     #[must_use]
     pub fn total(&self) -> f64 {
-        self.kinetic + self.elements.total() + self.contact + self.friction
+        self.kinetic + self.elements.total() + self.contact + self.friction + self.damping
     }
 }
 

@@ -241,6 +241,7 @@ impl Run {
             elements,
             contact: contact.stored,
             friction: contact.friction,
+            damping: contact.damping,
         };
         self.history.energy.push(frame);
         let first = &self.history.energy[0];
