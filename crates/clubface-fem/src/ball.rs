@@ -124,14 +124,13 @@ impl<R: Real> Ball<R> {
     ///
     /// # Errors
     /// As [`Ball::check`], or when the other pieces alone are heavier than the ball.
-    pub fn mesh(&self, turn: &Mat3<f64>, centre: Vec3<R>) -> Result<MeshedBall<R>, FemError> {
+    pub fn mesh(&self, turn: &Mat3<R>, centre: Vec3<R>) -> Result<MeshedBall<R>, FemError> {
         self.check()?;
         let radii: Vec<R> = self.pieces.iter().map(|piece| piece.radius).collect();
         let layers = self.pieces.iter().map(|piece| piece.layers).collect();
         let mut mesh = cubed_sphere(&radii, &Fineness { cube: self.cube, layers });
-        let turn = Mat3 { rows: turn.rows.map(|row| Vec3::from_f64(row.array())) };
         for node in &mut mesh.nodes {
-            *node = turn * *node + centre;
+            *node = *turn * *node + centre;
         }
         let volumes: Vec<R> = (0..mesh.elements.len()).map(|e| mesh.volume(e)).collect();
         let materials = self.materials(&mesh, &volumes)?;

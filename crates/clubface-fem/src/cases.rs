@@ -3,9 +3,9 @@
 use crate::ball::Ball;
 use crate::contact::{Plane, RigidContact, RigidHead};
 use crate::error::FemError;
-use crate::solve::{turn, Impact, Structure};
+use crate::solve::{Impact, Structure};
 use clubface_impact::first_touch::FirstTouch;
-use clubface_math::{Real, Row, Vec3};
+use clubface_math::{Mat3, Real, Row, Vec3};
 
 /// A ball thrown at a rigid plane, at `speed` (m/s) and `angle` (rad) from the normal, up the plane.
 ///
@@ -18,7 +18,7 @@ pub fn against_plane<R: Real>(
     friction: R,
 ) -> Result<Impact<R>, FemError> {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from_f64);
-    let meshed = ball.mesh(&turn(&axes), Vec3::new(radius(ball), R::zero(), R::zero()))?;
+    let meshed = ball.mesh(&Mat3::diagonal(R::one()), Vec3::new(radius(ball), R::zero(), R::zero()))?;
     let contact = RigidContact::new(Plane, friction, meshed.surface.clone(), &meshed.masses, &meshed.areas);
     let (radius, inertia, parts) = (meshed.radius, meshed.inertia, meshed.parts.clone());
     let mut structure = Structure::new(meshed.positions(), meshed.masses, meshed.patches, &meshed.surface);
@@ -55,9 +55,8 @@ pub fn against_head<R: Real>(
     }
     let primal = |v: Vec3<R>| Vec3::new(v.x.re(), v.y.re(), v.z.re());
     let (up, toe) = touch.tangents();
-    let axes = [touch.normal, up, toe].map(primal);
     let centre = touch.contact + touch.normal * radius(ball);
-    let meshed = ball.mesh(&turn(&axes), centre)?;
+    let meshed = ball.mesh(&Mat3::from_columns(touch.normal, up, toe), centre)?;
     let head = RigidHead::new(touch);
     let contact = RigidContact::new(head, friction, meshed.surface.clone(), &meshed.masses, &meshed.areas);
     let (radius, inertia, parts) = (meshed.radius, meshed.inertia, meshed.parts.clone());
@@ -68,7 +67,7 @@ pub fn against_head<R: Real>(
         contact: Box::new(contact),
         radius,
         inertia,
-        axes,
+        axes: [touch.normal, up, toe].map(primal),
         head_velocity: touch.club_velocity,
         parts,
     })

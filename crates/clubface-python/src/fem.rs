@@ -200,8 +200,8 @@ pub fn fem_sensitivity<'py>(
     let mut raised = None;
     let found = py.detach(|| {
         let mut watch = |which: usize, at: &Progress| {
+            // Signals reach Python's main thread alone, which ends a run through its progress.
             let looked = Python::attach(|py| {
-                py.check_signals()?;
                 progress.as_ref().map_or(Ok(()), |f| f.call1(py, (which, at.time, at.duration)).map(|_| ()))
             });
             looked.map_err(|error| raised = Some(error)).is_ok()
@@ -278,20 +278,20 @@ fn simulate<'py>(
     let options = options_of(run);
     let progress = progress.map(Bound::unbind);
     let frame_gap = if run.frames > 1 { run.duration / (run.frames - 1) as f64 } else { f64::INFINITY };
-    let frames = run.frames;
+    let (frames, interval) = (run.frames, run.interval);
     let (mut times, mut positions, mut patch) = (Vec::new(), Vec::new(), Vec::new());
     let mut raised = None;
     let pool = pool_of(run)?;
     let outcome = py.detach(|| {
         let mut watch = |at: &Progress, now: &Impact<f64>| {
-            if frames > 0 && at.time >= times.len() as f64 * frame_gap {
+            if frames > 0 && at.time >= times.len() as f64 * frame_gap - 0.5 * interval {
                 times.push(at.time);
                 positions
                     .extend(now.structure.positions.iter().flat_map(|row| [row.0[0], row.0[1], row.0[2]]));
             }
             patch_points(at.time, now, &mut patch);
+            // Signals reach Python's main thread alone, which ends a run through its progress.
             let looked = Python::attach(|py| {
-                py.check_signals()?;
                 progress.as_ref().map_or(Ok(()), |f| f.call1(py, (at.time, at.duration)).map(|_| ()))
             });
             match looked {

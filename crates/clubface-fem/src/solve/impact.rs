@@ -5,7 +5,7 @@ use super::Structure;
 use crate::contact::Contact;
 use crate::error::FemError;
 use clubface_impact::first_touch::Motion;
-use clubface_math::{Mat3, Real, Vec3};
+use clubface_math::{Real, Vec3};
 
 /// How to run.
 #[derive(Clone, Copy, Debug)]
@@ -48,7 +48,7 @@ impl Options {
                 "above 0, at most 1 (the stable step) is allowed",
             ));
         }
-        if !(self.interval > 0.0) || self.energy_every == 0 {
+        if self.interval.is_nan() || self.interval <= 0.0 || self.energy_every == 0 {
             return Err(FemError::input("interval", self.interval, "above 0 s is allowed"));
         }
         Ok(())
@@ -137,11 +137,11 @@ impl<R: Real> Impact<R> {
             if options.until_separation && run.touched.is_some_and(|last| time > last + AFTERWARDS) {
                 break None;
             }
-            let sample = run.step % every == 0;
+            let sample = run.step.is_multiple_of(every);
             if sample && !watch(&Progress { time, duration: options.duration, steps: run.step }, self) {
                 break Some(FemError::Interrupted { microseconds: time * 1e6 });
             }
-            let ledger = sample && run.step / every % options.energy_every == 0;
+            let ledger = sample && (run.step / every).is_multiple_of(options.energy_every);
             if let Err(error) = run.advance(self, sample, ledger) {
                 break Some(error);
             }
@@ -251,10 +251,4 @@ impl Run {
         }
         Ok(())
     }
-}
-
-/// Rotation whose columns are three axes.
-#[must_use]
-pub fn turn(axes: &[Vec3<f64>; 3]) -> Mat3<f64> {
-    Mat3::from_columns(axes[0], axes[1], axes[2])
 }

@@ -6,5 +6,5 @@ mod stable_step;
 mod structure;
 
 pub use history::{ContactFrame, EnergyFrame, Figures, History, MotionFrame};
-pub use impact::{turn, Impact, Options, Outcome, Progress};
+pub use impact::{Impact, Options, Outcome, Progress};
 pub use structure::{Kinetics, Structure};
