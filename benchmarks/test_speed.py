@@ -53,7 +53,7 @@ def test_a_million_impulse_shots(benchmark, threads):
     "arguments",
     [
         ["-c", "import clubface"],
-        ["-m", "clubface.cli", "shot", "driver", "--speed", "113 mph"],
+        ["-m", "clubface", "shot", "driver", "--speed", "113 mph"],
     ],
     ids=["import clubface", "clubface shot driver"],
 )

@@ -35,7 +35,7 @@ def test_the_force_rises_to_a_peak_near_that_of_other_solvers():
     smooth = np.convolve(force, np.ones(count) / count, "same")
     assert smooth.max() == pytest.approx(8637.0, rel=0.03)
     assert time[smooth.argmax()] == pytest.approx(280e-6, abs=15e-6)
-    assert found.peak_force == pytest.approx(8670.0, rel=0.1)
+    assert 8637.0 * 0.97 <= found.peak_force <= 8708.0 * 1.03
     assert (found.tangential_max, -found.tangential_min) == pytest.approx((847.0, 700.0), rel=0.1)
 
 

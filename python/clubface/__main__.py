@@ -1,0 +1,5 @@
+"""``python -m clubface``: the command line."""
+
+from clubface.cli import main
+
+main()
