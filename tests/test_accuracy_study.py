@@ -46,8 +46,8 @@ def errors(model, club, n):
 @pytest.mark.parametrize("model", ["volumetric", "area"])
 def test_the_launch_is_within_a_ten_thousandth_for_nearly_all_deliveries(model, club):
     launch, _ = errors(model, club, 20_000)
-    # The setting is made for 1e-4 at ordinary deliveries. A step's error is an estimate: measured here, 99% of all shots are
-    # within 0.7e-4, and the worst of 20 000 differs by 1.7e-4.
+    # The setting is made for 1e-4 at ordinary deliveries. The error of a step is an estimate: here 99% of all shots
+    # are within 0.7e-4, and the worst of 20 000 differs by 1.7e-4.
     assert np.quantile(launch, 0.99) < 1e-4
     assert launch.max() < 3e-4
 
