@@ -5,6 +5,7 @@
 pub mod ball;
 pub mod cases;
 pub mod contact;
+pub mod driver;
 pub mod element;
 pub mod error;
 pub mod material;

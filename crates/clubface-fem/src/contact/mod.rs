@@ -1,8 +1,11 @@
 //! Contact of the ball with a face.
 
+mod face;
 mod head;
 mod rigid;
+mod surface;
 
+pub use face::{BallSide, FaceContact, FaceSide};
 pub use head::RigidHead;
 pub use rigid::{Plane, RigidContact, RigidSurface, NORMAL_STIFFNESS, TANGENTIAL_STIFFNESS};
 

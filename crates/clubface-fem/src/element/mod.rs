@@ -6,9 +6,14 @@ mod indexed;
 mod lattice;
 mod one_point;
 mod point;
+mod quadrilateral;
+mod section;
+mod shell;
 mod solid;
 
 pub use full_patch::{full_patches, FullPatch};
+pub use section::Isotropic;
+pub use shell::{ShellMaterial, ShellPatch, ShellRows, SHELL_PATCH};
 pub use solid::{solid_patches, SolidPatch};
 
 use crate::error::FemError;
@@ -60,6 +65,11 @@ pub trait Patch<R: Real>: Send + Sync {
     fn nodes(&self) -> &[u32];
     /// Computes the forces for the given positions (m) and velocities (m/s) of all nodes; histories move on by `dt` seconds.
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64);
+    /// Computes the forces after small displacements (m, or rad) to the given positions, the histories left as they are. Elements whose
+    /// stress follows from positions alone need only those, in no time.
+    fn probe(&mut self, positions: &[Row<R>], displacements: &[Row<R>]) {
+        self.assemble(positions, displacements, 0.0);
+    }
     /// Forces on [`Patch::nodes`], N.
     fn forces(&self) -> &[Row<R>];
     /// Energies at the given positions; the history stays as it is.

@@ -1,8 +1,14 @@
-//! Solid meshes of hexahedra.
+//! Meshes: hexahedra of solids, quadrilaterals of shells.
 
 mod cubed_sphere;
+mod driver;
+mod quads;
+mod tuning;
 
 pub use cubed_sphere::{cubed_sphere, Fineness};
+pub use driver::{DriverFineness, DriverMesh, DriverShape, DriverThickness, Region};
+pub use quads::{ShellMasses, ShellMesh, ROTARY};
+pub use tuning::{mass_properties, tune, MassProperties, Target, Trim, Tuned};
 
 use clubface_math::{Scalar, Vec3};
 

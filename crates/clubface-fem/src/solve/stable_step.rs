@@ -1,7 +1,7 @@
 //! The largest time step that central differences bear.
 
 use super::Structure;
-use clubface_math::Real;
+use clubface_math::{Real, Row};
 use rayon::prelude::*;
 
 /// Largest displacement by which stiffness is felt, m: small beside any element, large beside the rounding of positions.
@@ -15,6 +15,7 @@ impl<R: Real> Structure<R> {
     /// the highest mode has been found. Histories return to what they were with the positions.
     pub fn stable_step(&mut self, iterations: usize) -> f64 {
         let rest = self.positions.clone();
+        let mut displacements = vec![Row::zero(); rest.len()];
         let masses: Vec<f64> = self.masses.iter().map(|m| m.re()).collect();
         // A deterministic start with a part along every mode.
         let mut seed = 1_u64;
@@ -32,13 +33,15 @@ impl<R: Real> Structure<R> {
             }
             let largest = current.iter().flatten().fold(0.0_f64, |most, v| most.max(v.abs()));
             let scale = DISPLACEMENT / largest;
-            for ((x, r), v) in self.positions.iter_mut().zip(&rest).zip(&current) {
+            for (((x, u), r), v) in self.positions.iter_mut().zip(&mut displacements).zip(&rest).zip(&current)
+            {
                 for c in 0..3 {
-                    x.0[c] = r.0[c] + v[c] * scale;
+                    u.0[c] = R::from_f64(v[c] * scale);
+                    x.0[c] = r.0[c] + u.0[c];
                 }
             }
-            let (positions, velocities) = (&self.positions, &self.velocities);
-            self.patches.par_iter_mut().for_each(|patch| patch.assemble(positions, velocities, 0.0));
+            let positions = &self.positions;
+            self.patches.par_iter_mut().for_each(|patch| patch.probe(positions, &displacements));
             // The next vector: accelerations, without what lies along the last two.
             let last = beside.last().copied().unwrap_or(0.0);
             for v in before.iter_mut().flatten() {

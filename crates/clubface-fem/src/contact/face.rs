@@ -1,0 +1,233 @@
+//! Nodes of the ball against the shells of a face: penalty with Coulomb friction that sticks, both sides deforming.
+//!
+//! The force on a ball node acts at that node on both sides: the corners of the quadrilateral below it take its opposite by their bilinear
+//! weights, with the moment of the distance between the middle surface and the node, so that impulse and angular momentum balance to
+//! rounding.
+
+use super::rigid::{DAMPING, NORMAL_STIFFNESS, TANGENTIAL_STIFFNESS};
+use super::surface::{Foot, Surface};
+use super::{Contact, ContactEnergy, Resultant};
+use crate::material::cross;
+use clubface_impact::first_touch::Motion;
+use clubface_math::{Real, Row, Vec3};
+
+/// Closing speed assumed when a node is left alone for some steps, over the largest seen so far.
+const CAUTION: f64 = 4.0;
+/// Most steps a node is left alone.
+const REST: f64 = 100.0;
+
+/// A ball node that may touch.
+struct Candidate<R> {
+    mass: R,
+    area: f64,
+    friction: Vec3<R>,
+    quad: u32,
+    at: [R; 2],
+    /// Steps for which it cannot touch.
+    rest: u32,
+}
+
+/// The nodes of one side of a contact.
+pub struct BallSide<'a, R> {
+    /// Nodes that may touch.
+    pub nodes: &'a [u32],
+    /// Masses of all nodes, kg.
+    pub masses: &'a [R],
+    /// Shares of all nodes in the surface, m2.
+    pub areas: &'a [f64],
+}
+
+/// The shells of the other side.
+pub struct FaceSide<'a, R> {
+    /// Rows of the corners' positions, by quadrilateral, counterclockwise seen from outside.
+    pub quads: &'a [[u32; 4]],
+    /// Thickness of each quadrilateral, m.
+    pub thickness: &'a [R],
+    /// Row of a node's rotation less the row of its position.
+    pub rotations: u32,
+    /// Masses of all rows, kg or kg m2.
+    pub masses: &'a [R],
+}
+
+/// Contact of ball nodes with a deformable face.
+pub struct FaceContact<R> {
+    coefficient: R,
+    /// Ball nodes, face positions, face rotations.
+    nodes: Vec<u32>,
+    candidates: Vec<Candidate<R>>,
+    surface: Surface<R>,
+    /// Inverse masses of the face's nodes.
+    mobilities: Vec<R>,
+    forces: Vec<Row<R>>,
+    /// Quadrilateral from which searches without a guess start.
+    centre: u32,
+    fastest: f64,
+    resultant: Resultant<R>,
+    energy: ContactEnergy,
+}
+
+impl<R: Real> FaceContact<R> {
+    /// Contact of ball and face under a coefficient of friction, for rows at the given positions.
+    pub fn new(ball: &BallSide<R>, face: &FaceSide<R>, coefficient: R, positions: &[Row<R>]) -> Self {
+        let mut rows: Vec<u32> = face.quads.iter().flatten().copied().collect();
+        rows.sort_unstable();
+        rows.dedup();
+        let quads: Vec<[u32; 4]> =
+            face.quads.iter().map(|quad| quad.map(|n| rows.partition_point(|&r| r < n) as u32)).collect();
+        let mut surface = Surface::new(quads, face.thickness, rows.len());
+        surface.update(positions, &rows);
+        let candidates: Vec<_> = ball
+            .nodes
+            .iter()
+            .map(|&n| Candidate {
+                mass: ball.masses[n as usize],
+                area: ball.areas[n as usize],
+                friction: Vec3::zero(),
+                quad: surface.closest(positions[n as usize].vec()),
+                at: [R::zero(); 2],
+                rest: 0,
+            })
+            .collect();
+        let mobilities = rows.iter().map(|&n| face.masses[n as usize].recip()).collect();
+        let nodes: Vec<u32> = ball
+            .nodes
+            .iter()
+            .copied()
+            .chain(rows.iter().copied())
+            .chain(rows.iter().map(|n| n + face.rotations))
+            .collect();
+        // The ball touches first where a node of it is nearest.
+        let gap = |c: &Candidate<R>, n: u32| {
+            surface.foot_from(positions[n as usize].vec(), c.quad).map_or(f64::INFINITY, |foot| foot.gap.re())
+        };
+        let nearest = candidates
+            .iter()
+            .zip(ball.nodes)
+            .map(|(c, &n)| (gap(c, n), c.quad))
+            .fold((f64::INFINITY, 0), |best, next| if next.0 < best.0 { next } else { best });
+        Self {
+            coefficient,
+            forces: vec![Row::zero(); nodes.len()],
+            nodes,
+            candidates,
+            surface,
+            mobilities,
+            centre: nearest.1,
+            fastest: 0.0,
+            resultant: Resultant { force: Vec3::zero(), normal: R::zero(), area: 0.0 },
+            energy: ContactEnergy::default(),
+        }
+    }
+
+    /// Distance between ball and face, m, at the positions of the last step.
+    #[must_use]
+    pub fn clearance(&self, positions: &[Row<R>]) -> f64 {
+        self.candidates
+            .iter()
+            .zip(&self.nodes)
+            .filter_map(|(c, &n)| self.surface.foot_from(positions[n as usize].vec(), c.quad))
+            .fold(f64::INFINITY, |least, foot| least.min(foot.gap.re()))
+    }
+}
+
+impl<R: Real> Contact<R> for FaceContact<R> {
+    fn nodes(&self) -> &[u32] {
+        &self.nodes
+    }
+    fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64) {
+        let balls = self.candidates.len();
+        let count = self.mobilities.len();
+        let (face, rotations) = self.nodes[balls..].split_at(count);
+        self.surface.update(positions, face);
+        let (on_ball, on_face) = self.forces.split_at_mut(balls);
+        on_face.fill(Row::zero());
+        let (on_nodes, moments) = on_face.split_at_mut(count);
+        let mut sum = Resultant { force: Vec3::zero(), normal: R::zero(), area: 0.0 };
+        let mut stored = 0.0;
+        for ((&node, candidate), force) in self.nodes.iter().zip(&mut self.candidates).zip(on_ball) {
+            *force = Row::zero();
+            if candidate.rest > 0 {
+                candidate.rest -= 1;
+                continue;
+            }
+            let x = positions[node as usize].vec();
+            let Some(foot) = self.surface.foot(x, candidate.quad, candidate.at) else {
+                candidate.friction = Vec3::zero();
+                candidate.rest = 4;
+                continue;
+            };
+            (candidate.quad, candidate.at) = (foot.quad, foot.at);
+            let corners = self.surface.quads[foot.quad as usize].map(|n| n as usize);
+            let mut velocity = velocities[node as usize].vec();
+            let (mut mobility, mut spin, mut arm) = (R::zero(), Vec3::zero(), x);
+            for (&corner, &weight) in corners.iter().zip(&foot.weights) {
+                velocity += velocities[face[corner] as usize].vec() * -weight;
+                spin += velocities[rotations[corner] as usize].vec() * weight;
+                mobility += weight * weight * self.mobilities[corner];
+                arm += self.surface.positions[corner] * -weight;
+            }
+            velocity += cross(arm, spin);
+            let gap = foot.gap.re();
+            if gap >= 0.0 {
+                candidate.friction = Vec3::zero();
+                self.fastest = self.fastest.max(velocity.norm_squared().re());
+                candidate.rest = (gap / (CAUTION * self.fastest.sqrt() * dt)).min(REST) as u32;
+                continue;
+            }
+            // The reduced mass of node and face gives the stability that the node's mass gives against a rigid face.
+            let mass = (candidate.mass.recip() + mobility).recip();
+            let stiffness = mass * (NORMAL_STIFFNESS / (dt * dt));
+            let closing = -foot.normal.dot(velocity);
+            let spring = -(stiffness * foot.gap);
+            let damper = closing * mass * (2.0 * DAMPING * NORMAL_STIFFNESS.sqrt() / dt);
+            let pressing = (spring + damper).max(R::zero());
+            self.energy.damping += ((pressing - spring) * closing).re() * dt;
+            let tangential = stiffness * TANGENTIAL_STIFFNESS;
+            let trial = (candidate.friction - velocity * (tangential * dt)).reject(foot.normal);
+            let most = self.coefficient * pressing;
+            let size = trial.norm();
+            let mut friction = trial;
+            if size.re() > most.re() {
+                friction = trial * (most / size);
+                self.energy.friction += (most * (size - most) / tangential).re();
+            }
+            candidate.friction = friction;
+            let total = foot.normal * pressing + friction;
+            *force = Row::from_vec(total);
+            let moment = cross(arm, total);
+            spread(&foot, &corners, total, on_nodes);
+            spread(&foot, &corners, moment, moments);
+            sum.force += total;
+            sum.normal += pressing;
+            sum.area += candidate.area;
+            stored += 0.5 * (spring * spring / stiffness + friction.norm_squared() / tangential).re();
+        }
+        self.resultant = sum;
+        self.energy.stored = stored;
+    }
+    fn forces(&self) -> &[Row<R>] {
+        &self.forces
+    }
+    fn resultant(&self) -> Resultant<R> {
+        self.resultant
+    }
+    fn energy(&self) -> ContactEnergy {
+        self.energy
+    }
+    fn nearest(&self, point: Vec3<R>) -> (R, Vec3<R>) {
+        self.surface
+            .foot_from(point, self.centre)
+            .map_or((R::from_f64(f64::NAN), Vec3::zero()), |foot| (foot.gap, foot.normal))
+    }
+    fn head(&self) -> Option<Motion<R>> {
+        None
+    }
+}
+
+/// Takes a vector from the corners of a quadrilateral by their weights.
+#[inline(always)]
+fn spread<R: Real>(foot: &Foot<R>, corners: &[usize; 4], value: Vec3<R>, rows: &mut [Row<R>]) {
+    for (&corner, &weight) in corners.iter().zip(&foot.weights) {
+        rows[corner].add(value * -weight);
+    }
+}

@@ -1,0 +1,231 @@
+//! A deforming surface of quadrilaterals with a normal that is continuous across their edges.
+
+use crate::material::{cross, dot};
+use clubface_math::{Real, Row, Vec3};
+
+/// Largest reference coordinate at which a point still belongs to a quadrilateral.
+const INSIDE: f64 = 1.0 + 1e-9;
+/// Most quadrilaterals a search passes through from where it starts.
+const WALK: usize = 64;
+/// Newton steps in one quadrilateral: from the last step's answer the second is exact to rounding.
+const NEWTON: usize = 2;
+
+/// Reference coordinates of a quadrilateral's corners.
+const SIGNS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+
+/// Where a point stands over the surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Foot<R> {
+    /// Quadrilateral below the point.
+    pub quad: u32,
+    /// Reference coordinates in it.
+    pub at: [R; 2],
+    /// Distance from the outer side of the shell along the normal, m.
+    pub gap: R,
+    /// Outward unit normal.
+    pub normal: Vec3<R>,
+    /// Bilinear weights of the corners.
+    pub weights: [R; 4],
+}
+
+/// The outer side of some shells, half their thickness outside their nodes.
+pub struct Surface<R> {
+    /// Corners of the quadrilaterals, places among its nodes.
+    pub quads: Vec<[u32; 4]>,
+    /// Neighbour across each edge (corner to next corner), or `u32::MAX`.
+    neighbours: Vec<[u32; 4]>,
+    /// Quadrilaterals round node `n`: `round[first[n]..first[n + 1]]`.
+    first: Vec<u32>,
+    round: Vec<u32>,
+    /// Half the thickness at each node, m.
+    offsets: Vec<R>,
+    /// Positions of the nodes, m.
+    pub positions: Vec<Vec3<R>>,
+    normals: Vec<Vec3<R>>,
+    /// Step at which each normal was made.
+    made: Vec<u32>,
+    step: u32,
+}
+
+impl<R: Real> Surface<R> {
+    /// From quadrilaterals, counterclockwise seen from outside, with the thickness (m) of each.
+    pub fn new(quads: Vec<[u32; 4]>, thickness: &[R], nodes: usize) -> Self {
+        let mut edges = std::collections::HashMap::new();
+        for (q, quad) in quads.iter().enumerate() {
+            for k in 0..4 {
+                edges.insert((quad[k], quad[(k + 1) % 4]), q as u32);
+            }
+        }
+        let neighbours = quads
+            .iter()
+            .map(|quad| [0, 1, 2, 3].map(|k| *edges.get(&(quad[(k + 1) % 4], quad[k])).unwrap_or(&u32::MAX)))
+            .collect();
+        let mut around = vec![Vec::new(); nodes];
+        for (q, quad) in quads.iter().enumerate() {
+            for &node in quad {
+                around[node as usize].push(q as u32);
+            }
+        }
+        let (mut first, mut round) = (vec![0], Vec::new());
+        let mut offsets = Vec::new();
+        for list in around {
+            let mut sum = R::zero();
+            for &q in &list {
+                sum += thickness[q as usize];
+            }
+            offsets.push(sum * (0.5 / list.len() as f64));
+            round.extend(list);
+            first.push(round.len() as u32);
+        }
+        let zeros = vec![Vec3::zero(); nodes];
+        Self {
+            quads,
+            neighbours,
+            first,
+            round,
+            offsets,
+            positions: zeros.clone(),
+            normals: zeros,
+            made: vec![0; nodes],
+            step: 0,
+        }
+    }
+
+    /// Takes up the positions of its nodes at a new step.
+    pub fn update(&mut self, rows: &[Row<R>], nodes: &[u32]) {
+        for (position, &node) in self.positions.iter_mut().zip(nodes) {
+            *position = rows[node as usize].vec();
+        }
+        self.step += 1;
+    }
+
+    /// Sum of the area vectors round a node, to unit length.
+    fn fresh_normal(&self, node: usize) -> Vec3<R> {
+        let mut sum = Vec3::zero();
+        for &q in &self.round[self.first[node] as usize..self.first[node + 1] as usize] {
+            let [a, b, c, d] = self.quads[q as usize].map(|n| self.positions[n as usize]);
+            sum += cross(c - a, d - b);
+        }
+        sum * dot(sum, sum).sqrt().recip()
+    }
+
+    /// Normals of a quadrilateral's corners at this step.
+    fn normals(&mut self, quad: u32) -> [Vec3<R>; 4] {
+        self.quads[quad as usize].map(|node| {
+            let node = node as usize;
+            if self.made[node] != self.step {
+                self.made[node] = self.step;
+                self.normals[node] = self.fresh_normal(node);
+            }
+            self.normals[node]
+        })
+    }
+
+    /// Quadrilateral whose centre is closest to a point.
+    pub fn closest(&self, point: Vec3<R>) -> u32 {
+        let distance = |quad: &[u32; 4]| {
+            let mut away = point * R::from_f64(-4.0);
+            for &node in quad {
+                away += self.positions[node as usize];
+            }
+            away.norm_squared().re()
+        };
+        let mut best = (f64::INFINITY, 0);
+        for (q, quad) in self.quads.iter().enumerate() {
+            let d = distance(quad);
+            if d < best.0 {
+                best = (d, q as u32);
+            }
+        }
+        best.1
+    }
+
+    /// Foot of a point, searched from a quadrilateral and reference coordinates in it; none if the point is beyond the surface's edge.
+    pub fn foot(&mut self, point: Vec3<R>, quad: u32, at: [R; 2]) -> Option<Foot<R>> {
+        let (mut quad, mut at) = (quad, at);
+        for _ in 0..WALK {
+            let normals = self.normals(quad);
+            let foot = self.project(point, quad, at, &normals);
+            match self.next(&foot) {
+                None => return Some(foot),
+                Some(u32::MAX) => return None,
+                Some(neighbour) => quad = neighbour,
+            }
+            at = [R::zero(); 2];
+        }
+        None
+    }
+
+    /// The same from the middle of a quadrilateral, without keeping the normals.
+    pub fn foot_from(&self, point: Vec3<R>, quad: u32) -> Option<Foot<R>> {
+        let mut quad = quad;
+        for _ in 0..WALK {
+            let normals = self.quads[quad as usize].map(|node| self.fresh_normal(node as usize));
+            let rough = self.project(point, quad, [R::zero(); 2], &normals);
+            match self.next(&rough) {
+                None => return Some(self.project(point, quad, rough.at, &normals)),
+                Some(u32::MAX) => return None,
+                Some(neighbour) => quad = neighbour,
+            }
+        }
+        None
+    }
+
+    /// Neighbour in whose direction a foot lies outside its quadrilateral, if it does: across the edge that is passed by more.
+    fn next(&self, foot: &Foot<R>) -> Option<u32> {
+        let [xi, eta] = foot.at.map(clubface_math::Scalar::re);
+        if xi.abs() <= INSIDE && eta.abs() <= INSIDE {
+            return None;
+        }
+        let side = match (xi.abs() > eta.abs(), xi > 0.0, eta > 0.0) {
+            (true, true, _) => 1,
+            (true, false, _) => 3,
+            (false, _, true) => 2,
+            (false, _, false) => 0,
+        };
+        Some(self.neighbours[foot.quad as usize][side])
+    }
+
+    /// Point of a quadrilateral whose interpolated normal leads to `point`.
+    fn project(&self, point: Vec3<R>, quad: u32, start: [R; 2], normals: &[Vec3<R>; 4]) -> Foot<R> {
+        let nodes = self.quads[quad as usize];
+        let x = nodes.map(|n| self.positions[n as usize]);
+        let ([x0, x1, x2, x3], [n0, n1, n2, n3]) = (modes(&x), modes(normals));
+        let mut at = start;
+        let mut height = dot(point - x0, n0);
+        for _ in 0..NEWTON {
+            let [xi, eta] = at;
+            let (n, nx, ny) = (n0 + n1 * xi + (n2 + n3 * xi) * eta, n1 + n3 * eta, n2 + n3 * xi);
+            let position = x0 + x1 * xi + (x2 + x3 * xi) * eta;
+            let rest = point - position - n * height;
+            let (a, b) = (x1 + x3 * eta + nx * height, x2 + x3 * xi + ny * height);
+            let (ab, bn, na) = (cross(a, b), cross(b, n), cross(n, a));
+            let scale = dot(ab, n).recip();
+            // Far outside, a full step would leave the neighbourhood where the element means anything.
+            at = [limit(xi + dot(bn, rest) * scale), limit(eta + dot(na, rest) * scale)];
+            height += dot(ab, rest) * scale;
+        }
+        let [xi, eta] = at;
+        let n = n0 + n1 * xi + (n2 + n3 * xi) * eta;
+        let size = dot(n, n).sqrt();
+        let weights = SIGNS.map(|[s, t]| (xi * s + 1.0) * (eta * t + 1.0) * 0.25);
+        let mut offset = R::zero();
+        for k in 0..4 {
+            offset += weights[k] * self.offsets[nodes[k] as usize];
+        }
+        Foot { quad, at, gap: height * size - offset, normal: n * size.recip(), weights }
+    }
+}
+
+#[inline(always)]
+fn limit<R: Real>(c: R) -> R {
+    c.min(R::from_f64(3.0)).max(R::from_f64(-3.0))
+}
+
+/// Bilinear map by powers: constant, along xi, along eta, both.
+#[inline(always)]
+fn modes<R: Real>(x: &[Vec3<R>; 4]) -> [Vec3<R>; 4] {
+    let quarter = R::from_f64(0.25);
+    let (a, b, c, d) = (x[0] + x[1], x[2] + x[3], x[1] - x[0], x[2] - x[3]);
+    [(a + b) * quarter, (c + d) * quarter, (b - a) * quarter, (d - c) * quarter]
+}
