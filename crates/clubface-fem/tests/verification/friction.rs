@@ -1,7 +1,7 @@
 //! Friction of a rigid sphere: sliding limited by the coefficient, sticking on the springs of the contact, and rolling at last.
 
-use super::support::rows;
-use clubface_fem::contact::{Contact, RigidContact, RigidSurface, NORMAL_STIFFNESS, TANGENTIAL_STIFFNESS};
+use super::support::{rows, SPRING};
+use clubface_fem::contact::{Contact, RigidContact, RigidSurface, TANGENTIAL_STIFFNESS};
 use clubface_impact::first_touch::Motion;
 use clubface_math::Vec3;
 
@@ -49,8 +49,8 @@ impl RigidSurface<f64> for Sphere {
 /// Velocities along the plane, one a step, of a sphere that comes with `velocity` and presses on one node at rest.
 fn meet(friction: f64, velocity: Vec3<f64>, pressed: f64, steps: usize) -> (Vec<f64>, Motion<f64>) {
     let sphere = Sphere { height: RADIUS, velocity, spin: Vec3::zero(), pressed, force: Vec3::zero() };
-    let mass = STIFFNESS * STEP * STEP / NORMAL_STIFFNESS;
-    let mut contact = RigidContact::new(sphere, friction, vec![0], &[mass], &[0.0]);
+    let mass = STIFFNESS * STEP * STEP / SPRING;
+    let mut contact = RigidContact::new(sphere, friction, vec![0], &[mass], &[0.0]).with_springs(SPRING, 0.0);
     let node = rows(&[Vec3::zero()]);
     let mut along = vec![];
     for _ in 0..steps {

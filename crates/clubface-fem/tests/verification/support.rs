@@ -215,7 +215,11 @@ pub struct Bounce {
     pub steps: usize,
 }
 
-/// Throws a body at a plane: `surface` its outer nodes with their areas (m2), friction, velocity (m/s), duration (s).
+/// Stiffness of undamped contact springs, for comparison with closed forms that have none.
+pub const SPRING: f64 = 0.25;
+
+/// Throws a body at a plane: `surface` its outer nodes with their areas (m2), friction, velocity (m/s), duration (s), stiffness and damping of the
+/// contact springs.
 pub fn bounce(
     body: &mut Structure<f64>,
     surface: &[u32],
@@ -223,8 +227,10 @@ pub fn bounce(
     friction: f64,
     velocity: Vec3<f64>,
     duration: f64,
+    springs: (f64, f64),
 ) -> Bounce {
-    let mut contact = RigidContact::new(Plane, friction, surface.to_vec(), &body.masses, areas);
+    let mut contact = RigidContact::new(Plane, friction, surface.to_vec(), &body.masses, areas)
+        .with_springs(springs.0, springs.1);
     let dt = body.stable_step(60) * 0.8;
     body.velocities.fill(Row::from_vec(velocity));
     let mass: f64 = body.masses.iter().sum();
