@@ -38,6 +38,7 @@ _HOME = {
     "Model": "models",
     "ParameterSet": "parameters",
     "PredictReport": "predict",
+    "RecordedShots": "recorded",
     "Sensitivity": "sensitivity",
     "Trajectory": "trajectory",
     "ball": "balls",
@@ -47,6 +48,7 @@ _HOME = {
     "impact": "impact",
     "models": "models",
     "predict": "predict",
+    "read_shots": "recorded",
     "sensitivity": "sensitivity",
     "trajectory": "trajectory",
 }

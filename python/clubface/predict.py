@@ -17,7 +17,7 @@ from clubface.impact import Parameters
 from clubface.predict_run import Task, results_of, run
 from clubface.run_options import thread_count
 from clubface.shots import equipment, hand_value, parameter_set
-from clubface.table_columns import layout
+from clubface.table_columns import layout, require_speed
 from clubface.table_reader import open_table
 from clubface.table_writer import is_parquet, unfinished
 
@@ -176,6 +176,7 @@ def predict(
     reader = open_table(path)
     try:
         columns = layout(reader.headings, reader.path, reader.header_line)
+        require_speed(columns, reader.path, reader.header_line)
         task = Task(shot, flight, side, columns, results_of(model, carry))
         outcome = run(reader, task, (path, target, aside), chunk_rows, progress, resume)
     finally:

@@ -1,13 +1,14 @@
-"""Which column of a file of deliveries is which quantity, and in which unit."""
+"""Which column of a table of shots is which quantity, and in which unit."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from functools import cache
 from typing import NamedTuple
 
 from clubface import units
 from clubface.errors import FileError, UnitError
-from clubface.quantities import input_dimensions, inputs
+from clubface.quantities import flight_outputs, input_dimensions, inputs, outputs
 
 SYNONYMS = {
     "speed": ("club_speed", "clubhead_speed", "club_head_speed", "head_speed"),
@@ -25,7 +26,61 @@ SYNONYMS = {
 }
 """Other names of the inputs of a delivery, in the words of launch monitors."""
 
+LAUNCH_SYNONYMS = {
+    "ball_speed": ("ball_velocity",),
+    "smash": ("smash_factor",),
+    "launch": ("launch_angle", "vertical_launch_angle", "vertical_launch"),
+    "azimuth": ("launch_direction", "horizontal_launch_angle", "horizontal_launch", "side_angle"),
+    "backspin": ("back_spin",),
+    "sidespin": ("side_spin",),
+    "total_spin": ("spin_rate", "spin"),
+    "spin_axis": ("spin_axis_tilt", "spin_tilt"),
+    "contact_time": (),
+    "peak_force": (),
+    "carry": ("carry_distance",),
+    "side": ("carry_side", "offline"),
+    "apex": ("peak_height", "max_height"),
+    "flight_time": ("hang_time",),
+    "landing_angle": ("landing", "descent_angle"),
+    "landing_speed": (),
+    "total": ("total_distance",),
+    "total_side": (),
+}
+"""The quantities of a launch and its flight that a table may hold, with other names of each."""
+
 HAND = "hand"
+
+
+class Vocabulary(NamedTuple):
+    """The words a table may use.
+
+    Attributes
+    ----------
+    names
+        The quantity meant by every name a column may have.
+    dimensions
+        The dimension of each quantity.
+    """
+
+    names: Mapping[str, str]
+    dimensions: Mapping[str, str]
+
+
+@cache
+def delivery_words() -> Vocabulary:
+    """Return the words for the inputs of an impact."""
+    own = {name: name for name in inputs()}
+    return Vocabulary(own | _reversed(SYNONYMS), input_dimensions())
+
+
+@cache
+def shot_words() -> Vocabulary:
+    """Return the words for the inputs of an impact and for what is measured of the launch and the flight."""
+    names, dimensions = delivery_words()
+    found = {**flight_outputs(), **outputs()}
+    own = {name: name for name in LAUNCH_SYNONYMS}
+    launches = {name: found[name].dimension for name in LAUNCH_SYNONYMS}
+    return Vocabulary({**names, **own, **_reversed(LAUNCH_SYNONYMS)}, {**dimensions, **launches})
 
 
 class Column(NamedTuple):
@@ -70,47 +125,52 @@ class Layout(NamedTuple):
     notes: tuple[str, ...]
 
 
-def layout(headings: Sequence[str], path: str, line: int | None) -> Layout:
-    """Find the inputs among ``headings``; a unit that does not fit, a repeated or missing column is an error."""
+def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabulary | None = None) -> Layout:
+    """Find the quantities among ``headings``; a unit that does not fit or a repeated column is an error.
+
+    Without ``words`` they are the inputs of an impact.
+    """
+    words = words or delivery_words()
     named = tuple(heading.strip() or f"column_{place + 1}" for place, heading in enumerate(headings))
     for place, heading in enumerate(named):
         if heading in named[:place]:
             raise FileError(path, line, f"the column {heading!r} is there twice", heading)
-    meanings = known_names()
     used: dict[str, Column] = {}
     passed, notes = [], []
     for place, heading in enumerate(named):
-        name, unit = _split(heading, path, line)
-        quantity = meanings.get(name)
+        name, unit = _split(heading, path, line, words)
+        quantity = words.names.get(name)
         if quantity is None:
             passed.append(heading)
-            near = _near(name, meanings)
+            near = _near(name, words.names)
             if near is not None:
                 notes.append(f"the column {heading!r} is not used; did you mean {near}?")
             continue
         if quantity in used:
             message = f"the columns {used[quantity].heading!r} and {heading!r} both give the {quantity}"
             raise FileError(path, line, message, heading)
-        used[quantity] = Column(place, heading, quantity, _unit_of(quantity, unit, heading, path, line))
+        used[quantity] = Column(place, heading, quantity, _unit_of(quantity, unit, heading, (path, line), words))
         if unit is None and used[quantity].unit != "1":
             notes.append(f"the column {heading!r} names no unit: taken as {used[quantity].unit}")
-    if "speed" not in used:
-        found = ", ".join(named[:12]) + (", ..." if len(named) > 12 else "")
-        message = f'there is no column for the clubhead speed, such as "club_speed_mph"; there are: {found}'
-        raise FileError(path, line, message, "speed")
     return Layout(named, tuple(used.values()), tuple(passed), tuple(notes))
 
 
-def known_names() -> dict[str, str]:
-    """Return the input meant by every name a column may have."""
-    own = {name: name for name in inputs()}
-    return own | {other: name for name, others in SYNONYMS.items() for other in others}
+def require_speed(found: Layout, path: str, line: int | None) -> None:
+    """Refuse a table without the clubhead speed, the one input without a default."""
+    if all(each.quantity != "speed" for each in found.used):
+        message = f'there is no column for the clubhead speed, such as "club_speed_mph"; {listed(found.headings)}'
+        raise FileError(path, line, message, "speed")
 
 
-def _split(heading: str, path: str, line: int | None) -> tuple[str, str | None]:
+def listed(headings: Sequence[str]) -> str:
+    """Name the columns there are, the first dozen of them."""
+    return "there are: " + ", ".join(headings[:12]) + (", ..." if len(headings) > 12 else "")
+
+
+def _split(heading: str, path: str, line: int | None, words: Vocabulary) -> tuple[str, str | None]:
     """Return the name in lower case and the unit of a heading."""
     text = "_".join(heading.replace("-", "_").split()) if "[" not in heading and "(" not in heading else heading
-    known = known_names()
+    known = words.names
     unknown: object = None
     for spelled in (text, text.lower()):
         try:
@@ -118,17 +178,18 @@ def _split(heading: str, path: str, line: int | None) -> tuple[str, str | None]:
         except UnitError as error:
             unknown = error.value
             continue
-        if _plain(name) in known:
-            return _plain(name), unit
-    name = _plain(text.partition("[")[0].partition("(")[0])
+        if plain_name(name) in known:
+            return plain_name(name), unit
+    name = plain_name(text.partition("[")[0].partition("(")[0])
     if unknown is not None and name in known:
-        allowed = " or ".join(units.symbols(input_dimensions()[known[name]]))
+        allowed = " or ".join(units.symbols(words.dimensions[known[name]]))
         message = f"the column {heading!r} is in the unknown unit {unknown!r}; it must be in {allowed}"
         raise FileError(path, line, message, heading)
-    return _plain(text) if unknown is None else name, None
+    return plain_name(text) if unknown is None else name, None
 
 
-def _plain(name: str) -> str:
+def plain_name(name: str) -> str:
+    """Return a heading in lower case with underscores between its words."""
     return "_".join(name.strip().lower().replace("-", "_").split()).strip("_")
 
 
@@ -142,11 +203,15 @@ def _near(name: str, known: Collection[str]) -> str | None:
     return None
 
 
-def _unit_of(quantity: str, unit: str | None, heading: str, path: str, line: int | None) -> str:
-    dimension = input_dimensions()[quantity]
+def _unit_of(quantity: str, unit: str | None, heading: str, place: tuple[str, int | None], words: Vocabulary) -> str:
+    dimension = words.dimensions[quantity]
     if unit is None:
         return units.SI_UNITS[dimension]
     if units.unit(unit).dimension != dimension:
         allowed = " or ".join(units.symbols(dimension))
-        raise FileError(path, line, f"the column {heading!r} is in {unit}; {quantity} must be in {allowed}", heading)
+        raise FileError(*place, f"the column {heading!r} is in {unit}; {quantity} must be in {allowed}", heading)
     return unit
+
+
+def _reversed(synonyms: Mapping[str, Sequence[str]]) -> dict[str, str]:
+    return {other: name for name, others in synonyms.items() for other in others}
