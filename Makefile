@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build demo test check bench docs study clean
+.PHONY: help setup build demo test check bench docs study benchmark-data clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -18,7 +18,7 @@ RUST_SOURCES := $(wildcard Cargo.toml Cargo.lock crates/*/Cargo.toml) $(shell fi
 RUST_TESTED := --workspace --exclude clubface-python --locked
 
 help: ## list the targets
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r name text; do printf '%-8s %s\n' "$$name" "$$text"; done
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r name text; do printf '%-32s %s\n' "$$name" "$$text"; done
 
 setup: $(VENV)/.setup ## make the virtual environment; say which tools are missing
 build: $(VENV)/.build ## compile the core and install the package into the virtual environment
@@ -57,6 +57,9 @@ bench: build ## speed, printed beside the computed results
 study: build ## the tests that take minutes
 	cargo test $(RUST_TESTED) -- --ignored
 	$(PYTHON) -m pytest -m study
+
+benchmark-data: build ## make the benchmark shots again from their recipe, bit for bit
+	$(PYTHON) -m clubface.benchmark_data.generate
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks

@@ -15,7 +15,8 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
-from clubface import _core, tour, tour_tables
+from clubface import _core, benchmark_data, tour, tour_tables, units
+from clubface.evaluation.published import QUANTITIES, published
 from clubface.models import model, models
 from clubface.parameters import builtin_sets
 
@@ -109,6 +110,27 @@ class TourComparison(CoreTable):
         return markdown_table(*tour_tables.comparison(compared(), self.arguments[0], signed=True))
 
 
+class BenchmarkMeans(CoreTable):
+    """``{benchmark-means}``: the mean launches of the benchmark shots, beside those published."""
+
+    def table(self) -> list[str]:
+        """One row a launch quantity."""
+        heads, columns = ["mean of"], []
+        for club in benchmark_data.CLUBS:
+            heads += [f"{club}, published", f"{club}, benchmark"]
+            given = next(each for each in published().values() if each.club == club)
+            measured = benchmark_data.load(club).measured.launches
+            columns += [given.mean, {name: float(abs(measured[name]).mean()) for name in QUANTITIES}]
+        return markdown_table(
+            heads,
+            (
+                [f"{name.replace('_', ' ')}, {unit}"]
+                + [f"{units.from_si(column[name], unit):.{0 if unit == 'rpm' else 2}f}" for column in columns]
+                for name, unit in QUANTITIES.items()
+            ),
+        )
+
+
 @cache
 def compared() -> tour.Tour:
     """Every model on the published deliveries."""
@@ -128,5 +150,6 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("model-parameters", ModelParameters)
     app.add_directive("quantities", Quantities)
     app.add_directive("tour-comparison", TourComparison)
+    app.add_directive("benchmark-means", BenchmarkMeans)
     app.connect("builder-inited", every_model_has_a_page)
     return {"parallel_read_safe": True}

@@ -11,6 +11,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from clubface import benchmark_data as benchmark_data
     from clubface import errors as errors
     from clubface import fem as fem
     from clubface import units as units
@@ -54,7 +55,7 @@ _HOME = {
 }
 """The module in which each public name is defined."""
 
-_MODULES = ("errors", "fem", "units")
+_MODULES = ("benchmark_data", "errors", "fem", "units")
 
 __all__ = [*_HOME, *_MODULES]  # pyright: ignore[reportUnsupportedDunderAll]
 

@@ -1,0 +1,1 @@
+"""How well models predict measured shots: errors beside published ones, where they come from, which model is best."""
