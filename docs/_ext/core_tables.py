@@ -16,7 +16,8 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
 from clubface import _core, benchmark_data, tour, tour_tables, units
-from clubface.evaluation.published import QUANTITIES, published
+from clubface.evaluation.published import published
+from clubface.measured_shots import QUANTITIES
 from clubface.models import model, models
 from clubface.parameters import builtin_sets
 

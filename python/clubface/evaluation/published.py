@@ -9,10 +9,8 @@ from typing import Any
 
 from clubface import units
 from clubface.equipment import DATA
+from clubface.measured_shots import QUANTITIES
 from clubface.strict_toml import Document
-
-QUANTITIES = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
-"""The launch quantities compared, in the order of the published tables, and the unit each is read in."""
 
 
 @dataclass(frozen=True, kw_only=True)
