@@ -5,9 +5,9 @@
 pub mod ball;
 pub mod cases;
 pub mod contact;
-pub mod driver;
 pub mod element;
 pub mod error;
+pub mod head;
 pub mod material;
 pub mod mesh;
 pub mod sensitivity;

@@ -3,7 +3,7 @@
 use crate::ball::{Ball, Piece};
 use crate::cases::against_head;
 use crate::error::FemError;
-use crate::material::{Material, Maxwell, Shape};
+use crate::material::{Material, Maxwell};
 use crate::solve::{Options, Progress};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::launch::OUTPUT_COUNT;
@@ -112,16 +112,7 @@ fn lift_piece<R: Real>(piece: &Piece<f64>, number: &mut dyn FnMut(&str, f64) -> 
             time: of(&format!("maxwell.{i}.time"), branch.time),
         })
         .collect();
-    let shape = match &material.shape {
-        Shape::MooneyRivlin(law) => Shape::MooneyRivlin(crate::material::MooneyRivlin {
-            c10: of("c10", law.c10),
-            c01: of("c01", law.c01),
-        }),
-        Shape::NeoHookean(law) => {
-            Shape::NeoHookean(crate::material::NeoHookean { shear: of("shear", law.shear) })
-        }
-        Shape::Hencky(law) => Shape::Hencky(crate::material::Hencky { shear: of("shear", law.shear) }),
-    };
+    let shape = material.shape.map(&mut of);
     let material = Material {
         shape,
         bulk: of("bulk", material.bulk),

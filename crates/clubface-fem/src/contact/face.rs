@@ -4,9 +4,8 @@
 //! weights, with the moment of the distance between the middle surface and the node, so that impulse and angular momentum balance to
 //! rounding.
 
-use super::rigid::{DAMPING, NORMAL_STIFFNESS, TANGENTIAL_STIFFNESS};
 use super::surface::{Foot, Surface};
-use super::{Contact, ContactEnergy, Resultant};
+use super::{Contact, ContactEnergy, Resultant, Springs, Touch};
 use crate::material::cross;
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
@@ -40,9 +39,9 @@ pub struct BallSide<'a, R> {
 /// The shells of the other side.
 pub struct FaceSide<'a, R> {
     /// Rows of the corners' positions, by quadrilateral, counterclockwise seen from outside.
-    pub quads: &'a [[u32; 4]],
+    pub quads: Vec<[u32; 4]>,
     /// Thickness of each quadrilateral, m.
-    pub thickness: &'a [R],
+    pub thickness: Vec<R>,
     /// Row of a node's rotation less the row of its position.
     pub rotations: u32,
     /// Masses of all rows, kg or kg m2.
@@ -52,6 +51,7 @@ pub struct FaceSide<'a, R> {
 /// Contact of ball nodes with a deformable face.
 pub struct FaceContact<R> {
     coefficient: R,
+    springs: Springs,
     /// Ball nodes, face positions, face rotations.
     nodes: Vec<u32>,
     candidates: Vec<Candidate<R>>,
@@ -68,13 +68,19 @@ pub struct FaceContact<R> {
 
 impl<R: Real> FaceContact<R> {
     /// Contact of ball and face under a coefficient of friction, for rows at the given positions.
-    pub fn new(ball: &BallSide<R>, face: &FaceSide<R>, coefficient: R, positions: &[Row<R>]) -> Self {
+    pub fn new(
+        ball: &BallSide<R>,
+        face: &FaceSide<R>,
+        coefficient: R,
+        springs: Springs,
+        positions: &[Row<R>],
+    ) -> Self {
         let mut rows: Vec<u32> = face.quads.iter().flatten().copied().collect();
         rows.sort_unstable();
         rows.dedup();
         let quads: Vec<[u32; 4]> =
             face.quads.iter().map(|quad| quad.map(|n| rows.partition_point(|&r| r < n) as u32)).collect();
-        let mut surface = Surface::new(quads, face.thickness, rows.len());
+        let mut surface = Surface::new(quads, &face.thickness, rows.len());
         surface.update(positions, &rows);
         let candidates: Vec<_> = ball
             .nodes
@@ -107,6 +113,7 @@ impl<R: Real> FaceContact<R> {
             .fold((f64::INFINITY, 0), |best, next| if next.0 < best.0 { next } else { best });
         Self {
             coefficient,
+            springs,
             forces: vec![Row::zero(); nodes.len()],
             nodes,
             candidates,
@@ -114,7 +121,7 @@ impl<R: Real> FaceContact<R> {
             mobilities,
             centre: nearest.1,
             fastest: 0.0,
-            resultant: Resultant { force: Vec3::zero(), normal: R::zero(), area: 0.0 },
+            resultant: Resultant::default(),
             energy: ContactEnergy::default(),
         }
     }
@@ -142,8 +149,8 @@ impl<R: Real> Contact<R> for FaceContact<R> {
         let (on_ball, on_face) = self.forces.split_at_mut(balls);
         on_face.fill(Row::zero());
         let (on_nodes, moments) = on_face.split_at_mut(count);
-        let mut sum = Resultant { force: Vec3::zero(), normal: R::zero(), area: 0.0 };
-        let mut stored = 0.0;
+        self.resultant = Resultant::default();
+        self.energy.stored = 0.0;
         for ((&node, candidate), force) in self.nodes.iter().zip(&mut self.candidates).zip(on_ball) {
             *force = Row::zero();
             if candidate.rest > 0 {
@@ -176,34 +183,20 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             }
             // The reduced mass of node and face gives the stability that the node's mass gives against a rigid face.
             let mass = (candidate.mass.recip() + mobility).recip();
-            let stiffness = mass * (NORMAL_STIFFNESS / (dt * dt));
-            let closing = -foot.normal.dot(velocity);
-            let spring = -(stiffness * foot.gap);
-            let damper = closing * mass * (2.0 * DAMPING * NORMAL_STIFFNESS.sqrt() / dt);
-            let pressing = (spring + damper).max(R::zero());
-            self.energy.damping += ((pressing - spring) * closing).re() * dt;
-            let tangential = stiffness * TANGENTIAL_STIFFNESS;
-            let trial = (candidate.friction - velocity * (tangential * dt)).reject(foot.normal);
-            let most = self.coefficient * pressing;
-            let size = trial.norm();
-            let mut friction = trial;
-            if size.re() > most.re() {
-                friction = trial * (most / size);
-                self.energy.friction += (most * (size - most) / tangential).re();
-            }
-            candidate.friction = friction;
-            let total = foot.normal * pressing + friction;
+            let touch = Touch { mass, area: candidate.area, gap: foot.gap, normal: foot.normal, velocity };
+            let total = touch.force(
+                self.springs,
+                self.coefficient,
+                &mut candidate.friction,
+                dt,
+                &mut self.resultant,
+                &mut self.energy,
+            );
             *force = Row::from_vec(total);
             let moment = cross(arm, total);
             spread(&foot, &corners, total, on_nodes);
             spread(&foot, &corners, moment, moments);
-            sum.force += total;
-            sum.normal += pressing;
-            sum.area += candidate.area;
-            stored += 0.5 * (spring * spring / stiffness + friction.norm_squared() / tangential).re();
         }
-        self.resultant = sum;
-        self.energy.stored = stored;
     }
     fn forces(&self) -> &[Row<R>] {
         &self.forces

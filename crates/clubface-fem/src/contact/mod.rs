@@ -3,11 +3,13 @@
 mod face;
 mod head;
 mod rigid;
+mod spring;
 mod surface;
 
 pub use face::{BallSide, FaceContact, FaceSide};
 pub use head::RigidHead;
-pub use rigid::{Plane, RigidContact, RigidSurface, DAMPING, NORMAL_STIFFNESS, TANGENTIAL_STIFFNESS};
+pub use rigid::{Plane, RigidContact, RigidSurface};
+pub use spring::{Springs, Touch, TANGENTIAL_STIFFNESS};
 
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
@@ -34,6 +36,12 @@ pub struct Resultant<R> {
     pub normal: R,
     /// Area of the ball's surface in contact, m2.
     pub area: f64,
+}
+
+impl<R: Real> Default for Resultant<R> {
+    fn default() -> Self {
+        Self { force: Vec3::zero(), normal: R::zero(), area: 0.0 }
+    }
 }
 
 /// A contact: it exerts forces on nodes, and on bodies of its own, which it moves.

@@ -1,18 +1,8 @@
 //! Nodes of the ball against a rigid surface: penalty with Coulomb friction that sticks.
 
-use super::{Contact, ContactEnergy, Resultant};
+use super::{Contact, ContactEnergy, Resultant, Springs, Touch};
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
-
-/// Penalty stiffness over node mass over the square of the time step. A node of stiffness `k` and mass `m` alone is stable up to 4; this much is about
-/// the stiffness with which the surface elements hold their nodes. A stiffer spring lets every ring of nodes that arrives
-/// ring the force (peak 5% higher at 0.25), a softer one delays the contact (reversal of the tangential force 2% later at 0.05).
-pub const NORMAL_STIFFNESS: f64 = 0.1;
-/// Damping of a node on its normal spring, over critical damping: nodes that arrive one ring after the other at full speed would ring, and the
-/// force with them.
-pub const DAMPING: f64 = 0.4;
-/// Tangential stiffness over normal stiffness.
-pub const TANGENTIAL_STIFFNESS: f64 = 0.5;
 
 /// A rigid surface, at rest or moving.
 pub trait RigidSurface<R: Real>: Send {
@@ -63,8 +53,7 @@ pub struct RigidContact<R, T> {
     /// The surface.
     pub surface: T,
     coefficient: R,
-    /// Stiffness and damping of the normal springs, in the units of [`NORMAL_STIFFNESS`] and [`DAMPING`].
-    springs: (f64, f64),
+    springs: Springs,
     nodes: Vec<u32>,
     candidates: Vec<Candidate<R>>,
     forces: Vec<Row<R>>,
@@ -82,21 +71,19 @@ impl<R: Real, T: RigidSurface<R>> RigidContact<R, T> {
         Self {
             surface,
             coefficient,
-            springs: (NORMAL_STIFFNESS, DAMPING),
+            springs: Springs::default(),
             forces: vec![Row::zero(); nodes.len()],
             nodes,
             candidates,
-            resultant: Resultant { force: Vec3::zero(), normal: R::zero(), area: 0.0 },
+            resultant: Resultant::default(),
             energy: ContactEnergy::default(),
         }
     }
-}
 
-impl<R: Real, T: RigidSurface<R>> RigidContact<R, T> {
-    /// With normal springs of other stiffness and damping, in the units of [`NORMAL_STIFFNESS`] and [`DAMPING`].
+    /// With other springs.
     #[must_use]
-    pub fn with_springs(mut self, stiffness: f64, damping: f64) -> Self {
-        self.springs = (stiffness, damping);
+    pub fn with_springs(mut self, springs: Springs) -> Self {
+        self.springs = springs;
         self
     }
 }
@@ -106,47 +93,29 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
         &self.nodes
     }
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64) {
-        let mut sum = Resultant { force: Vec3::zero(), normal: R::zero(), area: 0.0 };
-        let mut stored = 0.0;
+        self.resultant = Resultant::default();
+        self.energy.stored = 0.0;
         for ((&node, candidate), force) in self.nodes.iter().zip(&mut self.candidates).zip(&mut self.forces) {
             let x = positions[node as usize].vec();
             let (gap, normal) = self.surface.nearest(x);
             if gap.re() >= 0.0 {
-                if candidate.friction.x.re() != 0.0 || candidate.friction.y.re() != 0.0 {
-                    candidate.friction = Vec3::zero();
-                }
+                candidate.friction = Vec3::zero();
                 *force = Row::zero();
                 continue;
             }
-            let stiffness = candidate.mass * (self.springs.0 / (dt * dt));
-            let relative = velocities[node as usize].vec() - self.surface.velocity(x);
-            let closing = -normal.dot(relative);
-            let spring = -(stiffness * gap);
-            let damper = closing * candidate.mass * (2.0 * self.springs.1 * self.springs.0.sqrt() / dt);
-            let pressing = (spring + damper).max(R::zero());
-            self.energy.damping += ((pressing - spring) * closing).re() * dt;
-            let tangential = stiffness * TANGENTIAL_STIFFNESS;
-            // Stick: the spring follows the node; slip: it is let out until it carries what friction allows.
-            let sliding = relative.reject(normal);
-            let trial = candidate.friction.reject(normal) - sliding * (tangential * dt);
-            let most = self.coefficient * pressing;
-            let size = trial.norm();
-            let mut friction = trial;
-            if size.re() > most.re() {
-                friction = trial * (most / size);
-                self.energy.friction += (most * (size - most) / tangential).re();
-            }
-            candidate.friction = friction;
-            let total = normal * pressing + friction;
+            let velocity = velocities[node as usize].vec() - self.surface.velocity(x);
+            let touch = Touch { mass: candidate.mass, area: candidate.area, gap, normal, velocity };
+            let total = touch.force(
+                self.springs,
+                self.coefficient,
+                &mut candidate.friction,
+                dt,
+                &mut self.resultant,
+                &mut self.energy,
+            );
             *force = Row::from_vec(total);
             self.surface.push(-total, x);
-            sum.force += total;
-            sum.normal += pressing;
-            sum.area += candidate.area;
-            stored += 0.5 * (spring * spring / stiffness + friction.norm_squared() / tangential).re();
         }
-        self.resultant = sum;
-        self.energy.stored = stored;
         self.surface.advance(dt);
         self.energy.bodies = self.surface.kinetic_energy();
     }

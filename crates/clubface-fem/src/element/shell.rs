@@ -7,6 +7,7 @@
 use super::quadrilateral::{Quadrilateral, Resultants, CORNERS, HOURGLASS};
 use super::section::{Isotropic, Section};
 use super::{Energy, Patch, BLOCK};
+use crate::error::FemError;
 use crate::mesh::ShellMesh;
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 use std::collections::HashMap;
@@ -24,6 +25,34 @@ pub struct ShellMaterial<R> {
     pub elastic: Isotropic<R>,
     /// Density, kg/m3.
     pub density: R,
+}
+
+impl<R: Real> ShellMaterial<R> {
+    /// Checks the constants of the part called `name`.
+    ///
+    /// # Errors
+    /// [`FemError::Input`] that names the first constant that is not allowed.
+    pub fn check(&self, name: &str) -> Result<(), FemError> {
+        let (young, poisson, density) =
+            (self.elastic.young.re(), self.elastic.poisson.re(), self.density.re());
+        if !(young > 0.0 && young.is_finite()) {
+            let name = format!("{name}.youngs");
+            return Err(FemError::input(name, format!("{young} Pa"), "it must be above zero"));
+        }
+        if !(poisson > -1.0 && poisson < 0.5) {
+            let name = format!("{name}.poisson");
+            return Err(FemError::input(name, poisson, "above -1 and below 0.5 is allowed"));
+        }
+        if !(density > 0.0 && density < 3e4) {
+            let name = format!("{name}.density");
+            return Err(FemError::input(
+                name,
+                format!("{density} kg/m3"),
+                "above 0, below 30000 kg/m3 is allowed",
+            ));
+        }
+        Ok(())
+    }
 }
 
 /// Where the nodes of a shell mesh stand among the rows of a structure.

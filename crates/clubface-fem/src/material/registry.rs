@@ -31,6 +31,16 @@ pub const LAWS: &[LawInfo] = &[
 ];
 
 impl<R: Real> Shape<R> {
+    /// The same law with other constants, each made from its name and value.
+    pub fn map<T: Real>(&self, of: &mut dyn FnMut(&str, R) -> T) -> Shape<T> {
+        match self {
+            Self::MooneyRivlin(law) => {
+                Shape::MooneyRivlin(MooneyRivlin { c10: of("c10", law.c10), c01: of("c01", law.c01) })
+            }
+            Self::NeoHookean(law) => Shape::NeoHookean(NeoHookean { shear: of("shear", law.shear) }),
+            Self::Hencky(law) => Shape::Hencky(Hencky { shear: of("shear", law.shear) }),
+        }
+    }
     /// A law from its name and constants (Pa), in the order of [`LAWS`].
     ///
     /// # Errors

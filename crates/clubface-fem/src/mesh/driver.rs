@@ -8,7 +8,7 @@ use super::ShellMesh;
 use clubface_math::{Real, Vec3};
 
 /// Part of a head.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Region {
     /// Struck side.
     Face,
@@ -18,6 +18,22 @@ pub enum Region {
     Sole,
     /// Sides and back.
     Skirt,
+}
+
+impl Region {
+    /// All regions, in the order of their elements in a mesh.
+    pub const ALL: [Self; 4] = [Self::Face, Self::Crown, Self::Sole, Self::Skirt];
+
+    /// Name, as in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Face => "face",
+            Self::Crown => "crown",
+            Self::Sole => "sole",
+            Self::Skirt => "skirt",
+        }
+    }
 }
 
 /// Shape of a driver head, m and rad.
@@ -72,7 +88,7 @@ impl Default for DriverFineness {
 pub struct DriverMesh<R> {
     /// Middle surface with thickness.
     pub shells: ShellMesh<R>,
-    /// Region of each element.
+    /// Region of each element; elements of a region follow each other.
     pub regions: Vec<Region>,
 }
 
@@ -86,20 +102,9 @@ const RELAXATION: f64 = 0.15;
 /// Rounds of smoothing.
 const SMOOTHING: usize = 150;
 
-impl<R: Real> DriverMesh<R> {
-    /// Quadrilaterals of a region, their nodes counted from `first`, and their thickness.
-    #[must_use]
-    pub fn part(&self, region: Region, first: u32) -> (Vec<[u32; 4]>, Vec<R>) {
-        let chosen = || (0..self.regions.len()).filter(|&e| self.regions[e] == region);
-        let quads = chosen().map(|e| self.shells.quads[e].map(|n| n + first)).collect();
-        (quads, chosen().map(|e| self.shells.thickness[e]).collect())
-    }
-}
-
 impl DriverShape {
     /// Unit normal of the face at its centre, and its up direction.
-    #[must_use]
-    pub fn face_axes(&self) -> (Vec3<f64>, Vec3<f64>) {
+    fn face_axes(&self) -> (Vec3<f64>, Vec3<f64>) {
         let (s, c) = self.loft.sin_cos();
         (Vec3::new(c, s, 0.0), Vec3::new(-s, c, 0.0))
     }
@@ -156,14 +161,15 @@ impl DriverShape {
         self.smooth(&mut nodes, &quads);
         let (normal, _) = self.face_axes();
         let mut shells = ShellMesh { nodes, quads, thickness: Vec::new() };
-        let mut regions = Vec::new();
+        let mut order: Vec<_> = (0..shells.quads.len()).map(|e| (self.region(&shells, e), e)).collect();
+        order.sort_unstable();
+        shells.quads = order.iter().map(|&(_, element)| shells.quads[element]).collect();
+        let regions: Vec<Region> = order.into_iter().map(|(region, _)| region).collect();
         for element in 0..shells.quads.len() {
-            let region = self.region(&shells, element);
             let middle =
                 shells.quads[element].iter().fold(Vec3::zero(), |sum, &n| sum + shells.nodes[n as usize]);
-            let t = self.thickness(region, middle * 0.25, thickness);
+            let t = self.thickness(regions[element], middle * 0.25, thickness);
             shells.thickness.push(R::from_f64(t));
-            regions.push(region);
         }
         for p in &mut shells.nodes {
             *p += normal * (-0.5 * thickness.face_centre);

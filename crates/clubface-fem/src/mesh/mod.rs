@@ -6,7 +6,7 @@ mod quads;
 mod tuning;
 
 pub use cubed_sphere::{cubed_sphere, Fineness};
-pub use driver::{DriverFineness, DriverMesh, DriverShape, DriverThickness, Region};
+pub use driver::{DriverFineness, DriverShape, DriverThickness, Region};
 pub use quads::{ShellMasses, ShellMesh, ROTARY};
 pub use tuning::{mass_properties, tune, MassProperties, Target, Trim, Tuned};
 

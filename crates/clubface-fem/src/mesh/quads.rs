@@ -1,6 +1,7 @@
 //! Meshes of four-node shells.
 
 use clubface_math::{Real, Vec3};
+use std::ops::Range;
 
 /// Least rotary inertia of a node over its mass and the element's area. It takes the place of the section's own `t^2 / 12` in thin shells, so
 /// that transverse shear does not govern the stable step (Hughes, Cohen and Haroun, Nucl. Eng. Des. 46, 1978).
@@ -38,14 +39,14 @@ impl<R: Real> ShellMesh<R> {
     pub fn area(&self, element: usize) -> f64 {
         self.area_vector(element).norm()
     }
-    /// Masses of the nodes for a density, kg/m3: a quarter of each element's.
-    pub fn masses(&self, density: R) -> ShellMasses<R> {
+    /// Masses of the nodes, a quarter of each element's, for the density (kg/m3) of some ranges of elements.
+    pub fn masses(&self, densities: impl Iterator<Item = (Range<usize>, R)>) -> ShellMasses<R> {
         let mut masses = ShellMasses {
             translation: vec![R::zero(); self.nodes.len()],
             rotation: vec![R::zero(); self.nodes.len()],
         };
-        for (element, quad) in self.quads.iter().enumerate() {
-            let (t, area) = (self.thickness[element], self.area(element));
+        for (element, density) in densities.flat_map(|(range, density)| range.map(move |e| (e, density))) {
+            let (quad, t, area) = (&self.quads[element], self.thickness[element], self.area(element));
             let mass = density * t * (area * 0.25);
             let gyration = (t * t * (1.0 / 12.0)).max(R::from_f64(area * ROTARY));
             for &node in quad {

@@ -21,8 +21,8 @@ pub struct Target {
     pub mass: f64,
     /// Mass centre, m, by component where it matters.
     pub centre: [Option<f64>; 3],
-    /// Height of the mass centre above the face normal through the origin, m: the direction of "above", and the height.
-    pub above: Option<(Vec3<f64>, f64)>,
+    /// Height of the mass centre above the face normal through the origin, m.
+    pub above: Option<f64>,
     /// Moments of inertia about axes through the mass centre along x, y, z, kg m2, where they matter.
     pub inertia: [Option<f64>; 3],
 }
@@ -72,10 +72,10 @@ pub fn mass_properties(nodes: &[Vec3<f64>], masses: &[f64]) -> MassProperties {
 const SPREAD: f64 = 0.008;
 /// Rounds in which the mass centre, to which inertia refers, is brought up to date.
 const ROUNDS: usize = 8;
-/// Sweeps of the bounded least squares.
-const SWEEPS: usize = 4000;
+/// How much a wall of twice its thickness, or a trim mass at its most, counts: it settles what the equations leave open.
+const PULL: f64 = 0.1;
 
-/// Tunes a head: `body` tells the elements whose thickness may change, within `scales`.
+/// Tunes a head: `body` tells the elements whose thickness may change, within `scales`; `up` is the direction up the face.
 pub fn tune<R: Real>(
     mesh: &mut ShellMesh<R>,
     body: &[bool],
@@ -83,6 +83,7 @@ pub fn tune<R: Real>(
     scales: (f64, f64),
     trims: &[Trim],
     target: &Target,
+    up: Vec3<f64>,
 ) -> Tuned {
     let count = mesh.nodes.len();
     // Mass by node of the fixed part, of the body, and of each trim at one kilogram.
@@ -103,13 +104,21 @@ pub fn tune<R: Real>(
     }
     let mut bounds = vec![(1.0, 1.0), scales];
     bounds.extend(trims.iter().map(|trim| (0.0, trim.most)));
-    let mut x: Vec<f64> = bounds.iter().map(|b| 0.5 * (b.0 + b.1)).collect();
+    // As designed: no trim masses.
+    let mut x = vec![0.0; bounds.len()];
+    x[..2].fill(1.0);
     let total = |x: &[f64]| -> Vec<f64> {
         (0..count).map(|n| columns.iter().zip(x).map(|(column, s)| column[n] * s).sum()).collect()
     };
     for _ in 0..ROUNDS {
         let now = mass_properties(&mesh.nodes, &total(&x));
-        let rows = equations(&mesh.nodes, &columns, now.centre, target);
+        let mut rows = equations(&mesh.nodes, &columns, now.centre, target, up);
+        for (i, bound) in bounds.iter().enumerate().skip(1) {
+            let mut pull = vec![0.0; bounds.len()];
+            let (as_designed, unit) = if i == 1 { (1.0, 1.0) } else { (0.0, bound.1) };
+            pull[i] = PULL / unit;
+            rows.push((pull, PULL * as_designed / unit));
+        }
         bounded_least_squares(&rows, &bounds, &mut x);
     }
     for (t, &in_body) in mesh.thickness.iter_mut().zip(body) {
@@ -127,6 +136,7 @@ fn equations(
     columns: &[Vec<f64>],
     centre: Vec3<f64>,
     target: &Target,
+    up: Vec3<f64>,
 ) -> Vec<(Vec<f64>, f64)> {
     let sums = |weight: &dyn Fn(Vec3<f64>) -> f64| -> Vec<f64> {
         columns.iter().map(|c| c.iter().zip(nodes).map(|(m, p)| m * weight(*p)).sum()).collect()
@@ -149,13 +159,13 @@ fn equations(
             row(sums(&weight), wanted, 1e-7);
         }
     }
-    if let Some((up, wanted)) = target.above {
+    if let Some(wanted) = target.above {
         row(sums(&|p| p.dot(up)), target.mass * wanted, 1e-4 * target.mass);
     }
     rows
 }
 
-/// Coordinate descent, kept within the bounds; a weak pull to the smallest values settles what the equations leave open.
+/// Least squares within bounds, by an active set: what is outside is put on its bound, the farthest first, and is freed when it pulls inwards.
 fn bounded_least_squares(rows: &[(Vec<f64>, f64)], bounds: &[(f64, f64)], x: &mut [f64]) {
     let n = x.len();
     let (mut square, mut right) = (vec![vec![0.0; n]; n], vec![0.0; n]);
@@ -167,15 +177,49 @@ fn bounded_least_squares(rows: &[(Vec<f64>, f64)], bounds: &[(f64, f64)], x: &mu
             }
         }
     }
-    for (i, row) in square.iter_mut().enumerate() {
-        row[i] *= 1.0 + 1e-9;
+    let mut free: Vec<bool> = bounds.iter().map(|b| b.0 < b.1).collect();
+    for (value, bound) in x.iter_mut().zip(bounds) {
+        *value = value.clamp(bound.0, bound.1);
     }
-    for _ in 0..SWEEPS {
-        for i in 0..n {
-            if square[i][i] > 0.0 {
-                let rest: f64 = right[i] - square[i].iter().zip(x.iter()).map(|(a, b)| a * b).sum::<f64>();
-                x[i] = (x[i] + rest / square[i][i]).clamp(bounds[i].0, bounds[i].1);
+    for _ in 0..4 * n {
+        solve_free(&square, &right, &free, x);
+        let outside =
+            |i: &usize| (bounds[*i].0 - x[*i]).max(x[*i] - bounds[*i].1) / (bounds[*i].1 - bounds[*i].0);
+        let worst = (0..n).filter(|&i| free[i]).max_by(|i, j| outside(i).total_cmp(&outside(j)));
+        if let Some(i) = worst.filter(|i| outside(i) > 0.0) {
+            (x[i], free[i]) = (x[i].clamp(bounds[i].0, bounds[i].1), false);
+            continue;
+        }
+        // Downhill is against the slope.
+        let slope = |i: usize| square[i].iter().zip(x.iter()).map(|(a, b)| a * b).sum::<f64>() - right[i];
+        let inwards = |i: usize| if x[i] <= bounds[i].0 { -slope(i) } else { slope(i) };
+        let held = (0..n).filter(|&i| !free[i] && bounds[i].0 < bounds[i].1);
+        match held.max_by(|&i, &j| inwards(i).total_cmp(&inwards(j))) {
+            Some(i) if inwards(i) > 1e-6 * right[i].abs() => free[i] = true,
+            _ => break,
+        }
+    }
+}
+
+/// Solves the rows and columns of the free values of a positive definite system, the others as they are, by Gaussian elimination.
+fn solve_free(square: &[Vec<f64>], right: &[f64], free: &[bool], x: &mut [f64]) {
+    let chosen: Vec<usize> = (0..x.len()).filter(|&i| free[i]).collect();
+    let held = |i: usize| (0..x.len()).filter(|&j| !free[j]).map(|j| square[i][j] * x[j]).sum::<f64>();
+    let mut table: Vec<Vec<f64>> = chosen
+        .iter()
+        .map(|&i| chosen.iter().map(|&j| square[i][j]).chain([right[i] - held(i)]).collect())
+        .collect();
+    let n = chosen.len();
+    for i in 0..n {
+        for k in i + 1..n {
+            let factor = table[k][i] / table[i][i];
+            for j in i..=n {
+                table[k][j] -= factor * table[i][j];
             }
         }
+    }
+    for i in (0..n).rev() {
+        let known: f64 = (i + 1..n).map(|j| table[i][j] * x[chosen[j]]).sum();
+        x[chosen[i]] = (table[i][n] - known) / table[i][i];
     }
 }

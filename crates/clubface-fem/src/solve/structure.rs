@@ -129,6 +129,12 @@ impl<R: Real> Structure<R> {
             });
     }
 
+    /// The patches, to build a larger structure of.
+    #[must_use]
+    pub fn into_patches(self) -> Vec<Box<dyn Patch<R>>> {
+        self.patches
+    }
+
     /// Smallest and largest volume ratio of each patch.
     pub fn volume_ratios(&mut self) -> Vec<(f64, f64)> {
         let positions = &self.positions;

@@ -1,7 +1,7 @@
 //! Balls on a rigid plane: Hertz's contact, the limits of friction, and the reference case of three independent solvers.
 
 use super::support::{bounce, elastic, masses, outside, patches, rows, Bounce, SPRING};
-use clubface_fem::contact::{DAMPING, NORMAL_STIFFNESS};
+use clubface_fem::contact::Springs;
 use clubface_fem::element::Element;
 use clubface_fem::material::{Material, MooneyRivlin, Shape};
 use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
@@ -39,7 +39,7 @@ fn drop(
         patches(element, mesh, material),
         &surface,
     );
-    bounce(&mut body, &surface, &areas, friction, velocity, duration, (SPRING, 0.0))
+    bounce(&mut body, &surface, &areas, friction, velocity, duration, SPRING)
 }
 
 /// Peak force and time of contact over those of Hertz (1882), for a largest indentation of 2% of the radius.
@@ -127,7 +127,7 @@ fn reference(element: Element) {
         0.35,
         Vec3::new(-35.0 * c, 35.0 * s, 0.0),
         1e-3,
-        (NORMAL_STIFFNESS, DAMPING),
+        Springs::default(),
     );
     // As spin the angular momentum over the inertia, free of vibration: that of the whole meshed ball, two thirds of the polar moment.
     let centre = Vec3::new(0.0214, 0.0, 0.0);

@@ -49,8 +49,8 @@ impl RigidSurface<f64> for Sphere {
 /// Velocities along the plane, one a step, of a sphere that comes with `velocity` and presses on one node at rest.
 fn meet(friction: f64, velocity: Vec3<f64>, pressed: f64, steps: usize) -> (Vec<f64>, Motion<f64>) {
     let sphere = Sphere { height: RADIUS, velocity, spin: Vec3::zero(), pressed, force: Vec3::zero() };
-    let mass = STIFFNESS * STEP * STEP / SPRING;
-    let mut contact = RigidContact::new(sphere, friction, vec![0], &[mass], &[0.0]).with_springs(SPRING, 0.0);
+    let mass = STIFFNESS * STEP * STEP / SPRING.stiffness;
+    let mut contact = RigidContact::new(sphere, friction, vec![0], &[mass], &[0.0]).with_springs(SPRING);
     let node = rows(&[Vec3::zero()]);
     let mut along = vec![];
     for _ in 0..steps {

@@ -1,6 +1,6 @@
 //! Bodies of one material, and what the checks measure on them.
 
-use clubface_fem::contact::{Contact, ContactEnergy, Plane, Resultant, RigidContact};
+use clubface_fem::contact::{Contact, ContactEnergy, Plane, Resultant, RigidContact, Springs};
 use clubface_fem::element::{Element, Patch};
 use clubface_fem::material::{Hencky, Material, Shape};
 use clubface_fem::mesh::{SolidMesh, CORNERS};
@@ -215,11 +215,11 @@ pub struct Bounce {
     pub steps: usize,
 }
 
-/// Stiffness of undamped contact springs, for comparison with closed forms that have none.
-pub const SPRING: f64 = 0.25;
+/// Stiff, undamped contact springs, for comparison with closed forms that have none.
+pub const SPRING: Springs = Springs { stiffness: 0.25, damping: 0.0, step: None };
 
-/// Throws a body at a plane: `surface` its outer nodes with their areas (m2), friction, velocity (m/s), duration (s), stiffness and damping of the
-/// contact springs.
+/// Throws a body at a plane: `surface` its outer nodes with their areas (m2), friction, velocity (m/s), duration (s), contact
+/// springs.
 pub fn bounce(
     body: &mut Structure<f64>,
     surface: &[u32],
@@ -227,10 +227,10 @@ pub fn bounce(
     friction: f64,
     velocity: Vec3<f64>,
     duration: f64,
-    springs: (f64, f64),
+    springs: Springs,
 ) -> Bounce {
-    let mut contact = RigidContact::new(Plane, friction, surface.to_vec(), &body.masses, areas)
-        .with_springs(springs.0, springs.1);
+    let mut contact =
+        RigidContact::new(Plane, friction, surface.to_vec(), &body.masses, areas).with_springs(springs);
     let dt = body.stable_step(60) * 0.8;
     body.velocities.fill(Row::from_vec(velocity));
     let mass: f64 = body.masses.iter().sum();

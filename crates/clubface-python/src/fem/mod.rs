@@ -1,0 +1,186 @@
+//! Finite element impacts: a ball and what it meets go in, histories come out.
+
+mod heads;
+mod run;
+mod values;
+
+pub use heads::{fem_driver, fem_head_properties};
+
+use crate::columns::Derivatives;
+use clubface_fem::cases::{against_head, against_plane};
+use clubface_fem::material::LAWS;
+use clubface_fem::sensitivity::Setting;
+use clubface_fem::solve::Progress;
+use clubface_impact::first_touch::FirstTouch;
+use clubface_impact::shot::{Shot, INPUT_COUNT};
+use numpy::{PyArray1, PyArray2};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use run::{options_of, pool_of, simulate, to_dict};
+use values::{ball_of, error_of, head_of, BallValues, HeadValues, RunValues};
+
+/// The laws of materials: [{name, constants, summary}, ...].
+#[pyfunction]
+pub fn fem_laws(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
+    let list = PyList::empty(py);
+    for law in LAWS {
+        let entry = PyDict::new(py);
+        entry.set_item("name", law.name)?;
+        entry.set_item("constants", law.constants.to_vec())?;
+        entry.set_item("summary", law.summary)?;
+        list.append(entry)?;
+    }
+    Ok(list)
+}
+
+/// Mass properties of a ball as meshed: {mass, inertia, core_density, radius, nodes, elements}.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_ball<'py>(py: Python<'py>, ball: BallValues) -> PyResult<Bound<'py, PyDict>> {
+    let ball = ball_of(&ball)?;
+    let still = clubface_math::Mat3::diagonal(1.0);
+    let meshed = ball.mesh(&still, clubface_math::Vec3::zero()).map_err(|e| error_of(&e))?;
+    let dict = PyDict::new(py);
+    dict.set_item("mass", meshed.mass)?;
+    dict.set_item("inertia", meshed.inertia)?;
+    dict.set_item("core_density", meshed.core_density)?;
+    dict.set_item("radius", meshed.radius)?;
+    dict.set_item("nodes", meshed.mesh.nodes.len())?;
+    dict.set_item("elements", meshed.mesh.elements.len())?;
+    Ok(dict)
+}
+
+/// The mesh of a ball about the origin, its pole of first contact along -x: {nodes: (n, 3), elements: (m, 8) in the order round the bottom, then
+/// round the top, piece: (m,), density: one a piece}.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_mesh<'py>(py: Python<'py>, ball: BallValues) -> PyResult<Bound<'py, PyDict>> {
+    const ROUND: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
+    let ball = ball_of(&ball)?;
+    let still = clubface_math::Mat3::diagonal(1.0);
+    let meshed = ball.mesh(&still, clubface_math::Vec3::zero()).map_err(|e| error_of(&e))?;
+    let nodes: Vec<Vec<f64>> = meshed.mesh.nodes.iter().map(|p| p.array().to_vec()).collect();
+    let elements: Vec<Vec<u32>> =
+        meshed.mesh.elements.iter().map(|e| ROUND.iter().map(|&corner| e[corner]).collect()).collect();
+    let dict = PyDict::new(py);
+    dict.set_item("nodes", PyArray2::from_vec2(py, &nodes)?)?;
+    dict.set_item("elements", PyArray2::from_vec2(py, &elements)?)?;
+    dict.set_item("piece", PyArray1::from_slice(py, &meshed.mesh.layer))?;
+    let densities = ball.pieces.iter().skip(1).map(|piece| piece.material.density);
+    dict.set_item("density", std::iter::once(meshed.core_density).chain(densities).collect::<Vec<f64>>())?;
+    Ok(dict)
+}
+
+/// A ball thrown at a rigid plane at `speed` (m/s) and `angle` (rad) from its normal.
+#[pyfunction]
+#[pyo3(signature = (ball, speed, angle, friction, run, progress=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_plane<'py>(
+    py: Python<'py>,
+    ball: BallValues,
+    speed: f64,
+    angle: f64,
+    friction: f64,
+    run: RunValues,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let ball = ball_of(&ball)?;
+    let mut impact = against_plane(&ball, speed, angle, friction).map_err(|e| error_of(&e))?;
+    let ran = simulate(py, &mut impact, &run, progress)?;
+    to_dict(py, &impact, &ran, None)
+}
+
+/// A shot with a rigid head; `inputs` in the order of `inputs()`. Mass, radius and inertia of the ball come from the mesh.
+#[pyfunction]
+#[pyo3(signature = (ball, inputs, friction, run, progress=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_head<'py>(
+    py: Python<'py>,
+    ball: BallValues,
+    inputs: Vec<f64>,
+    friction: f64,
+    run: RunValues,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (touch, ball) = (touch_of(&inputs)?, ball_of(&ball)?);
+    let mut impact = against_head(&ball, &touch, friction).map_err(|e| error_of(&e))?;
+    let ran = simulate(py, &mut impact, &run, progress)?;
+    to_dict(py, &impact, &ran, Some(&touch))
+}
+
+/// A shot with a head of shells; `inputs` as of [`fem_head`], those of the clubhead are the head's.
+#[pyfunction]
+#[pyo3(signature = (ball, head, inputs, friction, run, progress=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_shells<'py>(
+    py: Python<'py>,
+    ball: BallValues,
+    head: HeadValues<'py>,
+    inputs: Vec<f64>,
+    friction: f64,
+    run: RunValues,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (touch, ball, head) = (touch_of(&inputs)?, ball_of(&ball)?, head_of(&head)?);
+    let mut impact = head.against_ball(&ball, &touch, friction).map_err(|e| error_of(&e))?;
+    let ran = simulate(py, &mut impact, &run, progress)?;
+    to_dict(py, &impact, &ran, Some(&touch))
+}
+
+/// Both bodies at first touch, for inputs in the order of `inputs()`.
+fn touch_of(inputs: &[f64]) -> PyResult<FirstTouch<f64>> {
+    let inputs: &[f64; INPUT_COUNT] =
+        inputs.try_into().map_err(|_| PyValueError::new_err(("inputs", "", "all are needed")))?;
+    clubface_impact::check::check(inputs).map_err(|e| PyValueError::new_err((e.input, "", e.message)))?;
+    Ok(FirstTouch::of(&Shot::from_inputs(inputs)))
+}
+
+/// The shot of a ball and a rigid head whose launch is differentiated.
+fn setting_of(ball: &BallValues, inputs: &[f64], friction: f64) -> PyResult<Setting> {
+    let inputs = inputs.try_into().map_err(|_| PyValueError::new_err(("inputs", "", "all are needed")))?;
+    Ok(Setting { ball: ball_of(ball)?, inputs, friction })
+}
+
+/// Names of the variables of [`fem_sensitivity`].
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_variables(ball: BallValues, inputs: Vec<f64>) -> PyResult<Vec<String>> {
+    Ok(setting_of(&ball, &inputs, 0.0)?.variables())
+}
+
+/// Launch of a shot with a rigid head, and its derivatives by some variables: (outputs, array of outputs by variables). `progress` is called with
+/// the run (one for every four variables), simulated time and duration.
+#[pyfunction]
+#[pyo3(signature = (ball, inputs, friction, run, variables, progress=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_sensitivity<'py>(
+    py: Python<'py>,
+    ball: BallValues,
+    inputs: Vec<f64>,
+    friction: f64,
+    run: RunValues,
+    variables: Vec<String>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Derivatives<'py>> {
+    let setting = setting_of(&ball, &inputs, friction)?;
+    clubface_impact::check::check(&setting.inputs)
+        .map_err(|e| PyValueError::new_err((e.input, "", e.message)))?;
+    let pool = pool_of(&run)?;
+    let mut raised = None;
+    let found = py.detach(|| {
+        let mut watch = |which: usize, at: &Progress| {
+            // Signals reach Python's main thread alone, which ends a run through its progress.
+            let looked = Python::attach(|py| {
+                progress.as_ref().map_or(Ok(()), |f| f.call1(py, (which, at.time, at.duration)).map(|_| ()))
+            });
+            looked.map_err(|error| raised = Some(error)).is_ok()
+        };
+        pool.install(|| setting.sensitivity(&variables, &options_of(&run), &mut watch))
+    });
+    if let Some(error) = raised {
+        return Err(error);
+    }
+    let found = found.map_err(|e| error_of(&e))?;
+    Ok((PyArray1::from_slice(py, &found.values), PyArray2::from_vec2(py, &found.jacobian)?))
+}
