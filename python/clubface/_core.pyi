@@ -63,3 +63,13 @@ def fem_head(
     run: dict[str, Any],
     progress: Callable[[float, float], object] | None = None,
 ) -> dict[str, Any]: ...
+def fem_shells(
+    ball: dict[str, Any],
+    head: dict[str, Any],
+    inputs: Sequence[float],
+    friction: float,
+    run: dict[str, Any],
+    progress: Callable[[float, float], object] | None = None,
+) -> dict[str, Any]: ...
+def fem_driver(driver: dict[str, Any]) -> dict[str, Any]: ...
+def fem_head_properties(head: dict[str, Any]) -> dict[str, Any]: ...

@@ -8,6 +8,7 @@ motion, energies and the figures of P2 ("Analysis of golf ball spin mechanism at
 from __future__ import annotations
 
 from clubface.fem.balls import Ball, Piece, ball, ball_names
+from clubface.fem.heads import DriverHead, MeshHead, Metal, ShellHead, head, head_names
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.fem.reference import reference
 from clubface.fem.result import Impact
@@ -17,13 +18,19 @@ from clubface.fem.sensitivity import Derivatives, sensitivity, variables
 __all__ = [
     "Ball",
     "Derivatives",
+    "DriverHead",
     "Impact",
     "Material",
     "Maxwell",
+    "MeshHead",
+    "Metal",
     "Piece",
     "Settings",
+    "ShellHead",
     "ball",
     "ball_names",
+    "head",
+    "head_names",
     "laws",
     "reference",
     "sensitivity",

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 from clubface.balls import Ball as RigidBall
 from clubface.errors import InputError
 from clubface.fem.balls import Ball, ball
+from clubface.fem.core import core_call
 from clubface.fem.result import Impact
-from clubface.fem.run import Settings, core_call, rigid_ball
+from clubface.fem.run import Settings, rigid_ball
 from clubface.shots import DEFAULT_BALL as PUBLISHED
 
 if TYPE_CHECKING:

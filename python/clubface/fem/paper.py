@@ -7,8 +7,8 @@ from typing import Any
 
 from clubface import units
 from clubface.fem.case import Case, case
+from clubface.fem.core import Progress
 from clubface.fem.result import Impact
-from clubface.fem.run import Progress
 
 PUBLISHED: dict[str, float] = {
     "ball_speed_mps": 50.4,

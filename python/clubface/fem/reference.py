@@ -7,8 +7,9 @@ from dataclasses import replace
 from typing import Any
 
 from clubface.fem.balls import Ball, ball
+from clubface.fem.core import Progress
 from clubface.fem.result import Impact
-from clubface.fem.run import Progress, Settings, throw
+from clubface.fem.run import Settings, throw
 
 SPEED = "35 m/s"
 ANGLE = "11.5 deg"

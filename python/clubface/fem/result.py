@@ -9,6 +9,7 @@ from clubface.fem.balls import Ball
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from clubface.fem.heads import ShellHead
     from clubface.fem.run import Settings
     from clubface.shots import Shots
 
@@ -65,16 +66,19 @@ class Impact:
         Arrays over the nodes of the ball in contact at the records: time, up and toe (from the mass centre, along the
         face of first touch [m]), normal and tangential force [N].
     frame_times, frames
-        Times [s] and node positions [m] of the deformed shapes that were asked for, in face axes of first touch (those
-        of the plane) with the origin at the clubhead's CG then (where the ball first touches the plane).
+        Times [s] and positions [m] of the ball's nodes in the deformed shapes that were asked for, in face axes of
+        first touch (those of the plane) with the origin at the clubhead's CG then (where the ball first touches the
+        plane).
+    head_frames
+        The same for the nodes of a head of shells.
     axes
         Normal, up the face and to the toe at the point of first touch, a row each, in face axes.
     attitude
         Rotation from face axes to the world's.
     frame_velocity
         Velocity of the clubhead at first touch along ``axes`` [m/s], to which ``motion`` is relative.
-    ball, friction, settings, given
-        What went in.
+    ball, friction, settings, given, head
+        What went in; ``head`` is None unless it is one of shells.
     """
 
     peak_force: float
@@ -101,6 +105,7 @@ class Impact:
         friction: float,
         settings: Settings,
         shots: Shots | None = None,
+        head: ShellHead | None = None,
     ) -> None:
         for name in FIGURES:
             setattr(self, name, found[name])
@@ -112,7 +117,9 @@ class Impact:
         self.energy: dict[str, NDArray[Any]] = found["energy"]
         self.patch: dict[str, NDArray[Any]] = found["patch"]
         self.frame_times: NDArray[Any] = found["frame_times"]
-        self.frames: NDArray[Any] = found["frames"].reshape(*found["frames"].shape[:2], 3)
+        shapes = found["frames"].reshape(*found["frames"].shape[:2], 3)
+        self.frames: NDArray[Any] = shapes[:, : found["ball_nodes"]]
+        self.head_frames: NDArray[Any] = shapes[:, found["ball_nodes"] :]
         self.stopped: str | None = found["stopped"]
         self.interrupted: bool = found["interrupted"]
         self.axes: NDArray[Any] = found["axes"]
@@ -120,6 +127,7 @@ class Impact:
         self.given = given
         self.friction = friction
         self.settings = settings
+        self.head = head
         self._shots = shots
         self._ball_velocity = found["ball_velocity"]
         self._ball_spin = found["ball_spin"]

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import os
-import threading
 import warnings
-from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,14 +12,14 @@ from clubface import units
 from clubface.balls import Ball as RigidBall
 from clubface.clubs import Club
 from clubface.delivery import Delivery
-from clubface.errors import InputError, RuleWarning, ShotError
+from clubface.errors import InputError, RuleWarning
 from clubface.fem.balls import Ball, ball
+from clubface.fem.core import Progress, core_call
+from clubface.fem.heads.shells import ShellHead
 from clubface.fem.result import Impact
 
 if TYPE_CHECKING:
     from clubface.shots import Shots
-
-Progress = Callable[[float, float], object]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -119,7 +117,7 @@ def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
 
 
 def strike(
-    club: str | os.PathLike[str] | Club,
+    club: str | os.PathLike[str] | Club | ShellHead,
     delivery: Delivery | Mapping[str, Any] | None = None,
     *,
     which: str | os.PathLike[str] | Ball = "reference",
@@ -128,11 +126,13 @@ def strike(
     progress: Progress | None = None,
     **values: Any,
 ) -> Impact:
-    """Hit a ball with the rigid head of a club.
+    """Hit a ball with a head: that of a club, rigid, or one of shells.
 
     Parameters
     ----------
-    club, delivery, **values
+    club
+        A club as of :func:`clubface.impact`, or a head of shells (:func:`clubface.fem.head`).
+    delivery, **values
         As of :func:`clubface.impact`, for one shot.
     which, friction, settings, progress
         As of :func:`throw`.
@@ -142,9 +142,14 @@ def strike(
 
     made, mu, how = ball(which), friction_value(friction), settings or Settings()
     given = dict(as_values(delivery, values))
-    hit = one_shot(club, given, made)
-    found = core_call(_core.fem_head, made.values(), inputs_of(hit), mu, how.values(), progress=progress)
-    return Impact(found, made, given, mu, how, hit)
+    if isinstance(club, ShellHead):
+        hit = one_shot(club.club, given, made)
+        arguments: Any = (_core.fem_shells, made.values(), club.values(), inputs_of(hit))
+    else:
+        hit = one_shot(club, given, made)
+        arguments = (_core.fem_head, made.values(), inputs_of(hit))
+    found = core_call(*arguments, mu, how.values(), progress=progress)
+    return Impact(found, made, given, mu, how, hit, club if isinstance(club, ShellHead) else None)
 
 
 def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], made: Ball) -> Shots:
@@ -176,39 +181,3 @@ def friction_value(value: Any) -> float:
     if not 0.0 <= mu <= 10.0:
         raise InputError("friction", mu, "0 to 10")
     return mu
-
-
-def core_call(function: Callable[..., Any], *arguments: Any, progress: Progress | None = None) -> dict[str, Any]:
-    """Run the core beside the main thread, so that Ctrl-C ends the impact there and then, with what it has."""
-    stop = threading.Event()
-
-    def watch(time: float, whole: float) -> None:
-        if stop.is_set():
-            raise KeyboardInterrupt
-        if progress is not None:
-            progress(time, whole)
-
-    try:
-        if threading.current_thread() is not threading.main_thread():
-            return function(*arguments, watch)
-        with ThreadPoolExecutor(1) as pool:
-            running = pool.submit(function, *arguments, watch)
-            while True:
-                try:
-                    return running.result(timeout=0.5)
-                except TimeoutError:
-                    if running.done():
-                        raise
-                except KeyboardInterrupt:
-                    if stop.is_set():
-                        raise
-                    stop.set()
-    except ValueError as error:
-        if len(error.args) != 3:
-            raise
-        raise core_error(*error.args) from None
-
-
-def core_error(name: str, value: str, allowed: str) -> InputError:
-    """Return the error the core told as name, value and what is allowed, the first two of which may be empty."""
-    return ShotError(name or "the run", value or None, f"{value}: {allowed}" if value else allowed)

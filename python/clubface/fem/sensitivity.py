@@ -11,7 +11,8 @@ from clubface.clubs import Club
 from clubface.delivery import Delivery
 from clubface.errors import UnknownNameError
 from clubface.fem.balls import Ball, ball
-from clubface.fem.run import Progress, Settings, core_call, friction_value, inputs_of, one_shot
+from clubface.fem.core import Progress, core_call
+from clubface.fem.run import Settings, friction_value, inputs_of, one_shot
 from clubface.quantities import outputs
 
 if TYPE_CHECKING:

@@ -170,6 +170,7 @@ pub(super) fn to_dict<'py>(
     let nodes = impact.structure.translations;
     let frames: Vec<Vec<Vec<f64>>> =
         ran.positions.chunks(nodes * 3).map(|frame| frame.chunks(3).map(<[f64]>::to_vec).collect()).collect();
+    dict.set_item("ball_nodes", impact.ball_nodes)?;
     dict.set_item("frame_times", PyArray1::from_slice(py, &ran.times))?;
     dict.set_item("frames", PyArray3::from_vec3(py, &frames)?)?;
     Ok(dict)

@@ -1,0 +1,57 @@
+"""Calls of the core: errors in its words, Ctrl-C at any time."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from typing import Any
+
+from clubface.errors import InputError, ShotError
+
+Progress = Callable[[float, float], object]
+"""Called with simulated time and duration [s]."""
+
+
+def core_call(function: Callable[..., Any], *arguments: Any, progress: Progress | None = None) -> dict[str, Any]:
+    """Run the core beside the main thread, so that Ctrl-C ends the impact there and then, with what it has."""
+    stop = threading.Event()
+
+    def watch(time: float, whole: float) -> None:
+        if stop.is_set():
+            raise KeyboardInterrupt
+        if progress is not None:
+            progress(time, whole)
+
+    with told():
+        if threading.current_thread() is not threading.main_thread():
+            return function(*arguments, watch)
+        with ThreadPoolExecutor(1) as pool:
+            running = pool.submit(function, *arguments, watch)
+            while True:
+                try:
+                    return running.result(timeout=0.5)
+                except TimeoutError:
+                    if running.done():
+                        raise
+                except KeyboardInterrupt:
+                    if stop.is_set():
+                        raise
+                    stop.set()
+
+
+@contextmanager
+def told() -> Iterator[None]:
+    """Turn what the core says about an input, ``ValueError(name, value, allowed)``, into an :class:`InputError`."""
+    try:
+        yield
+    except ValueError as error:
+        if len(error.args) != 3:
+            raise
+        raise core_error(*error.args) from None
+
+
+def core_error(name: str, value: str, allowed: str) -> InputError:
+    """Return the error the core told as name, value and what is allowed, the first two of which may be empty."""
+    return ShotError(name or "the run", value or None, f"{value}: {allowed}" if value else allowed)

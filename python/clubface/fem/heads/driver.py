@@ -1,0 +1,140 @@
+"""A parametric hollow driver head: a few dimensions, walls and targets make a mesh of shells."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from clubface import units
+from clubface.equipment import check_name, check_text
+from clubface.errors import InputError, UnknownNameError
+from clubface.fem.heads.metal import Metal
+from clubface.fem.heads.shells import Part, ShellHead
+
+SHAPE = ("loft", "bulge", "roll", "width", "depth", "crown", "sole", "rounding")
+WALLS = ("face_centre", "face_edge", "crown", "sole", "skirt")
+CENTRE, INERTIA = ("cg_x", "cg_y", "cg_z"), ("ixx", "iyy", "izz")
+TARGETS = ("mass", *CENTRE, "cg_above", *INERTIA)
+_LIMITS = {
+    "width": (0.05, 0.15), "depth": (0.03, 0.15), "crown": (0.008, 0.06), "sole": (0.008, 0.06),
+    "rounding": (1e-3, 0.02), "bulge": (0.1, 10.0), "roll": (0.1, 10.0),
+}  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class DriverHead:
+    """A driver head as designed, each value text with a unit or SI.
+
+    Attributes
+    ----------
+    name, description
+        For tables.
+    shape
+        "loft"; "bulge" and "roll", radii of the face; "width" from heel to toe, "depth" from face to back, "crown"
+        above and "sole" below the face centre, "rounding" between face and body.
+    thickness
+        "face_centre", "face_edge", "crown", "sole", "skirt".
+    target
+        "mass", and where wanted "cg_x", "cg_y", "cg_z" (from the CG to the face centre), "cg_above" (of the CG above
+        the face normal at the face centre), "ixx", "iyy", "izz" about the CG.
+    metal
+        Of all parts.
+    trims
+        Places where mass may be added, by name: (x, y, z, most).
+    scales
+        Limits of the factor on the thickness of crown, sole and skirt by which the mass is met; the face stays.
+    elements
+        From heel to toe, from sole to crown, from face to back.
+    """
+
+    name: str
+    shape: Mapping[str, Any]
+    thickness: Mapping[str, Any]
+    target: Mapping[str, Any]
+    metal: Metal = field(default_factory=Metal)
+    trims: Mapping[str, tuple[Any, Any, Any, Any]] = field(default_factory=dict)
+    scales: tuple[float, float] = (0.5, 2.0)
+    elements: tuple[int, int, int] = (36, 12, 25)
+    description: str = ""
+
+    def __post_init__(self) -> None:
+        check_name(self.name)
+        check_text("description", self.description)
+        shape = _parsed(self.shape, SHAPE, SHAPE, lambda key: "angle" if key == "loft" else "length")
+        for key, (least, most) in _LIMITS.items():
+            if not least <= shape[key] <= most:
+                raise InputError(key, units.show(shape[key], "mm"), f"{least * 1e3:g} to {most * 1e3:g} mm")
+        if not 0.0 <= shape["loft"] <= units.parse("40 deg", "angle"):
+            raise InputError("loft", units.show(shape["loft"], "deg"), "0 to 40 deg")
+        thickness = _parsed(self.thickness, WALLS, WALLS, lambda _: "length")
+        target = _parsed(self.target, TARGETS, ("mass",), _target_dimension)
+        if not 0.05 <= target["mass"] <= 0.5:
+            raise InputError("mass", units.show(target["mass"], "g"), "50 to 500 g")
+        trims = {}
+        for name, values in self.trims.items():
+            if len(values) != 4:
+                raise InputError(f"trim {name}", values, "x, y, z and the most it may weigh")
+            place = tuple(units.parse(value, "length", name=f"trim {name}") for value in values[:3])
+            trims[name] = (*place, units.parse(values[3], "mass", name=f"trim {name}"))
+        low, high = self.scales
+        if not 0.1 <= low <= 1.0 <= high <= 10.0:
+            raise InputError("scales", self.scales, "0.1 to 1 and 1 to 10")
+        for value in self.elements:
+            if isinstance(value, bool) or not isinstance(value, int) or not 4 <= value <= 400:
+                raise InputError("elements", self.elements, "three whole numbers from 4 to 400")
+        changed = {"shape": shape, "thickness": thickness, "target": target, "trims": trims}
+        for key, value in {**changed, "elements": tuple(self.elements)}.items():
+            object.__setattr__(self, key, value)
+
+    def mesh(self) -> ShellHead:
+        """Mesh the head and bring it to its targets as nearly as walls and trim masses allow."""
+        from clubface import _core
+        from clubface.fem.core import told
+
+        target = self.target
+        values = {
+            "shape": [self.shape[key] for key in SHAPE],
+            "elements": list(self.elements),
+            "thickness": [self.thickness[key] for key in WALLS],
+            "metal": [self.metal.youngs, self.metal.poisson, self.metal.density],
+            "scales": self.scales,
+            "trims": [(name, list(place[:3]), place[3]) for name, place in self.trims.items()],
+            "mass": target["mass"],
+            # The target is from the CG to the face centre, the core's from the face centre to the CG.
+            "centre": [None if key not in target else -target[key] for key in CENTRE],
+            "above": target.get("cg_above"),
+            "inertia": [target.get(key) for key in INERTIA],
+        }
+        with told():
+            found = _core.fem_driver(values)
+        report = {"scale": found["scale"], **dict(zip(self.trims, found["trims"], strict=True))}
+        return ShellHead(
+            name=self.name,
+            description=self.description,
+            nodes=found["nodes"].reshape(-1, 3),
+            quads=found["quads"].reshape(-1, 4),
+            thickness=found["thickness"],
+            added=found["added"],
+            parts=tuple(Part(name, count, self.metal, name == "face") for name, count in found["parts"]),
+            loft=self.shape["loft"],
+            bulge=self.shape["bulge"],
+            roll=self.shape["roll"],
+            report=report,
+        )
+
+
+def _target_dimension(key: str) -> str:
+    return {"mass": "mass", "i": "inertia", "c": "length"}[key if key == "mass" else key[0]]
+
+
+def _parsed(
+    values: Mapping[str, Any], known: tuple[str, ...], required: tuple[str, ...], dimension: Any
+) -> dict[str, float]:
+    for key in values:
+        if key not in known:
+            raise UnknownNameError("value of the head", key, known)
+    for key in required:
+        if key not in values:
+            raise InputError(key, None, "given")
+    return {key: units.parse(value, dimension(key), name=key) for key, value in values.items()}

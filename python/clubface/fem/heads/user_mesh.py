@@ -1,0 +1,200 @@
+"""A head from one's own mesh of quadrilaterals, through meshio: thickness and metal by group."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from clubface import units
+from clubface.equipment import check_name, check_text
+from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.fem.heads.metal import Metal
+from clubface.fem.heads.shells import Part, ShellHead
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+SPREAD = 8e-3
+"""Radius about the place of an added mass within which nodes carry it [m], beyond the nearest."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Group:
+    """The shells of one group of the mesh.
+
+    Attributes
+    ----------
+    name
+        As in the file: a physical group or cell set; or the number of a group.
+    thickness
+        [m].
+    metal
+        What they are made of.
+    face
+        Whether the ball may touch them.
+    """
+
+    name: str
+    thickness: float
+    metal: Metal = field(default_factory=Metal)
+    face: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "thickness", units.parse(self.thickness, "length", name="thickness"))
+        if not 2e-4 <= self.thickness <= 0.02:
+            raise InputError(f"thickness of {self.name}", units.show(self.thickness, "mm"), "0.2 to 20 mm")
+        if not isinstance(self.face, bool):
+            raise InputError(f"face of {self.name}", self.face, "true or false")
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeshHead:
+    """A head whose middle surface is a mesh in a file.
+
+    Axes of the file: x towards the target, y up, z to the toe, as the club is soled.
+
+    Attributes
+    ----------
+    name, description
+        For tables.
+    file
+        Any format of meshio with quadrilaterals.
+    groups
+        What the groups are; every quadrilateral belongs to one of them.
+    loft
+        Elevation of the face normal at the face centre [rad].
+    unit
+        Of the file's lengths, such as "mm".
+    face_centre
+        Its place in the file, in that unit: where the outer side of the face has its centre.
+    bulge, roll
+        Radii of the face [m], infinite if flat.
+    masses
+        Added masses by name: (x, y, z, mass), the place from the face centre.
+    """
+
+    name: str
+    file: str | os.PathLike[str]
+    groups: tuple[Group, ...]
+    loft: Any
+    unit: str = "mm"
+    face_centre: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    bulge: Any = float("inf")
+    roll: Any = float("inf")
+    masses: Mapping[str, tuple[Any, Any, Any, Any]] = field(default_factory=dict)
+    description: str = ""
+
+    def __post_init__(self) -> None:
+        check_name(self.name)
+        check_text("description", self.description)
+        object.__setattr__(self, "loft", units.parse(self.loft, "angle", name="loft"))
+        for key in ("bulge", "roll"):
+            object.__setattr__(self, key, units.parse(getattr(self, key), "length", name=key))
+        if not 0.0 <= self.loft <= units.parse("75 deg", "angle"):
+            raise InputError("loft", units.show(self.loft, "deg"), "0 to 75 deg")
+        if len(self.face_centre) != 3:
+            raise InputError("face_centre", self.face_centre, "three numbers")
+        if not any(group.face for group in self.groups):
+            raise InputError("groups", [group.name for group in self.groups], "at least one with face = true")
+
+    def mesh(self) -> ShellHead:
+        """Read the file.
+
+        Raises
+        ------
+        FileError
+            A file that cannot be read, without quadrilaterals, or with some that belong to no group.
+        """
+        import numpy as np
+
+        points, quads, of_group = self._read()
+        size = units.parse(f"1 {self.unit}", "length", name="unit")
+        order = np.argsort(of_group, kind="stable")
+        quads, of_group = quads[order], of_group[order]
+        used, quads = np.unique(quads, return_inverse=True)
+        nodes = (points[used] - np.asarray(self.face_centre, float)) * size
+        counts = np.bincount(of_group, minlength=len(self.groups))
+        parts = tuple(
+            Part(group.name, int(count), group.metal, group.face)
+            for group, count in zip(self.groups, counts, strict=True)
+        )
+        return ShellHead(
+            name=self.name,
+            description=self.description,
+            nodes=nodes,
+            quads=quads.reshape(-1, 4),
+            thickness=np.array([group.thickness for group in self.groups])[of_group],
+            added=self._added(nodes),
+            parts=parts,
+            loft=self.loft,
+            bulge=self.bulge,
+            roll=self.roll,
+        )
+
+    def _added(self, nodes: NDArray[Any]) -> NDArray[Any]:
+        """Spread the added masses over the nodes near their places."""
+        import numpy as np
+
+        added = np.zeros(len(nodes))
+        for name, values in self.masses.items():
+            place = [units.parse(value, "length", name=f"mass {name}") for value in values[:3]]
+            away = np.linalg.norm(nodes - place, axis=1)
+            share = np.maximum(0.0, 1.0 - away / (away.min() + SPREAD))
+            added += units.parse(values[3], "mass", name=f"mass {name}") * share / share.sum()
+        return added
+
+    def _read(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """Return points in the unit of the file, quadrilaterals, and the number of the group of each."""
+        import meshio
+        import numpy as np
+
+        path = os.fspath(self.file)
+        if not os.path.isfile(path):
+            raise FileError(path, None, "cannot be read: there is no such file")
+        try:
+            mesh = meshio.read(path)
+        # meshio's readers raise whatever a broken file makes them stumble over, or leave the program.
+        except (Exception, SystemExit) as error:
+            raise FileError(path, None, f"is no mesh that can be read: {error or type(error).__name__}") from None
+        blocks = [(number, block) for number, block in enumerate(mesh.cells) if block.type == "quad"]
+        others = sorted({block.type for block in mesh.cells if block.type not in ("quad", "line", "vertex")})
+        if not blocks or others:
+            found = ", ".join(others) or "none"
+            raise FileError(
+                path, None, f"the head must be all quadrilaterals; there are elements of other kinds: {found}"
+            )
+        numbers = _group_numbers(mesh, path)
+        known = {group.name: place for place, group in enumerate(self.groups)}
+        quads, of_group = [], []
+        for number, block in blocks:
+            for name in numbers[number]:
+                if name not in known:
+                    raise FileError(path, None, str(UnknownNameError("group of the mesh", name, tuple(known))))
+            quads.append(np.asarray(block.data))
+            of_group.append(np.array([known[name] for name in numbers[number]], dtype=np.int64))
+        points = np.zeros((len(mesh.points), 3))
+        points[:, : mesh.points.shape[1]] = mesh.points
+        if not np.isfinite(points).all():
+            raise FileError(path, None, f"node {int(np.argmin(np.isfinite(points).all(axis=1)))} has no place")
+        return points, np.concatenate(quads), np.concatenate(of_group)
+
+
+def _group_numbers(mesh: Any, path: str) -> list[list[str]]:
+    """Return the name of the group of each element, by block."""
+    names = [[""] * len(block.data) for block in mesh.cells]
+    # Physical groups of Gmsh: numbers on the elements, names in the field data.
+    tags = {int(value[0]): name for name, value in mesh.field_data.items() if len(value) > 1 and value[1] == 2}
+    for key in ("gmsh:physical", "medit:ref", "group", "part"):
+        for block, values in enumerate(mesh.cell_data.get(key, [])):
+            names[block] = [tags.get(int(value), str(int(value))) for value in values]
+    for name, sets in mesh.cell_sets.items():
+        for block, members in enumerate(sets):
+            for member in () if members is None else members:
+                names[block][int(member)] = name
+    for block, each in zip(mesh.cells, names, strict=True):
+        if block.type == "quad" and "" in each:
+            message = f"element {each.index('')} belongs to no group; name physical groups or cell sets in the mesh"
+            raise FileError(path, None, message)
+    return names
