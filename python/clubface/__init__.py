@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from clubface import benchmark_data as benchmark_data
     from clubface import errors as errors
     from clubface import fem as fem
+    from clubface import launch_monitor as launch_monitor
     from clubface import units as units
     from clubface.balls import Ball as Ball
     from clubface.balls import ball as ball
@@ -55,7 +56,7 @@ _HOME = {
 }
 """The module in which each public name is defined."""
 
-_MODULES = ("benchmark_data", "errors", "fem", "units")
+_MODULES = ("benchmark_data", "errors", "fem", "launch_monitor", "units")
 
 __all__ = [*_HOME, *_MODULES]  # pyright: ignore[reportUnsupportedDunderAll]
 

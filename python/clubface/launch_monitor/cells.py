@@ -1,0 +1,192 @@
+"""What the headings and cells of a launch monitor's file say: names, units, numbers and the side they point to."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from clubface.csv_rows import is_number
+from clubface.errors import UnitError
+from clubface.units import unit
+
+MISSING = frozenset({"", "-", "--", "---", "–", "—", "n/a", "na", "nan", "null", "none"})
+"""Cells that say that nothing was measured, in lower case."""
+NOT_MEASURED = 1e30
+"""A number beyond this stands for no measurement: some programs write the largest number they can."""
+
+WORLD, CLUB = "world", "club"
+"""Whose left and right a side is told in: that of the course, or that of the club, which a left-hander mirrors."""
+
+
+class Side(NamedTuple):
+    """What a word such as "left" or "open" means: the sign it has here for a right-hander, and in whose terms."""
+
+    sign: float
+    frame: str
+
+
+_L, _R = Side(-1.0, WORLD), Side(1.0, WORLD)
+_MINUS, _PLUS = Side(-1.0, CLUB), Side(1.0, CLUB)
+_ACROSS = {
+    "l": _L, "left": _L, "r": _R, "right": _R,
+    "in out": _PLUS, "in to out": _PLUS, "out in": _MINUS, "out to in": _MINUS,
+    "open": _PLUS, "closed": _MINUS, "close": _MINUS,
+}  # fmt: skip
+_FACE = {"toe": _PLUS, "heel": _MINUS}
+_HEIGHT = {"high": _PLUS, "low": _MINUS, "up": _PLUS, "down": _MINUS}
+_LIE = {"toe up": _PLUS, "toe down": _MINUS, "up": _PLUS, "down": _MINUS}
+FACE_TO_PATH = "face_to_path"
+"""Face angle less path: not a quantity of a shot, but with the path it gives the face angle."""
+SIDES: Mapping[str, Mapping[str, Side]] = {
+    **dict.fromkeys(("path", "face", FACE_TO_PATH, "azimuth", "sidespin", "spin_axis", "side", "total_side"), _ACROSS),
+    "toe": _FACE,
+    "high": _HEIGHT,
+    "attack": _HEIGHT,
+    "lie": _LIE,
+}
+"""The words for the sides of each quantity."""
+MIRRORED = tuple(name for name, words in SIDES.items() if words is _ACROSS)
+"""Quantities across the target line: told in terms of the club, a left-hander's change their sign."""
+
+_UNITS = {
+    "yards": "yd", "yds": "yd", "yd": "yd", "feet": "ft", "inches": "in", "inch": "in", "meters": "m", "metres": "m",
+    "meter": "m", "metre": "m", "deg/sec": "deg/s", "degrees/s": "deg/s", "dps": "deg/s", "°/sec": "deg/s",
+    "degs": "deg", "grad": "deg", "graden": "deg", "grados": "deg", "km/u": "km/h", "km/hr": "km/h", "kmph": "km/h",
+    "u/min": "rpm", "tpm": "rpm", "omw/min": "rpm", "sek": "s", "sec.": "s",
+}  # fmt: skip
+"""Further spellings of units in the files of launch monitors."""
+
+_BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
+_WORDS = "|".join(sorted({re.sub(" ", "[ -]", each) for words in SIDES.values() for each in words}, key=len)[::-1])
+_TWO_SIDES = re.compile(rf"(?:^|\s)({_WORDS})([-+])\s*/\s*({_WORDS})([-+])$", re.IGNORECASE)
+_CELL = re.compile(r"(?:(?P<before>[LR])\s*)?(?P<number>[-+]?[\d.,]+(?:e[-+]?\d+)?)\s*(?P<rest>\D*)", re.IGNORECASE)
+_THOUSANDS = {
+    ",": re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?"),
+    ".": re.compile(r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?"),
+}
+
+
+class CellError(ValueError):
+    """A cell that cannot be read; its text completes the sentence "the cell is ..."."""
+
+
+class Heading(NamedTuple):
+    """What a heading says.
+
+    Attributes
+    ----------
+    name
+        Its words in lower case, without punctuation.
+    unit
+        The text of the unit in brackets, or None.
+    positive
+        The word for what is positive, as in ``(deg closed-/open+)``, or None.
+    bare
+        Its words without those in brackets, which are part of the name where they are no unit: "spin axis" of
+        ``Spin Axis (Sim)``.
+    """
+
+    name: str
+    unit: str | None
+    positive: str | None
+    bare: str
+
+
+def plain(text: str) -> str:
+    """Return the words of a text in lower case, without punctuation."""
+    return " ".join(re.findall(r"\w+", unicodedata.normalize("NFC", text).casefold()))
+
+
+def heading(text: str) -> Heading:
+    """Take a heading such as ``Push/Pull (deg L-/R+)`` apart."""
+    found = _BRACKETS.search(text)
+    if not found:
+        return Heading(plain(text), None, None, plain(text))
+    inner, positive = found[1].strip(), None
+    sides = _TWO_SIDES.search(inner)
+    if sides:
+        inner = inner[: sides.start()].strip()
+        positive = plain(sides[1] if sides[2] == "+" else sides[3])
+    bare = plain(text[: found.start()])
+    is_unit = not inner or unit_symbol(inner) is not None
+    return Heading(bare if is_unit else plain(text), inner if inner and is_unit else None, positive, bare)
+
+
+def unit_symbol(text: str) -> str | None:
+    """Return the symbol of the unit a monitor spells ``text``, or None for one that is not known."""
+    spelled = text.strip().strip("[]()").strip()
+    for each in (spelled, spelled.lower(), _UNITS.get(spelled.lower(), "")):
+        try:
+            if each:
+                return unit(each).symbol
+        except UnitError:
+            continue
+    return None
+
+
+def number(text: str, decimal_comma: bool) -> float:
+    """Return the number a text stands for; a :class:`CellError` where it is none."""
+    point, group = (",", ".") if decimal_comma else (".", ",")
+    if _THOUSANDS[group].fullmatch(text):
+        text = text.replace(group, "")
+    if group in text or "_" in text:
+        raise CellError("not a number")
+    try:
+        return float(text.replace(point, "."))
+    except ValueError:
+        raise CellError("not a number") from None
+
+
+class Reading(NamedTuple):
+    """What a cell says: a number in the terms of the file or, where ``side`` is told, here."""
+
+    value: float
+    side: Side | None
+
+
+def reading(cell: str, quantity: str, decimal_comma: bool) -> Reading | None:
+    """Return what a cell says, None where nothing was measured.
+
+    A number may be followed by its side (``10.5 L``, ``3.1 In-Out``) or preceded by it (``L3.1``), and by a unit.
+    """
+    text = cell.replace("\xa0", " ").replace("−", "-").strip()
+    if text.lower() in MISSING:
+        return None
+    found = _CELL.fullmatch(text)
+    if not found:
+        raise CellError("not a number")
+    value = number(found["number"], decimal_comma)
+    side = _side(found["before"] or "", found["rest"], quantity)
+    if side is None:
+        return Reading(value, None)
+    if found["number"][0] in "-+":
+        raise CellError("a number with both a sign and a side")
+    return Reading(value * side.sign, side)
+
+
+def _side(before: str, rest: str, quantity: str) -> Side | None:
+    """Return the side told before or after a number; a unit after it says nothing."""
+    words = plain(before or rest)
+    if not words and not before:
+        return None
+    if before and rest.strip():
+        raise CellError("not a number")
+    side = SIDES.get(quantity, {}).get(words)
+    if side is None and unit_symbol(rest) is None:
+        allowed = ", ".join(SIDES.get(quantity, {}))
+        raise CellError("not a number" + (f", or one with its side ({allowed})" if allowed else ""))
+    return side
+
+
+def uses_decimal_comma(cells: list[str]) -> bool:
+    """Tell whether numbers are written with a decimal comma: whether more cells are numbers so than with a point."""
+    numbers = [found["number"] for cell in cells if (found := _CELL.fullmatch(cell.strip()))]
+    commas = sum(
+        is_number(each.replace(",", ".")) and not _THOUSANDS[","].fullmatch(each)
+        for each in numbers
+        if each.count(",") == 1 and "." not in each
+    )
+    points = sum(is_number(each) for each in numbers if "." in each)
+    return commas > points

@@ -1,0 +1,201 @@
+"""Reading a launch monitor's file: find its layout, go through its rows, lay out its shots."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain, islice
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from clubface.csv_rows import CsvRows, Row
+from clubface.equipment import HANDS, check_choice
+from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.launch_monitor.cells import FACE_TO_PATH, uses_decimal_comma
+from clubface.launch_monitor.detection import OWN, detected
+from clubface.launch_monitor.formats import POINTS, Format
+from clubface.launch_monitor.mapping import Mapped, mapping_of
+from clubface.launch_monitor.registry import FORMATS
+from clubface.launch_monitor.rows import Session, SessionReader, Shot
+from clubface.quantities import inputs
+from clubface.recorded import SIDES, RecordedShots, read_shots
+from clubface.recorded_file import refuse_empty
+from clubface.table_columns import shot_words
+from clubface.table_reader import PARQUET, Reject
+from clubface.units import unit
+
+HEAD_ROWS = 30
+"""Rows among which the header must be."""
+DECIMAL_ROWS = 200
+"""Rows that tell how numbers are written."""
+
+
+def read(
+    path: str | os.PathLike[str],
+    format: str | None = None,
+    hand: str | None = None,
+    mapping: str | os.PathLike[str] | None = None,
+    *,
+    units: Mapping[str, str] | None = None,
+    club: Any = None,
+) -> RecordedShots:
+    """Read the file of a launch monitor: deliveries and launches, SI, with the signs of clubface.
+
+    Path, face angle, azimuth, sidespin and everything across the target line are positive to the right for either hand,
+    impact offsets towards the toe and the crown, whatever the file's own convention.
+
+    Parameters
+    ----------
+    path
+        The file: CSV in UTF-8 or Windows-1252, with commas, semicolons or tabs; or a table with clubface's own columns.
+    format
+        The name of a layout, see ``FORMATS``; left out, it is recognised by its columns.
+    hand
+        ``"right"`` or ``"left"``: the hand of every shot. Left out, it is what the file says, if it does.
+    mapping
+        A TOML file that names the columns of any other CSV, see :mod:`clubface.launch_monitor.mapping`.
+    units
+        Units of columns for which the file names none, by quantity or dimension: ``{"speed": "km/h", "carry": "m"}``.
+    club
+        The club, or a mapping from the names of clubs in the file to clubs. With it, velocities taken at the face
+        centre are referred to the centre of gravity and face angles taken at the point of contact to the face centre,
+        see :func:`refer`. Left out, they stay as measured, which a note says.
+
+    Returns
+    -------
+    RecordedShots
+        With the rows that gave no shot in ``rejected``, each with its line and reason, and what to know in ``notes``.
+
+    Raises
+    ------
+    FileError
+        A file that cannot be read, whose layout is not known, or without a single shot.
+    """
+    if hand is not None:
+        check_choice("hand", hand, SIDES.values())
+    given = _units(units or {})
+    if format is not None and mapping is not None:
+        raise InputError("format", format, "left out where a mapping is given")
+    if format is not None and format not in (*FORMATS, OWN):
+        raise UnknownNameError("format", format, (*FORMATS, OWN))
+    source = Path(path)
+    mapped = mapping_of(mapping) if mapping is not None else None
+    if mapped is None and (format == OWN or source.suffix.lower() in PARQUET):
+        return _with_hand(read_shots(path), hand)
+    rows = CsvRows(source, any_encoding=True, head_lines=HEAD_ROWS, delimiter=mapped.delimiter if mapped else None)
+    try:
+        every = _rows(rows)
+        head = list(islice(every, HEAD_ROWS))
+        layout = mapped.layout if mapped else FORMATS[format] if format is not None else detected(str(path), head)
+        if layout is None:
+            return _with_hand(read_shots(path), hand)
+        session = _session(str(path), layout, mapped, hand, given, head, every)
+    finally:
+        rows.close()
+    refuse_empty(str(path), len(session.shots), tuple(session.rejected))
+    shots = _laid_out(session, str(path), layout, rows.other_encoding)
+    if club is None:
+        return shots
+    from clubface.launch_monitor.reference_points import refer
+
+    return refer(shots, club, speed_at=layout.speed_at, face_at=layout.face_at)
+
+
+def _rows(rows: CsvRows) -> Iterator[Row | Reject]:
+    while (row := rows.next()) is not None:
+        yield row
+
+
+def _session(
+    path: str,
+    layout: Format,
+    mapped: Mapped | None,
+    hand: str | None,
+    units: Mapping[str, str],
+    head: Sequence[Row | Reject],
+    rest: Iterable[Row | Reject],
+) -> Session:
+    sample = [*head, *islice(rest, DECIMAL_ROWS - len(head))]
+    comma = mapped.decimal_comma if mapped else None
+    if comma is None:
+        comma = uses_decimal_comma([cell for row in sample if not isinstance(row, Reject) for cell in row[0]])
+    side = float(HANDS[hand]) if hand is not None else float("nan")
+    reader = SessionReader(path, layout, side, units, comma)
+    session = reader.read(chain(sample, rest))
+    if not reader.found_header:
+        first = next((row for row in sample if not isinstance(row, Reject)), None)
+        if first is None:
+            raise FileError(path, 1, "the file is empty")
+        groups = " or ".join(", ".join(group) for group in layout.marks)
+        raise FileError(path, None, f"this is no {layout.title} file: no row names the columns {groups}")
+    return session
+
+
+def _laid_out(session: Session, path: str, layout: Format, other_encoding: bool) -> RecordedShots:
+    shots = session.shots
+    for shot in shots:
+        to_path = shot.values.pop(FACE_TO_PATH, None)
+        if to_path is not None and "path" in shot.values:
+            shot.values.setdefault("face", shot.values["path"] + to_path)
+    names = [name for name in (*inputs(), *shot_words().dimensions) if any(name in shot.values for shot in shots)]
+    columns = {name: np.array([shot.values.get(name, np.nan) for shot in shots]) for name in dict.fromkeys(names)}
+    return RecordedShots(
+        deliveries={name: values for name, values in columns.items() if name in inputs()},
+        launches={name: values for name, values in columns.items() if name not in inputs()},
+        clubs=np.array([shot.club for shot in shots], dtype=object) if session.names_clubs else None,
+        hand=_hands(shots),
+        rows=np.array([shot.line for shot in shots], dtype=np.int64),
+        source=path,
+        format=layout.name,
+        rejected=tuple(session.rejected),
+        notes=tuple(_notes(session, layout, other_encoding)),
+    )
+
+
+def _hands(shots: Sequence[Shot]) -> Any:
+    if any(shot.hand != shot.hand for shot in shots):
+        return None
+    return np.array([SIDES[shot.hand] for shot in shots], dtype=object)
+
+
+def _notes(session: Session, layout: Format, other_encoding: bool) -> Iterator[str]:
+    measured = {name for shot in session.shots for name in shot.values}
+    yield from (text for name, text in layout.notes.items() if name in measured)
+    if measured & {"speed", "attack", "path"}:
+        yield f"club speed, attack angle and path were taken at {POINTS[layout.speed_at]}"
+    if measured & {"loft", "face"}:
+        yield f"dynamic loft and face angle were taken at {POINTS[layout.face_at]}"
+    if session.guessed_hand:
+        yield 'the file does not say the hand: taken as right-handed; if it is not, give hand="left"'
+    if session.assumed:
+        told = ", ".join(f"{name} in {symbol}" for name, symbol in session.assumed.items())
+        yield f"the file does not name these units, which were assumed: {told}"
+    if session.unused:
+        yield f"not used, since what is in brackets is no unit: {', '.join(session.unused)}"
+    for name, counts in session.told.items():
+        yield f"{name}: " + ", ".join(f"{count} {value}" for value, count in counts.items())
+    if session.summaries:
+        yield f"{session.summaries} rows of averages and deviations were passed over"
+    if session.without_club:
+        yield f"{session.without_club} shots without club data, for which the file holds zeros or no number"
+    if other_encoding:
+        yield "the file is not UTF-8: read as Windows-1252"
+
+
+def _with_hand(shots: RecordedShots, hand: str | None) -> RecordedShots:
+    from dataclasses import replace
+
+    return shots if hand is None else replace(shots, hand=np.array([hand] * len(shots), dtype=object))
+
+
+def _units(units: Mapping[str, str]) -> dict[str, str]:
+    """Return units by quantity or dimension, each checked."""
+    dimensions = shot_words().dimensions
+    known = [*dict.fromkeys(dimensions.values()), *dimensions]
+    for name, symbol in units.items():
+        if name not in known:
+            raise UnknownNameError("quantity or dimension", name, known)
+        unit(symbol, name=f"the unit of {name}", dimension=dimensions.get(name, name))
+    return dict(units)

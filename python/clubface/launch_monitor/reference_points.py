@@ -1,0 +1,222 @@
+"""Club data referred to the points of clubface: velocities to the centre of gravity, face angles to the face centre.
+
+A clubhead turns as it moves, so its parts move differently: with a closure rate of 2500 deg/s the face centre of a
+driver, 40 mm in front of the centre of gravity, moves 2 degrees more to the left. And the face of a wood is curved:
+10 mm towards the toe it points 1.9 degrees more to the right than at its centre. Monitors take either where it suits
+them; TrackMan's article "Club Data Definitions" tells both of itself and of cameras.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from clubface.clubs import Club
+from clubface.clubs import club as club_named
+from clubface.equipment import HANDS, check_choice
+from clubface.errors import UnknownNameError
+from clubface.launch_monitor.formats import CG, CONTACT, FACE, UNKNOWN
+from clubface.launch_monitor.registry import FORMATS
+from clubface.recorded import RecordedShots
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+CLOSE = 1e-14
+"""Angle to which the face at its centre is found [rad]."""
+MOST_STEPS = 60
+
+
+def refer(shots: RecordedShots, club: Any, *, speed_at: str | None = None, face_at: str | None = None) -> RecordedShots:
+    """Return the shots with the club's motion at its centre of gravity and the face angles at the face centre.
+
+    The velocity of the centre of gravity is that of the face centre less omega x r, r from the one to the other in the
+    delivered attitude and omega from closure, pitch and lie rate. The attitude is the one whose face, a torus of the
+    club's bulge and roll, points as measured at the point of contact. A shot that lacks the closure rate or the point
+    of contact stays as measured; a note counts them.
+
+    Parameters
+    ----------
+    shots
+        The shots, as measured.
+    club
+        The club (a :class:`Club`, a name or the path of a file), or a mapping from the names of clubs in the shots to
+        clubs; shots with other clubs stay as measured.
+    speed_at
+        Where speed, attack angle and path were taken: "cg", "face" (its centre) or "unknown", which changes nothing.
+        Left out, as by the format of the shots.
+    face_at
+        Where dynamic loft and face angle were taken: "face" (its centre), "contact" or "unknown".
+    """
+    layout = FORMATS.get(shots.format)
+    speed_at = speed_at if speed_at is not None else layout.speed_at if layout else UNKNOWN
+    face_at = face_at if face_at is not None else layout.face_at if layout else UNKNOWN
+    check_choice("speed_at", speed_at, (CG, FACE, UNKNOWN))
+    check_choice("face_at", face_at, (FACE, CONTACT, UNKNOWN))
+    deliveries = {name: values.copy() for name, values in shots.deliveries.items()}
+    notes = list(shots.notes)
+    for which, rows in _groups(shots, club):
+        hand = _hands(shots, which)[rows]
+        some = {name: values[rows] for name, values in deliveries.items()}
+        if face_at == CONTACT and {"loft", "face"} & set(some):
+            found = _at_face_centre(some, which, hand)
+            _put(deliveries, rows, found)
+            some |= found
+            lacking = _unknown(some, "toe", "high")
+            notes.append(
+                _told("dynamic loft and face angle referred to the face centre", which, lacking, "point of contact")
+            )
+        if speed_at == FACE and "speed" in some:
+            found = _at_cg(some, which, hand)
+            _put(deliveries, rows, found)
+            lacking = _unknown(some, "closure")
+            notes.append(_told("the club's motion referred to its centre of gravity", which, lacking, "closure rate"))
+    return replace(shots, deliveries=deliveries, notes=tuple(notes))
+
+
+def _groups(shots: RecordedShots, club: Any) -> list[tuple[Club, NDArray[np.intp]]]:
+    if not isinstance(club, Mapping):
+        return [(_club(club), np.arange(len(shots)))]
+    names = shots.clubs if shots.clubs is not None else np.full(len(shots), "", dtype=object)
+    for name in club:
+        if name not in names:
+            raise UnknownNameError("club in the file", name, dict.fromkeys(names))
+    return [(_club(each), np.flatnonzero(names == name)) for name, each in club.items()]
+
+
+def _club(which: Any) -> Club:
+    return which if isinstance(which, Club) else club_named(which)
+
+
+def _hands(shots: RecordedShots, which: Club) -> NDArray[np.float64]:
+    if shots.hand is None:
+        return np.full(len(shots), float(which.hand))
+    return np.array([float(HANDS[each]) for each in shots.hand])
+
+
+def _put(deliveries: dict[str, NDArray[np.float64]], rows: NDArray[np.intp], found: Mapping[str, Any]) -> None:
+    for name, values in found.items():
+        deliveries[name][rows] = values
+
+
+def _unknown(some: Mapping[str, Any], *names: str) -> NDArray[np.bool_]:
+    """Return which shots lack one of the quantities."""
+    nothing = np.full(len(next(iter(some.values()))), np.nan)
+    return np.any([np.isnan(some.get(name, nothing)) for name in names], axis=0)
+
+
+def _told(what: str, which: Club, lacking: NDArray[np.bool_], needed: str) -> str:
+    more = f"; {lacking.sum()} of {lacking.size} shots lack the {needed} and stay as measured" if lacking.any() else ""
+    return f"{what} of {which.name}{more}"
+
+
+def _at_face_centre(some: Mapping[str, Any], which: Club, hand: NDArray[np.float64]) -> dict[str, Any]:
+    """Return loft and face angle at the face centre where those at the point of contact are given."""
+    count = len(hand)
+    toe, high = (some.get(name, np.full(count, np.nan)) for name in ("toe", "high"))
+    lacking = np.isnan(toe) | np.isnan(high)
+    toe, high = (np.where(lacking, 0.0, each) for each in (toe, high))
+    measured_loft = _filled(some, "loft", count, which.loft)
+    measured_face = hand * _filled(some, "face", count, 0.0)
+    lie = _filled(some, "lie", count, 0.0)
+    normal = _normal(toe, high, which)
+    loft, face = measured_loft.copy(), measured_face.copy()
+    for _ in range(MOST_STEPS):
+        x, y, z = np.einsum("nij,nj->ni", _turned(loft, face, lie, which.loft) @ _tilted(which.loft, lie), normal).T
+        step_loft = measured_loft - np.arcsin(np.clip(y, -1.0, 1.0))
+        step_face = measured_face - np.arctan2(z, x)
+        loft, face = loft + step_loft, face + step_face
+        if max(np.abs(step_loft).max(initial=0.0), np.abs(step_face).max(initial=0.0)) < CLOSE:
+            break
+    found = {"loft": loft, "face": hand * face}
+    return {
+        name: np.where(lacking | np.isnan(some[name]), some[name], values)
+        for name, values in found.items()
+        if name in some
+    }
+
+
+def _normal(toe: NDArray[np.float64], high: NDArray[np.float64], which: Club) -> NDArray[np.float64]:
+    """Return the outward normal at points of the face in face axes: outward, up the face, to the toe; shape (n, 3).
+
+    The roll arc is revolved about the axis parallel to the face's vertical that lies the bulge behind the face centre.
+    """
+    sin_up = np.clip(high / which.roll, -1.0, 1.0)
+    cos_up = np.sqrt(1.0 - sin_up**2)
+    if math.isinf(which.bulge):
+        return np.stack([cos_up, sin_up, np.zeros_like(toe)], axis=1)
+    behind = 0.0 if math.isinf(which.roll) else which.roll * (1.0 - cos_up)
+    sin_out = np.clip(toe / (which.bulge - behind), -1.0, 1.0)
+    cos_out = np.sqrt(1.0 - sin_out**2)
+    return np.stack([cos_up * cos_out, sin_up, cos_up * sin_out], axis=1)
+
+
+def _at_cg(some: Mapping[str, Any], which: Club, hand: NDArray[np.float64]) -> dict[str, Any]:
+    """Return speed, attack angle and path of the centre of gravity where those of the face centre are given."""
+    count = len(hand)
+    closure = some.get("closure", np.full(count, np.nan))
+    attack, path = _filled(some, "attack", count, 0.0), hand * _filled(some, "path", count, 0.0)
+    direction = np.stack([np.cos(attack) * np.cos(path), np.sin(attack), np.cos(attack) * np.sin(path)], axis=1)
+    rates = (-_filled(some, "lie_rate", count, 0.0), closure, _filled(some, "pitch_rate", count, 0.0))
+    loft, face = _filled(some, "loft", count, which.loft), hand * _filled(some, "face", count, 0.0)
+    turned = _turned(loft, face, _filled(some, "lie", count, 0.0), which.loft)
+    arm = turned @ _about_x(_filled(some, "lie", count, 0.0)) @ np.array([which.cg_x, which.cg_y, which.cg_z])
+    velocity = some["speed"][:, None] * direction - np.cross(np.stack(rates, axis=1), arm)
+    speed = np.linalg.norm(velocity, axis=1)
+    found = {
+        "speed": speed,
+        "attack": np.arcsin(np.clip(velocity[:, 1] / speed, -1.0, 1.0)),
+        "path": hand * np.arctan2(velocity[:, 2], velocity[:, 0]),
+    }
+    known = ~np.isnan(closure)
+    return {
+        name: np.where(known & ~np.isnan(some[name]), values, some[name])
+        for name, values in found.items()
+        if name in some
+    }
+
+
+def _filled(some: Mapping[str, Any], name: str, count: int, default: float) -> NDArray[np.float64]:
+    values = some.get(name, np.full(count, np.nan))
+    return np.where(np.isnan(values), default, values)
+
+
+def _about_x(lie: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the rotation of the reference pose by the lie, toe up; shape (n, 3, 3)."""
+    zero, one = np.zeros_like(lie), np.ones_like(lie)
+    rows = [[one, zero, zero], [zero, np.cos(lie), np.sin(lie)], [zero, -np.sin(lie), np.cos(lie)]]
+    return np.moveaxis(np.array(rows), -1, 0)
+
+
+def _about_y(angle: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the rotation that turns x towards z, to the right; shape (n, 3, 3)."""
+    zero, one = np.zeros_like(angle), np.ones_like(angle)
+    rows = [[np.cos(angle), zero, -np.sin(angle)], [zero, one, zero], [np.sin(angle), zero, np.cos(angle)]]
+    return np.moveaxis(np.array(rows), -1, 0)
+
+
+def _about_z(angle: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the rotation that turns x towards y, up; shape (n, 3, 3)."""
+    zero, one = np.zeros_like(angle), np.ones_like(angle)
+    rows = [[np.cos(angle), -np.sin(angle), zero], [np.sin(angle), np.cos(angle), zero], [zero, zero, one]]
+    return np.moveaxis(np.array(rows), -1, 0)
+
+
+def _tilted(static_loft: float, lie: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the rotation from face axes to the reference pose tilted by the lie; shape (n, 3, 3)."""
+    return _about_x(lie) @ _about_z(np.full_like(lie, static_loft))
+
+
+def _turned(
+    loft: NDArray[np.float64], face: NDArray[np.float64], lie: NDArray[np.float64], static_loft: float
+) -> NDArray[np.float64]:
+    """Return the rotation from the tilted reference pose to the delivered attitude; shape (n, 3, 3).
+
+    The face normal is turned back to azimuth 0, about z until its elevation is the loft, and right by the face angle.
+    """
+    x, y, z = _tilted(static_loft, lie)[:, :, 0].T
+    return _about_y(face) @ _about_z(loft - np.arctan2(y, np.hypot(x, z))) @ _about_y(-np.arctan2(z, x))
