@@ -28,6 +28,17 @@ def check(inputs: Sequence[float]) -> tuple[str, str] | None: ...
 def sensitivity(
     model: str, inputs: Sequence[float], parameters: Sequence[float], accuracy: float | None = None
 ) -> tuple[NDArray[float64], NDArray[float64]]: ...
+def sensitivities(
+    model: str,
+    inputs: Sequence[Column],
+    parameters: Sequence[Column],
+    n: int,
+    outputs: Sequence[int],
+    variables: Sequence[int],
+    accuracy: float | None = None,
+    threads: int = 0,
+    progress: Callable[[int], object] | None = None,
+) -> tuple[NDArray[float64], Problems]: ...
 def history(
     model: str, inputs: Sequence[float], parameters: Sequence[float], accuracy: float | None = None
 ) -> dict[str, NDArray[float64]]: ...

@@ -7,7 +7,6 @@ use crate::check::{
 use crate::error::ImpactError;
 use crate::first_touch::FirstTouch;
 use crate::history::Unrecorded;
-use crate::launch::OUTPUT_COUNT;
 use crate::model::{Accuracy, ModelInfo};
 use crate::registry::ModelKind;
 use crate::shot::{DELIVERY_COUNT, INPUT_COUNT};
@@ -98,13 +97,6 @@ impl Batch<'_> {
     /// current rayon pool; the result does not depend on their number.
     #[must_use]
     pub fn run(&self, rows: Range<usize>, outputs: Vec<&mut [f64]>) -> Vec<Reject> {
-        let mut chunks: Vec<Vec<&mut [f64]>> =
-            (0..rows.len().div_ceil(CHUNK)).map(|_| Vec::with_capacity(OUTPUT_COUNT)).collect();
-        for output in outputs {
-            for (chunk, part) in chunks.iter_mut().zip(output.chunks_mut(CHUNK)) {
-                chunk.push(part);
-            }
-        }
         let work = |(index, mut chunk): (usize, Vec<&mut [f64]>)| {
             // A pack costs more than one shot alone.
             let packs = self.model.info().lanes && chunk[0].len() > 1;
@@ -115,6 +107,7 @@ impl Batch<'_> {
                 kernel.run::<f64>()
             }
         };
+        let chunks = split(outputs, rows.len(), CHUNK);
         let rejects: Vec<Vec<Reject>> = chunks.into_par_iter().enumerate().map(work).collect();
         rejects.into_iter().flatten().collect()
     }
@@ -191,9 +184,21 @@ impl Kernel for Chunk<'_, '_, '_> {
     }
 }
 
+/// Cuts columns of `rows` into chunks of `size` rows: for each chunk, its part of every column.
+pub(crate) fn split(columns: Vec<&mut [f64]>, rows: usize, size: usize) -> Vec<Vec<&mut [f64]>> {
+    let mut chunks: Vec<Vec<&mut [f64]>> =
+        (0..rows.div_ceil(size)).map(|_| Vec::with_capacity(columns.len())).collect();
+    for column in columns {
+        for (chunk, part) in chunks.iter_mut().zip(column.chunks_mut(size)) {
+            chunk.push(part);
+        }
+    }
+    chunks
+}
+
 /// Values of `used` rows from `start`, one a lane; lanes beyond the last row repeat it.
 #[inline(always)]
-fn gather<S: Lanes, const N: usize>(columns: &[Column], start: usize, used: usize) -> [S; N] {
+pub(crate) fn gather<S: Lanes, const N: usize>(columns: &[Column], start: usize, used: usize) -> [S; N] {
     let mut values = [S::zero(); N];
     for (value, column) in values.iter_mut().zip(columns) {
         *value = match column {

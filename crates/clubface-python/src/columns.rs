@@ -1,6 +1,6 @@
 //! Columns from Python, and long work in pieces between which Python may interrupt.
 
-use clubface_impact::batch::{Column, Reject, CHUNK};
+use clubface_impact::batch::{Column, Reject};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -46,11 +46,14 @@ pub type Computed<'py> = (Bound<'py, PyArray2<f64>>, Vec<(usize, &'static str, S
 pub type Derivatives<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// Runs `work` over `rows` on `threads` threads (0: all), in pieces of at most about 40 ms, into an array of `outputs`
-/// by `rows`. Between pieces, reports the rows done to `progress` and lets Python interrupt.
+/// by `rows`; a thread takes `chunk` rows at a time. Between pieces, reports the rows done to `progress` and lets Python
+/// interrupt.
+#[allow(clippy::too_many_arguments)]
 pub fn run_in_pieces<'py>(
     py: Python<'py>,
     outputs: usize,
     rows: usize,
+    chunk: usize,
     threads: usize,
     progress: Option<&Bound<'py, PyAny>>,
     work: impl Fn(Range<usize>, Vec<&mut [f64]>) -> Vec<Reject> + Sync + Send,
@@ -62,7 +65,7 @@ pub fn run_in_pieces<'py>(
         let mut writer = array.readwrite();
         let all =
             writer.as_slice_mut().map_err(|_| PyValueError::new_err("output array is not contiguous"))?;
-        let pool = if threads == 0 || rows <= CHUNK {
+        let pool = if threads == 0 || rows <= chunk {
             None
         } else {
             let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
@@ -72,7 +75,7 @@ pub fn run_in_pieces<'py>(
             pool.as_ref().map_or_else(rayon::current_num_threads, rayon::ThreadPool::current_num_threads);
         let mut columns: Vec<&mut [f64]> = all.chunks_mut(rows.max(1)).collect();
         let mut start = 0;
-        let mut piece = CHUNK * workers;
+        let mut piece = chunk * workers;
         while start < rows {
             let count = piece.min(rows - start);
             let mut parts = Vec::with_capacity(outputs);
@@ -82,7 +85,7 @@ pub fn run_in_pieces<'py>(
                 *column = rest;
             }
             let began = Instant::now();
-            let found = if rows <= CHUNK {
+            let found = if rows <= chunk {
                 // Few rows: a thread hand-over would cost more than the GIL held for them.
                 work(start..start + count, parts)
             } else {
@@ -96,10 +99,10 @@ pub fn run_in_pieces<'py>(
             let elapsed = began.elapsed();
             if elapsed < PATIENCE / 4 {
                 piece *= 2;
-            } else if elapsed > PATIENCE && piece > CHUNK {
-                piece = (piece / 2).next_multiple_of(CHUNK);
+            } else if elapsed > PATIENCE && piece > chunk {
+                piece = (piece / 2).next_multiple_of(chunk);
             }
-            if rows > CHUNK {
+            if rows > chunk {
                 py.check_signals()?;
             }
             if let Some(progress) = progress {

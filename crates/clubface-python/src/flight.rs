@@ -1,7 +1,7 @@
 //! Flights: batches, trajectories, derivatives.
 
 use crate::columns::{columns, run_in_pieces, value_error, Computed, Derivatives, Values};
-use clubface_impact::batch::Column;
+use clubface_impact::batch::{Column, CHUNK};
 use clubface_impact::flight::{self, FlightBatch, INPUT_COUNT, OUTPUT_COUNT};
 use clubface_impact::ImpactError;
 use numpy::{PyArray1, PyArray2};
@@ -34,7 +34,7 @@ pub fn fly<'py>(
     let inputs: Vec<Column> = columns(&inputs)?;
     let batch = FlightBatch { inputs: &inputs };
     batch.validate(n).map_err(|e| value_error(&e))?;
-    run_in_pieces(py, OUTPUT_COUNT, n, threads, progress.as_ref(), |rows, out| batch.run(rows, out))
+    run_in_pieces(py, OUTPUT_COUNT, n, CHUNK, threads, progress.as_ref(), |rows, out| batch.run(rows, out))
 }
 
 /// Path of one flight: arrays time, position, velocity and spin over its points.

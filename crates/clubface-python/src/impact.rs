@@ -1,9 +1,10 @@
 //! Impacts: batches, histories, derivatives.
 
 use crate::columns::{columns, run_in_pieces, value_error, Computed, Derivatives, Values};
-use clubface_impact::batch::{Batch, Column};
+use clubface_impact::batch::{Batch, Column, CHUNK};
 use clubface_impact::history::History;
 use clubface_impact::launch::OUTPUT_COUNT;
+use clubface_impact::sensitivity::{Sensitivities, CHUNK as DIFFERENTIATED};
 use clubface_impact::shot::{INPUTS, INPUT_COUNT};
 use clubface_impact::{Accuracy, ImpactError, ModelKind};
 use numpy::{PyArray1, PyArray2};
@@ -68,7 +69,36 @@ pub fn impact<'py>(
     let parameters: Vec<Column> = columns(&parameters)?;
     let batch = Batch { model, inputs: &inputs, parameters: &parameters, accuracy: accuracy_of(accuracy)? };
     batch.validate(n).map_err(|e| value_error(&e))?;
-    run_in_pieces(py, OUTPUT_COUNT, n, threads, progress.as_ref(), |rows, out| batch.run(rows, out))
+    run_in_pieces(py, OUTPUT_COUNT, n, CHUNK, threads, progress.as_ref(), |rows, out| batch.run(rows, out))
+}
+
+/// Chosen outputs of `n` shots with their derivatives by chosen variables: (array, [(row, input, message), ...]).
+///
+/// The array has n columns and, for each output, a row of its values and one of derivatives a variable. `outputs` and
+/// `variables` are indices: into `outputs()`, and into the inputs followed by the parameters. The rest as for `impact`.
+#[pyfunction]
+#[pyo3(signature = (model, inputs, parameters, n, outputs, variables, accuracy=None, threads=0, progress=None))]
+#[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
+pub fn sensitivities<'py>(
+    py: Python<'py>,
+    model: &str,
+    inputs: Vec<Values<'py>>,
+    parameters: Vec<Values<'py>>,
+    n: usize,
+    outputs: Vec<usize>,
+    variables: Vec<usize>,
+    accuracy: Option<f64>,
+    threads: usize,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<Computed<'py>> {
+    let model = model_of(model)?;
+    let inputs: Vec<Column> = columns(&inputs)?;
+    let parameters: Vec<Column> = columns(&parameters)?;
+    let batch = Batch { model, inputs: &inputs, parameters: &parameters, accuracy: accuracy_of(accuracy)? };
+    let wanted = Sensitivities { batch, outputs: &outputs, variables: &variables };
+    wanted.validate(n).map_err(|e| value_error(&e))?;
+    let count = wanted.columns();
+    run_in_pieces(py, count, n, DIFFERENTIATED, threads, progress.as_ref(), |rows, out| wanted.run(rows, out))
 }
 
 /// What is wrong with one shot: None, or (input, message).

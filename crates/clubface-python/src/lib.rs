@@ -21,5 +21,5 @@ mod _core {
     #[pymodule_export]
     use crate::flight::{fly, fly_sensitivity, trajectory};
     #[pymodule_export]
-    use crate::impact::{check, history, impact, sensitivity};
+    use crate::impact::{check, history, impact, sensitivities, sensitivity};
 }

@@ -1,9 +1,9 @@
 //! Many shots: columns in, columns out, on all lanes and threads.
 
 use super::check::{check, never_lands};
-use super::shot::{fly, FlightShot, INPUTS, INPUT_COUNT, OUTPUT_COUNT};
+use super::shot::{fly, FlightShot, INPUTS, INPUT_COUNT};
 use super::trajectory::TOLERANCE;
-use crate::batch::{Column, Reject, CHUNK};
+use crate::batch::{split, Column, Reject, CHUNK};
 use crate::error::ImpactError;
 use clubface_math::{dispatch, Kernel, Lanes, Mask};
 use core::ops::Range;
@@ -44,13 +44,7 @@ impl FlightBatch<'_> {
     /// can report progress and stop between calls. Shots that cannot be flown are NaN and returned with reasons.
     #[must_use]
     pub fn run(&self, rows: Range<usize>, outputs: Vec<&mut [f64]>) -> Vec<Reject> {
-        let mut chunks: Vec<Vec<&mut [f64]>> =
-            (0..rows.len().div_ceil(CHUNK)).map(|_| Vec::with_capacity(OUTPUT_COUNT)).collect();
-        for output in outputs {
-            for (chunk, part) in chunks.iter_mut().zip(output.chunks_mut(CHUNK)) {
-                chunk.push(part);
-            }
-        }
+        let chunks = split(outputs, rows.len(), CHUNK);
         let work = |(index, mut chunk): (usize, Vec<&mut [f64]>)| {
             let first = rows.start + index * CHUNK;
             dispatch(Chunk { inputs: self.inputs, first, outputs: &mut chunk })

@@ -6,6 +6,7 @@
 mod accuracy;
 mod area;
 mod bad_input;
+mod batch_derivatives;
 mod batches;
 mod delivery;
 mod derivatives;
