@@ -4,7 +4,9 @@ from dataclasses import replace
 from functools import cache
 
 from clubface import fem
+from clubface.equipment import builtin_path
 from clubface.fem.case import Case, case
+from clubface.fem.heads.read import from_toml
 
 
 def coarse(name="reference"):
@@ -25,8 +27,24 @@ def throw_case(**settings):
 
 
 def drive_case(**settings):
-    """P2's case with a coarse ball."""
-    return case("paper").replace(ball=coarse("paper"), settings=settings)
+    """P2's case with a rigid head and a coarse ball."""
+    return case("paper-rigid").replace(ball=coarse("paper"), settings=settings)
+
+
+@cache
+def coarse_head():
+    """P2's head of few shells."""
+    return fem.head(replace(from_toml(builtin_path("fem_head", "p2", fem.head_names())), elements=(14, 8, 10)))
+
+
+def shells_case(**settings):
+    """P2's case with a coarse head of shells and a coarse ball."""
+    return case("paper").replace(ball=coarse("paper"), club=coarse_head(), settings=settings)
+
+
+@cache
+def coarse_shells():
+    return shells_case(frames=5).run()
 
 
 @cache

@@ -7,9 +7,9 @@ import pytest
 
 from clubface import fem
 from clubface.errors import InputError
-from clubface.fem import cards, keyword, vtu
+from clubface.fem import cards, keyword, keyword_head, vtu
 from clubface.fem.case import case
-from fem_runs import coarse_drive, coarse_throw, drive_case, throw_case
+from fem_runs import coarse_drive, coarse_head, coarse_shells, coarse_throw, drive_case, shells_case, throw_case
 
 
 def volumes(points, cells):
@@ -22,19 +22,26 @@ def volumes(points, cells):
     return total
 
 
-@pytest.mark.parametrize("run", [coarse_throw, coarse_drive])
+@pytest.mark.parametrize("run", [coarse_throw, coarse_drive, coarse_shells])
 def test_shapes_read_back_as_they_were(tmp_path, run):
     meshio = pytest.importorskip("meshio")
     found = run()
     *shapes, collection = vtu.write_series(found, tmp_path, "an impact: first")
     assert 4 <= len(shapes) == len(found.frames) <= 5  # the last step ends a little before the simulated time
     places = found.world_positions()
+    nodes = places.shape[1]
     for path, place in zip(shapes, places, strict=True):
         mesh = meshio.read(path)
         cells = mesh.cells_dict["hexahedron"]
         assert len(cells) == found.ball.elements
-        assert mesh.points + mesh.point_data["displacement"] == pytest.approx(place, abs=1e-9)
+        moved = mesh.points + mesh.point_data["displacement"]
+        # Displacements of up to 3 cm in numbers of 24 bits.
+        assert moved[:nodes] == pytest.approx(place, abs=2e-9)
         assert set(mesh.cell_data["piece"][0]) == {0, 1}
+        if found.head is not None:
+            assert len(mesh.cells_dict["quad"]) == found.head.elements
+            assert set(mesh.cell_data["piece"][1]) == {2, 3, 4, 5}
+            assert len(moved) == nodes + len(found.head.nodes)
         assert (volumes(mesh.points, cells) > 0.0).all()
         assert (volumes(place, cells) > 0.0).all()
     entries = ET.parse(collection).getroot().findall("./Collection/DataSet")
@@ -143,7 +150,7 @@ def test_the_deck_of_a_drive_holds_the_head(tmp_path):
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 3] - corners[:, 0])
     nearest = np.argmin(np.linalg.norm(corners.mean(axis=1), axis=1))
     assert abs(normals[nearest, 0]) / np.linalg.norm(normals[nearest]) == pytest.approx(1.0, abs=1e-3)
-    assert corners[nearest].mean(axis=0) == pytest.approx([-0.5 * keyword.SHELL, 0, 0], abs=2e-3)
+    assert corners[nearest].mean(axis=0) == pytest.approx([-0.5 * keyword_head.SHELL, 0, 0], abs=2e-3)
     assert (velocity + np.cross(spin, -cg))[0] > 30.0
     assert (normals @ normals[nearest] > 0.0).all()
     # Viscous rubber and cover.
@@ -156,6 +163,33 @@ def test_the_deck_of_a_drive_holds_the_head(tmp_path):
     plastic = given.ball.pieces[1].material
     assert cover[3] == pytest.approx((1 + plastic.maxwell[0].modulus) * cover[4], rel=1e-6)
     assert fields(deck.one("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE")[1]) == [given.friction, given.friction]
+
+
+def test_the_deck_of_a_head_of_shells_holds_its_mass_and_motion(tmp_path):
+    given, head = shells_case().replace(toe="8 mm", closure="2400 deg/s"), coarse_head()
+    deck = Deck(keyword.write(given, tmp_path / "shells.k"))
+    lines = deck.one("ELEMENT_SHELL_THICKNESS")
+    quads = np.array([[int(line[at : at + 8]) for at in range(0, 48, 8)] for line in lines[::2]])
+    walls = np.array([[float(line[at : at + 16]) for at in range(0, 64, 16)] for line in lines[1::2]])
+    nodes = deck.nodes()
+    a, b, c, d = (nodes[quads[:, corner] - 1] for corner in (2, 3, 4, 5))
+    areas = 0.5 * np.linalg.norm(np.cross(c - a, d - b), axis=1)
+    masses = np.zeros(len(nodes))
+    for corner in range(2, 6):
+        np.add.at(masses, quads[:, corner] - 1, 0.25 * 4430.0 * areas * walls[:, 0])
+    for line in deck.one("ELEMENT_MASS"):
+        masses[int(line[8:16]) - 1] += float(line[16:32])
+    # Nine digits of every coordinate.
+    assert masses.sum() == pytest.approx(head.club.mass, rel=1e-6)
+    velocities = np.array([fields(line) for line in deck.one("INITIAL_VELOCITY_NODE")])
+    on_head = velocities[:, 0].astype(int) - 1
+    mean = masses[on_head] @ velocities[:, 1:4] / masses.sum()
+    # The speed is that of the CG.
+    assert np.linalg.norm(mean) == pytest.approx(35.0, rel=1e-5)
+    assert np.linalg.norm(velocities[0, 4:]) == pytest.approx(np.radians(2400), rel=1e-6)
+    first = int(quads[:, 2:].min()) - 1
+    assert (nodes[:first, 0] > -1e-9).all()
+    assert (nodes[first:, 0] < 2e-3).all()
 
 
 def test_a_head_that_moves_away_gives_no_deck(tmp_path):

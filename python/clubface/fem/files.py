@@ -30,7 +30,7 @@ def document(found: Impact) -> dict[str, Any]:
     """Return figures and launch, SI, in the order of the table."""
     figures = {name: getattr(found, name) for name in FIGURES}
     rebound = {} if found.launch else {"normal_velocity": found.normal_velocity, "backspin": found.backspin}
-    return {**found.launch, **rebound, **figures, "elements": found.ball.elements, "stopped": found.stopped or ""}
+    return {**found.launch, **rebound, **figures, "elements": found.elements, "stopped": found.stopped or ""}
 
 
 def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool = False) -> list[Path]:

@@ -54,7 +54,7 @@ def document(found: Impact) -> dict[str, Any]:
     return {
         **table(found),
         "energy_error": found.energy_error,
-        "elements": found.ball.elements,
+        "elements": found.elements,
         "steps": found.steps,
         "wall_s": found.wall,
     }

@@ -136,6 +136,11 @@ class Impact:
         self.attitude: NDArray[Any] = found["attitude"]
 
     @property
+    def elements(self) -> int:
+        """Number of hexahedra and shells."""
+        return self.ball.elements + (0 if self.head is None else self.head.elements)
+
+    @property
     def normal_velocity(self) -> float:
         """Velocity of the ball along the face normal of first touch after the impact [m/s]."""
         return float(self.axes[0] @ self._ball_velocity)
@@ -164,13 +169,13 @@ class Impact:
         along = self.motion["velocity"] + self.frame_velocity
         return along @ self.axes @ self.attitude.T
 
-    def world_positions(self) -> NDArray[Any]:
-        """Return the nodes of the deformed shapes in world axes [m], shapes by nodes by three.
+    def world_positions(self, shapes: NDArray[Any] | None = None) -> NDArray[Any]:
+        """Return the nodes of deformed shapes, left out those of the ball, in world axes [m], shapes by nodes by three.
 
         The origin is the clubhead's CG of first touch, or the point of a plane where the ball first touches it. For a
         left-handed club it is the mirror image of what it plays.
         """
-        return self.frames @ self.attitude.T
+        return (self.frames if shapes is None else shapes) @ self.attitude.T
 
     def __repr__(self) -> str:
         state = f", stopped: {self.stopped}" if self.stopped else ""

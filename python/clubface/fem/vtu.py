@@ -12,11 +12,12 @@ from clubface.fem.result import Impact
 
 
 def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> list[Path]:
-    """Write every kept shape of the ball as a VTU file, and a collection of them with their times.
+    """Write every kept shape as a VTU file, and a collection of them with their times.
 
     Axes are the world's (x to the target, y up, z to the right), with the origin at the clubhead's CG of first touch;
     for a ball thrown at a plane x is the plane's normal. Lengths are in m, times in s. Points carry ``displacement``
-    from the undeformed shape at first touch, cells ``piece``, 0 for the core.
+    from the shape at first touch, cells ``piece``: 0 for the core and on, then the parts of a head of shells, as
+    quadrilaterals with their ``thickness`` [m] (0 for hexahedra).
 
     Parameters
     ----------
@@ -47,13 +48,22 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
     mesh = _core.fem_mesh(found.ball.values())
     shapes = found.world_positions()
     cells: list[Any] = [("hexahedron", np.asarray(mesh["elements"], dtype=np.int32))]
-    piece: dict[str, Any] = {"piece": [np.asarray(mesh["piece"], dtype=np.int32)]}
+    of_cells: dict[str, list[Any]] = {
+        "piece": [np.asarray(mesh["piece"], dtype=np.int32)],
+        "thickness": [np.zeros(len(mesh["elements"]))],
+    }
+    if found.head is not None:
+        cells.append(("quad", found.head.quads.astype(np.int32) + len(mesh["nodes"])))
+        parts = found.head.part_of_elements() + len(found.ball.pieces)
+        of_cells["piece"].append(parts.astype(np.int32))
+        of_cells["thickness"].append(found.head.thickness)
+        shapes = np.concatenate([shapes, found.world_positions(found.head_frames)], axis=1)
     target, stem = Path(folder), file_stem(name)
     written = []
     for number, shape in enumerate(shapes):
         moved: dict[str, Any] = {"displacement": (shape - shapes[0]).astype(np.float32)}
         path = target / f"{stem}-{number:04d}.vtu"
-        meshio.write(path, meshio.Mesh(shapes[0], cells, point_data=moved, cell_data=piece), file_format="vtu")
+        meshio.write(path, meshio.Mesh(shapes[0], cells, point_data=moved, cell_data=of_cells), file_format="vtu")
         written.append(path)
     return [*written, _collection(target / f"{stem}.pvd", found.frame_times.tolist(), written)]
 

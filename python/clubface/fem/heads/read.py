@@ -95,11 +95,10 @@ def _mesh(document: Document, data: dict[str, Any], folder: Path) -> MeshHead:
         except FileError:
             raise
         except ClubfaceError as error:
-            raise document.wrap(error, "groups", number) from error
+            # "thickness of crown" stands in the line of "thickness".
+            key = str(getattr(error, "parameter", "")).partition(" of ")[0]
+            raise document.error(str(error), key, "groups", number) from error
     masses = _places(document, data.pop("masses", []), "masses", "mass")
-    for key in ("bulge", "roll"):
-        if data.get(key) == "flat":
-            data[key] = float("inf")
     try:
         return MeshHead(**{**data, "file": folder / data["file"]}, groups=tuple(groups), masses=masses)
     except ClubfaceError as error:

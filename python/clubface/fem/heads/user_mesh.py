@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
-from clubface.equipment import check_name, check_text
+from clubface.equipment import FLAT, check_name, check_text
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.shells import Part, ShellHead
@@ -70,7 +71,7 @@ class MeshHead:
     face_centre
         Its place in the file, in that unit: where the outer side of the face has its centre.
     bulge, roll
-        Radii of the face [m], infinite if flat.
+        Radii of the face [m], or "flat".
     masses
         Added masses by name: (x, y, z, mass), the place from the face centre.
     """
@@ -81,8 +82,8 @@ class MeshHead:
     loft: Any
     unit: str = "mm"
     face_centre: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    bulge: Any = float("inf")
-    roll: Any = float("inf")
+    bulge: Any = FLAT
+    roll: Any = FLAT
     masses: Mapping[str, tuple[Any, Any, Any, Any]] = field(default_factory=dict)
     description: str = ""
 
@@ -91,7 +92,11 @@ class MeshHead:
         check_text("description", self.description)
         object.__setattr__(self, "loft", units.parse(self.loft, "angle", name="loft"))
         for key in ("bulge", "roll"):
-            object.__setattr__(self, key, units.parse(getattr(self, key), "length", name=key))
+            value = getattr(self, key)
+            flat = value in (FLAT, math.inf)
+            object.__setattr__(self, key, math.inf if flat else units.parse(value, "length", name=key))
+            if not getattr(self, key) > 0.0:
+                raise InputError(key, value, f'above 0 mm, or "{FLAT}"')
         if not 0.0 <= self.loft <= units.parse("75 deg", "angle"):
             raise InputError("loft", units.show(self.loft, "deg"), "0 to 75 deg")
         if len(self.face_centre) != 3:

@@ -1,0 +1,166 @@
+"""The head of a keyword deck: rigid with its face as a mesh, or of shells."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from clubface import units
+from clubface.clubs import Club
+from clubface.delivery import DIMENSIONS
+from clubface.fem.cards import Cards, element, node
+from clubface.fem.case import Case
+from clubface.fem.heads import ShellHead
+from clubface.fem.run import Settings, strike
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+HEAD_PART, HEAD_SECTION = 101, 2
+HEAD_HOURGLASS = 2
+STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON = 7850.0, 200e9, 0.3
+"""Of the shells that carry the rigid face [kg/m3, Pa]: contact stiffness only; mass and inertia are given."""
+SHELL = 1e-3
+"""Thickness of these shells [m]."""
+FACE_ELEMENT = 2.5e-3
+"""Size of these shells [m]."""
+
+
+def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
+    """Write the head of a case behind a ball of so many ``nodes`` and ``elements``, and its contact with the ball."""
+    assert case.club is not None
+    if isinstance(case.club, ShellHead):
+        faces = _shells(deck, case.club, _first_touch(case, case.club.club), nodes, elements)
+    else:
+        _rigid(deck, case.club, _first_touch(case, case.club), nodes, elements)
+        faces = [HEAD_PART]
+    deck.comment("Penalty by node mass and time step (SOFT = 1), as in clubface.")
+    for part in faces:
+        deck.keyword("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE")
+        deck.card([len(case.ball.pieces), part, 3, 3, 0, 0, 1, 1])
+        deck.card([float(case.friction), float(case.friction)])
+        deck.card([None])
+        deck.card([1])
+
+
+def _shells(deck: Cards, head: ShellHead, hit: dict[str, Any], nodes: int, elements: int) -> list[int]:
+    """Write the mesh, parts, added masses and motion of a head of shells; return the parts of its face."""
+    import numpy as np
+
+    deck.keyword("HOURGLASS", [HEAD_HOURGLASS, 4, 0.05], names="hgid ihq qm")
+    deck.keyword("SECTION_SHELL", [HEAD_SECTION, 2, 5.0 / 6.0, 5], [1e-3] * 4, names="secid elform shrf nip")
+    for number, part in enumerate(head.parts, start=HEAD_PART):
+        deck.keyword("PART")
+        deck.text(f"{head.name}: {part.name}")
+        deck.card([number, HEAD_SECTION, number, 0, HEAD_HOURGLASS])
+        metal = part.metal
+        deck.keyword("MAT_ELASTIC", [number, metal.density, metal.youngs, metal.poisson], names="mid ro e pr")
+    axes = np.asarray(hit["axes"])
+    places = (head.nodes @ _turn(head.loft) - hit["point"]) @ axes.T
+    deck.keyword("NODE")
+    deck.rows(node(nodes + number, place) for number, place in enumerate(places.tolist(), start=1))
+    deck.keyword("ELEMENT_SHELL_THICKNESS")
+    corners = (head.quads.astype(int) + nodes + 1).tolist()
+    walls = zip(head.part_of_elements().tolist(), corners, head.thickness.tolist(), strict=True)
+    for number, (part, each, thickness) in enumerate(walls, start=elements + 1):
+        deck.rows([element(number, HEAD_PART + part, each), f"{thickness:16.8e}" * 4])
+    deck.keyword("ELEMENT_MASS")
+    added = [(place, mass) for place, mass in enumerate(head.added.tolist(), start=nodes + 1) if mass > 0.0]
+    first = elements + len(corners) + 1
+    deck.rows(f"{number:8d}{place:8d}{mass:16.8e}" for number, (place, mass) in enumerate(added, start=first))
+    spin = np.asarray(hit["spin"])
+    velocities = np.asarray(hit["velocity"]) + np.cross(spin, places - np.asarray(hit["cg"]))
+    deck.keyword("INITIAL_VELOCITY_NODE", names="nid vx vy vz vxr vyr vzr")
+    for number, velocity in enumerate(velocities.tolist(), start=nodes + 1):
+        deck.card([number, *velocity, *spin.tolist()])
+    return [HEAD_PART + number for number, part in enumerate(head.parts) if part.face]
+
+
+def _rigid(deck: Cards, club: Club, hit: dict[str, Any], nodes: int, elements: int) -> None:
+    """Write a rigid head: a mesh of its face for contact, its mass, inertia and motion as numbers."""
+    import numpy as np
+
+    deck.keyword("PART_INERTIA")
+    deck.text(f"{club.name}: rigid")
+    deck.card([HEAD_PART, HEAD_SECTION, HEAD_PART])
+    deck.card([*hit["cg"], club.mass, 0])
+    inertia = hit["inertia"]
+    deck.card([inertia[i][j] for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))])
+    deck.card([*hit["velocity"], *hit["spin"]])
+    deck.keyword(
+        "MAT_RIGID", [HEAD_PART, STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON], [0.0], [None], names="mid ro e pr"
+    )
+    deck.keyword("SECTION_SHELL", [HEAD_SECTION, 2], [SHELL] * 4, names="secid elform")
+    deck.comment("The shells lie half their thickness behind the face, so that contact is on the face itself.")
+    places, quads = _face_mesh(club)
+    places = (places - hit["point"]) @ np.asarray(hit["axes"]).T
+    deck.keyword("NODE")
+    deck.rows(node(nodes + number, place) for number, place in enumerate(places.tolist(), start=1))
+    deck.keyword("ELEMENT_SHELL")
+    deck.rows(
+        element(elements + number, HEAD_PART, each) for number, each in enumerate((quads + nodes + 1).tolist(), start=1)
+    )
+
+
+def _first_touch(case: Case, club: Club) -> dict[str, Any]:
+    """Return the head at first touch, in the axes of the deck, and ``axes`` and ``point`` in those of the face."""
+    import numpy as np
+
+    coarse = replace(case.ball, cube=2, pieces=tuple(replace(piece, layers=1) for piece in case.ball.pieces))
+    # The core sets the scene; a run of two steps is the least that tells it.
+    least = Settings(duration=1e-6, interval=1e-6, threads=1)
+    hit = strike(club, case.delivery, which=coarse, friction=case.friction, settings=least)
+    axes, attitude = hit.axes, hit.attitude
+    turn = _turn(club.loft)
+    lever = turn.T @ np.asarray(club.cg)
+    delivery = {
+        key: units.parse(case.delivery.get(key, 0.0), DIMENSIONS[key])
+        for key in ("toe", "high", "closure", "pitch_rate", "lie_rate")
+    }
+    point, _ = face_point(club, delivery["toe"], delivery["high"])
+    world_spin = np.array([-delivery["lie_rate"], delivery["closure"], delivery["pitch_rate"]])
+    return {
+        "axes": axes,
+        "point": point,
+        "cg": (-axes @ (lever + point)).tolist(),
+        "velocity": hit.frame_velocity.tolist(),
+        "spin": (axes @ attitude.T @ world_spin).tolist(),
+        "inertia": (axes @ turn.T @ np.asarray(club.inertia) @ turn @ axes.T).tolist(),
+    }
+
+
+def face_point(club: Club, toe: float, high: float) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return the point [m] of the face at offsets in the plane tangent at its centre, and its normal, face axes."""
+    import numpy as np
+
+    bulge, roll = 1.0 / club.bulge, 1.0 / club.roll
+    sine = roll * high
+    back = -(roll * high**2) / (math.sqrt(1.0 - sine**2) + 1.0)
+    radial = bulge * back + 1.0
+    level = math.sqrt(radial**2 - (bulge * toe) ** 2)
+    x = (2.0 * back + bulge * (back**2 - toe**2)) / (level + 1.0)
+    cosine = math.sqrt(1.0 - sine**2)
+    return np.array([x, high, toe]), np.array([cosine * level / radial, sine, cosine * bulge * toe / radial])
+
+
+def _face_mesh(club: Club) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return nodes [m] of the middle surface of the face's shells, face axes, and quadrangles, numbered from 0."""
+    import numpy as np
+
+    across, up = (max(8, round(size / FACE_ELEMENT)) for size in (club.face_width, club.face_height))
+    places = []
+    for high in np.linspace(-0.5, 0.5, up + 1) * club.face_height:
+        for toe in np.linspace(-0.5, 0.5, across + 1) * club.face_width:
+            point, normal = face_point(club, float(toe), float(high))
+            places.append(point - 0.5 * SHELL * normal)
+    first = (np.arange(up)[:, None] * (across + 1) + np.arange(across)).reshape(-1)
+    quads = np.stack([first, first + across + 1, first + across + 2, first + 1], axis=1)
+    return np.array(places), quads
+
+
+def _turn(angle: float) -> NDArray[Any]:
+    import numpy as np
+
+    sine, cosine = math.sin(angle), math.cos(angle)
+    return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])

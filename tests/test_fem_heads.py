@@ -1,0 +1,230 @@
+"""Heads of shells: what they weigh, one's own meshes, what is refused, and that they are hit."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface import fem
+from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.fem.case import case
+from clubface.fem.heads import Group, MeshHead
+from fem_runs import coarse, coarse_head, coarse_shells, shells_case
+
+
+def test_the_head_of_the_paper_is_as_the_paper_says():
+    head = fem.head("p2")
+    club = head.club
+    assert head.elements == 3264
+    assert club.mass == pytest.approx(0.210, rel=1e-5)
+    assert club.izz == pytest.approx(1526e-7, rel=1e-3)
+    assert club.loft == pytest.approx(np.radians(11.5))
+    # The CG lies on the normal through the face centre, to 0.1 mm.
+    up = np.array([-np.sin(club.loft), np.cos(club.loft), 0.0])
+    assert abs(up @ np.array(club.cg)) < 1e-4
+    assert abs(club.cg_z) < 1e-4
+    # Tuning keeps to the design: walls within a fifth of it, a third of the mass in trim masses at most.
+    assert 0.8 < head.report["scale"] < 1.25
+    assert sum(mass for name, mass in head.report.items() if name != "scale") < 0.07
+
+
+def test_a_head_of_shells_is_a_club_for_every_model():
+    launch = clubface.impact(coarse_head().club, speed="35 m/s", model="standard")
+    assert launch.ball_speed == pytest.approx(51.0, rel=0.05)
+
+
+def test_a_ball_is_hit_by_shells():
+    found = coarse_shells()
+    assert found.stopped is None
+    assert found.energy_error < 0.01
+    assert found.launch["ball_speed"] == pytest.approx(51.0, rel=0.06)
+    # Momentum: what the ball gains the head loses, along the target line.
+    ball = found.ball.properties()["mass"] * found.launch["velocity_x"]
+    assert ball == pytest.approx(coarse_head().club.mass * (35.0 - found.launch["club_velocity_x"]), rel=1e-6)
+    assert found.head_frames.shape[1:] == (len(coarse_head().nodes), 3)
+    # The head has moved by about its speed times the time.
+    moved = (found.world_positions(found.head_frames)[-1] - found.world_positions(found.head_frames)[0]).mean(axis=0)
+    assert 20.0 * found.frame_times[-1] < moved[0] < 35.0 * found.frame_times[-1]
+
+
+def test_an_impact_towards_the_toe_turns_the_head_and_the_ball():
+    found = shells_case(until_separation=True).replace(toe="12 mm").run()
+    centre = coarse_shells()
+    # Gear effect: towards the toe the ball starts right and spins to the left; the face opens (turns right).
+    assert found.launch["azimuth"] > 0.0 > found.launch["sidespin"]
+    assert found.launch["club_spin_y"] < -20.0
+    assert abs(centre.launch["sidespin"]) < 0.05 * abs(found.launch["sidespin"])
+
+
+def write_mesh(folder, name="head.msh", scale=1e3, change=lambda quads: quads):
+    """Write the coarse head of the paper as a mesh with groups, lengths in mm; return its path."""
+    import meshio
+
+    head = coarse_head()
+    cells, sets, start = [], {part.name: [] for part in head.parts}, 0
+    for number, part in enumerate(head.parts):
+        quads = head.quads[start : start + part.elements].astype(np.int64)
+        cells.append(("quad", change(quads) if number == 0 else quads))
+        start += part.elements
+        for each in head.parts:
+            sets[each.name].append(np.arange(part.elements) if each is part else np.array([], dtype=np.int64))
+    # A point that no element uses.
+    points = np.vstack([head.nodes * scale, [[0.0, 0.0, 0.0]]])
+    tags = [np.full(len(quads), number + 1) for number, (_, quads) in enumerate(cells)]
+    fields = {part.name: np.array([number + 1, 2]) for number, part in enumerate(head.parts)}
+    data = {"gmsh:physical": tags, "gmsh:geometrical": tags}
+    path = folder / name
+    mesh = meshio.Mesh(points, cells, cell_data=data, field_data=fields) if path.suffix == ".msh" else None
+    if mesh is None:
+        mesh = meshio.Mesh(points, cells, cell_sets=sets)
+        meshio.write(path, mesh)
+    else:
+        meshio.write(path, mesh, file_format="gmsh22", binary=False)
+    return path
+
+
+HEAD = """\
+name = "own head"
+kind = "mesh"
+file = "head.msh"
+unit = "mm"
+loft = "11.5 deg"
+bulge = "305 mm"
+roll = "305 mm"
+
+[[groups]]
+name = "face"
+thickness = "2.8 mm"
+face = true
+
+[[groups]]
+name = "crown"
+thickness = "1.3 mm"
+
+[[groups]]
+name = "sole"
+thickness = "1.6 mm"
+youngs = "110 GPa"
+
+[[groups]]
+name = "skirt"
+thickness = "1.4 mm"
+
+[[masses]]
+name = "weight"
+x = "-40 mm"
+y = "-22 mm"
+z = "0 mm"
+mass = "60 g"
+"""
+
+
+@pytest.mark.parametrize("name", ["head.msh", "head.inp"])
+def test_a_mesh_of_ones_own_is_read_with_its_groups(tmp_path, name):
+    pytest.importorskip("meshio")
+    write_mesh(tmp_path, name)
+    path = tmp_path / "own.toml"
+    path.write_text(HEAD.replace("head.msh", name))
+    head, design = fem.head(path), coarse_head()
+    assert [part.name for part in head.parts] == ["face", "crown", "sole", "skirt"]
+    assert [part.elements for part in head.parts] == [part.elements for part in design.parts]
+    corners = head.nodes[head.quads] - design.nodes[design.quads]
+    assert np.abs(corners).max() < 1e-9
+    assert set(head.thickness[: head.parts[0].elements]) == {2.8e-3}
+    areas = 0.5 * np.linalg.norm(
+        np.cross(*(head.nodes[head.quads[:, b]] - head.nodes[head.quads[:, a]] for a, b in ((0, 2), (1, 3)))), axis=1
+    )
+    assert head.club.mass == pytest.approx(4430.0 * areas @ head.thickness + 0.06, rel=1e-9)
+    # The weight stands low and behind: the CG is below and behind that of the walls alone.
+    lighter = fem.head(replace(MeshHead(name="x", file=tmp_path / name, loft="11.5 deg", groups=GROUPS)))
+    assert head.club.cg_x > lighter.club.cg_x
+    assert head.club.cg_y > lighter.club.cg_y
+    found = fem.strike(head, speed="40 m/s", which=coarse(), settings=fem.Settings(duration="60 us"))
+    assert found.peak_force > 1000.0
+
+
+GROUPS = (
+    Group(name="face", thickness="2.8 mm", face=True),
+    *(Group(name=name, thickness="1.4 mm") for name in ("crown", "sole", "skirt")),
+)
+
+MISTAKES = [
+    ('unit = "mm"', 'unit = "m"', "size of the head"),
+    ('unit = "mm"', 'unit = "kg"', "unit"),
+    ('file = "head.msh"', 'file = "none.msh"', "there is no such file"),
+    ('file = "head.msh"', 'file = "own.toml"', "is no mesh that can be read"),
+    ('name = "sole"', 'name = "soul"', "unknown group of the mesh 'sole' (did you mean soul?)"),
+    (
+        'thickness = "1.4 mm"',
+        'thickness = "0 mm"',
+        "own.toml:25: thickness of skirt is '0 mm'; it must be 0.2 to 20 mm",
+    ),
+    ('youngs = "110 GPa"', 'youngs = "-110 GPa"', "own.toml:21: youngs is '-110 GPa'; it must be 0.1 to 1000 GPa"),
+    ('youngs = "110 GPa"', "poisson = 0.5", "own.toml:21: poisson is 0.5; it must be above -1 and below 0.5"),
+    ("face = true", "", "at least one with face = true"),
+    ('kind = "mesh"', 'kind = "iron"', 'own.toml:2: kind must be "driver" or "mesh"'),
+    ('loft = "11.5 deg"', 'loft = "115 deg"', "own.toml:5: loft is '115 deg'; it must be 0 to 75 deg"),
+    ('mass = "60 g"', 'mass = "60 mm"', "weight"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "said"), MISTAKES)
+def test_a_mistake_in_a_head_is_told(tmp_path, old, new, said):
+    pytest.importorskip("meshio")
+    write_mesh(tmp_path)
+    path = tmp_path / "own.toml"
+    assert old in HEAD
+    path.write_text(HEAD.replace(old, new))
+    with pytest.raises(ClubfaceError) as told:
+        _ = fem.head(path).club
+    assert said in str(told.value)
+    assert "\n" not in str(told.value)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda quads: quads[:, ::-1], "side of two elements"),
+        (lambda quads: quads[:, [0, 2, 1, 3]], "inverted or degenerate"),
+        (lambda quads: np.hstack([quads[:, :3], quads[:, :1]]), "inverted or degenerate"),
+    ],
+)
+def test_a_mesh_with_bad_elements_is_refused(tmp_path, change, said):
+    pytest.importorskip("meshio")
+    path = write_mesh(tmp_path, change=change)
+    with pytest.raises(InputError, match=said):
+        _ = fem.head(MeshHead(name="bad", file=path, loft="11.5 deg", groups=GROUPS)).club
+
+
+def test_a_mesh_of_triangles_is_refused(tmp_path):
+    meshio = pytest.importorskip("meshio")
+    path = tmp_path / "triangles.vtk"
+    meshio.write(path, meshio.Mesh(np.eye(3), [("triangle", [[0, 1, 2]])]))
+    with pytest.raises(FileError, match="other kinds: triangle"):
+        fem.head(MeshHead(name="bad", file=path, loft="11.5 deg", groups=GROUPS))
+
+
+def test_a_case_says_which_kind_of_head_it_has(tmp_path):
+    path = tmp_path / "case.toml"
+    text = """\
+name = "mine"
+ball = "paper"
+
+[head]
+kind = "shells"
+club = "p2"
+
+[delivery]
+speed = "35 m/s"
+"""
+    path.write_text(text)
+    assert case(path).club.elements == 3264
+    path.write_text(text.replace('"shells"', '"rigid"'))
+    with pytest.raises(FileError, match=r"case.toml:6: .*unknown"):
+        case(path)
+    path.write_text(text.replace('"p2"', '"p3"'))
+    with pytest.raises(FileError, match=r"case.toml:6: unknown head of finite elements 'p3'"):
+        case(path)
+    with pytest.raises(InputError, match="it must be a club"):
+        case("paper-rigid").replace(club=coarse_head())
