@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
@@ -38,6 +38,8 @@ class MeasuredShots:
         What was measured of each launch, by name, in the order of ``QUANTITIES``; NaN where it was not.
     rows
         Where each shot stands in the source.
+    places
+        The place of each shot (from 0) among the recorded shots given.
     source
         The file, or another name.
     dropped
@@ -50,12 +52,23 @@ class MeasuredShots:
     delivery: dict[str, NDArray[np.float64]]
     launch: dict[str, NDArray[np.float64]]
     rows: NDArray[np.int64]
+    places: NDArray[np.int64]
     source: str
     dropped: tuple[RejectedRow, ...]
     notes: tuple[str, ...]
 
     def __len__(self) -> int:
         return len(self.rows)
+
+    def select(self, which: NDArray[Any]) -> Self:
+        """Return some of the shots, by a mask or indices."""
+        return replace(
+            self,
+            delivery={name: values[which] for name, values in self.delivery.items()},
+            launch={name: values[which] for name, values in self.launch.items()},
+            rows=self.rows[which],
+            places=self.places[which],
+        )
 
 
 def measured_shots(
@@ -84,8 +97,9 @@ def measured_shots(
         No usable shot; shots of several clubs; no speed or no launch among the columns.
     """
     recorded = shots if isinstance(shots, RecordedShots) else read_shots(shots)
-    recorded = _of_one_club(recorded, only)
-    head = _club_of(recorded, club)
+    places = _of_one_club(recorded, only)
+    recorded = recorded.select(places)
+    head = club_of(recorded, club)
     if "speed" not in recorded.deliveries:
         measured = ", ".join(recorded.deliveries) or "nothing"
         raise InputError(
@@ -115,30 +129,33 @@ def measured_shots(
         delivery=delivery,
         launch={name: recorded.launches[name][kept] for name in wanted},
         rows=recorded.rows[kept],
+        places=places[kept],
         source=recorded.source,
         dropped=(*recorded.rejected, *dropped),
         notes=(*recorded.notes, *_assumptions(head, delivery)),
     )
 
 
-def _of_one_club(recorded: RecordedShots, only: str | None) -> RecordedShots:
+def _of_one_club(recorded: RecordedShots, only: str | None) -> NDArray[np.int64]:
+    """Return the places of the shots of the one club wanted."""
     if recorded.clubs is None:
         if only is not None:
             raise InputError("only", only, "left out: the shots name no club")
-        return recorded
+        return np.arange(len(recorded))
     counts = {name: int(np.sum(recorded.clubs == name)) for name in dict.fromkeys(recorded.clubs)}
     listed = ", ".join(f"{name or 'without a name'} ({count})" for name, count in counts.items())
     if only is None:
         if len(counts) > 1:
             raise InputError("only", None, f"given, since there are shots of several clubs: {listed}")
-        return recorded
+        return np.arange(len(recorded))
     chosen = [name for name in counts if name.strip().casefold() == only.strip().casefold()]
     if not chosen:
         raise InputError("only", only, f"a club of the shots: {listed}")
-    return recorded.select(np.isin(recorded.clubs, chosen))
+    return np.flatnonzero(np.isin(recorded.clubs, chosen))
 
 
-def _club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None) -> Club:
+def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None) -> Club:
+    """Return the club given, or the built-in one that the shots name."""
     if isinstance(given, Club):
         return given
     if given is not None:

@@ -24,6 +24,7 @@ COMMANDS = {
     "clubs": "clubs",
     "club": "club",
     "tour": "tour",
+    "evaluate": "evaluate",
     "fem": "fem",
 }
 """The module of each command, in the order of the help."""

@@ -68,19 +68,22 @@ def one_model(name: str) -> str:
 
 
 def parameter_sets(
-    names: Sequence[str], family: str, chosen: str | None = None, settings: Sequence[str] | None = None
+    names: Sequence[str],
+    family: str,
+    chosen: str | Iterable[str] | None = None,
+    settings: Sequence[str] | None = None,
 ) -> dict[str, Any]:
     """Return the parameter set of each model for a family of clubs.
 
     A set named or read from a file serves the models it fits, the others keep their default; so does each setting. One
-    that fits none of the models is an error.
+    that fits none of the models is an error; of several, the last wins.
     """
     from clubface.parameters import ParameterSet
 
     sets = {name: ParameterSet.builtin(name, family) for name in names}
-    if chosen is not None:
-        sets.update(_chosen(names, family, chosen))
-    for key, value in _pairs(settings or (), "--set").items():
+    for each in [chosen] if isinstance(chosen, str) else chosen or ():
+        sets.update(_chosen(names, family, each))
+    for key, value in pairs(settings or (), "--set").items():
         holders = [name for name in names if key in sets[name].values]
         if not holders:
             raise UnknownNameError("parameter", key, dict.fromkeys(k for name in names for k in sets[name].values))
@@ -112,7 +115,7 @@ def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
 
 def conditions(given: Mapping[str, str | None]) -> dict[str, Any]:
     """Return the air and wind of a flight, from the one text ``air`` and from single options, which win."""
-    told = _pairs(given["air"].split(","), "--air") if given["air"] is not None else {}
+    told = pairs(given["air"].split(","), "--air") if given["air"] is not None else {}
     single = [name for name in options.AIR if name != "air"]
     for name in told:
         if name not in single:
@@ -138,7 +141,8 @@ def _wind(text: str) -> tuple[float, float, float]:
     return speeds[0], 0.0, speeds[1] if len(speeds) == 2 else 0.0
 
 
-def _pairs(texts: Iterable[str], option: str) -> dict[str, str]:
+def pairs(texts: Iterable[str], option: str) -> dict[str, str]:
+    """Return names and values of texts of the form name=value; ``option`` is called so in errors."""
     found = {}
     for text in texts:
         key, equals, value = text.partition("=")

@@ -29,6 +29,9 @@ def _quantities(of: str, **examples: tuple[str, str]) -> dict[str, tuple[Any, No
 
 
 ClubArgument = Annotated[str, typer.Argument(metavar="CLUB", help="Name of a built-in club, or a TOML file.")]
+OPTIONAL_CLUB = _option(
+    "--club", panel="Club and ball", metavar="CLUB", text="Name or TOML file; the club the shots name unless given."
+)
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document instead.")]
 
 DELIVERY: Group = _quantities(
@@ -63,16 +66,17 @@ _BALL = _option(
 BALL: Group = {"ball": (Annotated[str, _BALL], "published")}
 EQUIPMENT: Group = {"hand": _text("--hand", _EQUIPMENT, "right|left", "Hand of the club."), **BALL}
 
-_MODELS_TEXT = "A model, several with commas or repeated; all unless given."
-Models = Annotated[list[str] | None, _option("--model", panel=_MODEL, metavar="NAME", text=_MODELS_TEXT)]
+MODELS_TEXT = "A model, several with commas or repeated; all unless given."
+Models = Annotated[list[str] | None, _option("--model", panel=_MODEL, metavar="NAME", text=MODELS_TEXT)]
 _ONE_MODEL = Annotated[str, _option("--model", panel=_MODEL, metavar="NAME", text="The model; standard unless given.")]
 _SETTINGS = list[str] | None
 _SET_TEXT = "Change a model parameter: friction=0.4. Repeatable."
 _ACCURACY_TEXT = "Relative tolerance of a contact step, 1e-13 to 1e-2."
+SETTING = _option("--set", panel=_MODEL, metavar="NAME=VALUE", text=_SET_TEXT)
 _PARAMETERS: Group = {
     "parameters": _text("--parameters", _MODEL, "NAME|FILE", "A published parameter set or a TOML file."),
     "setting": (
-        Annotated[_SETTINGS, _option("--set", panel=_MODEL, metavar="NAME=VALUE", text=_SET_TEXT)],
+        Annotated[_SETTINGS, SETTING],
         None,
     ),
     "accuracy": (

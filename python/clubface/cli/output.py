@@ -9,23 +9,12 @@ import sys
 from collections.abc import Iterable
 from typing import Any
 
+from clubface.plain_json import plain
+
 
 def print_json(document: Any) -> None:
     """Print one JSON document; NaN and infinities, which JSON lacks, become null."""
     print(json.dumps(plain(document), indent=2, allow_nan=False, ensure_ascii=False))
-
-
-def plain(value: Any) -> Any:
-    """Return ``value`` made of what JSON has; numpy numbers and arrays included."""
-    if hasattr(value, "tolist"):
-        value = value.tolist()
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    if isinstance(value, dict) or hasattr(value, "items"):
-        return {str(key): plain(each) for key, each in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [plain(each) for each in value]
-    return value
 
 
 def number(value: float | None, digits: int = 1) -> str:

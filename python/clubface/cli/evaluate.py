@@ -1,0 +1,90 @@
+"""``clubface evaluate``: models beside measured shots."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import given, options, output
+from clubface.cli.failures import say
+from clubface.cli.tables import print_numbers
+
+app = typer.Typer(add_completion=False)
+
+_MODELS = typer.Option("--models", "--model", metavar="NAME", help=options.MODELS_TEXT, show_default=False)
+_ONLY = typer.Option("--only", metavar="NAME", help="Take the shots of the club called so in the file.")
+_PARAMETERS = typer.Option(
+    "--parameters",
+    metavar="NAME|FILE",
+    help="A published parameter set or a TOML file; models it does not fit keep theirs. Repeatable.",
+    show_default=False,
+)
+_NOISE = typer.Option(
+    "--noise", metavar="NAME=VALUE", help='Of the monitor, standard deviation: "launch=0.2 deg". Repeatable.'
+)
+_DELIVERY_NOISE = typer.Option(
+    "--delivery-noise", metavar="NAME=VALUE", help='Of the measured delivery: "face=0.3 deg". Repeatable.'
+)
+
+
+@app.command()
+@options.takes(options.EQUIPMENT)
+def evaluate(
+    shots: Annotated[str, typer.Argument(metavar="SHOTS", help="Deliveries and launches, CSV or Parquet.")],
+    club: Annotated[str | None, options.OPTIONAL_CLUB] = None,
+    only: Annotated[str | None, _ONLY] = None,
+    models: Annotated[list[str] | None, _MODELS] = None,
+    parameters: Annotated[list[str] | None, _PARAMETERS] = None,
+    setting: Annotated[list[str] | None, options.SETTING] = None,
+    noise: Annotated[list[str] | None, _NOISE] = None,
+    delivery_noise: Annotated[list[str] | None, _DELIVERY_NOISE] = None,
+    resamples: Annotated[int, typer.Option("--resamples", metavar="N", help="Of the bootstrap.")] = 2000,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Of the random numbers.")] = 0,
+    folder: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="FOLDER", help="Write report and pictures there.", show_default=False),
+    ] = None,
+    as_json: options.Json = False,
+    **texts: Any,
+) -> None:
+    """Compare models with measured shots: errors, what they go with, which model is best."""
+    names = given.model_names(models)
+    if folder is not None:
+        # Before the work: a folder that cannot be made, or a missing library, is found at once.
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        import clubface.plots as plots  # noqa: F401
+    from clubface.evaluation import evaluate as compute
+    from clubface.evaluation import report, tables
+    from clubface.measured_shots import club_of
+    from clubface.recorded import read_shots
+
+    recorded = read_shots(shots)
+    head = club_of(recorded, club)
+    if texts["hand"] is not None:
+        head = head.replace(hand=texts["hand"])
+    sets = given.parameter_sets(names, head.parameters, parameters, setting)
+    result = compute(
+        recorded, club=head, only=only, models=names, parameters=sets, ball=texts["ball"],
+        noise=given.pairs(noise or (), "--noise"),
+        delivery_noise=given.pairs(delivery_noise or (), "--delivery-noise"),
+        resamples=resamples, seed=seed, progress=_progress(),
+    )  # fmt: skip
+    files = result.write(folder) if folder is not None else []
+    if as_json:
+        output.print_json(report.document(result))
+    else:
+        shown = [*tables.in_published_form(result), *tables.published_form(result)]
+        for table in [*shown, tables.best_models(result), tables.noise_floor(result)]:
+            print_numbers(table.heads, table.rows, title=table.title)
+            print()
+        output.print_notes(tables.notes(result))
+    if files:
+        say(f"wrote {', '.join(str(each) for each in files)}")
+
+
+def _progress() -> Any:
+    """Tell on a terminal which model is being computed."""
+    return (lambda name: say(f"computing {name}")) if sys.stderr.isatty() else None

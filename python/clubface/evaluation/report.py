@@ -1,0 +1,211 @@
+"""The report of an evaluation: Markdown, HTML in one file, JSON, CSV and pictures."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import html
+import io
+import json
+import math
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from clubface import units
+from clubface.evaluation import tables
+from clubface.evaluation.evaluate import Evaluation
+from clubface.evaluation.tables import Table
+from clubface.measured_shots import QUANTITIES
+from clubface.plain_json import plain
+
+PICTURES = {
+    "errors": "Mean absolute error of every model with its 95% interval, as published (hollow), and what measurement"
+    " alone explains (shaded).",
+    "trends": "Error over the delivery: means of equal numbers of shots.",
+    "agreement": "Model over measured; on the line they agree.",
+}
+"""The pictures of a report and what they show."""
+
+_STYLE = """
+body { font: 15px/1.5 system-ui, sans-serif; max-width: 70em; margin: 2em auto; padding: 0 1em; color: #222; }
+table { border-collapse: collapse; margin: .6em 0 1.6em; font-variant-numeric: tabular-nums; font-size: 13px; }
+th { text-align: right; border-bottom: 1.5px solid #444; padding: .2em .7em; vertical-align: bottom; }
+td { text-align: right; padding: .15em .7em; border-bottom: 1px solid #e4e4e4; }
+th.words, td.words { text-align: left; } caption { text-align: left; font-weight: 600; padding: .3em 0; }
+img { max-width: 100%; } figure { margin: 1em 0 2em; } figcaption, .note { color: #555; font-size: 13px; }
+div.wide { overflow-x: auto; }
+"""
+
+
+class Section(NamedTuple):
+    """A part of the report.
+
+    Attributes
+    ----------
+    title
+        Its heading.
+    tables
+        What it shows.
+    picture
+        A name of ``PICTURES``, or None.
+    """
+
+    title: str
+    tables: list[Table]
+    picture: str | None = None
+
+
+def sections(of: Evaluation) -> Iterator[Section]:
+    """Yield the parts of the report."""
+    yield Section("Errors", tables.in_published_form(of), "errors")
+    if published := tables.published_form(of):
+        yield Section("As published", published)
+    yield Section("Best model", [tables.best_models(of)])
+    yield Section("Every quantity", [tables.detail(of, name) for name in of.quantities], "agreement")
+    yield Section("Noise", [tables.noise_floor(of)])
+    with_trends = [name for name in of.quantities if any(of.trends[name].values())]
+    if with_trends:
+        yield Section("What the errors go with", [tables.trend_table(of, name) for name in with_trends], "trends")
+    yield Section("Parameters", [tables.parameters_table(of)])
+
+
+def title(of: Evaluation) -> str:
+    """Return the title of the report."""
+    return f"Models beside {len(of.shots)} measured shots: {of.shots.club.name}"
+
+
+def as_markdown(of: Evaluation, *, pictures: str | None = None) -> str:
+    """Return the report as Markdown; ``pictures`` is the ending of the pictures beside it, such as ".png"."""
+    lines = [f"# {title(of)}", "", f"Source: `{of.shots.source}`.", ""]
+    for section in sections(of):
+        lines += [f"## {section.title}", ""]
+        if section.picture and pictures:
+            lines += [f"![{PICTURES[section.picture]}]({section.picture}{pictures})", "", PICTURES[section.picture], ""]
+        for table in section.tables:
+            lines += [f"{table.title}:", "", *_markdown(table), ""]
+    lines += ["## Notes", "", *(f"* {note}" for note in tables.notes(of)), ""]
+    return "\n".join(lines)
+
+
+def _markdown(table: Table) -> list[str]:
+    def line(cells: list[str]) -> str:
+        return "| " + " | ".join(cell.replace("|", "\\|").replace("*", "\\*") for cell in cells) + " |"
+
+    rule = ["---" if place in table.words else "---:" for place in range(len(table.heads))]
+    return [line(table.heads), line(rule), *(line(row) for row in table.rows)]
+
+
+def as_html(of: Evaluation, pictures: dict[str, bytes] | None = None) -> str:
+    """Return the report as one HTML document; ``pictures`` holds PNG files by name, which become part of it."""
+    body = [f"<h1>{html.escape(title(of))}</h1>", f"<p>Source: <code>{html.escape(of.shots.source)}</code>.</p>"]
+    for section in sections(of):
+        body.append(f"<h2>{html.escape(section.title)}</h2>")
+        if section.picture in (pictures or {}):
+            data = base64.b64encode((pictures or {})[section.picture]).decode()
+            text = html.escape(PICTURES[section.picture])
+            body.append(
+                f'<figure><img alt="{text}" src="data:image/png;base64,{data}"><figcaption>{text}</figcaption></figure>'
+            )
+        body += [f'<div class="wide">{_html(table)}</div>' for table in section.tables]
+    body.append("<h2>Notes</h2><ul>")
+    body += [f'<li class="note">{html.escape(note)}</li>' for note in tables.notes(of)]
+    body.append("</ul>")
+    head = f'<meta charset="utf-8"><title>{html.escape(title(of))}</title><style>{_STYLE}</style>'
+    return f'<!doctype html>\n<html lang="en"><head>{head}</head>\n<body>\n' + "\n".join(body) + "\n</body></html>\n"
+
+
+def _html(table: Table) -> str:
+    def cells(tag: str, row: list[str]) -> str:
+        kinds = [' class="words"' if place in table.words else "" for place in range(len(row))]
+        parts = [f"<{tag}{kind}>{html.escape(cell)}</{tag}>" for kind, cell in zip(kinds, row, strict=True)]
+        return "<tr>" + "".join(parts) + "</tr>"
+
+    rows = "".join(cells("td", row) for row in table.rows)
+    return f"<table><caption>{html.escape(table.title)}</caption>{cells('th', table.heads)}{rows}</table>"
+
+
+def document(of: Evaluation) -> dict[str, Any]:
+    """Return everything as one document for JSON, SI."""
+    return {
+        "source": of.shots.source,
+        "club": of.shots.club.name,
+        "shots": len(of.shots),
+        "left_out": [each._asdict() for each in (*of.shots.dropped, *of.failed)],
+        "models": {
+            name: {
+                "parameters": {"name": each.name, "values": dict(each.values), "units": each.units},
+                "cost": of.cost(name),
+                "seconds_per_shot": of.seconds[name],
+            }
+            for name, each in of.parameters.items()
+        },
+        "units": {name: units.SI_UNITS[units.unit(QUANTITIES[name]).dimension] for name in of.quantities},
+        "mean_measured": of.mean,
+        "errors": {name: {m: size._asdict() for m, size in each.items()} for name, each in of.sizes.items()},
+        "best": {
+            name: {
+                "model": each.model,
+                "not_significantly_worse": list(each.equals),
+                "rivals": [rival._asdict() for rival in each.rivals],
+            }
+            for name, each in of.best.items()
+        },
+        "trends": {
+            name: {m: [line._asdict() for line in lines] for m, lines in each.items()}
+            for name, each in of.trends.items()
+        },
+        "noise": {"monitor": of.monitor_noise, "delivery": of.delivery_noise, "perfect_model_mae": of.floor},
+        "published": {
+            name: {"source": each.source, "mae": dict(each.mae), "std": dict(each.std), "caveats": list(each.caveats)}
+            for name, each in of.published.items()
+        },
+        "bootstrap": {"resamples": of.resamples, "seed": of.seed},
+        "notes": tables.notes(of),
+    }
+
+
+def as_csv(of: Evaluation) -> str:
+    """Return one line a shot: its row in the source, what was measured, and what every model makes of it."""
+    columns: dict[str, Any] = {"row": of.shots.rows}
+    for name in of.quantities:
+        unit = QUANTITIES[name]
+        columns[f"{name}_{unit}"] = units.from_si(of.shots.launch[name], unit)
+        for model in of.models:
+            columns[f"{model}_{name}_{unit}"] = units.from_si(of.predicted[model][name], unit)
+    text = io.StringIO()
+    out = csv.writer(text, lineterminator="\n")
+    out.writerow(columns)
+    out.writerows([_cell(value) for value in row] for row in zip(*columns.values(), strict=True))
+    return text.getvalue()
+
+
+def _cell(value: Any) -> str:
+    number = float(value)
+    return "" if math.isnan(number) else f"{number:.9g}"
+
+
+def write(of: Evaluation, folder: str | os.PathLike[str]) -> list[Path]:
+    """Write the report and its pictures into ``folder``, which is made if need be; return the files."""
+    from clubface import plots
+    from clubface.plots import evaluation as draw
+
+    target = Path(folder)
+    target.mkdir(parents=True, exist_ok=True)
+    files, pictures = [], {}
+    figures = {"errors": draw.error_figure, "trends": draw.trend_figure, "agreement": draw.agreement_figure}
+    for name, figure_of in figures.items():
+        figure = figure_of(of)
+        files += [plots.save(figure, target / f"{name}{ending}") for ending in (".png", ".svg")]
+        pictures[name] = (target / f"{name}.png").read_bytes()
+    texts = {
+        "evaluation.md": as_markdown(of, pictures=".png"),
+        "evaluation.html": as_html(of, pictures),
+        "evaluation.json": json.dumps(plain(document(of)), indent=2, allow_nan=False) + "\n",
+        "shots.csv": as_csv(of),
+    }
+    for name, text in texts.items():
+        (target / name).write_text(text, encoding="utf-8")
+        files.append(target / name)
+    return files

@@ -1,0 +1,214 @@
+"""Errors of models on shots and what can be said of them: sizes with confidence, differences with significance."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Values = NDArray[np.float64]
+
+CONFIDENCE = 0.95
+SIGNIFICANCE = 0.05
+_CHUNK, _KEPT = 1_000_000, 8_000_000
+"""Numbers of resamples times shots that are drawn at a time, and that are kept instead of being drawn again."""
+
+
+class Interval(NamedTuple):
+    """The ends of a 95% confidence interval."""
+
+    low: float
+    high: float
+
+
+class ErrorSize(NamedTuple):
+    """How large the errors of one model in one quantity are, SI.
+
+    Attributes
+    ----------
+    shots
+        How many were compared.
+    bias
+        Mean of model less measured, and its interval.
+    mae
+        Mean absolute error, and its interval.
+    std
+        Standard deviation of the error (n - 1); NaN for a single shot.
+    rms
+        Root of the mean square.
+    worst
+        Largest magnitude.
+    """
+
+    shots: int
+    bias: float
+    bias_interval: Interval
+    mae: float
+    mae_interval: Interval
+    std: float
+    rms: float
+    worst: float
+
+
+class Rival(NamedTuple):
+    """A model beside the one with the least mean absolute error.
+
+    Attributes
+    ----------
+    model
+        Its name.
+    difference
+        Its mean absolute error less that of the best, and its interval.
+    p
+        Two-sided probability that resampled shots favour the other one as clearly, after Holm's correction for the
+        number of rivals.
+    """
+
+    model: str
+    difference: float
+    interval: Interval
+    p: float
+
+    @property
+    def is_worse(self) -> bool:
+        """Whether the difference is significant at 5%."""
+        return self.p < SIGNIFICANCE
+
+
+class Best(NamedTuple):
+    """The best model in one quantity and how sure that is.
+
+    Attributes
+    ----------
+    model
+        With the least mean absolute error.
+    rivals
+        The others, the nearest first.
+    """
+
+    model: str
+    rivals: tuple[Rival, ...]
+
+    @property
+    def equals(self) -> tuple[str, ...]:
+        """The models that are not significantly worse."""
+        return tuple(each.model for each in self.rivals if not each.is_worse)
+
+
+class Resamples:
+    """Bootstrap resamples of shots, or of groups of shots that belong together, such as those of one player.
+
+    Means over a resample are weighted means over the shots, so that every model and quantity sees the same resamples.
+
+    Parameters
+    ----------
+    count
+        Resamples.
+    shots
+        Number of shots.
+    seed
+        Of the random numbers; the same seed gives the same resamples.
+    groups
+        The group of each shot; left out, every shot is its own.
+    """
+
+    def __init__(
+        self, count: int, shots: int, seed: int, groups: Sequence[object] | NDArray[np.generic] | None
+    ) -> None:
+        self.count = count
+        self._shots = shots
+        self._seed = seed
+        self._weights: Values | None = None
+        if groups is None:
+            self._group, self._groups = np.arange(shots), shots
+        else:
+            names, self._group = np.unique(np.asarray(groups), return_inverse=True)
+            self._groups = len(names)
+
+    def means(self, values: Values) -> Values:
+        """Return the means of ``values``, shape [columns, shots], over each resample: [resamples, columns]."""
+        if self.count * self._shots <= _KEPT:
+            if self._weights is None:
+                self._weights = np.concatenate(list(self._drawn()))
+            return self._weights @ values.T
+        return np.concatenate([weights @ values.T for weights in self._drawn()])
+
+    def _drawn(self) -> Iterator[Values]:
+        """Yield the weights of the shots, which add up to 1, some resamples at a time: [resamples, shots]."""
+        random = np.random.default_rng(self._seed)
+        step = max(1, _CHUNK // self._shots)
+        for first in range(0, self.count, step):
+            size = min(step, self.count - first)
+            drawn = (random.random((size, self._groups)) * self._groups).astype(np.int64)
+            offsets = self._groups * np.arange(size)[:, None]
+            counts = np.bincount((drawn + offsets).ravel(), minlength=size * self._groups)
+            weights = counts.reshape(size, self._groups)[:, self._group].astype(np.float64)
+            yield weights / weights.sum(axis=1, keepdims=True)
+
+
+def interval(resampled: Values) -> Interval:
+    """Return the percentile interval of resampled values."""
+    low, high = np.quantile(resampled, [0.5 - CONFIDENCE / 2, 0.5 + CONFIDENCE / 2])
+    return Interval(float(low), float(high))
+
+
+def error_sizes(errors: Mapping[str, Values], resamples: Resamples) -> tuple[dict[str, ErrorSize], Best]:
+    """Return the sizes of the errors of each model in one quantity, and the best model by paired bootstrap.
+
+    Parameters
+    ----------
+    errors
+        Model less measured by the name of the model, of the same shots in the same order.
+    resamples
+        Of these shots.
+    """
+    names, table = list(errors), np.stack(list(errors.values()))
+    means = resamples.means(np.concatenate([table, np.abs(table)]))
+    signed, absolute = means[:, : len(names)], means[:, len(names) :]
+    sizes = {}
+    for place, name in enumerate(names):
+        error = table[place]
+        sizes[name] = ErrorSize(
+            shots=error.size,
+            bias=float(error.mean()),
+            bias_interval=interval(signed[:, place]),
+            mae=float(np.abs(error).mean()),
+            mae_interval=interval(absolute[:, place]),
+            std=float(error.std(ddof=1)) if error.size > 1 else float("nan"),
+            rms=float(np.sqrt(np.mean(error**2))),
+            worst=float(np.abs(error).max()),
+        )
+    return sizes, best_of({name: sizes[name].mae for name in names}, dict(zip(names, absolute.T, strict=True)))
+
+
+def best_of(mae: Mapping[str, float], resampled: Mapping[str, Values]) -> Best:
+    """Return the model with the least mean absolute error and the significance of its lead over each other.
+
+    Parameters
+    ----------
+    mae
+        Mean absolute error by the name of the model.
+    resampled
+        The same over each resample, paired.
+    """
+    first = min(mae, key=lambda name: mae[name])
+    rivals = []
+    for name in sorted((each for each in mae if each != first), key=lambda name: mae[name]):
+        lead = resampled[name] - resampled[first]
+        # One more resample on either side, so that none finite gives a probability of zero.
+        tails = [(1.0 + float(np.sum(side))) / (1.0 + lead.size) for side in (lead <= 0.0, lead >= 0.0)]
+        rivals.append(Rival(name, mae[name] - mae[first], interval(lead), min(1.0, 2.0 * min(tails))))
+    corrected = holm([each.p for each in rivals])
+    return Best(first, tuple(each._replace(p=p) for each, p in zip(rivals, corrected, strict=True)))
+
+
+def holm(probabilities: Sequence[float]) -> list[float]:
+    """Return probabilities corrected for their number after Holm (1979), in the order given."""
+    order = sorted(range(len(probabilities)), key=lambda place: probabilities[place])
+    found, least = [0.0] * len(probabilities), 0.0
+    for rank, place in enumerate(order):
+        least = max(least, min(1.0, (len(probabilities) - rank) * probabilities[place]))
+        found[place] = least
+    return found
