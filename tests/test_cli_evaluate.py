@@ -1,5 +1,7 @@
 """``clubface evaluate`` on the benchmark shots."""
 
+from pathlib import Path
+
 import pytest
 
 from clubface.benchmark_data.recipe import FOLDER
@@ -67,3 +69,11 @@ def test_mistakes_are_one_message(clubface_, write):
     no_launch = write("club_speed_mph\n100\n")
     assert_mistake(clubface_("evaluate", str(no_launch), "--club", "driver"), "measured launch")
     assert_mistake(clubface_("evaluate", str(no_launch)), "the shots name none")
+
+
+def test_a_launch_monitors_file_is_read_as_it_is(clubface_):
+    trackman = str(Path(__file__).parent / "data" / "launch_monitors" / "trackman.csv")
+    assert_mistake(clubface_("evaluate", trackman), "several clubs: Driver (1), 7 Iron (2)")
+    document = clubface_("evaluate", trackman, "--only", "7 iron", "--models", "standard", "--json").json
+    assert (document["club"], document["shots"]) == ("7-iron", 1)  # of the other one the clubhead speed is missing
+    assert any("referred to the face centre of 7-iron" in note for note in document["notes"])

@@ -105,7 +105,7 @@ def test_a_shot_that_one_model_cannot_compute_is_left_out_for_all():
     (failed,) = found.failed
     assert failed.line == 6
     assert failed.reason.startswith("standard: impact at 200.0 mm is outside the face")
-    assert "1 shots were left out for all models" in " ".join(tables.notes(found))
+    assert "cannot compute them: 1 shot (" in " ".join(tables.notes(found))
 
 
 def test_missing_values_leave_out_no_more_than_they_must():

@@ -97,7 +97,7 @@ def measured_shots(
         No usable shot; shots of several clubs; no speed or no launch among the columns.
     """
     recorded = shots if isinstance(shots, RecordedShots) else read_shots(shots)
-    places = _of_one_club(recorded, only)
+    places = of_one_club(recorded, only)
     recorded = recorded.select(places)
     head = club_of(recorded, club)
     if "speed" not in recorded.deliveries:
@@ -131,12 +131,12 @@ def measured_shots(
         rows=recorded.rows[kept],
         places=places[kept],
         source=recorded.source,
-        dropped=(*recorded.rejected, *dropped),
+        dropped=tuple(sorted((*recorded.rejected, *dropped), key=lambda each: each.line or 0)),
         notes=(*recorded.notes, *_assumptions(head, delivery)),
     )
 
 
-def _of_one_club(recorded: RecordedShots, only: str | None) -> NDArray[np.int64]:
+def of_one_club(recorded: RecordedShots, only: str | None) -> NDArray[np.int64]:
     """Return the places of the shots of the one club wanted."""
     if recorded.clubs is None:
         if only is not None:

@@ -10,12 +10,12 @@ import typer
 
 from clubface.cli import given, options, output
 from clubface.cli.failures import say
+from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
 
 app = typer.Typer(add_completion=False)
 
 _MODELS = typer.Option("--models", "--model", metavar="NAME", help=options.MODELS_TEXT, show_default=False)
-_ONLY = typer.Option("--only", metavar="NAME", help="Take the shots of the club called so in the file.")
 _PARAMETERS = typer.Option(
     "--parameters",
     metavar="NAME|FILE",
@@ -31,11 +31,11 @@ _DELIVERY_NOISE = typer.Option(
 
 
 @app.command()
-@options.takes(options.EQUIPMENT)
+@options.takes(RECORDED)
 def evaluate(
-    shots: Annotated[str, typer.Argument(metavar="SHOTS", help="Deliveries and launches, CSV or Parquet.")],
-    club: Annotated[str | None, options.OPTIONAL_CLUB] = None,
-    only: Annotated[str | None, _ONLY] = None,
+    shots: Annotated[
+        str, typer.Argument(metavar="SHOTS", help="Deliveries and launches: CSV, Parquet or a launch monitor's file.")
+    ],
     models: Annotated[list[str] | None, _MODELS] = None,
     parameters: Annotated[list[str] | None, _PARAMETERS] = None,
     setting: Annotated[list[str] | None, options.SETTING] = None,
@@ -58,16 +58,11 @@ def evaluate(
         import clubface.plots as plots  # noqa: F401
     from clubface.evaluation import evaluate as compute
     from clubface.evaluation import report, tables
-    from clubface.measured_shots import club_of
-    from clubface.recorded import read_shots
 
-    recorded = read_shots(shots)
-    head = club_of(recorded, club)
-    if texts["hand"] is not None:
-        head = head.replace(hand=texts["hand"])
+    recorded, head = recorded_shots(shots, texts)
     sets = given.parameter_sets(names, head.parameters, parameters, setting)
     result = compute(
-        recorded, club=head, only=only, models=names, parameters=sets, ball=texts["ball"],
+        recorded, club=head, models=names, parameters=sets, ball=texts["ball"],
         noise=given.pairs(noise or (), "--noise"),
         delivery_noise=given.pairs(delivery_noise or (), "--delivery-noise"),
         resamples=resamples, seed=seed, progress=_progress(),

@@ -16,22 +16,20 @@ def _option(*names: str, panel: str, metavar: str, text: str) -> Any:
     return typer.Option(*names, metavar=metavar, rich_help_panel=panel, help=text, show_default=False)
 
 
-def _text(name: str, panel: str, metavar: str, text: str) -> tuple[Any, None]:
+def text_option(name: str, panel: str, metavar: str, text: str) -> tuple[Any, None]:
+    """Return the annotation and default of an option whose value is text or None."""
     return Annotated[str | None, _option(name, panel=panel, metavar=metavar, text=text)], None
 
 
 def _quantities(of: str, **examples: tuple[str, str]) -> dict[str, tuple[Any, None]]:
     """Return options for quantities, each with an example and a help text."""
     return {
-        name: _text(f"--{name.replace('_', '-')}", f"{of} (a value with its unit)", f'"{example}"', text)
+        name: text_option(f"--{name.replace('_', '-')}", f"{of} (a value with its unit)", f'"{example}"', text)
         for name, (example, text) in examples.items()
     }
 
 
 ClubArgument = Annotated[str, typer.Argument(metavar="CLUB", help="Name of a built-in club, or a TOML file.")]
-OPTIONAL_CLUB = _option(
-    "--club", panel="Club and ball", metavar="CLUB", text="Name or TOML file; the club the shots name unless given."
-)
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document instead.")]
 
 DELIVERY: Group = _quantities(
@@ -64,7 +62,7 @@ _BALL = _option(
     "--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="A built-in ball or a TOML file; published unless given."
 )
 BALL: Group = {"ball": (Annotated[str, _BALL], "published")}
-EQUIPMENT: Group = {"hand": _text("--hand", _EQUIPMENT, "right|left", "Hand of the club."), **BALL}
+EQUIPMENT: Group = {"hand": text_option("--hand", _EQUIPMENT, "right|left", "Hand of the club."), **BALL}
 
 MODELS_TEXT = "A model, several with commas or repeated; all unless given."
 Models = Annotated[list[str] | None, _option("--model", panel=_MODEL, metavar="NAME", text=MODELS_TEXT)]
@@ -74,7 +72,7 @@ _SET_TEXT = "Change a model parameter: friction=0.4. Repeatable."
 _ACCURACY_TEXT = "Relative tolerance of a contact step, 1e-13 to 1e-2."
 SETTING = _option("--set", panel=_MODEL, metavar="NAME=VALUE", text=_SET_TEXT)
 _PARAMETERS: Group = {
-    "parameters": _text("--parameters", _MODEL, "NAME|FILE", "A published parameter set or a TOML file."),
+    "parameters": text_option("--parameters", _MODEL, "NAME|FILE", "A published parameter set or a TOML file."),
     "setting": (
         Annotated[_SETTINGS, SETTING],
         None,
@@ -88,12 +86,12 @@ ONE_MODEL: Group = {"model": (_ONE_MODEL, "standard"), **_PARAMETERS}
 MODELS: Group = {"model": (Models, None), **_PARAMETERS}
 
 AIR: Group = {
-    "air": _text("--air", _AIR, "TEXT", 'All of the air in one: "temperature=30 degC, altitude=1600 m".'),
-    "temperature": _text("--temperature", _AIR, '"30 degC"', "Of the air."),
-    "altitude": _text("--altitude", _AIR, '"1600 m"', "Sets the pressure."),
-    "pressure": _text("--pressure", _AIR, '"840 hPa"', "At the course."),
-    "humidity": _text("--humidity", _AIR, '"40 %"', "Relative humidity."),
-    "wind": _text("--wind", _AIR, '"5 m/s"', 'Tailwind, or "along, right" as in "5 m/s, -2 m/s".'),
+    "air": text_option("--air", _AIR, "TEXT", 'All of the air in one: "temperature=30 degC, altitude=1600 m".'),
+    "temperature": text_option("--temperature", _AIR, '"30 degC"', "Of the air."),
+    "altitude": text_option("--altitude", _AIR, '"1600 m"', "Sets the pressure."),
+    "pressure": text_option("--pressure", _AIR, '"840 hPa"', "At the course."),
+    "humidity": text_option("--humidity", _AIR, '"40 %"', "Relative humidity."),
+    "wind": text_option("--wind", _AIR, '"5 m/s"', 'Tailwind, or "along, right" as in "5 m/s, -2 m/s".'),
 }
 
 

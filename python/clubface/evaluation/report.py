@@ -73,7 +73,7 @@ def sections(of: Evaluation) -> Iterator[Section]:
 
 def title(of: Evaluation) -> str:
     """Return the title of the report."""
-    return f"Models beside {len(of.shots)} measured shots: {of.shots.club.name}"
+    return f"Models beside {tables.counted(len(of.shots), 'measured shot')}: {of.shots.club.name}"
 
 
 def as_markdown(of: Evaluation, *, pictures: str | None = None) -> str:

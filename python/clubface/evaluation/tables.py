@@ -62,6 +62,11 @@ def name_of(quantity: str) -> str:
     return f"{TITLES[quantity]} ({QUANTITIES[quantity]})"
 
 
+def counted(shots: int, what: str = "shot") -> str:
+    """Write a number of shots."""
+    return f"{shots} {what}" + ("" if shots == 1 else "s")
+
+
 def percent(part: float, whole: float) -> str:
     """Write a percentage to three digits as P1 does."""
     if whole == 0.0 or math.isnan(part):
@@ -83,7 +88,7 @@ def in_published_form(of: Evaluation) -> list[Table]:
         if what == "mae":
             rows.append(["Cost (Eq. 22)", "", *(f"{of.cost(model):.3f}" for model in of.models)])
             rows.append(["Processor time a shot", "", *(duration(of.seconds[model]) for model in of.models)])
-        found.append(Table(f"{words}, {len(of.shots)} shots", ["", "mean |measured|", *of.models], rows))
+        found.append(Table(f"{words}, {counted(len(of.shots))}", ["", "mean |measured|", *of.models], rows))
     return found
 
 
@@ -144,7 +149,7 @@ def detail(of: Evaluation, quantity: str) -> Table:
             ]
         rows.append(row)
     count = next(iter(of.sizes[quantity].values())).shots
-    return Table(f"{name_of(quantity)}: model less measured, {count} shots", heads, rows)
+    return Table(f"{name_of(quantity)}: model less measured, {counted(count)}", heads, rows)
 
 
 def best_models(of: Evaluation) -> Table:
@@ -235,11 +240,11 @@ def notes(of: Evaluation) -> list[str]:
     if of.shots.dropped:
         first = "; ".join(f"{each.line}: {each.reason}" for each in of.shots.dropped[:5])
         found.append(
-            f"{len(of.shots.dropped)} rows of {of.shots.source} were left out ({first}{_more(of.shots.dropped)})"
+            f"left out of {of.shots.source}: {counted(len(of.shots.dropped), 'row')} ({first}{_more(of.shots.dropped)})"
         )
     if of.failed:
         first = "; ".join(f"{each.line}: {each.reason}" for each in of.failed[:5])
-        found.append(f"{len(of.failed)} shots were left out for all models since one cannot compute them ({first})")
+        found.append(f"left out for all models, since one cannot compute them: {counted(len(of.failed))} ({first})")
     found.append(
         "Errors are model less measured. Percentages refer to the mean magnitude of what was measured. STD is the"
         " standard deviation of the error about its mean (n - 1)."

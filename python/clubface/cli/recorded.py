@@ -1,0 +1,37 @@
+"""From the options of a command to recorded shots of one club, whatever measured them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from clubface.cli import options
+from clubface.cli.options import Group, text_option
+
+_SHOTS = "Shots"
+RECORDED: Group = {
+    "club": text_option(
+        "--club", "Club and ball", "CLUB", "Name or TOML file; the club that the shots name unless given."
+    ),
+    "only": text_option("--only", _SHOTS, "NAME", "Take the shots of the club called so in the file."),
+    "format": text_option("--format", _SHOTS, "NAME", "Layout of the file; recognised unless given."),
+    "mapping": text_option("--mapping", _SHOTS, "FILE", "TOML file that names the columns of any other CSV."),
+    **options.EQUIPMENT,
+}
+"""Options of a command that reads recorded shots."""
+
+
+def recorded_shots(path: str, texts: Mapping[str, str | None]) -> tuple[Any, Any]:
+    """Return the recorded shots of one club and the club, from the options of ``RECORDED``.
+
+    Velocities and angles that a launch monitor takes elsewhere are referred to the points of clubface.
+    """
+    from clubface import launch_monitor
+    from clubface.measured_shots import club_of, of_one_club
+
+    shots = launch_monitor.read(path, texts["format"], texts["hand"], texts["mapping"])
+    shots = shots.select(of_one_club(shots, texts["only"]))
+    head = club_of(shots, texts["club"])
+    if texts["hand"] is not None:
+        head = head.replace(hand=texts["hand"])
+    return (launch_monitor.refer(shots, head) if shots.format in launch_monitor.FORMATS else shots), head
