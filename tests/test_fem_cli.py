@@ -89,7 +89,7 @@ def test_an_export_tells_the_file_to_open(clubface_, tmp_path, form, ending):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("run", "papr"), ("case of finite elements", "did you mean paper?")),
+        (("run", "papr"), ("case of finite elements", "did you mean paper or")),
         (("reference", "--ball", "papr"), ("ball of finite elements", "did you mean paper?")),
         (("reference", "--refine", "9"), ("refine is 9",)),
         (("reference", "--friction", "-1"), ("friction is -1.0",)),

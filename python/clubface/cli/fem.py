@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from typing import Annotated, Any
 
 import typer
 
 from clubface.cli import options, output
 from clubface.cli.failures import Interrupted, say
+from clubface.cli.fem_parts import ball as report_ball
+from clubface.cli.fem_parts import head as report_head
+from clubface.cli.fem_progress import progress_bar, run_with_progress
 from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RPM, RUN_ROWS
 
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Finite elements: impacts of meshed balls.")
+app.command("ball")(report_ball)
+app.command("head")(report_head)
 
 Friction = Annotated[float, typer.Option("--friction", metavar="NUMBER", help="Coulomb's coefficient.")]
 Refine = Annotated[int, typer.Option("--refine", metavar="TIMES", help="Finer along every edge, 1 to 8 times.")]
@@ -53,7 +55,7 @@ def reference(
         "tangential_min_n": found.tangential_min,
         "reversal_time_s": found.reversal_time,
         "energy_error": found.energy_error,
-        "elements": found.ball.elements,
+        "elements": found.elements,
         "steps": found.steps,
         "wall_s": found.wall,
     }
@@ -199,7 +201,7 @@ def export(
 
 
 def _cost(found: Any) -> str:
-    counts = f"{found.ball.elements} elements, {found.steps} steps, {found.wall:.2f} s"
+    counts = f"{found.elements} elements, {found.steps} steps, {found.wall:.2f} s"
     return f"{counts}; energies close to {found.energy_error:.2%}"
 
 
@@ -227,27 +229,3 @@ def _end(found: Any) -> None:
 def _tell(files: list[Any]) -> None:
     if files:
         say(f"wrote {', '.join(str(each) for each in files)}")
-
-
-@contextmanager
-def progress_bar() -> Iterator[Callable[[float, float, str], object] | None]:
-    """Show a bar on the error stream where that is a terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("starting", total=1.0)
-        yield lambda part, whole, text: bar.update(task, completed=part / whole, description=text)
-
-
-def run_with_progress(run: Callable[[Callable[[float, float], object] | None], Any]) -> Any:
-    """Run an impact under a bar; tell of one that stopped early."""
-    with progress_bar() as update:
-        found = run(update and (lambda time, whole: update(time, whole, f"{time * 1e6:.0f} us")))
-    if found.stopped and not found.interrupted:
-        say(f"note: {found.stopped}; what follows is what there was until then")
-    return found

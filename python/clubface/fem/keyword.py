@@ -34,7 +34,7 @@ HEADER = (
     "- Viscous branches relax the stress of the elastic law in clubface, a stress linear in strain here: alike at "
     "moderate strain.",
     "- Friction of clubface sticks by tangential springs; a rigid wall has none.",
-    "- Shells of clubface have one point in their plane and physical hourglass stiffness: type 2, type 4 control is near.",
+    "- Shells of clubface have one point in their plane and physical hourglass stiffness; type 2 is near.",
     "- Bulk viscosity, which clubface does without, is all but switched off.",
 )
 

@@ -38,7 +38,7 @@ class Group:
     """
 
     name: str
-    thickness: float
+    thickness: Any
     metal: Metal = field(default_factory=Metal)
     face: bool = False
 

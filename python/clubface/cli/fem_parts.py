@@ -1,0 +1,103 @@
+"""``clubface fem ball`` and ``clubface fem head``: what a run is made of."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import options, output
+from clubface.cli.fem_progress import progress_bar
+from clubface.units import from_si
+
+RULES = {"mass": 0.04593, "diameter": 0.04267}
+"""Most a ball may weigh [kg], least it may measure [m]: The Equipment Rules."""
+
+
+def ball(
+    name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="A ball of finite elements.")],
+    as_json: options.Json = False,
+) -> None:
+    """Mesh a ball and report mass, diameter and inertia beside what was asked for and the rules."""
+    from clubface import fem
+
+    made = fem.ball(name)
+    found = made.properties()
+    solid = 0.4 * found["mass"] * found["radius"] ** 2
+    document: dict[str, Any] = {
+        "name": made.name,
+        "mass_kg": found["mass"],
+        "diameter_m": 2.0 * found["radius"],
+        "inertia_kgm2": found["inertia"],
+        "inertia_over_homogeneous": found["inertia"] / solid,
+        "core_density_kgm3": found["core_density"],
+        "elements": found["elements"],
+        "nodes": found["nodes"],
+        "conforms": found["mass"] <= RULES["mass"] and 2.0 * found["radius"] >= RULES["diameter"],
+    }
+    if as_json:
+        output.print_json(document)
+        return
+    from clubface.cli.tables import print_numbers
+
+    asked = "" if made.mass is None else output.number(from_si(made.mass, "g"), 2)
+    rows = [
+        ["mass, g", output.number(from_si(found["mass"], "g"), 2), asked, "45.93 at most"],
+        [
+            "diameter, mm",
+            output.number(2e3 * found["radius"], 2),
+            output.number(1e3 * made.diameter, 2),
+            "42.67 at least",
+        ],
+        ["inertia, g cm2", output.number(from_si(found["inertia"], "g cm2"), 2), "", ""],
+        ["inertia over homogeneous", output.number(document["inertia_over_homogeneous"], 4), "", ""],
+        ["density of the core, kg/m3", output.number(found["core_density"], 0), "", ""],
+        ["elements", str(found["elements"]), "", ""],
+    ]
+    print_numbers(("", "meshed", "asked for", "rule"), rows, title=made.description or made.name)
+
+
+def head(
+    name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="A head of shells.")],
+    measure: Annotated[
+        bool, typer.Option("--measure", help="Also simulate restitution and characteristic time; takes seconds.")
+    ] = False,
+    as_json: options.Json = False,
+) -> None:
+    """Mesh a head of shells and report mass, CG and inertia, how it was tuned and, if wanted, how it rebounds."""
+    from clubface import fem
+    from clubface.fem import head_tests
+
+    made = fem.head(name)
+    club = made.club
+    document: dict[str, Any] = {
+        "name": made.name,
+        "elements": made.elements,
+        "mass_kg": club.mass,
+        "cg_m": list(club.cg),
+        "inertia_kgm2": [list(row) for row in club.inertia],
+        "tuning": dict(made.report),
+    }
+    if measure:
+        with progress_bar() as update:
+            watch = update and (lambda time, whole: update(time, whole, f"{time * 1e6:.0f} us"))
+            document["restitution"] = head_tests.restitution(made, progress=watch)
+            document["characteristic_time_s"] = head_tests.characteristic_time(made, progress=watch)
+    if as_json:
+        output.print_json(document)
+        return
+    from clubface.cli.tables import print_numbers
+
+    rows = [["mass, g", output.number(from_si(club.mass, "g"), 2)]]
+    cg, moments = zip("xyz", club.cg, strict=True), zip("xyz", (club.ixx, club.iyy, club.izz), strict=True)
+    rows += [[f"CG to face centre, {axis}, mm", output.number(1e3 * value, 2)] for axis, value in cg]
+    rows += [[f"I{axis}{axis}, g cm2", output.number(from_si(value, "g cm2"), 0)] for axis, value in moments]
+    trims = dict(made.report)
+    if "scale" in trims:
+        rows.append(["walls over design", output.number(trims.pop("scale"), 3)])
+    rows += [[f"trim mass {name}, g", output.number(from_si(mass, "g"), 1)] for name, mass in trims.items()]
+    rows.append(["elements", str(made.elements)])
+    if measure:
+        rows.append(["restitution", output.number(document["restitution"], 3)])
+        rows.append(["characteristic time, us", output.number(document["characteristic_time_s"] * 1e6, 0)])
+    print_numbers(("", ""), rows, title=made.description or made.name)
