@@ -117,6 +117,26 @@ class FileError(ClubfaceError, ValueError):
         return f"{place}: {self.message}"
 
 
+class LinkError(ClubfaceError, ConnectionError):
+    """A connection to another program that cannot be made, is lost, or on which no answer comes.
+
+    Attributes
+    ----------
+    address
+        Host and port.
+    message
+        What is wrong.
+    """
+
+    def __init__(self, address: str, message: str) -> None:
+        super().__init__(address, message)
+        self.address = address
+        self.message = message
+
+    def __str__(self) -> str:
+        return f"{self.address} {self.message}"
+
+
 class RuleWarning(UserWarning):
     """A club or ball outside the Rules of Golf; it is computed all the same."""
 

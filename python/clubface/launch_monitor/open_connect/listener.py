@@ -1,0 +1,193 @@
+"""The side of the simulator: a socket on which launch monitors tell their shots, and which answers them."""
+
+from __future__ import annotations
+
+import json
+import selectors
+import socket
+import time
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from typing import Any, Self
+
+from clubface.errors import InputError, LinkError
+from clubface.launch_monitor.open_connect.fields import FAILED, OK, PLAYER
+from clubface.launch_monitor.open_connect.framing import Broken, ObjectStream
+from clubface.launch_monitor.open_connect.messages import Message, MessageError, from_json
+from clubface.launch_monitor.open_connect.outgoing import player, reply
+
+LOOPBACK = "127.0.0.1"
+PORT = 921
+"""The port of GSPro; ports below 1024 need rights on some systems."""
+MOST_CLIENTS = 8
+TICK = 0.05
+"""Longest wait before the clock and the request to stop are looked at [s]."""
+PARTIAL = 5.0
+"""Time after which a message that has begun and not ended is given up [s]."""
+
+
+def check_port(port: int, lowest: int) -> None:
+    """Refuse what is no number of a port."""
+    if isinstance(port, bool) or not isinstance(port, int) or not lowest <= port <= 65535:
+        raise InputError("port", port, f"a whole number from {lowest} to 65535")
+
+
+class _Client:
+    """One connection."""
+
+    def __init__(self, connection: socket.socket, name: str) -> None:
+        self.connection = connection
+        self.name = name
+        self.stream = ObjectStream()
+        self.heard = time.monotonic()
+
+
+class Listener:
+    """Listens for launch monitors on the local machine; iterate over :meth:`messages`, in a ``with`` statement.
+
+    A shot is answered with code 200, what cannot be used with 501 and the reason; heartbeats and states are not
+    answered. Several monitors may be connected, and come and go.
+
+    Parameters
+    ----------
+    port
+        The port; 0 takes a free one, see ``port`` afterwards.
+    host
+        The address to listen on; other machines can only reach another than the default.
+    hand, club
+        Told to every monitor that connects, with code 201: "right" or "left", and the club's short name, such as "DR".
+    on_problem
+        Called with a sentence for whatever is no message, and when a monitor connects or leaves.
+
+    Raises
+    ------
+    LinkError
+        The port is taken, or not allowed.
+    """
+
+    def __init__(
+        self,
+        port: int = PORT,
+        *,
+        host: str = LOOPBACK,
+        hand: str | None = None,
+        club: str = "",
+        on_problem: Callable[[str], object] | None = None,
+    ) -> None:
+        check_port(port, 0)
+        self._player = player(hand, club) if hand is not None else None
+        self._tell = on_problem or (lambda message: None)
+        self._selector = selectors.DefaultSelector()
+        self._stopped = False
+        try:
+            self._socket = socket.create_server((host, port), backlog=MOST_CLIENTS)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            hint = "; ports below 1024 need rights: give another" if isinstance(error, PermissionError) else ""
+            raise LinkError(f"{host}:{port}", f"cannot be listened on: {reason}{hint}") from None
+        self._socket.setblocking(False)
+        self.port: int = self._socket.getsockname()[1]
+        self._selector.register(self._socket, selectors.EVENT_READ)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def stop(self) -> None:
+        """End the iteration over messages; may be called from another thread."""
+        self._stopped = True
+
+    def close(self) -> None:
+        """Close all connections."""
+        self._stopped = True
+        if self._selector.get_map() is None:
+            return
+        for key in list(self._selector.get_map().values()):
+            key.fileobj.close()  # pyright: ignore[reportAttributeAccessIssue]
+        self._selector.close()
+
+    def messages(self, *, timeout: float | None = None) -> Iterator[Message]:
+        """Yield every message as it comes, until :meth:`stop`, or until none came for ``timeout`` seconds."""
+        last = time.monotonic()
+        while not self._stopped:
+            for key, _ in self._selector.select(TICK):
+                if key.data is None:
+                    self._accept()
+                    continue
+                for message in self._read(key.data):
+                    last = time.monotonic()
+                    yield message
+                    if self._stopped:
+                        return
+            self._give_up_partial()
+            if timeout is not None and time.monotonic() - last > timeout:
+                return
+
+    def _clients(self) -> list[_Client]:
+        return [key.data for key in self._selector.get_map().values() if key.data is not None]
+
+    def _accept(self) -> None:
+        try:
+            connection, address = self._socket.accept()
+        except OSError:
+            return
+        name = f"{address[0]}:{address[1]}"
+        if len(self._clients()) >= MOST_CLIENTS:
+            self._tell(f"{name} was turned away: {MOST_CLIENTS} monitors are connected")
+            connection.close()
+            return
+        connection.setblocking(False)
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        client = _Client(connection, name)
+        self._selector.register(connection, selectors.EVENT_READ, client)
+        self._tell(f"{name} connected")
+        if self._player is not None:
+            self._answer(client, reply(PLAYER, "GSPro Player Information", self._player))
+
+    def _read(self, client: _Client) -> Iterator[Message]:
+        try:
+            data = client.connection.recv(65_536)
+        except BlockingIOError:
+            return
+        except OSError as error:
+            self._leave(client, f"was lost: {error.strerror or error}")
+            return
+        if not data:
+            self._leave(client, "left in the middle of a message" if client.stream.is_partial else "left")
+            return
+        client.heard = time.monotonic()
+        for found in client.stream.feed(data):
+            try:
+                if isinstance(found, Broken):
+                    raise MessageError(found.reason)
+                message = from_json(found)
+            except MessageError as error:
+                self._tell(f"{client.name}: {error}")
+                self._answer(client, reply(FAILED, str(error)))
+                continue
+            if message.kind == "shot":
+                self._answer(client, reply(OK, "Shot received successfully"))
+            yield message
+
+    def _answer(self, client: _Client, answer: dict[str, Any]) -> None:
+        """Send an answer; a client that does not read is dropped rather than waited for."""
+        try:
+            client.connection.sendall(json.dumps(answer).encode())
+        except OSError as error:
+            self._leave(client, f"was lost: {error.strerror or error}")
+
+    def _leave(self, client: _Client, how: str) -> None:
+        with suppress(KeyError, ValueError):
+            self._selector.unregister(client.connection)
+            self._tell(f"{client.name} {how}")
+        client.connection.close()
+
+    def _give_up_partial(self) -> None:
+        now = time.monotonic()
+        for client in self._clients():
+            if client.stream.is_partial and now - client.heard > PARTIAL:
+                client.stream.drop()
+                self._tell(f"{client.name}: a message did not end within {PARTIAL:g} s")
+                self._answer(client, reply(FAILED, "the message did not end"))

@@ -1,0 +1,340 @@
+"""GSPro Open Connect: messages, and both sides of the socket on the loopback."""
+
+import contextlib
+import json
+import math
+import socket
+import threading
+import time
+from contextlib import contextmanager
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import clubface
+from clubface.errors import InputError, LinkError, UnknownNameError
+from clubface.launch_monitor import open_connect
+from clubface.launch_monitor.open_connect import Listener, MessageError, Sender, from_json, recorded, to_json
+from clubface.launch_monitor.open_connect.framing import LARGEST, Broken, ObjectStream
+
+pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+
+MPH, DEG, RPM = 0.44704, math.pi / 180, math.pi / 30
+SHOT = {
+    "DeviceID": "radar",
+    "Units": "Yards",
+    "ShotNumber": 13,
+    "APIversion": "1",
+    "BallData": {"Speed": 147.5, "SpinAxis": -13.2, "TotalSpin": 3250.0, "BackSpin": 1.0, "SideSpin": 2.0, "HLA": 2.3}
+    | {"VLA": 14.3, "CarryDistance": 256.5},
+    "ClubData": {"Speed": 100.0, "AngleOfAttack": -1.5, "FaceToTarget": 1.25, "Lie": 0.5, "Loft": 14.0, "Path": -2.5}
+    | {"SpeedAtImpact": 101.0, "VerticalFaceImpact": 4.0, "HorizontalFaceImpact": -8.0, "ClosureRate": 2500.0},
+    "ShotDataOptions": {"ContainsBallData": True, "ContainsClubData": True, "LaunchMonitorIsReady": True}
+    | {"LaunchMonitorBallDetected": False, "IsHeartBeat": False},
+}
+HEARTBEAT = SHOT | {"ShotNumber": 0, "ShotDataOptions": {"IsHeartBeat": True, "LaunchMonitorIsReady": True}}
+
+
+def changed(message=SHOT, **parts):
+    return message | {name: message[name] | part if isinstance(part, dict) else part for name, part in parts.items()}
+
+
+def test_a_message_is_a_shot_in_si():
+    found = from_json(SHOT)
+    assert (found.kind, found.device, found.shot_number, found.is_ready, found.sees_ball) == (
+        "shot", "radar", 13, True, False
+    )  # fmt: skip
+    expected = {"ball_speed": 147.5 * MPH, "launch": 14.3 * DEG, "azimuth": 2.3 * DEG, "carry": 256.5 * 0.9144}
+    expected |= {"spin_axis": -13.2 * DEG, "total_spin": 3250 * RPM}
+    assert found.launch == pytest.approx(expected, rel=1e-14)
+    assert found.delivery == pytest.approx(
+        {"speed": 100 * MPH, "attack": -1.5 * DEG, "face": 1.25 * DEG, "lie": 0.5 * DEG, "loft": 14 * DEG}
+        | {"path": -2.5 * DEG, "high": 0.004, "toe": -0.008, "closure": 2500 * DEG},
+        rel=1e-14,
+    )
+    metres = from_json(SHOT | {"Units": "Meters"})
+    assert metres.launch["carry"] == 256.5
+
+
+def test_spin_may_be_told_by_its_parts_and_zeros_stand_for_not_measured():
+    ball = {"Speed": "147.5", "HLA": 0, "VLA": 14, "BackSpin": 2500, "SideSpin": -800, "CarryDistance": 0}
+    club = dict.fromkeys(SHOT["ClubData"], 0.0)
+    found = from_json(SHOT | {"BallData": ball, "ClubData": club})
+    assert set(found.launch) == {"ball_speed", "azimuth", "launch", "backspin", "sidespin"}
+    assert found.delivery == {}
+    found = from_json(SHOT | {"BallData": ball, "ClubData": club | {"Path": 2.0}})
+    assert set(found.delivery) == {"attack", "face", "lie", "path"}
+    shots = recorded([found, from_json(HEARTBEAT)], hand="left")
+    assert (len(shots), shots.format, shots.hand.tolist()) == (1, "open-connect", ["left"])
+    assert shots.launches["spin_axis"][0] == pytest.approx(-math.atan2(800, 2500), rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("message", "said"),
+    [
+        ({}, "ShotDataOptions is missing"),
+        (SHOT | {"ShotDataOptions": [1]}, "ShotDataOptions must be an object"),
+        (changed(ShotDataOptions={"IsHeartBeat": 1}), "IsHeartBeat must be true or false"),
+        (SHOT | {"DeviceID": 5}, "DeviceID must be a text"),
+        (SHOT | {"APIversion": "2"}, "APIversion is '2'; it must be '1'"),
+        (SHOT | {"ShotNumber": None}, "ShotNumber is missing"),
+        (SHOT | {"ShotNumber": -1}, "ShotNumber must be 0 or more"),
+        (SHOT | {"BallData": None}, "BallData is missing"),
+        (changed(BallData={"VLA": None}), "BallData.VLA is missing"),
+        (changed(BallData={"VLA": "high"}), "BallData.VLA must be a number"),
+        (changed(BallData={"VLA": True}), "BallData.VLA must be a number"),
+        (changed(BallData={"VLA": 1e300}), "BallData.VLA must be a number"),
+        (changed(BallData={"Speed": 0}), "BallData.Speed must be above 0"),
+        (changed(BallData={"SpinAxis": None, "SideSpin": None}), "needs TotalSpin and SpinAxis, or"),
+        (changed(ClubData={"Speed": -1}), "ClubData.Speed must not be below 0"),
+        (
+            changed(ShotDataOptions={"ContainsBallData": False}, ClubData=dict.fromkeys(SHOT["ClubData"], 0)),
+            "but zeros",
+        ),
+    ],
+)
+def test_a_message_that_is_none_says_which_field(message, said):
+    with pytest.raises(MessageError, match=said):
+        from_json(message)
+
+
+def test_a_launch_becomes_a_message_and_comes_back():
+    launch = clubface.impact("driver", speed="108 mph", attack="2 deg", loft="13 deg", face="1 deg", toe="8 mm")
+    found = from_json(json.loads(json.dumps(to_json(launch, shot_number=3))))
+    assert found.shot_number == 3
+    for name, value in found.launch.items():
+        assert value == pytest.approx(getattr(launch, name), rel=1e-13), name
+    for name, value in found.delivery.items():
+        assert value == pytest.approx(launch.delivery[name], rel=1e-13), name
+    assert {"ball_speed", "launch", "azimuth", "total_spin", "spin_axis"} == set(found.launch)
+    given = from_json(to_json({"ball_speed": "150 mph", "launch": "12 deg"}, shot_number=1))
+    assert given.launch == pytest.approx(
+        {"ball_speed": 150 * MPH, "launch": 12 * DEG, "azimuth": 0, "total_spin": 0, "spin_axis": 0}
+    )
+    parts = {"backspin": 300.0, "sidespin": -40.0}
+    given = from_json(to_json({"ball_speed": 60.0, "launch": 0.2, **parts}, shot_number=1))
+    assert given.launch["spin_axis"] == pytest.approx(-math.atan(40 / 300), rel=1e-13)
+    assert given.launch["total_spin"] == pytest.approx(math.hypot(300, 40), rel=1e-13)
+    for launch, name in (
+        ({"launch": 0.2}, "ball_speed"),
+        ({"ball_speed": 60.0}, "launch"),
+        ({"ball_speed": "x"}, "ball"),
+    ):
+        with pytest.raises(InputError, match=name):
+            to_json(launch, shot_number=1)
+
+
+def test_objects_are_found_wherever_the_bytes_are_cut():
+    texts = [json.dumps(SHOT), '{"a": "}{\\"", "b": {"c": []}}', json.dumps(HEARTBEAT, indent=2)]
+    data = (texts[0] + texts[1] + "\r\n\x00 " + texts[2]).encode()
+    expected = [json.loads(text) for text in texts]
+    for size in (1, 2, 7, 100, len(data)):
+        stream = ObjectStream()
+        found = [each for start in range(0, len(data), size) for each in stream.feed(data[start : start + size])]
+        assert found == expected
+        assert not stream.is_partial
+    for cut in range(1, len(data), 13):
+        stream = ObjectStream()
+        assert stream.feed(data[:cut]) + stream.feed(data[cut:]) == expected
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        (b"GET / HTTP/1.1\r\n\r\n", "no JSON object begins with 'G'"),
+        (b'{"a": }', "not JSON"),
+        (b'{"a": NaN}', "NaN is no number"),
+        (b'{"a": "\xff"}', "not UTF-8"),
+        (b"{" * 40, "deeper than 16"),
+        (b'{"a": "' + b"x" * LARGEST, "longer than 65536"),
+    ],
+)
+def test_garbage_is_told_once_and_the_next_message_is_read(data, said):
+    stream = ObjectStream()
+    found = stream.feed(data) + stream.feed(b' "}}]]]]' + json.dumps(HEARTBEAT).encode())
+    assert isinstance(found[0], Broken)
+    assert said in found[0].reason
+    stream.drop()
+    assert stream.feed(json.dumps(SHOT).encode()) == [SHOT]
+
+
+@settings(max_examples=150, deadline=None)
+@given(
+    st.lists(
+        st.one_of(st.binary(max_size=30), st.sampled_from([b"{", b"}", b'"', b"\\", b'{"a":1}', b"[[["])), max_size=8
+    )
+)
+def test_whatever_comes_the_stream_goes_on(pieces):
+    stream = ObjectStream()
+    for piece in pieces:
+        for found in stream.feed(piece):
+            assert isinstance(found, Broken | dict)
+            if isinstance(found, dict):
+                with contextlib.suppress(MessageError):
+                    from_json(found)
+    stream.drop()
+    assert stream.feed(b' {"a": 1}') == [{"a": 1}]
+
+
+@contextmanager
+def listening(**options):
+    """A listener in a thread of its own, and what it has heard and told."""
+    heard, told = [], []
+    listener = Listener(0, on_problem=told.append, **options)
+    thread = threading.Thread(target=lambda: heard.extend(listener.messages()))
+    thread.start()
+    try:
+        yield listener, heard, told
+    finally:
+        listener.stop()
+        thread.join(5)
+        listener.close()
+        assert not thread.is_alive()
+
+
+@contextmanager
+def raw(port):
+    """A client that sends bytes as it likes, and reads the answers."""
+    with socket.create_connection(("127.0.0.1", port), 5) as connection:
+        stream = ObjectStream()
+
+        def answers(count):
+            found = []
+            while len(found) < count:
+                data = connection.recv(4096)
+                assert data, "closed"
+                found += stream.feed(data)
+            return found
+
+        yield connection, answers
+
+
+def wait_for(condition):
+    ends = time.monotonic() + 5
+    while not condition():
+        assert time.monotonic() < ends, "in vain"
+        time.sleep(0.01)
+
+
+def test_shots_go_over_the_socket_and_are_answered():
+    launch = clubface.impact("7-iron", speed="82 mph", attack="-4 deg", loft="24 deg")
+    with listening(hand="left", club="I7") as (listener, heard, told):
+        with Sender(listener.port, device="test") as sender:
+            sender.heartbeat()
+            assert tuple(sender.send(launch)) == (200, "Shot received successfully")
+            assert sender.send({"ball_speed": 50.0, "launch": 0.3, "backspin": 500.0}).was_taken
+            assert sender.player == {"Handed": "LH", "Club": "I7"}
+        wait_for(lambda: len(told) == 2)
+    assert [each.kind for each in heard] == ["heartbeat", "shot", "shot"]
+    shots = recorded(heard)
+    assert shots.rows.tolist() == [1, 2]
+    assert shots.launches["ball_speed"] == pytest.approx([launch.ball_speed, 50.0], rel=1e-13)
+    assert shots.deliveries["loft"][0] == pytest.approx(24 * DEG, rel=1e-13)
+    assert [each.rpartition(" ")[2] for each in told] == ["connected", "left"]
+
+
+def test_pieces_several_at_once_garbage_and_several_monitors(monkeypatch):
+    text = json.dumps(SHOT).encode()
+    with listening() as (listener, heard, told), raw(listener.port) as (first, answers), raw(listener.port) as other:
+        first.sendall(text[:100])
+        other[0].sendall(text + text + json.dumps(HEARTBEAT).encode() + text[:50])
+        assert [each["Code"] for each in other[1](2)] == [200, 200]
+        first.sendall(text[100:] + b"nonsense")
+        assert [each["Code"] for each in answers(2)] == [200, 501]
+        other[0].sendall(text[50:] + json.dumps(SHOT | {"BallData": {}}).encode())
+        assert other[1](2)[1] == {"Code": 501, "Message": "BallData.Speed is missing"}
+        first.sendall(text)
+        assert answers(1)[0]["Code"] == 200
+    assert [each.kind for each in heard].count("shot") == 5
+    assert sum("no JSON object begins with 'n'" in each for each in told) == 1
+
+
+def test_a_message_that_does_not_end_is_given_up_and_the_next_is_read(monkeypatch):
+    monkeypatch.setattr(open_connect.listener, "PARTIAL", 0.2)
+    with listening() as (listener, heard, told), raw(listener.port) as (client, answers):
+        client.sendall(json.dumps(SHOT).encode()[:-1])
+        assert answers(1)[0] == {"Code": 501, "Message": "the message did not end"}
+        client.sendall(json.dumps(SHOT).encode())
+        assert answers(1)[0]["Code"] == 200
+        client.sendall(b'{"DeviceID"')
+        client.close()
+        wait_for(lambda: any("left in the middle of a message" in each for each in told))
+    assert len(heard) == 1
+
+
+def test_the_iteration_ends_when_nothing_comes_and_a_monitor_too_many_is_turned_away(monkeypatch):
+    monkeypatch.setattr(open_connect.listener, "MOST_CLIENTS", 1)
+    told = []
+    with Listener(0, on_problem=told.append) as listener, raw(listener.port), raw(listener.port) as (second, _):
+        assert list(listener.messages(timeout=0.2)) == []
+        assert second.recv(10) == b""
+    assert "turned away" in told[-1]
+    assert list(listener.messages()) == []
+
+
+def test_a_port_that_is_taken_or_nobody_listens_on_is_told():
+    with Listener(0) as listener:
+        with pytest.raises(LinkError, match=rf"127.0.0.1:{listener.port} cannot be listened on"):
+            Listener(listener.port)
+        free = listener.port
+    with pytest.raises(LinkError, match="cannot be reached"):
+        Sender(free, timeout=1)
+    for make, port in ((Sender, 70_000), (Sender, 0), (Listener, -1), (Listener, "921")):
+        with pytest.raises(InputError, match="to 65535"):
+            make(port)
+    with pytest.raises(UnknownNameError, match="right, left"):
+        Listener(0, hand="both")
+    with pytest.raises(InputError, match="above 0 s"):
+        Sender(free, timeout=0)
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        (None, "did not answer shot 1 within 0.3 s"),
+        (b"", "closed the connection"),
+        (b"what?", "answered what is no answer"),
+        (b'{"Message": "fine"}', "answered without a code"),
+    ],
+)
+def test_a_simulator_that_does_not_answer_is_told(answer, said):
+    with socket.create_server(("127.0.0.1", 0)) as server:
+
+        def serve():
+            connection, _ = server.accept()
+            with connection:
+                connection.recv(10_000)
+                if answer is None:
+                    time.sleep(0.6)
+                else:
+                    connection.sendall(answer)
+
+        thread = threading.Thread(target=serve)
+        thread.start()
+        with Sender(server.getsockname()[1], timeout=0.3) as sender, pytest.raises(LinkError, match=said):
+            sender.send({"ball_speed": 50.0, "launch": 0.3})
+        thread.join(5)
+
+
+def test_a_refused_shot_and_answers_that_came_before_are_told_apart():
+    with socket.create_server(("127.0.0.1", 0)) as server:
+
+        def serve():
+            connection, _ = server.accept()
+            with connection:
+                connection.sendall(b'{"Code": 200, "Message": "stale"}{"Code": 201, "Player": {"Handed": "RH"}}')
+                connection.recv(10_000)
+                connection.sendall(b'{"Code": 201, "Player": {"Handed": "LH"}}{"Code": 501, "Mess')
+                time.sleep(0.05)
+                connection.sendall(b'age": "no"}')
+                connection.recv(10)
+
+        thread = threading.Thread(target=serve)
+        thread.start()
+        with Sender(server.getsockname()[1], timeout=5) as sender:
+            time.sleep(0.1)
+            reply = sender.send({"ball_speed": 50.0, "launch": 0.3})
+        thread.join(5)
+    assert (reply.code, reply.message, reply.was_taken) == (501, "no", False)
+    assert sender.player == {"Handed": "LH"}
