@@ -8,11 +8,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 
 from clubface.errors import InputError
 from clubface.fem.result import Impact
+from clubface.plots.fem_head import Outline
 from clubface.plots.style import COLOURS, WIDTH, styled
 
 DOTS = 100
@@ -44,6 +45,8 @@ class Section:
         self._quads = quads[first]
         self._masses = _masses(nodes, elements, mesh["piece"], mesh["density"])
         self._found = found
+        head = found.head
+        self._head = None if head is None else Outline(head, self._from_touch(found.head_frames[0]))
         self.times = found.frame_times
 
     def at(self, frame: int) -> tuple[Any, Any]:
@@ -52,16 +55,31 @@ class Section:
         The face is the line of zero in the first coordinate; the second is up the face, in the frame in which the
         clubhead rests at first touch.
         """
+        places, first = (self._found.frames[each] @ self._found.axes.T for each in (frame, 0))
+        corners = (places[:, :2] + self._shift(frame))[self._quads]
+        return corners * 1e3, _compression(first[:, :2][self._quads], corners)
+
+    def head_at(self, frame: int) -> tuple[Any, Any]:
+        """Return the cuts through a head of shells [mm], (n, 2, 2), and their thickness [mm]; none of a rigid head."""
+        if self._head is None:
+            return np.zeros((0, 2, 2)), np.zeros(0)
+        cuts = self._head.at(self._from_touch(self._found.head_frames[frame]))[..., :2]
+        origin = self._from_touch(np.zeros(3))[:2]
+        return (cuts - origin + self._shift(frame)) * 1e3, self._head.thickness * 1e3
+
+    def _from_touch(self, places: Any) -> Any:
+        """Return places in the axes of first touch, the plane of the picture at zero of the third."""
+        found = self._found
+        middle = self._masses @ (found.frames[0] @ found.axes.T)
+        return places @ found.axes.T - [0.0, 0.0, middle[2]]
+
+    def _shift(self, frame: int) -> Any:
+        """Return what is added to places along normal and up to put the face at zero and the clubhead at rest [m]."""
         found, time = self._found, self.times[frame]
-        places = found.frames[frame] @ found.axes.T
-        centre = self._masses @ places
-        start = self._masses @ (found.frames[0] @ found.axes.T)
+        centre, start = (self._masses @ (found.frames[each] @ found.axes.T) for each in (frame, 0))
         height = centre[1] - start[1] - found.frame_velocity[1] * time
         distance = np.interp(time, found.motion["time"], found.motion["radius"])
-        flat = places[:, :2] - centre[:2] + [distance, height]
-        corners = flat[self._quads]
-        rest = (found.frames[0] @ found.axes.T)[:, :2][self._quads]
-        return corners * 1e3, _compression(rest, corners)
+        return np.array([distance, height]) - centre[:2]
 
 
 def _masses(nodes: Any, elements: Any, piece: Any, density: Any) -> Any:
@@ -100,7 +118,7 @@ def section_figure(found: Impact, *, count: int = 5) -> Figure:
     drawn: Any = None
     for column, frame in enumerate(frames):
         panel, below = panels[0][column], panels[1][column]
-        drawn = _draw(panel, section, frame, radius, most)
+        drawn, _ = _draw(panel, section, frame, radius, most)
         panel.set_title(f"{section.times[frame] * 1e6:.0f} µs")
         high = max(high, _edge_forces(below, found, float(section.times[frame])))
         if column == 0:
@@ -142,7 +160,7 @@ def animate(found: Impact, path: str | os.PathLike[str], *, seconds: float = 5.0
     figure = Figure(figsize=(WIDTH, 3.2), layout="constrained", dpi=DOTS)
     left, right = figure.subplots(1, 2, width_ratios=[1.0, 1.35])
     radius = found.ball.diameter * 500.0
-    drawn = _draw(left, section, 0, radius, _scale(section, range(len(section.times))))
+    drawn, head = _draw(left, section, 0, radius, _scale(section, range(len(section.times))))
     figure.colorbar(drawn, ax=left, label="compression (%)", fraction=0.05, pad=0.01)
     left.set(xlabel="distance from the face (mm)", ylabel="up the face (mm)")
     times = found.contact["time"] * 1e6
@@ -157,7 +175,7 @@ def animate(found: Impact, path: str | os.PathLike[str], *, seconds: float = 5.0
     title = right.text(0.03, 0.97, "", transform=right.transAxes, va="top")
 
     # What does not move is drawn once.
-    moving = [drawn, *(curve for curve, _ in curves), title]
+    moving = [drawn, head, *(curve for curve, _ in curves), title]
     for artist in moving:
         artist.set_animated(True)
     canvas = FigureCanvasAgg(figure)
@@ -167,6 +185,7 @@ def animate(found: Impact, path: str | os.PathLike[str], *, seconds: float = 5.0
     for frame, time in enumerate(section.times.tolist()):
         corners, squeezed = section.at(frame)
         drawn.set_verts(corners)
+        head.set_segments(section.head_at(frame)[0])
         drawn.set_array(squeezed * 100.0)
         for curve, force in curves:
             curve.set_data(times[times <= time * 1e6], force[times <= time * 1e6])
@@ -185,15 +204,23 @@ def _scale(section: Section, frames: Iterable[int]) -> float:
     return 10.0 * max(1.0, float(np.ceil(max(section.at(frame)[1].max() for frame in frames) * 10.0)))
 
 
-def _draw(panel: Any, section: Section, frame: int, radius: float, most: float) -> PolyCollection:
+def _draw(
+    panel: Any, section: Section, frame: int, radius: float, most: float
+) -> tuple[PolyCollection, LineCollection]:
     corners, squeezed = section.at(frame)
     drawn = PolyCollection(list(corners), array=squeezed * 100.0, **_COLOURS)
     drawn.set_clim(0.0, most)
     panel.add_collection(drawn)
-    panel.axvspan(-0.15 * radius, 0.0, color="0.75", linewidth=0)
-    panel.set(aspect="equal", xlim=(-0.15 * radius, 2.15 * radius), ylim=(-1.3 * radius, 1.5 * radius))
+    walls, thickness = section.head_at(frame)
+    behind = -0.15 if not len(walls) else -0.7
+    # A point is 1/72 inch; a panel is about 1.3 inches for 3 radii.
+    head = LineCollection(list(walls), linewidths=thickness * 72.0 * 1.3 / (3.0 * radius), colors="0.55")
+    panel.add_collection(head)
+    if not len(walls):
+        panel.axvspan(-0.15 * radius, 0.0, color="0.75", linewidth=0)
+    panel.set(aspect="equal", xlim=(behind * radius, 2.15 * radius), ylim=(-1.3 * radius, 1.5 * radius))
     panel.grid(visible=False)
-    return drawn
+    return drawn, head
 
 
 def _edge_forces(panel: Any, found: Impact, time: float) -> float:
