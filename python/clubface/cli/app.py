@@ -24,6 +24,7 @@ COMMANDS = {
     "clubs": "clubs",
     "club": "club",
     "tour": "tour",
+    "monitor": "monitor",
     "evaluate": "evaluate",
     "fem": "fem",
 }

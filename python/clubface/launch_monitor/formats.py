@@ -32,6 +32,7 @@ class Field:
     """
 
     def __init__(self, *headings: str, unit: str | None = None, positive: str | None = None) -> None:
+        self.shown = headings
         self.headings = tuple(plain(each) for each in headings)
         self.unit = unit
         self.positive = positive

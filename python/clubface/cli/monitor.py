@@ -1,0 +1,201 @@
+"""``clubface monitor``: files of launch monitors."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from clubface.cli import options, output
+from clubface.cli.monitor_live import listen, send
+from clubface.cli.tables import print_numbers, print_words
+from clubface.errors import FileError, InputError
+from clubface.units import display_unit, from_si
+
+if TYPE_CHECKING:
+    from clubface.recorded import RecordedShots
+
+app = typer.Typer(
+    add_completion=False, no_args_is_help=True, help="Launch monitors: their files, and their shots live."
+)
+app.command("listen")(listen)
+app.command("send")(send)
+
+Hand = Annotated[str | None, typer.Option("--hand", metavar="right|left", help="Of the player.", show_default=False)]
+SHOWN = 20
+"""Rejected rows that are printed."""
+
+
+@app.command("read")
+def read(
+    file: Annotated[str, typer.Argument(metavar="FILE", help="What the monitor's program exported.")],
+    format_: Annotated[
+        str | None, typer.Option("--format", metavar="NAME", help="Its layout; recognised unless given.")
+    ] = None,
+    mapping: Annotated[
+        str | None, typer.Option("--mapping", metavar="FILE", help="TOML that names the columns of any other CSV.")
+    ] = None,
+    hand: Hand = None,
+    unit: Annotated[
+        list[str] | None,
+        typer.Option("--unit", metavar="NAME=UNIT", help="Where the file names none: speed=km/h, carry=m; repeatable."),
+    ] = None,
+    club: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--club",
+            metavar="CLUB|NAME=CLUB",
+            help="Refer club data to this club, or to that of each name in the file.",
+        ),
+    ] = None,
+    target: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="FILE", help="Write one table: CSV or Parquet by its ending."),
+    ] = None,
+    rejects: Annotated[
+        str | None, typer.Option("--rejects", metavar="FILE", help="Write the rows without a shot: line and reason.")
+    ] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Read a launch monitor's file; write its shots in the units and signs of clubface."""
+    from clubface import launch_monitor
+
+    shots = launch_monitor.read(
+        file, format=format_, hand=hand, mapping=mapping, units=dict(map(_pair, unit or ())), club=_clubs(club or [])
+    )
+    if target is not None:
+        if Path(target).resolve() == Path(file).resolve():
+            raise FileError(target, None, "the output must not be the file read")
+        shots.write(target)
+    if rejects is not None:
+        _write_rejects(shots, Path(rejects))
+    if as_json:
+        output.print_json(_described(shots) | {"output": target, "rejects": rejects})
+        return
+    _print(shots)
+    print(f"{len(shots)} shots" + (f": {target}" if target is not None else ""))
+    if shots.rejected:
+        print(f"{len(shots.rejected)} rows rejected" + (f": {rejects}" if rejects is not None else ""))
+        for each in shots.rejected[:SHOWN]:
+            print(f"  line {each.line}: {each.reason}")
+        if len(shots.rejected) > SHOWN:
+            print(f"  and {len(shots.rejected) - SHOWN} more (--rejects FILE keeps all)")
+    output.print_notes(shots.notes)
+
+
+@app.command("formats")
+def formats(
+    name: Annotated[
+        str | None, typer.Argument(metavar="[NAME]", help="One of them, with its columns.", show_default=False)
+    ] = None,
+    as_json: options.Json = False,
+) -> None:
+    """List the layouts that are read, or show the columns of one."""
+    from clubface.errors import UnknownNameError
+    from clubface.launch_monitor import FORMATS
+
+    if name is not None and name not in FORMATS:
+        raise UnknownNameError("format", name, FORMATS)
+    chosen = list(FORMATS.values()) if name is None else [FORMATS[name]]
+    if as_json:
+        documents = [_layout(each) for each in chosen]
+        output.print_json(documents if name is None else documents[0])
+    elif name is None:
+        print_words(["format", "written by"], [[each.name, each.title] for each in chosen])
+        output.print_notes(["clubface monitor formats NAME shows the columns; any other file is read with --mapping."])
+    else:
+        layout = _layout(chosen[0])
+        rows = [
+            [quantity, ", ".join(each["headings"]), each["unit"] or "as the file says", each["positive"] or ""]
+            for quantity, each in layout["columns"].items()
+        ]
+        print_words(["quantity", "columns", "unit, unless the file names it", "positive"], rows)
+        print(f"{layout['title']}; {layout['source']}")
+
+
+def _pair(text: str) -> tuple[str, str]:
+    name, found, value = text.partition("=")
+    if not found or not name.strip() or not value.strip():
+        raise InputError("--unit", text, "NAME=UNIT, as in speed=km/h")
+    return name.strip(), value.strip()
+
+
+def _clubs(given: list[str]) -> Any:
+    """Return a club, clubs by name in the file, or None."""
+    named = [each for each in given if "=" in each]
+    if not named:
+        if len(given) > 1:
+            raise InputError("--club", given[1], "one club, or NAME=CLUB for each name in the file")
+        return given[0] if given else None
+    if len(named) < len(given):
+        raise InputError("--club", next(each for each in given if "=" not in each), "NAME=CLUB, as the others")
+    pairs = (each.partition("=") for each in named)
+    return {name.strip(): club.strip() for name, _, club in pairs}
+
+
+def _print(shots: RecordedShots) -> None:
+    import numpy as np
+
+    rows = []
+    for name, si_unit in shots.units().items():
+        unit = "mph" if si_unit == "m/s" else display_unit(name, si_unit)
+        values = from_si((shots.deliveries | shots.launches)[name], unit)
+        told = values[~np.isnan(values)]
+        numbers = (told.min(), told.mean(), told.max()) if told.size else (None,) * 3
+        rows.append([name, "" if unit == "1" else unit, str(told.size), *(output.number(each, 2) for each in numbers)])
+    title = f"{shots.source} ({shots.format})"
+    if shots.clubs is not None:
+        title += ": " + ", ".join(f"{count} {name or 'without a name'}" for name, count in _counts(shots).items())
+    print_numbers(("", "unit", "shots", "least", "mean", "greatest"), rows, title=title)
+
+
+def _counts(shots: RecordedShots) -> dict[str, int]:
+    names = [] if shots.clubs is None else shots.clubs.tolist()
+    return {name: names.count(name) for name in dict.fromkeys(names)}
+
+
+def _described(shots: RecordedShots) -> dict[str, Any]:
+    import numpy as np
+
+    values = shots.deliveries | shots.launches
+    return {
+        "source": shots.source,
+        "format": shots.format,
+        "shots": len(shots),
+        "clubs": _counts(shots),
+        "quantities": {
+            name: {"unit": unit, "shots": int((~np.isnan(values[name])).sum()), "mean": _mean(values[name])}
+            for name, unit in shots.units().items()
+        },
+        "rejected": [each._asdict() for each in shots.rejected],
+        "notes": shots.notes,
+    }
+
+
+def _mean(values: Any) -> float | None:
+    told = values[values == values]
+    return float(told.mean()) if told.size else None
+
+
+def _layout(of: Any) -> dict[str, Any]:
+    return {
+        "name": of.name,
+        "title": of.title,
+        "columns": {
+            quantity: {"headings": field.shown, "unit": field.unit, "positive": field.positive}
+            for quantity, field in of.fields.items()
+        },
+        "speed_at": of.speed_at,
+        "face_at": of.face_at,
+        "source": of.source,
+    }
+
+
+def _write_rejects(shots: RecordedShots, path: Path) -> None:
+    import csv
+
+    from clubface.table_writer import open_text
+
+    with open_text(path, None) as file:
+        csv.writer(file, lineterminator="\n").writerows([("line", "reason"), *shots.rejected])

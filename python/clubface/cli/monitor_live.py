@@ -1,0 +1,131 @@
+"""``clubface monitor listen`` and ``send``: shots over a socket of this machine."""
+
+from __future__ import annotations
+
+import json
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from clubface.cli import output
+from clubface.cli.failures import say
+from clubface.errors import FileError, InputError
+from clubface.units import from_si, parse
+
+if TYPE_CHECKING:
+    from clubface.launch_monitor.open_connect import Message
+
+Port = Annotated[int, typer.Option("--port", metavar="NUMBER", help="Of the socket on this machine.")]
+SHOWN = (("ball_speed", "mph", 1), ("launch", "deg", 1), ("azimuth", "deg", 1), ("total_spin", "rpm", 0))
+"""What is printed of a shot: quantity, unit, digits."""
+
+
+def listen(
+    port: Port = 921,
+    target: Annotated[
+        str | None, typer.Option("--output", "-o", metavar="FILE", help="A new table, CSV or Parquet, kept up to date.")
+    ] = None,
+    hand: Annotated[
+        str | None, typer.Option("--hand", metavar="right|left", help="Of the player; told to the monitor.")
+    ] = None,
+    club: Annotated[str, typer.Option("--club", metavar="NAME", help="Told to the monitor, such as DR.")] = "",
+    count: Annotated[
+        int | None, typer.Option("--shots", metavar="NUMBER", help="End after so many.", show_default=False)
+    ] = None,
+    timeout: Annotated[
+        str | None, typer.Option("--timeout", metavar='"60 s"', help="End when nothing came for so long.")
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document a shot.")] = False,
+) -> None:
+    """Receive the shots of launch monitors that speak GSPro Open Connect, as the simulator does."""
+    from clubface.launch_monitor.open_connect import Listener, recorded
+    from clubface.table_writer import is_parquet
+
+    if target is not None:
+        is_parquet(Path(target))
+        if Path(target).exists():
+            raise FileError(target, None, "is there already: name a new file, so that no shots are lost")
+    wait = parse(timeout, "time", name="timeout") if timeout is not None else None
+    got: list[Message] = []
+    with Listener(port, hand=hand, club=club, on_problem=say) as listener:
+        say(f"listening on 127.0.0.1:{listener.port}; Ctrl-C ends")
+        try:
+            for message in listener.messages(timeout=wait):
+                if message.kind != "shot":
+                    continue
+                got.append(message)
+                if target is not None:
+                    recorded(got, hand=hand).write(target)
+                _tell_shot(message, as_json)
+                if count is not None and len(got) >= count:
+                    break
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(_kept(len(got), target)) from None
+    say(_kept(len(got), target))
+
+
+def send(
+    file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a table of clubface.")],
+    port: Port = 921,
+    which: Annotated[
+        str | None, typer.Option("--shot", metavar="FIRST:LAST", help="Only these, counted from 1; all unless given.")
+    ] = None,
+    pause: Annotated[str, typer.Option("--pause", metavar='"2 s"', help="Between two shots.")] = "0 s",
+    timeout: Annotated[str, typer.Option("--timeout", metavar='"5 s"', help="For each answer.")] = "5 s",
+) -> None:
+    """Send the launches of a table to a simulator by GSPro Open Connect, as a launch monitor does."""
+    from clubface import launch_monitor
+    from clubface.launch_monitor.open_connect import Sender
+
+    shots = launch_monitor.read(file)
+    first, last = _range(which, len(shots))
+    seconds = parse(pause, "time", name="pause")
+    refused = sent = 0
+    with Sender(port, timeout=parse(timeout, "time", name="timeout")) as sender:
+        for row in range(first - 1, last):
+            launch, delivery = _row(shots.launches, row), _row(shots.deliveries, row)
+            if "ball_speed" not in launch or "launch" not in launch:
+                say(f"shot {row + 1} has no ball speed or launch angle: not sent")
+                refused += 1
+                continue
+            if sent and seconds > 0.0:
+                time.sleep(seconds)
+            answer = sender.send(launch, delivery)
+            sent += 1
+            refused += not answer.was_taken
+            print(f"shot {row + 1}: {answer.code} {answer.message}", flush=True)
+    if refused:
+        say(f"{refused} of {last - first + 1} shots were not taken")
+        raise typer.Exit(2)
+
+
+def _tell_shot(message: Message, as_json: bool) -> None:
+    if as_json:
+        told = {"device": message.device, "shot": message.shot_number, **message.delivery, **message.launch}
+        print(json.dumps(told, ensure_ascii=False), flush=True)
+        return
+    launch = message.launch
+    parts = [f"shot {message.shot_number}"]
+    for name, unit, digits in SHOWN:
+        if name in launch:
+            parts.append(f"{name.replace('_', ' ')} {output.number(from_si(launch[name], unit), digits)} {unit}")
+    print(", ".join(parts), flush=True)
+
+
+def _kept(count: int, target: str | None) -> str:
+    return f"{count} shots" + (f" in {target}" if target is not None and count else "")
+
+
+def _range(text: str | None, count: int) -> tuple[int, int]:
+    if text is None:
+        return 1, count
+    first, _, last = text.partition(":")
+    if first.isdigit() and (last or first).isdigit() and 1 <= int(first) <= int(last or first) <= count:
+        return int(first), int(last or first)
+    raise InputError("--shot", text, f"a number or FIRST:LAST, from 1 to {count}")
+
+
+def _row(columns: Any, row: int) -> dict[str, float]:
+    return {name: float(values[row]) for name, values in columns.items() if values[row] == values[row]}
