@@ -78,6 +78,23 @@ def test_trackman_with_semicolons_decimal_commas_and_metric_units():
     )
 
 
+@pytest.mark.parametrize(
+    ("content", "spin", "smash"),
+    [
+        ('Side Angle,Tilt Angle,Total Spin,Efficiency\n1,2,"2,650",1\n', 2650, 1),
+        ('Side Angle,Tilt Angle,Total Spin,Efficiency\n1,2,"2,650",1.386\n', 2650, 1.386),
+        ('Side Angle,Tilt Angle,Total Spin,Efficiency\n"1,5",2,2650,"1,386"\n', 2650, 1.386),
+        ("Side Angle;Tilt Angle;Total Spin;Efficiency\n1;2;2650;1,386\n", 2650, 1.386),
+        ("Side Angle;Tilt Angle;Total Spin;Efficiency\n1,5;2;2.650;1,386\n", 2650, 1.386),
+        ("Side Angle\tTilt Angle\tTotal Spin\tEfficiency\n1.5\t2\t2,650\t1.386\n", 2650, 1.386),
+    ],
+)
+def test_decimal_commas_and_thousands_are_told_apart(write, content, spin, smash):
+    launches = launch_monitor.read(write(content)).launches
+    assert launches["total_spin"] == pytest.approx([spin * RPM], rel=1e-14)
+    assert launches["smash"] == pytest.approx([smash], rel=1e-14)
+
+
 @pytest.mark.parametrize(("hand", "mirror"), [("right", 1), ("left", -1), (None, 1)])
 def test_foresight_speaks_of_in_out_and_open_which_a_left_hander_mirrors(hand, mirror):
     shots = launch_monitor.read(DATA / "foresight-play.csv", hand=hand)

@@ -7,9 +7,9 @@ import pytest
 
 import clubface
 from clubface import launch_monitor
-from clubface.errors import UnknownNameError
+from clubface.errors import FileError, UnknownNameError
 from clubface.launch_monitor import refer
-from clubface.recorded import RecordedShots
+from clubface.recorded import RecordedShots, read_shots
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning"),
@@ -20,11 +20,18 @@ DEG = math.pi / 180
 DRIVER = clubface.club("driver")
 
 
-def shots(count=1, **deliveries):
+def shots(count=1, speed_at="cg", face_at="face", **deliveries):
     columns = {name: np.full(count, value) if np.ndim(value) == 0 else value for name, value in deliveries.items()}
     hand = columns.pop("hand", None)
     return RecordedShots(
-        deliveries=columns, launches={}, rows=np.arange(count), source="made", format="trackman", hand=hand
+        deliveries=columns,
+        launches={},
+        rows=np.arange(count),
+        source="made",
+        format="trackman",
+        hand=hand,
+        speed_at=speed_at,
+        face_at=face_at,
     )
 
 
@@ -39,7 +46,7 @@ def test_on_a_wall_the_ball_leaves_along_the_normal_that_was_referred():
     where["lie"] = rng.uniform(-6, 6, count) * DEG
     hand = rng.choice(["right", "left"], count).astype(object)
     club = DRIVER.replace(bulge="280 mm", roll="350 mm")
-    found = refer(shots(count, speed=40.0, hand=hand, **measured, **where), club, face_at="contact", speed_at="cg")
+    found = refer(shots(count, face_at="contact", speed=40.0, hand=hand, **measured, **where), club)
     wall = {"club_mass": 1e3, "ixx": 1e3, "iyy": 1e3, "izz": 1e3, "ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
     delivery = found.delivery() | {"attack": measured["loft"], "path": measured["face"]}
     launch = clubface.impact(club, delivery=delivery, **wall)
@@ -53,17 +60,17 @@ def test_on_a_wall_the_ball_leaves_along_the_normal_that_was_referred():
 
 def test_bulge_and_roll_alone_turn_the_normal_by_the_arc_sine_of_offset_over_radius():
     club = DRIVER.replace(bulge="300 mm", roll="250 mm")
-    found = refer(shots(loft=0.0, face=5 * DEG, toe=0.015, high=0.0), club, face_at="contact", speed_at="cg")
+    found = refer(shots(face_at="contact", loft=0.0, face=5 * DEG, toe=0.015, high=0.0), club)
     np.testing.assert_allclose(found.deliveries["face"], 5 * DEG - math.asin(15 / 300), rtol=1e-13)
-    found = refer(shots(loft=15 * DEG, face=-5 * DEG, toe=0.0, high=-0.01), club, face_at="contact", speed_at="cg")
+    found = refer(shots(face_at="contact", loft=15 * DEG, face=-5 * DEG, toe=0.0, high=-0.01), club)
     np.testing.assert_allclose(found.deliveries["loft"], 15 * DEG + math.asin(10 / 250), rtol=1e-13)
     np.testing.assert_allclose(found.deliveries["face"], -5 * DEG, rtol=1e-13)
 
 
 def test_the_toe_of_a_left_hander_is_on_the_other_side():
     given = {"loft": 12 * DEG, "toe": 0.012, "high": 0.004, "lie": 2 * DEG}
-    right = refer(shots(face=3 * DEG, hand=["right"], **given), "driver", face_at="contact", speed_at="cg")
-    left = refer(shots(face=-3 * DEG, hand=["left"], **given), "driver", face_at="contact", speed_at="cg")
+    right = refer(shots(face_at="contact", face=3 * DEG, hand=["right"], **given), "driver")
+    left = refer(shots(face_at="contact", face=-3 * DEG, hand=["left"], **given), "driver")
     np.testing.assert_allclose(left.deliveries["face"], -right.deliveries["face"], rtol=1e-14)
     np.testing.assert_allclose(left.deliveries["loft"], right.deliveries["loft"], rtol=1e-14)
 
@@ -73,12 +80,12 @@ def test_closure_carries_the_face_centre_to_the_left_of_the_centre_of_gravity():
     rate = 2500 * DEG
     club = DRIVER.replace(cg_x="40 mm", cg_y="10 mm", cg_z="2 mm")
     given = {"speed": 50.0, "attack": 0.0, "path": 0.0, "loft": club.loft, "face": 0.0, "closure": rate}
-    found = refer(shots(**given, hand=["right"]), club, speed_at="face", face_at="face").deliveries
+    found = refer(shots(speed_at="face", **given, hand=["right"]), club).deliveries
     forward, right = 50.0 - rate * 0.002, rate * 0.040
     np.testing.assert_allclose(found["speed"], math.hypot(forward, right), rtol=1e-14)
     np.testing.assert_allclose(found["path"], math.atan2(right, forward), rtol=1e-14)
     assert found["path"][0] / DEG == pytest.approx(2.0, abs=0.01)  # the two to three degrees TrackMan writes of
-    mirrored = refer(shots(**given, hand=["left"]), club, speed_at="face", face_at="face").deliveries
+    mirrored = refer(shots(speed_at="face", **given, hand=["left"]), club).deliveries
     np.testing.assert_allclose(mirrored["path"], -found["path"], rtol=1e-14)
 
 
@@ -87,21 +94,23 @@ def test_the_arm_from_centre_of_gravity_to_face_turns_with_loft_and_face_angle()
     club = DRIVER.replace(cg_x="40 mm", cg_y="0 mm", cg_z="0 mm", loft="10 deg")
     rate = 30.0
     given = {"speed": 50.0, "path": 0.0, "closure": 0.0, "pitch_rate": rate, "lie": 0.0}
-    found = refer(shots(loft=-20 * DEG, face=0.0, **given), club, speed_at="face", face_at="face").deliveries
+    found = refer(shots(speed_at="face", loft=-20 * DEG, face=0.0, **given), club).deliveries
     # r = 40 mm (cos 30, -sin 30, 0); omega = rate z; omega x r = rate * 40 mm (sin 30, cos 30, 0).
     x, y = 50.0 - rate * 0.04 * 0.5, -rate * 0.04 * math.cos(30 * DEG)
     np.testing.assert_allclose(found["speed"], math.hypot(x, y), rtol=1e-14)
     assert "attack" not in found
     given["closure"] = rate
-    found = refer(shots(loft=10 * DEG, face=90 * DEG, **given), club, speed_at="face", face_at="face").deliveries
+    found = refer(shots(speed_at="face", loft=10 * DEG, face=90 * DEG, **given), club).deliveries
     # r = 40 mm z; omega x r = rate y x r = rate * 40 mm x, and the pitch rate about z does not move it.
     np.testing.assert_allclose(found["speed"], 50.0 - rate * 0.04, rtol=1e-14)
 
 
 def test_shots_that_lack_what_is_needed_stay_as_measured_and_are_counted():
     given = {"speed": [50.0, 50.0], "path": [0.01, 0.02], "loft": [0.2, math.nan], "face": [0.0, 0.1]}
-    measured = shots(2, **given, toe=[0.01, math.nan], high=[0.0, 0.01], closure=[math.nan, 40.0])
-    found = refer(measured, "driver", speed_at="face", face_at="contact")
+    measured = shots(
+        2, speed_at="face", face_at="contact", **given, toe=[0.01, math.nan], high=[0.0, 0.01], closure=[math.nan, 40.0]
+    )
+    found = refer(measured, "driver")
     assert found.deliveries["path"][0] == 0.01
     assert found.deliveries["path"][1] != 0.02
     assert found.deliveries["face"][0] != 0.0
@@ -112,8 +121,33 @@ def test_shots_that_lack_what_is_needed_stay_as_measured_and_are_counted():
         "1 of 2 shots lack the closure rate and stay as measured",
     ]
     assert measured.deliveries["face"].tolist() == [0.0, 0.1]
-    same = refer(measured, "driver", speed_at="unknown", face_at="unknown")
-    assert same.deliveries["path"].tolist() == [0.01, 0.02]
+    assert (found.speed_at, found.face_at) == ("unknown", "unknown")  # some are referred and some not
+    again = refer(found, "driver")
+    assert again.deliveries["path"].tolist() == found.deliveries["path"].tolist()
+    without = shots(speed_at="face", face_at="contact", speed=50.0, path=0.01, face=0.1)
+    assert (refer(without, "driver").speed_at, refer(without, "driver").face_at) == ("face", "contact")
+
+
+def test_shots_are_referred_once_even_over_a_file(tmp_path):
+    measured = shots(
+        speed_at="face", face_at="contact", speed=50.0, path=0.0, face=0.0, toe=0.01, high=0.0, closure=40.0
+    )
+    measured.write(tmp_path / "measured.csv")
+    found = read_shots(tmp_path / "measured.csv")
+    assert (found.speed_at, found.face_at) == ("face", "contact")
+    referred = refer(found, "driver")
+    assert referred.deliveries["path"][0] > 0.02
+    assert refer(referred, "driver").deliveries["path"] == referred.deliveries["path"]
+    referred.write(tmp_path / "referred.csv")
+    assert (read_shots(tmp_path / "referred.csv").speed_at, read_shots(tmp_path / "referred.csv").face_at) == (
+        "cg",
+        "face",
+    )
+    (tmp_path / "mixed.csv").write_text("speed,speed_at\n50,face\n51,cg\n")
+    with pytest.raises(
+        FileError, match="'speed_at' holds cg, face; it must be one of cg, face, unknown, the same for all"
+    ):
+        read_shots(tmp_path / "mixed.csv")
 
 
 def test_a_club_may_be_told_for_each_name_in_the_file(write):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 import numpy as np
 
-from clubface.equipment import HANDS
+from clubface.equipment import HANDS, check_choice
 from clubface.errors import InputError, UnknownNameError
 from clubface.quantities import inputs
 from clubface.table_columns import HAND, LAUNCH_SYNONYMS, shot_words
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     import pandas
     from numpy.typing import NDArray
 
+SPEED_AT = ("cg", "face", "unknown")
+FACE_AT = ("face", "contact", "unknown")
+"""Where club data may be taken; the first is where models want it."""
 SIDES = {1.0: "right", -1.0: "left"}
 """The hand by the sign the core takes."""
 
@@ -69,6 +72,11 @@ class RecordedShots:
         The rows that gave no shot.
     notes
         What a reader of the shots should know.
+    speed_at
+        Where speed, attack angle and path were taken: "cg", as models want it, "face" (its centre) or "unknown".
+    face_at
+        Where dynamic loft and face angle were taken: "face" (its centre), as models want it, "contact" or "unknown".
+        :func:`clubface.launch_monitor.refer` refers both to where models want them.
     """
 
     deliveries: dict[str, NDArray[np.float64]]
@@ -80,8 +88,12 @@ class RecordedShots:
     format: str
     rejected: tuple[RejectedRow, ...] = ()
     notes: tuple[str, ...] = ()
+    speed_at: str = SPEED_AT[0]
+    face_at: str = FACE_AT[0]
 
     def __post_init__(self) -> None:
+        check_choice("speed_at", self.speed_at, SPEED_AT)
+        check_choice("face_at", self.face_at, FACE_AT)
         count = np.size(self.rows)
         checked: dict[str, Any] = {"rows": np.asarray(self.rows, dtype=np.int64).reshape(count)}
         known_deliveries = [name for name in inputs() if name != HAND]
@@ -138,7 +150,8 @@ class RecordedShots:
     def to_pandas(self) -> pandas.DataFrame:
         """Return one row a shot, SI: ``row``, ``club`` and ``hand`` where known, then every quantity.
 
-        ``attrs`` of the frame holds ``units``, ``source``, ``format``, ``rejected`` and ``notes``.
+        ``attrs`` of the frame holds ``units`` and ``source``, ``format``, ``rejected``, ``notes``, ``speed_at``,
+        ``face_at``.
         """
         import pandas
 
@@ -147,7 +160,7 @@ class RecordedShots:
             if values is not None:
                 columns[name] = values
         frame = pandas.DataFrame(columns | self.deliveries | self.launches)
-        kept = {name: getattr(self, name) for name in ("source", "format", "notes")}
+        kept = {name: getattr(self, name) for name in ("source", "format", "notes", "speed_at", "face_at")}
         frame.attrs = {"units": self.units(), "rejected": [tuple(each) for each in self.rejected], **kept}
         return frame
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface.errors import FileError
-from clubface.recorded import SIDES, RecordedShots, RejectedRow
+from clubface.recorded import FACE_AT, SIDES, SPEED_AT, RecordedShots, RejectedRow
 from clubface.table_columns import HAND, Column, Layout, layout, listed, plain_name, shot_words
 from clubface.table_reader import Piece, open_table
 from clubface.table_writer import is_parquet, open_text, unfinished
@@ -20,6 +20,8 @@ from clubface.units import display_unit, from_si, unit
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+POINTS = {"speed_at": SPEED_AT, "face_at": FACE_AT}
+"""Columns that say where club data was taken; they are there only where it is not where models want it."""
 CLUB_HEADINGS = ("club", "club_name", "club_type")
 CHUNK_ROWS = 16384
 SHOWN = 3
@@ -37,7 +39,7 @@ def read(path: Path) -> RecordedShots:
         club = next((place for place, name in enumerate(found.headings) if plain_name(name) in CLUB_HEADINGS), None)
         read_so_far = _Columns(found, club)
         for piece in reader.pieces(CHUNK_ROWS, 0):
-            read_so_far.take(piece)
+            read_so_far.take(piece, reader.path)
     finally:
         reader.close()
     rejected = tuple(sorted(read_so_far.rejected, key=lambda each: each.line or 0))
@@ -62,10 +64,12 @@ class _Columns:
         self._club = club
         self._values: dict[str, list[NDArray[Any]]] = {each.quantity: [] for each in found.used}
         self._clubs: list[str] = []
+        self._points = {name: found.headings.index(name) for name in POINTS if name in found.headings}
+        self._taken: dict[str, str] = {}
         self.rows: list[int] = []
         self.rejected: list[RejectedRow] = []
 
-    def take(self, piece: Piece) -> None:
+    def take(self, piece: Piece, path: str) -> None:
         """Add the rows of a piece; a cell that is empty is NaN, one that is no number rejects its row."""
         self.rejected += [RejectedRow(each.line, each.reason) for each in piece.ragged]
         reasons: dict[int, str] = {}
@@ -82,8 +86,21 @@ class _Columns:
         for name, numbers in values.items():
             self._values[name].append(numbers[kept])
         self.rows += [piece.lines[row] for row in kept]
+        for name, place in self._points.items():
+            self._take_point(name, {cells[place].strip() for cells in piece.texts(kept)}, path)
         if self._club is not None:
             self._clubs += [cells[self._club].strip() for cells in piece.texts(kept)]
+
+    def _take_point(self, name: str, told: set[str], path: str) -> None:
+        """Take where club data was taken, which must be the same for all shots."""
+        told |= {self._taken[name]} if name in self._taken else set()
+        if len(told) > 1 or not told <= set(POINTS[name]):
+            allowed = f"one of {', '.join(POINTS[name])}, the same for all shots"
+            raise FileError(
+                path, None, f"the column {name!r} holds {', '.join(sorted(told))}; it must be {allowed}", name
+            )
+        if told:
+            self._taken[name] = told.pop()
 
     def shots(self, path: str, rejected: tuple[RejectedRow, ...]) -> RecordedShots:
         """Return all rows taken."""
@@ -101,6 +118,7 @@ class _Columns:
             format="clubface",
             rejected=rejected,
             notes=self._layout.notes,
+            **self._taken,  # pyright: ignore[reportArgumentType]
         )
 
 
@@ -133,6 +151,9 @@ def write(shots: RecordedShots, path: Path) -> None:
     for name, texts in (("club", shots.clubs), (HAND, shots.hand)):
         if texts is not None:
             columns[name] = [str(each) for each in texts]
+    for name, points in POINTS.items():
+        if getattr(shots, name) != points[0]:
+            columns[name] = [getattr(shots, name)] * len(shots)
     of = shots.deliveries | shots.launches
     for name, si_unit in shots.units().items():
         named, shown = heading(name, si_unit)

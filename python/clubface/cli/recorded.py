@@ -34,4 +34,4 @@ def recorded_shots(path: str, texts: Mapping[str, str | None]) -> tuple[Any, Any
     head = club_of(shots, texts["club"])
     if texts["hand"] is not None:
         head = head.replace(hand=texts["hand"])
-    return (launch_monitor.refer(shots, head) if shots.format in launch_monitor.FORMATS else shots), head
+    return launch_monitor.refer(shots, head), head

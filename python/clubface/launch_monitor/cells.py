@@ -180,11 +180,14 @@ def _side(before: str, rest: str, quantity: str) -> Side | None:
     return side
 
 
-def uses_decimal_comma(cells: list[str]) -> bool:
-    """Tell whether numbers are written with a decimal comma: whether more cells are numbers so than with a point."""
+def uses_decimal_comma(cells: list[str], delimiter: str) -> bool:
+    """Tell whether numbers are written with a decimal comma: whether more cells are numbers so than with a point.
+
+    Where commas stand between the cells, one inside a cell and before three digits separates thousands.
+    """
     numbers = [found["number"] for cell in cells if (found := _CELL.fullmatch(cell.strip()))]
     commas = sum(
-        is_number(each.replace(",", ".")) and not _THOUSANDS[","].fullmatch(each)
+        is_number(each.replace(",", ".")) and not (delimiter == "," and _THOUSANDS[","].fullmatch(each))
         for each in numbers
         if each.count(",") == 1 and "." not in each
     )

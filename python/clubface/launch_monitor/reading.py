@@ -91,7 +91,7 @@ def read(
         layout = mapped.layout if mapped else FORMATS[format] if format is not None else detected(str(path), head)
         if layout is None:
             return _with_hand(read_shots(path), hand)
-        session = _session(str(path), layout, mapped, hand, given, head, every)
+        session = _session(str(path), layout, mapped, hand, given, head, every, rows.delimiter)
     finally:
         rows.close()
     refuse_empty(str(path), len(session.shots), tuple(session.rejected))
@@ -100,7 +100,7 @@ def read(
         return shots
     from clubface.launch_monitor.reference_points import refer
 
-    return refer(shots, club, speed_at=layout.speed_at, face_at=layout.face_at)
+    return refer(shots, club)
 
 
 def _rows(rows: CsvRows) -> Iterator[Row | Reject]:
@@ -116,11 +116,13 @@ def _session(
     units: Mapping[str, str],
     head: Sequence[Row | Reject],
     rest: Iterable[Row | Reject],
+    delimiter: str,
 ) -> Session:
     sample = [*head, *islice(rest, DECIMAL_ROWS - len(head))]
     comma = mapped.decimal_comma if mapped else None
     if comma is None:
-        comma = uses_decimal_comma([cell for row in sample if not isinstance(row, Reject) for cell in row[0]])
+        cells = [cell for row in sample if not isinstance(row, Reject) for cell in row[0]]
+        comma = uses_decimal_comma(cells, delimiter)
     side = float(HANDS[hand]) if hand is not None else float("nan")
     reader = SessionReader(path, layout, side, units, comma)
     session = reader.read(chain(sample, rest))
@@ -151,6 +153,8 @@ def _laid_out(session: Session, path: str, layout: Format, other_encoding: bool)
         format=layout.name,
         rejected=tuple(session.rejected),
         notes=tuple(_notes(session, layout, other_encoding)),
+        speed_at=layout.speed_at,
+        face_at=layout.face_at,
     )
 
 

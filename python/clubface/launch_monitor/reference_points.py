@@ -17,10 +17,9 @@ import numpy as np
 
 from clubface.clubs import Club
 from clubface.clubs import club as club_named
-from clubface.equipment import HANDS, check_choice
+from clubface.equipment import HANDS
 from clubface.errors import UnknownNameError
 from clubface.launch_monitor.formats import CG, CONTACT, FACE, UNKNOWN
-from clubface.launch_monitor.registry import FORMATS
 from clubface.recorded import RecordedShots
 
 if TYPE_CHECKING:
@@ -31,7 +30,7 @@ CLOSE = 1e-14
 MOST_STEPS = 60
 
 
-def refer(shots: RecordedShots, club: Any, *, speed_at: str | None = None, face_at: str | None = None) -> RecordedShots:
+def refer(shots: RecordedShots, club: Any) -> RecordedShots:
     """Return the shots with the club's motion at its centre of gravity and the face angles at the face centre.
 
     The velocity of the centre of gravity is that of the face centre less omega x r, r from the one to the other in the
@@ -46,36 +45,45 @@ def refer(shots: RecordedShots, club: Any, *, speed_at: str | None = None, face_
     club
         The club (a :class:`Club`, a name or the path of a file), or a mapping from the names of clubs in the shots to
         clubs; shots with other clubs stay as measured.
-    speed_at
-        Where speed, attack angle and path were taken: "cg", "face" (its centre) or "unknown", which changes nothing.
-        Left out, as by the format of the shots.
-    face_at
-        Where dynamic loft and face angle were taken: "face" (its centre), "contact" or "unknown".
+
+    Returns
+    -------
+    RecordedShots
+        With ``speed_at`` "cg" and ``face_at`` "face" where all shots were referred, "unknown" where only some were.
+        What was unknown before stays as measured.
     """
-    layout = FORMATS.get(shots.format)
-    speed_at = speed_at if speed_at is not None else layout.speed_at if layout else UNKNOWN
-    face_at = face_at if face_at is not None else layout.face_at if layout else UNKNOWN
-    check_choice("speed_at", speed_at, (CG, FACE, UNKNOWN))
-    check_choice("face_at", face_at, (FACE, CONTACT, UNKNOWN))
     deliveries = {name: values.copy() for name, values in shots.deliveries.items()}
     notes = list(shots.notes)
+    at_face, at_cg = (np.zeros(len(shots), dtype=bool) for _ in range(2))
     for which, rows in _groups(shots, club):
         hand = _hands(shots, which)[rows]
         some = {name: values[rows] for name, values in deliveries.items()}
-        if face_at == CONTACT and {"loft", "face"} & set(some):
+        if shots.face_at == CONTACT and {"loft", "face"} & set(some):
             found = _at_face_centre(some, which, hand)
             _put(deliveries, rows, found)
             some |= found
-            lacking = _unknown(some, "toe", "high")
+            at_face[rows] = known = _known(some, "toe", "high")
             notes.append(
-                _told("dynamic loft and face angle referred to the face centre", which, lacking, "point of contact")
+                _told("dynamic loft and face angle referred to the face centre", which, known, "point of contact")
             )
-        if speed_at == FACE and "speed" in some:
-            found = _at_cg(some, which, hand)
-            _put(deliveries, rows, found)
-            lacking = _unknown(some, "closure")
-            notes.append(_told("the club's motion referred to its centre of gravity", which, lacking, "closure rate"))
-    return replace(shots, deliveries=deliveries, notes=tuple(notes))
+        if shots.speed_at == FACE and "speed" in some:
+            _put(deliveries, rows, _at_cg(some, which, hand))
+            at_cg[rows] = known = _known(some, "closure")
+            notes.append(_told("the club's motion referred to its centre of gravity", which, known, "closure rate"))
+    return replace(
+        shots,
+        deliveries=deliveries,
+        notes=tuple(notes),
+        speed_at=_point(shots.speed_at, CG, at_cg),
+        face_at=_point(shots.face_at, FACE, at_face),
+    )
+
+
+def _point(was: str, aim: str, referred: NDArray[np.bool_]) -> str:
+    """Return where club data is taken now: unknown where only some shots were referred."""
+    if not referred.any():
+        return was
+    return aim if referred.all() else UNKNOWN
 
 
 def _groups(shots: RecordedShots, club: Any) -> list[tuple[Club, NDArray[np.intp]]]:
@@ -103,14 +111,15 @@ def _put(deliveries: dict[str, NDArray[np.float64]], rows: NDArray[np.intp], fou
         deliveries[name][rows] = values
 
 
-def _unknown(some: Mapping[str, Any], *names: str) -> NDArray[np.bool_]:
-    """Return which shots lack one of the quantities."""
+def _known(some: Mapping[str, Any], *names: str) -> NDArray[np.bool_]:
+    """Return which shots have all of the quantities."""
     nothing = np.full(len(next(iter(some.values()))), np.nan)
-    return np.any([np.isnan(some.get(name, nothing)) for name in names], axis=0)
+    return ~np.any([np.isnan(some.get(name, nothing)) for name in names], axis=0)
 
 
-def _told(what: str, which: Club, lacking: NDArray[np.bool_], needed: str) -> str:
-    more = f"; {lacking.sum()} of {lacking.size} shots lack the {needed} and stay as measured" if lacking.any() else ""
+def _told(what: str, which: Club, known: NDArray[np.bool_], needed: str) -> str:
+    lacking = int((~known).sum())
+    more = f"; {lacking} of {known.size} shots lack the {needed} and stay as measured" if lacking else ""
     return f"{what} of {which.name}{more}"
 
 
