@@ -26,6 +26,7 @@ COMMANDS = {
     "tour": "tour",
     "monitor": "monitor",
     "evaluate": "evaluate",
+    "infer": "infer",
     "fem": "fem",
 }
 """The module of each command, in the order of the help."""

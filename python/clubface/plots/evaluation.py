@@ -106,7 +106,9 @@ def agreement_figure(of: Evaluation) -> Figure:
         model, unit = of.best[name].model, QUANTITIES[name]
         measured = units.from_si(of.shots.launch[name], unit)[::step]
         computed = units.from_si(of.predicted[model][name], unit)[::step]
-        axes.plot(measured, computed, **{**marker(model), "markersize": 1.8}, alpha=0.6, markeredgewidth=0.0)
+        axes.plot(
+            measured, computed, **{**marker(model), "markersize": 1.8}, alpha=0.6, markeredgewidth=0.0, rasterized=True
+        )
         ends = [np.nanmin([measured, computed]), np.nanmax([measured, computed])]
         axes.plot(ends, ends, color="0.35", linewidth=0.8, zorder=1)
         axes.set_aspect("equal", adjustable="datalim")

@@ -1,0 +1,123 @@
+"""``clubface infer``: from launches back to the deliveries that can have made them."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import given, options, output
+from clubface.cli.failures import say
+from clubface.cli.recorded import RECORDED, recorded_shots
+from clubface.cli.tables import print_numbers
+from clubface.errors import ClubfaceError
+
+app = typer.Typer(add_completion=False)
+
+_PRIOR = typer.Option(
+    "--prior", metavar="NAME|FILE", help="elite, tour, wide or a TOML file; elite where there is one, else tour."
+)
+_NOISE = typer.Option(
+    "--noise", metavar="NAME=VALUE", help='Standard deviation of a measurement: "backspin=100 rpm". Repeatable.'
+)
+_OUTPUT = typer.Option(
+    "--output", "-o", metavar="FILE", help="The draws, CSV or Parquet; of a file of shots, one row a shot, CSV."
+)
+
+
+@app.command()
+@options.takes(options.LAUNCH, RECORDED, options.ONE_MODEL)
+def infer(
+    shots: Annotated[
+        str | None, typer.Argument(metavar="[SHOTS]", help="A file of launches, in place of the options of one launch.")
+    ] = None,
+    prior: Annotated[str | None, _PRIOR] = None,
+    noise: Annotated[list[str] | None, _NOISE] = None,
+    samples: Annotated[int, typer.Option("--samples", metavar="N", help="Draws.")] = 2000,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Of the random numbers.")] = 0,
+    target: Annotated[str | None, _OUTPUT] = None,
+    picture: Annotated[
+        str | None, typer.Option("--plot", metavar="FILE", help="Every pair of quantities as a picture.")
+    ] = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run of a file stopped.")] = False,
+    as_json: options.Json = False,
+    **texts: Any,
+) -> None:
+    """Sample the deliveries that can have made a launch: what it tells, and what it cannot."""
+    launch = {name: texts[name] for name in options.LAUNCH if texts[name] is not None}
+    settings: dict[str, Any] = {
+        "model": given.one_model(texts["model"]), "ball": texts["ball"], "prior": prior, "samples": samples,
+        "seed": seed, "accuracy": texts["accuracy"], "noise": given.pairs(noise or (), "--noise"),
+    }  # fmt: skip
+    if shots is not None:
+        if launch or picture:
+            option = "plot" if picture else next(iter(launch)).replace("_", "-")
+            raise ClubfaceError(f"--{option} is of one launch, not of a file")
+        recorded, head = recorded_shots(shots, texts)
+        _whole_file(
+            recorded, {**settings, "club": head, **_parameters(settings["model"], head, texts)}, target, resume, as_json
+        )
+        return
+    if texts["club"] is None:
+        raise ClubfaceError("--club is missing; give the club, as in --club driver")
+    head = given.club_of(texts["club"], texts["hand"])
+    if picture is not None:
+        from clubface.plots.style import check_ending
+
+        check_ending(picture)
+    from clubface.inference import infer as compute
+    from clubface.inference import words
+
+    found = compute(launch, club=head, **settings, **_parameters(settings["model"], head, texts))
+    if target is not None:
+        found.shots().write(target)
+        say(f"wrote {target}")
+    if picture is not None:
+        from clubface import plots
+        from clubface.plots.inference import pairs_figure
+
+        say(f"wrote {plots.save(pairs_figure(found), picture)}")
+    if as_json:
+        output.print_json(words.document(found))
+    else:
+        heads, rows = words.summary(found)
+        print_numbers(heads, rows, title=f"Deliveries that make this launch: {head.name}, {found.model}")
+        print()
+        output.print_notes(words.notes(found))
+
+
+def _parameters(model: str, head: Any, texts: dict[str, Any]) -> dict[str, Any]:
+    sets = given.parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])
+    return {"parameters": sets[model]}
+
+
+def _whole_file(recorded: Any, settings: dict[str, Any], target: str | None, resume: bool, as_json: bool) -> None:
+    if target is None:
+        raise ClubfaceError("-o is missing; name the CSV file to write, as in -o deliveries.csv")
+    from clubface.inference.file import infer_shots
+
+    with _progress() as progress:
+        report = infer_shots(recorded, target, resume=resume, progress=progress, **settings)
+    if as_json:
+        output.print_json(report._asdict())
+        return
+    print(f"{report.shots - report.without} of {report.shots} launches inferred: {report.output}")
+    if report.warned:
+        say(f"note: {report.warned} with a remark in the last column")
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[int, int], object] | None]:
+    """Show a bar on the error stream where that is a terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TimeRemainingColumn
+
+    with Progress(BarColumn(), TaskProgressColumn(), TimeRemainingColumn(), console=Console(stderr=True)) as bar:
+        task = bar.add_task("", total=1.0)
+        yield lambda done, total: bar.update(task, completed=done / total)

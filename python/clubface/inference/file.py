@@ -1,0 +1,171 @@
+"""A whole file of launches back to deliveries: one row a shot, written as it is found, resumed where it stopped."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import os
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from clubface import units
+from clubface.clubs import club
+from clubface.errors import FileError, InputError
+from clubface.inference.infer import infer
+from clubface.inference.prior import prior_of
+from clubface.inference.words import unit_of
+from clubface.measured_shots import QUANTITIES
+from clubface.recorded import RecordedShots
+
+REMARK = "remark"
+
+
+class InferReport(NamedTuple):
+    """What became of a file of launches.
+
+    Attributes
+    ----------
+    output
+        The file written.
+    shots
+        Rows in it.
+    resumed
+        Of these, found by an earlier run.
+    without
+        Rows without a delivery, whose remark says why.
+    warned
+        Rows with a delivery and a warning.
+    """
+
+    output: str
+    shots: int
+    resumed: int
+    without: int
+    warned: int
+
+
+def infer_shots(
+    shots: RecordedShots,
+    output: str | os.PathLike[str],
+    *,
+    resume: bool = False,
+    progress: Callable[[int, int], object] | None = None,
+    **options: Any,
+) -> InferReport:
+    """Infer the delivery of every shot and write mean, standard deviation and 95% interval of each quantity as CSV.
+
+    The file has ``.part`` in its name until it is complete; interrupted, it holds the shots that are finished.
+
+    Parameters
+    ----------
+    shots
+        Recorded shots with at least one launch quantity.
+    output
+        A CSV file.
+    resume
+        Whether to go on where an interrupted run with the same settings stopped.
+    progress
+        Called with the shots done and their number.
+    **options
+        As of :func:`infer`.
+
+    Raises
+    ------
+    FileError
+        A file that cannot be written, or an unfinished one of other settings.
+    KeyboardInterrupt
+        On Ctrl-C, telling where the finished rows are.
+    """
+    target = Path(output)
+    if target.suffix.lower() != ".csv":
+        raise InputError("output", str(output), "a file ending in .csv")
+    if not target.parent.is_dir():
+        raise FileError(str(target), None, f"there is no folder {str(target.parent)!r}")
+    wanted = [name for name in QUANTITIES if name in shots.launches]
+    if not wanted:
+        raise InputError("shots", shots.source, f"with a measured launch: {', '.join(QUANTITIES)}")
+    head = club(options.pop("club"))
+    options = {**options, "club": head, "prior": prior_of(options.get("prior"), head)}
+    part, settings = (target.with_name(f"{target.stem}.part{ending}") for ending in (".csv", ".json"))
+    key = json.dumps({"source": shots.source, "rows": shots.rows.tolist(), **options}, default=repr, sort_keys=True)
+    done = _finished(part, settings, key) if resume else 0
+    try:
+        if not done:
+            settings.write_text(key, encoding="utf-8")
+        with part.open("a" if done else "w", newline="", encoding="utf-8") as file:
+            out = csv.writer(file, lineterminator="\n")
+            if not done:
+                out.writerow(["row", *_headings(wanted, options["prior"].names), "effective", REMARK])
+            for place in range(done, len(shots)):
+                out.writerow(_row(shots, place, wanted, options))
+                file.flush()
+                if progress is not None:
+                    progress(place + 1, len(shots))
+        os.replace(part, target)
+        settings.unlink()
+    except OSError as error:
+        raise FileError(str(target), None, f"cannot be written: {error.strerror or error}") from None
+    except KeyboardInterrupt:
+        message = f"interrupted: finished shots are in {part}; --resume goes on after them"
+        raise KeyboardInterrupt(message) from None
+    with target.open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    without = sum(not row["effective"] for row in rows)
+    return InferReport(str(target), len(rows), done, without, sum(bool(row[REMARK]) for row in rows) - without)
+
+
+def _headings(wanted: list[str], names: Iterable[str]) -> list[str]:
+    """Return the headings of measured quantities, and four of each uncertain one."""
+    found = [_heading(name, QUANTITIES[name]) for name in wanted]
+    for name in names:
+        column = _heading(name, unit_of(name))
+        found += [
+            column,
+            *(column.replace(_spelled(name), f"{_spelled(name)}_{each}", 1) for each in ("std", "from", "to")),
+        ]
+    return found
+
+
+def _spelled(name: str) -> str:
+    return "club_speed" if name == "speed" else name
+
+
+def _heading(name: str, unit: str) -> str:
+    return f"{_spelled(name)}_{unit}" if unit.isalnum() else f"{_spelled(name)} [{unit}]"
+
+
+def _row(shots: RecordedShots, place: int, wanted: list[str], options: Mapping[str, Any]) -> list[Any]:
+    """Return the cells of one shot; one that cannot be inferred says why in its last."""
+    launch = {name: float(shots.launches[name][place]) for name in wanted}
+    cells: list[Any] = [int(shots.rows[place]), *(_cell(launch[name], QUANTITIES[name]) for name in wanted)]
+    names = options["prior"].names
+    measured = {name: value for name, value in launch.items() if np.isfinite(value)}
+    if not measured:
+        return [*cells, *[""] * (4 * len(names)), "", "nothing of the launch was measured"]
+    found = infer(measured, **options)
+    for name in names:
+        values = (found.mean[name], found.deviation[name], *found.interval(name))
+        cells += [_cell(value, unit_of(name)) for value in values]
+    return [*cells, round(found.effective), "; ".join(found.warnings)]
+
+
+def _cell(value: float, unit: str) -> str:
+    return "" if math.isnan(value) else f"{float(units.from_si(value, unit)):.6g}"
+
+
+def _finished(part: Path, settings: Path, key: str) -> int:
+    """Return how many shots an interrupted run finished; a last line that was cut off is taken out."""
+    if not (part.exists() and settings.exists()):
+        return 0
+    if settings.read_text(encoding="utf-8") != key:
+        message = "an unfinished file of other settings; finish it with those, or start again without --resume"
+        raise FileError(str(part), None, message)
+    with part.open("rb+") as file:
+        whole = file.read()
+        whole = whole[: whole.rfind(b"\n") + 1]
+        file.truncate(len(whole))
+    return max(0, whole.count(b"\n") - 1)

@@ -1,0 +1,235 @@
+"""Samples of a posterior by tempered, adaptive importance sampling.
+
+The prior is standard normal; what differs is scaled before. A proposal, at first the prior, is drawn from and weighted
+towards the posterior with its likelihood raised to a power as high as the draws can bear; mean and covariance of the
+weighted draws make the next proposal, a multivariate t with heavier tails than what it stands for. At power one, draws
+are collected until as many are effective as wanted. All draws of the last proposal are independent, so that the
+effective size is known, other than for a Markov chain. Tempering as in Neal (2001), adaption as in Cappe et al. (2004).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Values = NDArray[np.float64]
+
+PER_STAGE = 4000
+"""Draws from which a proposal is made."""
+TARGET = 0.25
+"""Part of a stage's draws that must stay effective; it decides how far the power of the likelihood rises."""
+FREEDOM = 7.0
+"""Degrees of freedom of the t proposals."""
+INFLATION = 1.15
+"""By how much their covariance exceeds that of the weighted draws."""
+MOST_STAGES = 60
+REFINEMENTS = 4
+"""Proposals made at power one."""
+MOST_DRAWS = 400_000
+"""Draws after which a sample is given up to be as large as wanted."""
+RIDGE = 1e-9
+"""Added to the variances, so that a sample without spread in a direction still has a proposal."""
+
+
+class Sample(NamedTuple):
+    """Draws from a posterior, equally weighted.
+
+    Attributes
+    ----------
+    points
+        Shape [draws, dimensions].
+    effective
+        Effective size of the weighted draws they were resampled from.
+    draws
+        Number of those, of the last proposal alone.
+    evaluations
+        Likelihoods computed in all.
+    stages
+        Proposals made.
+    log_evidence
+        Logarithm of the mean likelihood under the prior.
+    largest_weight
+        Largest part of a single draw in the total weight; near 1, the sample rests on one draw.
+    """
+
+    points: Values
+    effective: float
+    draws: int
+    evaluations: int
+    stages: int
+    log_evidence: float
+    largest_weight: float
+
+
+class Proposal(NamedTuple):
+    """A multivariate t, or with infinite freedom a normal distribution.
+
+    Attributes
+    ----------
+    mean
+        Its centre.
+    root
+        Lower Cholesky factor of its scale matrix.
+    freedom
+        Degrees of freedom.
+    """
+
+    mean: Values
+    root: Values
+    freedom: float
+
+    def draw(self, random: np.random.Generator, count: int) -> Values:
+        """Return draws, shape [count, dimensions]."""
+        normal = random.standard_normal((count, self.mean.size))
+        if math.isfinite(self.freedom):
+            normal /= np.sqrt(random.chisquare(self.freedom, count) / self.freedom)[:, None]
+        return self.mean + normal @ self.root.T
+
+    def log_density(self, points: Values) -> Values:
+        """Return the logarithm of the density at each point."""
+        size = self.mean.size
+        squares = np.sum(np.linalg.solve(self.root, (points - self.mean).T) ** 2, axis=0)
+        scale = -float(np.sum(np.log(np.diag(self.root))))
+        if not math.isfinite(self.freedom):
+            return scale - 0.5 * size * math.log(2.0 * math.pi) - 0.5 * squares
+        nu = self.freedom
+        constant = math.lgamma(0.5 * (nu + size)) - math.lgamma(0.5 * nu) - 0.5 * size * math.log(nu * math.pi)
+        return scale + constant - 0.5 * (nu + size) * np.log1p(squares / nu)
+
+
+def standard_normal(dimensions: int) -> Proposal:
+    """Return the prior."""
+    return Proposal(np.zeros(dimensions), np.eye(dimensions), math.inf)
+
+
+def sample(
+    log_likelihood: Callable[[Values], Values],
+    dimensions: int,
+    *,
+    size: int,
+    seed: int,
+    progress: Callable[[float], object] | None = None,
+) -> Sample:
+    """Sample the posterior of a likelihood and a standard normal prior.
+
+    Parameters
+    ----------
+    log_likelihood
+        Computes the logarithm of the likelihood of points, shape [n, dimensions]; NaN or minus infinity where a point
+        is impossible.
+    dimensions
+        Of the points.
+    size
+        How many points to return; twice as many draws shall be effective.
+    seed
+        Of the random numbers.
+    progress
+        Called with the power of the likelihood reached, 0 to 1, before each stage.
+
+    Raises
+    ------
+    FloatingPointError
+        No draw of the prior is possible.
+    """
+    random = np.random.default_rng(seed)
+    prior = proposal = standard_normal(dimensions)
+    power, stages, refined, evaluations, best = 0.0, 0, 0, 0, 0.0
+    chosen = proposal
+    while stages < MOST_STAGES and refined < REFINEMENTS:
+        if progress is not None:
+            progress(power)
+        points = proposal.draw(random, PER_STAGE)
+        likelihood, base = log_likelihood(points), prior.log_density(points) - proposal.log_density(points)
+        stages, evaluations = stages + 1, evaluations + PER_STAGE
+        possible = np.isfinite(likelihood)
+        if not possible.any():
+            raise FloatingPointError("no draw is possible")
+        # At any power: zero times minus infinity would be none.
+        likelihood, base = np.where(possible, likelihood, 0.0), np.where(possible, base, -np.inf)
+        power = _power(base, likelihood, power)
+        weights = normalised(base + power * likelihood)
+        if power == 1.0:
+            refined += 1
+            if effective(weights) > best:
+                best, chosen = effective(weights), proposal
+        proposal = _fitted(points, weights)
+    last = proposal if refined < REFINEMENTS else chosen
+    return _collected(log_likelihood, prior, last, random, size, stages, evaluations)
+
+
+def _collected(
+    log_likelihood: Callable[[Values], Values],
+    prior: Proposal,
+    proposal: Proposal,
+    random: np.random.Generator,
+    size: int,
+    stages: int,
+    evaluations: int,
+) -> Sample:
+    """Draw from the last proposal until enough draws are effective, and resample them."""
+    all_points, all_logs = np.empty((0, prior.mean.size)), np.empty(0)
+    while True:
+        points = proposal.draw(random, max(PER_STAGE, size))
+        likelihood = log_likelihood(points)
+        base = prior.log_density(points) - proposal.log_density(points)
+        logs = np.where(np.isfinite(likelihood), likelihood + base, -np.inf)
+        all_points, all_logs = np.concatenate([all_points, points]), np.concatenate([all_logs, logs])
+        weights = normalised(all_logs)
+        if effective(weights) >= 2 * size or all_logs.size >= MOST_DRAWS:
+            break
+    top = float(all_logs.max())
+    return Sample(
+        points=all_points[systematic(weights, size, random)],
+        effective=effective(weights),
+        draws=all_logs.size,
+        evaluations=evaluations + all_logs.size,
+        stages=stages,
+        log_evidence=top + math.log(float(np.mean(np.exp(all_logs - top)))),
+        largest_weight=float(weights.max()),
+    )
+
+
+def normalised(logs: Values) -> Values:
+    """Return weights that add up to 1 from their logarithms."""
+    weights = np.exp(logs - logs.max())
+    return weights / weights.sum()
+
+
+def effective(weights: Values) -> float:
+    """Return the effective number of draws with normalised ``weights`` (Kish)."""
+    return float(1.0 / np.sum(weights**2))
+
+
+def systematic(weights: Values, size: int, random: np.random.Generator) -> NDArray[np.int64]:
+    """Return the places of ``size`` draws chosen by weight, in random order."""
+    ticks = (random.random() + np.arange(size)) / size
+    places = np.minimum(np.searchsorted(np.cumsum(weights), ticks), weights.size - 1)
+    return random.permutation(places)
+
+
+def _power(base: Values, likelihood: Values, reached: float) -> float:
+    """Return the largest power, from that ``reached`` to 1, at which enough draws are effective."""
+
+    def enough(power: float) -> bool:
+        return effective(normalised(base + power * likelihood)) >= TARGET * base.size
+
+    if enough(1.0):
+        return 1.0
+    low, high = reached, 1.0
+    for _ in range(50):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if enough(middle) else (low, middle)
+    return low
+
+
+def _fitted(points: Values, weights: Values) -> Proposal:
+    """Return the t proposal with mean and covariance of weighted draws, the latter inflated."""
+    mean = weights @ points
+    centred = points - mean
+    covariance = (centred * weights[:, None]).T @ centred + RIDGE * np.eye(mean.size)
+    scale = INFLATION * covariance * (FREEDOM - 2.0) / FREEDOM
+    return Proposal(mean, np.asarray(np.linalg.cholesky(scale), dtype=np.float64), FREEDOM)

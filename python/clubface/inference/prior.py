@@ -1,0 +1,232 @@
+"""What is believed of a delivery before its launch is known: means, spreads and correlations.
+
+A file may give any quantity of a delivery; one left out is taken as known, zero or the static loft::
+
+    title = "Members of our club"
+
+    [spread]
+    speed = ["95 mph", "8 mph"]          # mean, standard deviation
+    attack = ["-1 deg", "3 deg"]
+    loft = ["15 deg", "3 deg"]
+    face = ["0 deg", "3 deg"]
+
+    [[correlation]]
+    of = ["loft", "attack"]
+    value = 0.4
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.clubs import Club
+from clubface.delivery import DIMENSIONS
+from clubface.equipment import is_path
+from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.strict_toml import Document
+
+Values = NDArray[np.float64]
+
+NAMED = ("elite", "tour", "wide")
+"""The priors that come with the package."""
+WIDE = {
+    "speed": "10 mph", "attack": "3.5 deg", "path": "4.5 deg", "loft": "4 deg", "face": "4 deg", "lie": "3 deg",
+    "toe": "9 mm", "high": "7 mm", "closure": "600 deg/s", "pitch_rate": "400 deg/s", "lie_rate": "300 deg/s",
+}  # fmt: skip
+"""Standard deviations of the prior "wide"; assumed, about twice those of elite golfers, and four times in speed."""
+MIRRORED = ("path", "face")
+"""The quantities whose sign a left-handed club changes."""
+SLOWER = 0.87
+"""Mean speed of the prior "wide" relative to that of the tour; assumed."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Prior:
+    """A normal distribution of deliveries, SI; impacts outside the face are impossible.
+
+    Attributes
+    ----------
+    name
+        What it is called in reports.
+    mean, deviation
+        Mean and standard deviation of each quantity.
+    correlations
+        Of pairs of quantities; others are independent.
+    """
+
+    name: str
+    mean: Mapping[str, float]
+    deviation: Mapping[str, float]
+    correlations: Mapping[tuple[str, str], float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if list(self.mean) != list(self.deviation):
+            raise InputError("deviation", list(self.deviation), f"of the same quantities: {', '.join(self.mean)}")
+        for name in self.mean:
+            if name not in DIMENSIONS:
+                raise UnknownNameError("quantity of a delivery", name, DIMENSIONS)
+            if not (np.isfinite(self.mean[name]) and self.deviation[name] > 0.0):
+                raise InputError(name, self.deviation[name], "a positive standard deviation; leave out what is known")
+        if "speed" not in self.mean:
+            raise InputError("speed", None, "among the quantities of the prior")
+        for pair, value in self.correlations.items():
+            for name in pair:
+                if name not in self.mean:
+                    raise UnknownNameError("quantity of a correlation", name, self.mean)
+            if len(set(pair)) != 2 or not -1.0 < value < 1.0:
+                raise InputError(f"correlation of {' and '.join(pair)}", value, "of two quantities, between -1 and 1")
+        try:
+            np.linalg.cholesky(self._matrix())
+        except np.linalg.LinAlgError:
+            told = ", ".join(f"{' and '.join(pair)} {value}" for pair, value in self.correlations.items())
+            raise InputError("correlations", told, "possible together") from None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The quantities that are uncertain."""
+        return tuple(self.mean)
+
+    def _matrix(self) -> Values:
+        places = {name: place for place, name in enumerate(self.mean)}
+        found = np.eye(len(places))
+        for (one, other), value in self.correlations.items():
+            found[places[one], places[other]] = found[places[other], places[one]] = value
+        return found
+
+    def deliveries(self, standard: Values) -> dict[str, Values]:
+        """Return deliveries from standard normal deviates, shape [n, quantities]."""
+        root = np.linalg.cholesky(self._matrix())
+        scaled = standard @ root.T
+        return {name: self.mean[name] + self.deviation[name] * scaled[:, place] for place, name in enumerate(self.mean)}
+
+    def for_hand(self, hand: float) -> Self:
+        """Return the prior of right-handers for a club of that hand: path and face are in world terms."""
+        if hand > 0:
+            return self
+        return replace(self, mean={name: -each if name in MIRRORED else each for name, each in self.mean.items()})
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Self:
+        """Read the prior in a file."""
+        document = Document.read(path)
+        data = document.data
+        document.check_keys(data, ("title", "spread", "correlation"), ("title", "spread"))
+        document.check_text(data, ("title",))
+        if not isinstance(data["spread"], dict):
+            raise document.error("[spread] must be a table", "spread")
+        document.check_keys(data["spread"], DIMENSIONS, ("speed",), "spread")
+        found: dict[str, tuple[float, float]] = {}
+        for name, given in data["spread"].items():
+            if not (isinstance(given, list) and len(given) == 2):
+                raise document.error(
+                    f'{name} must be a mean and a standard deviation: ["1 deg", "2 deg"]', name, "spread"
+                )
+            try:
+                found[name] = (units.parse(given[0], DIMENSIONS[name]), units.parse(given[1], DIMENSIONS[name]))
+            except ClubfaceError as error:
+                raise document.error(f"{name}: {error}", name, "spread") from None
+        try:
+            return cls(
+                name=data["title"],
+                mean={name: each[0] for name, each in found.items()},
+                deviation={name: each[1] for name, each in found.items()},
+                correlations=_pairs_in(document),
+            )
+        except InputError as error:
+            raise document.error(str(error), error.parameter, "spread") from None
+
+
+def prior_of(given: Prior | str | os.PathLike[str] | None, head: Club) -> Prior:
+    """Return the prior called ``given``, read from that file, or left out, "elite" where there is one, else "tour".
+
+    Those with a name are mirrored for a left-handed club; one of your own is taken as it is.
+    """
+    if isinstance(given, Prior):
+        return given
+    return _named(given, head).for_hand(head.hand) if given is None or given in NAMED else _from_file(given)
+
+
+def _from_file(given: str | os.PathLike[str]) -> Prior:
+    if is_path(given):
+        return Prior.from_toml(given)
+    raise UnknownNameError("prior", given, (*NAMED, "the path of a TOML file"))
+
+
+def _named(given: Any, head: Club) -> Prior:
+    from clubface.benchmark_data.recipe import CLUBS
+
+    if given is None:
+        given = "elite" if head.name in CLUBS else "tour"
+    if given == "elite":
+        if head.name not in CLUBS:
+            raise InputError("prior", "elite", f'for {" or ".join(CLUBS)}; for {head.name} "tour", "wide" or a file')
+        return elite(head.name)
+    return tour(head) if given == "tour" else wide(head)
+
+
+def elite(club_name: str) -> Prior:
+    """Return the deliveries of the benchmark shots: elite golfers, driver or 7-iron."""
+    from clubface.benchmark_data.recipe import recipe
+
+    of = recipe(club_name)
+    return Prior(
+        name=f"elite golfers, {club_name}",
+        mean={name: each.mean for name, each in of.delivery.items()},
+        deviation={name: float(np.hypot(each.between, each.within)) for name, each in of.delivery.items()},
+        correlations={(name, leader): value for name, (leader, value) in of.follows.items()},
+    )
+
+
+def tour(head: Club) -> Prior:
+    """Return the published tour averages of a built-in club with the spreads of elite golfers.
+
+    Speed and attack are published; the dynamic loft of most clubs is the one that gives the published launch angle by
+    ``standard``. The rest and the spreads are those of the benchmark shots, of the driver for woods, else the 7-iron.
+    """
+    from clubface.tour import averages, dynamic_loft
+
+    known = {each.club: each for each in averages()}
+    if head.name not in known:
+        raise InputError("prior", "tour", f"for one of {', '.join(known)}; for {head.name} give a file")
+    of = elite("driver" if head.parameters == "driver" else "7-iron")
+    average = known[head.name]
+    published = {"speed": average.club_speed, "attack": average.attack, "loft": dynamic_loft(average)}
+    return Prior(
+        name=f"tour averages, {head.name}",
+        mean={**of.mean, **published},
+        deviation=of.deviation,
+        correlations=of.correlations,
+    )
+
+
+def wide(head: Club) -> Prior:
+    """Return deliveries of golfers of any skill: slower than the tour, and about twice as spread."""
+    base = tour(head)
+    return Prior(
+        name=f"golfers of any skill, {head.name}",
+        mean={**base.mean, "speed": SLOWER * base.mean["speed"]},
+        deviation={name: units.parse(WIDE[name], DIMENSIONS[name]) for name in base.mean},
+        correlations=base.correlations,
+    )
+
+
+def _pairs_in(document: Document) -> dict[tuple[str, str], float]:
+    entries: Any = document.data.get("correlation", [])
+    found = {}
+    for index, entry in enumerate(entries if isinstance(entries, list) else [entries]):
+        if not (isinstance(entry, dict) and set(entry) == {"of", "value"}):
+            raise document.error(
+                '[[correlation]] holds of = ["loft", "attack"] and value = 0.4', "of", "correlation", index
+            )
+        pair, value = entry["of"], entry["value"]
+        if not (isinstance(pair, list) and len(pair) == 2 and isinstance(value, (int, float))):
+            raise document.error("a correlation is of two quantities and has a number", "of", "correlation", index)
+        found[str(pair[0]), str(pair[1])] = float(value)
+    return found

@@ -1,0 +1,160 @@
+"""A posterior in tables and words: what is known, what goes with what, what the launch says nothing of."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from clubface import units
+from clubface.delivery import DIMENSIONS
+from clubface.measured_shots import QUANTITIES
+
+if TYPE_CHECKING:
+    from clubface.inference.infer import Posterior
+
+CLOSE = 0.5
+"""Correlation from which two quantities are said to go together."""
+NOT_LEARNED = 0.05
+"""Narrowing below which a launch is said to tell nothing of a quantity."""
+MOST_WEIGHT = 0.05
+"""Part of the weight on one draw from which it is warned of."""
+DIGITS = {"mph": 1, "deg": 1, "mm": 1, "deg/s": 0}
+
+
+def unit_of(name: str) -> str:
+    """Return the unit a quantity of a delivery is read in."""
+    return "mph" if name == "speed" else units.display_unit(name, units.SI_UNITS[DIMENSIONS[name]])
+
+
+def _shown(value: float, name: str) -> str:
+    unit = unit_of(name)
+    return f"{float(units.from_si(value, unit)):.{DIGITS[unit]}f}"
+
+
+def summary(of: Posterior) -> tuple[list[str], list[list[str]]]:
+    """Return headings and rows: mean, standard deviation and 95% interval of each quantity, and what was believed."""
+    heads = ["", "mean", "STD", "95%", "before", "narrower by"]
+    mean, deviation, learned = of.mean, of.deviation, of.learned
+    rows = []
+    for name in of.names:
+        low, high = of.interval(name)
+        rows.append(
+            [
+                f"{name} ({unit_of(name)})",
+                _shown(mean[name], name),
+                _shown(deviation[name], name),
+                f"[{_shown(low, name)}, {_shown(high, name)}]",
+                f"{_shown(of.prior.mean[name], name)} +- {_shown(of.prior.deviation[name], name)}",
+                f"{100.0 * learned[name]:.0f}%",
+            ]
+        )
+    return heads, rows
+
+
+def ambiguities(of: Posterior) -> list[str]:
+    """Return a sentence about each pair of quantities that go together, the closest first."""
+    correlation, names, same = of.correlation, of.names, not_learned(of)
+    pairs = [
+        (abs(correlation[i, j]), i, j)
+        for i in range(len(names))
+        for j in range(i)
+        if names[i] not in same or names[j] not in same
+    ]
+    found = []
+    for size, i, j in sorted(pairs, reverse=True):
+        if size < CLOSE:
+            break
+        one, other = sorted((names[i], names[j]), key=lambda name: -of.deviation[name] / of.prior.deviation[name])
+        slope = float(correlation[i, j]) * of.deviation[other] / of.deviation[one]
+        step = units.parse(f"1 {unit_of(one)}", DIMENSIONS[one])
+        change = float(units.from_si(slope * step, unit_of(other)))
+        word = "more" if change > 0 else "less"
+        found.append(
+            f"{one} and {other} are tied (correlation {correlation[i, j]:+.2f}): 1 {unit_of(one)} more {one} with"
+            f" {abs(change):.2g} {unit_of(other)} {word} {other} makes about the same launch"
+        )
+    return found
+
+
+def not_learned(of: Posterior) -> list[str]:
+    """Return the quantities that are as uncertain as before."""
+    return [name for name, part in of.learned.items() if part < NOT_LEARNED]
+
+
+def warnings(of: Posterior) -> list[str]:
+    """Return what speaks against trusting the sample."""
+    from clubface.inference.infer import FEWEST_EFFECTIVE, SURPRISING
+
+    found = []
+    if of.surprise < SURPRISING:
+        found.append(
+            f"the launch contradicts the prior ({of.prior.name}): fewer than {SURPRISING:.1%} of launches by {of.model}"
+            " are as far from what it expects; give a prior that suits the golfer"
+        )
+    wanted = min(FEWEST_EFFECTIVE, len(of))
+    if of.effective < wanted:
+        found.append(
+            f"only {of.effective:.0f} draws are effective (of {of.sample.draws}): the sample is too small to be trusted"
+        )
+    if of.sample.largest_weight > MOST_WEIGHT:
+        found.append(f"a single draw has {of.sample.largest_weight:.0%} of the weight")
+    return found
+
+
+def notes(of: Posterior) -> list[str]:
+    """Return what a reader of the tables must know."""
+    given = ", ".join(
+        f"{name} {units.show(value, QUANTITIES[name], 5)} +- {units.show(of.noise[name], QUANTITIES[name], 2)}"
+        for name, value in of.launch.items()
+    )
+    found = [*of.warnings]
+    found.append(f"Measured: {given}. Before: {of.prior.name}.")
+    found += [f"{text}." for text in ambiguities(of)]
+    unknown = not_learned(of)
+    if unknown:
+        found.append(f"The launch tells nothing of {', '.join(unknown)}: there the prior is seen again.")
+    found.append(
+        f"{of.model} with {of.parameters.name} is taken as exact; its errors belong into the noise. {len(of)} draws"
+        f" from {of.sample.draws} weighted ones, of which {of.effective:.0f} are effective;"
+        f" {of.sample.evaluations} impacts in {of.sample.stages} stages, seed {of.seed}."
+    )
+    return found
+
+
+def document(of: Posterior) -> dict[str, Any]:
+    """Return everything but the draws as one document for JSON, SI."""
+    return {
+        "club": of.club.name,
+        "model": of.model,
+        "parameters": {"name": of.parameters.name, "values": dict(of.parameters.values)},
+        "launch": of.launch,
+        "noise": of.noise,
+        "prior": {
+            "name": of.prior.name,
+            "mean": dict(of.prior.mean),
+            "deviation": dict(of.prior.deviation),
+            "correlations": [[*pair, value] for pair, value in of.prior.correlations.items()],
+        },
+        "units": {name: units.SI_UNITS[DIMENSIONS[name]] for name in of.names},
+        "mean": of.mean,
+        "deviation": of.deviation,
+        "interval_95": {name: list(of.interval(name)) for name in of.names},
+        "learned": of.learned,
+        "names": list(of.names),
+        "correlation": np.round(of.correlation, 6),
+        "ambiguities": ambiguities(of),
+        "not_learned": not_learned(of),
+        "diagnostics": {
+            "samples": len(of),
+            "effective": of.effective,
+            "draws": of.sample.draws,
+            "impacts": of.sample.evaluations,
+            "stages": of.sample.stages,
+            "largest_weight": of.sample.largest_weight,
+            "log_evidence": of.sample.log_evidence,
+            "surprise": of.surprise,
+            "seed": of.seed,
+        },
+        "warnings": of.warnings,
+    }
