@@ -127,6 +127,19 @@ def test_foresight_speaks_of_in_out_and_open_which_a_left_hander_mirrors(hand, m
     assert any("taken as right-handed" in note for note in shots.notes) == (hand is None)
 
 
+@pytest.mark.parametrize(
+    ("content", "toe"),
+    [
+        ("Push/Pull,Face Impact Horizontal\n1,8.5\n", -0.0085),
+        ("Push/Pull,Face Impact Horizontal (mm heel-/toe+)\n1,8.5\n", 0.0085),
+        ("Side Angle,Tilt Angle,Face Impact Lateral\n1,2,8.5\n", -0.0085),
+        ("Side Angle,Tilt Angle,Face Impact Lateral\n1,2,8.5 Toe\n", 0.0085),
+    ],
+)
+def test_foresights_bare_offsets_are_positive_to_the_heel_unless_something_says_otherwise(write, content, toe):
+    assert launch_monitor.read(write(content)).deliveries["toe"] == pytest.approx([toe], rel=1e-14)
+
+
 @pytest.mark.parametrize(("hand", "mirror"), [("right", 1), ("left", -1)])
 def test_foresight_2020_tells_the_side_after_the_number_and_the_face_to_the_path(hand, mirror):
     shots = launch_monitor.read(DATA / "foresight-2020.csv", hand=hand)

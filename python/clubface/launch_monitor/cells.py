@@ -62,6 +62,7 @@ _BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 _WORDS = "|".join(sorted({re.sub(" ", "[ -]", each) for words in SIDES.values() for each in words}, key=len)[::-1])
 _TWO_SIDES = re.compile(rf"(?:^|\s)({_WORDS})([-+])\s*/\s*({_WORDS})([-+])$", re.IGNORECASE)
 _CELL = re.compile(r"(?:(?P<before>[LR])\s*)?(?P<number>[-+]?[\d.,]+(?:e[-+]?\d+)?)\s*(?P<rest>\D*)", re.IGNORECASE)
+_PLAIN = re.compile(r"-?\d{1,15}(\.\d{0,20})?", re.ASCII)
 _THOUSANDS = {
     ",": re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?"),
     ".": re.compile(r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?"),
@@ -151,6 +152,8 @@ def reading(cell: str, quantity: str, decimal_comma: bool) -> Reading | None:
 
     A number may be followed by its side (``10.5 L``, ``3.1 In-Out``) or preceded by it (``L3.1``), and by a unit.
     """
+    if not decimal_comma and _PLAIN.fullmatch(cell):
+        return Reading(float(cell), None)  # as below, but for most cells of most files at a tenth of the cost
     text = cell.replace("\xa0", " ").replace("−", "-").strip()
     if text.lower() in MISSING:
         return None

@@ -24,6 +24,8 @@ SUMMARIES = frozenset(
     }
 )  # fmt: skip
 """What stands first in a row that sums up others."""
+COUNTING = ("shot", "no", "index", "shot number")
+"""Headings of a column that numbers the shots; in a row that sums them up it says so."""
 HANDS = {
     "r": 1.0,
     "rh": 1.0,
@@ -110,6 +112,7 @@ class SessionReader:
         self._columns: Columns | None = None
         self._header: Sequence[str] = ()
         self._header_line = 0
+        self._counting: Sequence[int] = ()
         self.session = Session()
 
     @property
@@ -141,6 +144,7 @@ class SessionReader:
             units = cells if is_units_row(cells) else None
             place = (self._path, self._header_line)
             self._columns = columns_of(self._layout, self._header, units, self._units, place)
+            self._counting = [place for place, each in enumerate(self._header) if plain(each) in COUNTING]
             self.session.assumed.update(self._columns.assumed)
             self.session.unused.update(dict.fromkeys(self._columns.unused))
             self.session.names_clubs |= bool(self._columns.club)
@@ -148,7 +152,7 @@ class SessionReader:
             if units is not None:
                 return
         columns = self._columns
-        if any(plain(cell) in SUMMARIES for cell in (cells[0], *(cells[place] for place in self._counting(cells)))):
+        if any(plain(cells[place]) in SUMMARIES for place in (0, *self._counting) if place < len(cells)):
             self.session.summaries += 1
             return
         beyond = [cell for cell in cells[columns.width :] if cell.strip()]
@@ -165,11 +169,6 @@ class SessionReader:
         for place in columns.told:
             if cells[place].strip():
                 self.session.told.setdefault(self._header[place].strip(), Counter())[cells[place].strip()] += 1
-
-    def _counting(self, cells: Sequence[str]) -> list[int]:
-        """Return the places of columns that count the shots, where a row of averages says so."""
-        counting = ("shot", "no", "index", "shot number")
-        return [place for place, each in enumerate(self._header[: len(cells)]) if plain(each) in counting]
 
     def _reject(self, line: int, reason: str) -> None:
         self.session.rejected.append(RejectedRow(line, reason))
