@@ -61,7 +61,7 @@ _HOME = {
 }
 """The module in which each public name is defined."""
 
-_MODULES = ("benchmark_data", "errors", "fem", "launch_monitor", "units")
+_MODULES = ("benchmark_data", "errors", "fem", "launch_monitor", "motion_capture", "units")
 
 __all__ = [*_HOME, *_MODULES]  # pyright: ignore[reportUnsupportedDunderAll]
 

@@ -145,6 +145,10 @@ class ImplausibleWarning(UserWarning):
     """A value no real club has, most often a unit left out (``mass = 204`` means 204 kg)."""
 
 
+class CaptureWarning(UserWarning):
+    """A recorded swing in which something had to be mended or is in doubt; its delivery is given all the same."""
+
+
 def nearest_names(name: str, known: Iterable[str], count: int = 3) -> tuple[str, ...]:
     """Return up to ``count`` of the ``known`` names that resemble ``name``, best first, in any letter case."""
     from difflib import get_close_matches

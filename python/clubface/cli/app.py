@@ -28,6 +28,7 @@ COMMANDS = {
     "evaluate": "evaluate",
     "infer": "infer",
     "fem": "fem",
+    "capture": "capture",
 }
 """The module of each command, in the order of the help."""
 READER_GONE = 128 + 13

@@ -17,6 +17,7 @@ EXTRAS = {
     "xarray": "tables",
     "pyarrow": "tables",
     "meshio": "fem",
+    "ezc3d": "capture",
 }
 """The extra of the package that brings each optional library."""
 

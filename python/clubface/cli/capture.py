@@ -1,0 +1,277 @@
+"""``clubface capture``: motion capture to deliveries, and synthetic swings."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import options, output
+from clubface.cli.failures import Interrupted, say
+
+app = typer.Typer(add_completion=False, no_args_is_help=True, help="Motion capture: C3D files to deliveries.")
+
+Club = Annotated[str, typer.Option("--club", metavar="CLUB", help="Name of a built-in club, or a TOML file.")]
+Hand = Annotated[str | None, typer.Option("--hand", metavar="right|left", help="Of the club.", show_default=False)]
+FILE, SEVERAL = "FILE", "FILE..."
+ROWS = (
+    ("club speed", "speed", "mph", 2), ("attack", "attack", "deg", 2), ("path", "path", "deg", 2),
+    ("dynamic loft", "loft", "deg", 2), ("face angle", "face", "deg", 2), ("lie", "lie", "deg", 2),
+    ("towards the toe", "toe", "mm", 2), ("high", "high", "mm", 2), ("closure", "closure", "deg/s", 0),
+    ("pitch rate", "pitch_rate", "deg/s", 0), ("lie rate", "lie_rate", "deg/s", 0),
+)  # fmt: skip
+LAUNCH_ROWS = (("ball speed", "ball_speed", "mph", 2), ("launch", "launch", "deg", 2), ("azimuth", "azimuth", "deg", 2))
+SHOWN = ROWS[:5] + ROWS[6:9]
+"""The columns of a table of many swings."""
+
+
+@app.command("read")
+def read(
+    files: Annotated[list[str], typer.Argument(metavar=SEVERAL, help="C3D files of one session.")],
+    markers: Annotated[str, typer.Option("--markers", metavar=FILE, help="TOML: which marker is what.")],
+    club: Club,
+    estimator: Annotated[
+        str, typer.Option("--estimator", metavar="NAME", help="smoother, polynomial, or linear as in P1.")
+    ] = "smoother",
+    hand: Hand = None,
+    ball: Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="Its radius counts.")] = "published",
+    target: Annotated[
+        str | None,
+        typer.Option("--target", metavar="AXIS", help="Laboratory axis to the target: +x, -x, ...", show_default=False),
+    ] = None,
+    up: Annotated[
+        str | None, typer.Option("--up", metavar="AXIS", help="Laboratory axis that points up.", show_default=False)
+    ] = None,
+    units: Annotated[
+        str | None,
+        typer.Option("--units", metavar="UNIT", help="Of length, in place of the files' own.", show_default=False),
+    ] = None,
+    noise: Annotated[
+        str | None,
+        typer.Option(
+            "--noise", metavar='"0.3 mm"', help="Of a marker along an axis; estimated unless given.", show_default=False
+        ),
+    ] = None,
+    target_file: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar=FILE, help="CSV or Parquet for the shots.", show_default=False),
+    ] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Read the delivery, with its uncertainty, from recordings of swings."""
+    from clubface.cli.fem_progress import progress_bar
+    from clubface.motion_capture import read_swings
+
+    with progress_bar() as update:
+        found = read_swings(
+            files, markers, club, estimator=estimator, hand=hand, ball=ball, target=target, up=up, unit=units,
+            noise=noise, progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} swings")),
+        )  # fmt: skip
+    written = found.write(target_file) if target_file is not None and len(found) else []
+    if as_json:
+        documents: Any = [each.document() for each in found.captured]
+        rejected = [each.reason for each in found.rejected]
+        output.print_json(
+            documents[0] if len(files) == 1 and documents else {"swings": documents, "rejected": rejected}
+        )
+    elif len(found) == 1:
+        _print_one(found.captured[0])
+    elif len(found):
+        _print_many(found)
+    for each in found.rejected:
+        say(each.reason)
+    if written:
+        say(f"wrote {', '.join(str(each) for each in written)}")
+    if found.interrupted:
+        raise Interrupted(f"interrupted: {len(found)} of {len(files)} swings read")
+    if not len(found):
+        raise typer.Exit(2)
+
+
+@app.command("markers")
+def markers(
+    file: Annotated[str, typer.Argument(metavar=FILE, help="A C3D file.")],
+    units: Annotated[
+        str | None,
+        typer.Option("--units", metavar="UNIT", help="Of length, in place of the file's own.", show_default=False),
+    ] = None,
+    as_json: options.Json = False,
+) -> None:
+    """List the markers of a recording: how often each is seen, where and how fast."""
+    import numpy as np
+
+    from clubface.cli.tables import print_numbers
+    from clubface.motion_capture import read_c3d
+
+    found = read_c3d(file, unit=units)
+    rows = []
+    for label, seen in zip(found.labels, found.positions.swapaxes(0, 1), strict=True):
+        known = np.isfinite(seen).all(-1)
+        steps = np.linalg.norm(np.diff(seen, axis=0), axis=-1) * found.rate
+        first = seen[known][0] if known.any() else np.full(3, np.nan)
+        fastest = float(np.nanmax(steps)) if np.isfinite(steps).any() else float("nan")
+        rows.append({"label": label, "frames": int(known.sum()), "first_m": first.tolist(), "fastest_mps": fastest})
+    if as_json:
+        output.print_json({"rate_hz": found.rate, "frames": len(found.positions), "markers": rows})
+        return
+    cells = [
+        [row["label"], str(row["frames"]), *(output.number(1e3 * each, 1) for each in row["first_m"]),
+         output.number(row["fastest_mps"], 1)]
+        for row in rows
+    ]  # fmt: skip
+    title = f"{file}: {len(found.positions)} frames at {found.rate:g} Hz"
+    print_numbers(("marker", "frames\nseen", "first x\nmm", "y\nmm", "z\nmm", "fastest\nm/s"), cells, title=title)
+
+
+@app.command("template")
+def template(
+    target_file: Annotated[
+        str | None, typer.Option("--output", "-o", metavar=FILE, help="Write it there.", show_default=False)
+    ] = None,
+) -> None:
+    """Print an explained mapping file to start one's own from."""
+    from pathlib import Path
+
+    from clubface.errors import FileError
+    from clubface.motion_capture import template as text
+
+    if target_file is None:
+        print(text(), end="")
+        return
+    if Path(target_file).exists():
+        raise FileError(target_file, None, "this file exists; it is not overwritten")
+    Path(target_file).write_text(text(), encoding="utf-8")
+    say(f"wrote {target_file}")
+
+
+@app.command("synthesize")
+def synthesize(
+    folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Where to write.")],
+    count: Annotated[int, typer.Option("--count", metavar="NUMBER", help="Swings.")] = 10,
+    club: Club = "driver",
+    hand: Hand = None,
+    noise: Annotated[str, typer.Option("--noise", metavar='"0.3 mm"', help="Of a marker along an axis.")] = "0 mm",
+    gaps: Annotated[
+        float, typer.Option("--gaps", metavar="PART", help="Of the time a marker is hidden, 0 to 0.5.")
+    ] = 0.0,
+    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Frames a second.")] = 720.0,
+    seed: Annotated[int, typer.Option("--seed", help="The same seed gives the same files.")] = 1,
+) -> None:
+    """Write swings whose delivery is known exactly, with calibration, mapping file and truth."""
+    from clubface import units
+    from clubface.cli.fem_progress import progress_bar
+    from clubface.motion_capture.synthetic import Cameras
+    from clubface.motion_capture.synthetic import synthesize as write
+
+    cameras = Cameras(rate=rate, noise=units.parse(noise, "length", name="--noise"), gaps=gaps)
+    with progress_bar() as update:
+        files = write(
+            folder, count, club=club, hand=hand, cameras=cameras, seed=seed,
+            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} swings")),
+        )  # fmt: skip
+    say(f"wrote {count} swings, {', '.join(each.name for each in files[count:])} to {folder}")
+
+
+@app.command("study")
+def study(
+    count: Annotated[int, typer.Option("--count", metavar="NUMBER", help="Swings.")] = 200,
+    club: Club = "driver",
+    hand: Hand = None,
+    noise: Annotated[str, typer.Option("--noise", metavar='"0.3 mm"', help="Of a marker along an axis.")] = "0.3 mm",
+    gaps: Annotated[
+        float, typer.Option("--gaps", metavar="PART", help="Of the time a marker is hidden, 0 to 0.5.")
+    ] = 0.0,
+    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Frames a second.")] = 720.0,
+    roughness: Annotated[float, typer.Option("--roughness", metavar="NUMBER", help="Of the smoother.")] = 0.6,
+    seed: Annotated[int, typer.Option("--seed", help="The same seed gives the same swings.")] = 1,
+    picture: Annotated[
+        str | None,
+        typer.Option("--plot", metavar=FILE, help="Bias and spread, as .png, .svg or .pdf.", show_default=False),
+    ] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Compare the estimators on swings whose truth is known: bias, spread, coverage."""
+    from clubface import units
+    from clubface.cli.fem_progress import progress_bar
+    from clubface.motion_capture.study import study as run
+    from clubface.motion_capture.synthetic import Cameras
+
+    if picture is not None:
+        from clubface.plots.style import check_ending
+
+        check_ending(picture, name="--plot")
+    cameras = Cameras(rate=rate, noise=units.parse(noise, "length", name="--noise"), gaps=gaps)
+    with progress_bar() as update:
+        found = run(
+            count, club=club, hand=hand, cameras=cameras, roughness=roughness, seed=seed,
+            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} swings")),
+        )  # fmt: skip
+    if as_json:
+        output.print_json(found.document())
+    else:
+        _print_study(found)
+    if picture is not None:
+        from clubface import plots
+        from clubface.plots.capture import study_figure
+
+        told = "no noise" if cameras.noise == 0.0 else f"{cameras.noise * 1e3:g} mm noise"
+        say(f"wrote {plots.save(study_figure({told: found}), picture)}")
+
+
+def _print_study(found: Any) -> None:
+    """Print bias, spread and coverage, a row a quantity."""
+    from clubface.cli.tables import print_numbers
+    from clubface.motion_capture.study import UNITS
+
+    heads = ["", *(f"{name}\n{figure}" for name in found.errors for figure in ("bias", "spread", "covers, %"))]
+    figures = {name: (found.bias(name), found.spread(name), found.coverage(name)) for name in found.errors}
+    rows = []
+    for label, name, _, _ in ROWS:
+        digits = 0 if UNITS[name] == "deg/s" else 3
+        row = [f"{label}, {UNITS[name]}"]
+        for bias, spread, coverage in figures.values():
+            row += [output.number(bias[name], digits), output.number(spread[name], digits)]
+            row.append(output.number(100.0 * coverage[name], 1))
+        rows.append(row)
+    noise = f"{found.cameras.noise * 1e3:g} mm"
+    print_numbers(
+        heads, rows, title=f"{len(found)} swings, {found.club.name}, markers' noise {noise}: captured less true"
+    )
+
+
+def _print_one(found: Any) -> None:
+    """Print one delivery, value by value."""
+    from clubface import units
+    from clubface.cli.tables import print_numbers
+
+    rows = []
+    for label, name, unit, digits in ROWS:
+        value, deviation = found.get(name, unit)
+        rows.append([f"{label}, {unit}", output.number(value, digits), output.number(deviation, digits)])
+    for label, name, unit, digits in LAUNCH_ROWS if found.launch else ():
+        value, deviation = (units.from_si(each[name], unit) for each in (found.launch, found.launch_uncertainty))
+        rows.append([f"{label}, {unit}", output.number(value, digits), output.number(deviation, digits)])
+    print_numbers(("", "", "standard\ndeviation"), rows, title=f"{found.source}: {found.club.name}, {found.estimator}")
+    noise = f"markers' noise {found.marker_noise * 1e3:.3f} mm"
+    print(f"first touch {found.time:.6f} s, after frame {found.frames[0]}; {found.used} frames used; {noise}")
+    output.print_notes(found.notes)
+
+
+def _print_many(found: Any) -> None:
+    """Print a table of swings, and the mean of each standard deviation."""
+    from pathlib import Path
+
+    from clubface import units
+    from clubface.cli.tables import print_numbers
+
+    heads = ("swing", *(f"{label}\n{unit}" for label, _, unit, _ in SHOWN))
+    rows = [
+        [Path(each.source).name, *(output.number(each.get(name, unit)[0], digits) for _, name, unit, digits in SHOWN)]
+        for each in found.captured
+    ]
+    deviations = found.uncertainty.deliveries
+    means = [float(units.from_si(deviations[name].mean(), unit)) for _, name, unit, _ in SHOWN]
+    last = [output.number(mean, digits) for mean, (*_, digits) in zip(means, SHOWN, strict=True)]
+    rows.append(["standard deviation", *last])
+    print_numbers(heads, rows, summary=True)
+    output.print_notes(found.shots.notes)

@@ -1,0 +1,126 @@
+"""The last frames before first touch, and the path through them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from clubface.clubs import Club
+from clubface.errors import FileError
+from clubface.motion_capture.estimators import TIME, TURN, Path, estimator
+from clubface.motion_capture.impact_frame import Interval
+from clubface.motion_capture.reduction import Inputs, deliver, gap
+from clubface.motion_capture.rigid_body import pose_information
+from clubface.motion_capture.rotations import Array, left_jacobian, logarithm
+from clubface.motion_capture.tracking import Track
+
+TOUCHING = 1e-3
+"""Metres the face may have moved on after first touch in a frame that is still used: the ball hardly pushes yet."""
+SETTLED = 1e-9
+"""Seconds by which the instant of impact may still move; the head goes 50 nm in that time."""
+MOST_ROUNDS = 20
+WIDEST = 12
+"""Frames without a pose across which the path is still followed."""
+
+
+class Approach(NamedTuple):
+    """The clubhead's path to the ball.
+
+    Attributes
+    ----------
+    path
+        About first touch.
+    attitude
+        From club axes to the world where the rotation vector of the path is zero, shape (3, 3).
+    touch
+        First touch [s], on the clock of the frames.
+    frames
+        The places of the frames used, ascending.
+    """
+
+    path: Path
+    attitude: Array
+    touch: float
+    frames: Array
+
+
+def follow(
+    times: Array, followed: Track, interval: Interval, ball: Array, club: Club, radius: float,
+    *, noise: float, name: str, roughness: float, where: str,
+) -> Approach:  # fmt: skip
+    """Extend the path of the clubhead to where it first touches the ball.
+
+    Parameters
+    ----------
+    times
+        Of the frames [s].
+    followed
+        The clubhead in every frame, its origin the CG.
+    interval
+        The frames between which it meets the ball.
+    ball
+        Centre of the ball at rest [m].
+    club, radius
+        The face, and the radius of the ball [m].
+    noise
+        Standard deviation of a marker along an axis [m].
+    name, roughness
+        Of the estimator.
+    where
+        The file, for errors.
+
+    Raises
+    ------
+    FileError
+        Too few frames before impact, or a path that does not lead to the ball.
+    """
+    position, rotation = followed.poses.position, followed.poses.rotation
+    known = np.flatnonzero(followed.known & (np.arange(len(times)) <= interval.before))
+    extend, fewest, most = estimator(name)
+    ahead, _ = gap(position[known[-2:]], rotation[known[-2:]], ball, club, radius)
+    closing = float(ahead[0] - ahead[-1]) / float(times[known[-1]] - times[known[-2]]) if len(known) > 1 else 0.0
+    if len(known) < fewest or closing <= 0.0:
+        raise FileError(where, None, _too_few(len(known), fewest, name))
+    touch = float(times[known[-1]] + ahead[-1] / closing)
+
+    def extended() -> Approach:
+        """Fit the path about ``touch`` and move that to where the path meets the ball."""
+        frames = _usable(known[-most:], rotation)
+        if len(frames) < fewest:
+            raise FileError(where, None, _too_few(len(frames), fewest, name))
+        attitude = rotation[frames[-1]]
+        turned = logarithm(rotation[frames] @ attitude.T)
+        errors = noise**2 * np.linalg.inv(pose_information(followed.shape, rotation[frames], followed.seen[frames]))
+        to_vector = np.zeros_like(errors)
+        to_vector[:, :3, :3] = np.eye(3)
+        to_vector[:, 3:, 3:] = np.linalg.inv(left_jacobian(turned))
+        coordinates = np.concatenate([position[frames], turned], 1)
+        errors = to_vector @ errors @ np.swapaxes(to_vector, 1, 2)
+        path = extend(times[frames] - touch, coordinates, errors, roughness=roughness)
+        _, time = deliver(Inputs(path.position, path.rate, ball, np.zeros(6)), attitude, club, radius)
+        if not abs(float(time)) < TIME:
+            raise FileError(where, None, f"the path of the clubhead by {name} does not lead to the ball")
+        return Approach(path, attitude, touch + float(time), frames)
+
+    for _ in range(MOST_ROUNDS):
+        found = extended()
+        settled = abs(found.touch - touch) < SETTLED
+        touch = found.touch
+        if times[found.frames[-1]] > touch + TOUCHING / closing:
+            known = known[:-1]
+        elif settled:
+            return found
+    raise FileError(where, None, f"the path of the clubhead by {name} does not settle on an instant of impact")
+
+
+def _usable(recent: Array, rotation: Array) -> Array:
+    """Return the last frames that hang together and in which the head turns by no more than ``TURN``."""
+    angle = np.linalg.norm(logarithm(rotation[recent] @ rotation[recent[-1]].T), axis=-1)
+    broken = (angle > TURN) | (np.diff(recent, append=recent[-1]) > WIDEST)
+    first = np.flatnonzero(broken)
+    return recent[first[-1] + 1 :] if len(first) else recent
+
+
+def _too_few(count: int, fewest: int, name: str) -> str:
+    return f"{count} frames before impact show the clubhead; the estimator {name} needs {fewest}"

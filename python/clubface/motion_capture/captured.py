@@ -1,0 +1,125 @@
+"""A delivery as captured: its values, how far they can be trusted, and what was seen on the way."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from statistics import NormalDist
+from typing import Any
+
+import numpy as np
+
+from clubface import units
+from clubface.clubs import Club
+from clubface.delivery import DIMENSIONS, Delivery
+from clubface.errors import InputError, UnknownNameError
+from clubface.motion_capture.reduction import QUANTITIES
+from clubface.motion_capture.rotations import Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CapturedDelivery:
+    """A delivery from motion capture, SI and radians, with its uncertainty.
+
+    Attributes
+    ----------
+    delivery
+        The delivery at first touch, signs as of :class:`Delivery`.
+    uncertainty
+        Standard deviation of each value [SI], by name.
+    covariance
+        Of the values in the order of the delivery, shape (11, 11): noise of the markers, what the path may do between
+        the last frame and impact, where the ball lay, and how well the club is known against its markers.
+    launch
+        ``ball_speed``, ``launch`` and ``azimuth`` [SI] of the ball as it flies off; empty where it is not seen to.
+    launch_uncertainty
+        Their standard deviations.
+    club
+        What was delivered.
+    estimator
+        How the last frames were extended to impact.
+    time
+        First touch [s] from the first frame.
+    frames
+        The numbers of the frames before and after first touch, as the file counts.
+    used
+        Frames before impact that the estimator used.
+    marker_noise
+        Standard deviation of a marker along an axis [m].
+    marker_noise_freedom
+        Degrees of freedom of that estimate; 0 where it was given.
+    misfit
+        Residuals of the path by what was expected of them; above 1.5 the uncertainty is too small. NaN of ``linear``.
+    notes
+        What a reader should know, warnings first.
+    source
+        The file.
+    """
+
+    delivery: Delivery
+    uncertainty: dict[str, float]
+    covariance: Array
+    launch: dict[str, float]
+    launch_uncertainty: dict[str, float]
+    club: Club
+    estimator: str
+    time: float
+    frames: tuple[int, int]
+    used: int
+    marker_noise: float
+    marker_noise_freedom: int
+    misfit: float
+    notes: tuple[str, ...]
+    source: str
+
+    def interval(self, name: str, level: float = 0.95) -> tuple[float, float]:
+        """Return the limits [SI] between which a value lies with the probability ``level``."""
+        if name not in QUANTITIES:
+            raise UnknownNameError("delivery value", name, QUANTITIES)
+        if not 0.0 < level < 1.0:
+            raise InputError("level", level, "between 0 and 1")
+        half = NormalDist().inv_cdf(0.5 + 0.5 * level) * self.uncertainty[name]
+        value = getattr(self.delivery, name)
+        return value - half, value + half
+
+    def get(self, name: str, unit: str) -> tuple[float, float]:
+        """Return a value of the delivery and its standard deviation in another unit."""
+        if name not in QUANTITIES:
+            raise UnknownNameError("delivery value", name, QUANTITIES)
+        units.unit(unit, name=name, dimension=DIMENSIONS[name])
+        return units.from_si(getattr(self.delivery, name), unit), units.from_si(self.uncertainty[name], unit)
+
+    def sample(self, count: int, seed: int = 0) -> dict[str, Array]:
+        """Return ``count`` random deliveries from the covariance, as :func:`impact` takes them, by name."""
+        values = np.array([getattr(self.delivery, name) for name in QUANTITIES])
+        drawn = np.random.default_rng(seed).multivariate_normal(values, self.covariance, size=count, method="eigh")
+        return dict(zip(QUANTITIES, drawn.T, strict=True))
+
+    def document(self) -> dict[str, Any]:
+        """Return everything as plain values, SI."""
+        return {
+            "source": self.source,
+            "club": self.club.name,
+            "hand": "left" if self.club.hand < 0 else "right",
+            "estimator": self.estimator,
+            "delivery": {name: getattr(self.delivery, name) for name in QUANTITIES},
+            "uncertainty": self.uncertainty,
+            "covariance": self.covariance.tolist(),
+            "launch": self.launch,
+            "launch_uncertainty": self.launch_uncertainty,
+            "time_s": self.time,
+            "frames": list(self.frames),
+            "frames_used": self.used,
+            "marker_noise_m": self.marker_noise,
+            "marker_noise_freedom": self.marker_noise_freedom,
+            "misfit": None if math.isnan(self.misfit) else self.misfit,
+            "notes": list(self.notes),
+        }
+
+    def __repr__(self) -> str:
+        lines = [f"{self.source}: {self.club.name}, {self.estimator}, first touch {self.time * 1e3:.3f} ms"]
+        for name in QUANTITIES:
+            unit = units.display_unit(name, units.SI_UNITS[DIMENSIONS[name]])
+            value, deviation = self.get(name, unit)
+            lines.append(f"  {name:<10} {value:10.3f} ± {deviation:.3f} {unit}")
+        return "\n".join([*lines, *(f"  * {note}" for note in self.notes)])

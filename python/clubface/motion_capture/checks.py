@@ -1,0 +1,145 @@
+"""What makes a captured delivery doubtful, in words."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from clubface.clubs import Club
+from clubface.errors import ClubfaceError
+from clubface.motion_capture.ball_flight import Launched
+from clubface.motion_capture.registration import Registration
+from clubface.motion_capture.tracking import Track
+
+FASTEST = 70.0
+"""m/s; long drivers' clubheads reach 67 m/s (150 mph)."""
+SLOWEST = 0.3
+"""m/s; of the shortest putt."""
+STARTS = (-0.3e-3, 0.75e-3)
+"""Seconds from first touch to when the ball seems to start at once: half a contact of 0.4 to 0.5 ms, within 0.5 ms."""
+DIRECTION_OFF = math.radians(6.0)
+"""By which launch and azimuth may differ from those of the standard model; P1's models are within 1.2 degrees."""
+SPEED_OFF = 0.15
+ROUGH = 1.5
+MOVED = 2e-3
+"""Metres."""
+FEW_FREEDOMS = 30
+
+
+def of_delivery(values: Mapping[str, float], deviations: Mapping[str, float], club: Club) -> list[str]:
+    """Return what is implausible of a delivery."""
+    notes = []
+    toe, high = values["toe"], values["high"]
+    if abs(toe) > 0.5 * club.face_width or abs(high) > 0.5 * club.face_height:
+        size = f"{club.face_width * 1e3:.0f} x {club.face_height * 1e3:.0f} mm"
+        notes.append(
+            f"the impact lies {toe * 1e3:.1f} mm towards the toe and {high * 1e3:.1f} mm high, outside the face of"
+            f" {club.name} ({size}): a wrong club, mapping or calibration"
+        )
+    if not SLOWEST < values["speed"] < FASTEST:
+        notes.append(f"a clubhead of {values['speed']:.3g} m/s: the unit of length or the frame rate may be wrong")
+    if abs(values["loft"] - club.loft) > math.radians(25.0):
+        notes.append(
+            f"the dynamic loft of {math.degrees(values['loft']):.1f} deg is far from the"
+            f" {math.degrees(club.loft):.1f} deg of {club.name}: a wrong club, mapping or calibration"
+        )
+    if deviations["loft"] > math.radians(2.0):
+        notes.append(
+            "the dynamic loft is not known to 2 deg: too few markers, too near together, or gaps before impact"
+        )
+    return notes
+
+
+def of_launch(values: Mapping[str, float], club: Club, ball: Any, seen: Launched | None, touch: float) -> list[str]:
+    """Return how the ball's flight contradicts the delivery: club, mapping or calibration are then in doubt."""
+    if seen is None:
+        return []
+    notes = []
+    late = seen.start - touch
+    if not STARTS[0] < late < STARTS[1]:
+        notes.append(
+            f"the ball starts {late * 1e3:.2f} ms after the face touches it, not the 0.2 ms of a real impact: a wrong"
+            " club, mapping or calibration"
+        )
+    from clubface.impact import impact
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            expected = impact(club, dict(values), model="standard", ball=ball)
+    except ClubfaceError:
+        return notes
+    speed, launch, azimuth = directions(seen.velocity)
+    spread = math.sqrt(float(np.max(np.diag(seen.covariance)))) / max(speed, 1e-9)
+    off = max(abs(launch - float(expected.launch)), abs(azimuth - float(expected.azimuth)))
+    if off > DIRECTION_OFF + 3.0 * spread or abs(speed / float(expected.ball_speed) - 1.0) > SPEED_OFF + 3.0 * spread:
+        notes.append(
+            f"the ball flies off with {_flight(speed, launch, azimuth)}, where this delivery of {club.name} gives"
+            f" {_flight(*(float(getattr(expected, name)) for name in ('ball_speed', 'launch', 'azimuth')))}: a wrong"
+            " club, mapping or calibration"
+        )
+    return notes
+
+
+def of_track(followed: Track, cluster: Registration, first_frame: int) -> list[str]:
+    """Return what had to be mended in the markers of the clubhead."""
+    notes = [f"{words} in {_frames(frames, first_frame)}: put right" for words, frames in followed.exchanged.items()]
+    notes += [
+        f"{name} strays in {_frames(frames, first_frame)}: left out there" for name, frames in followed.stray.items()
+    ]
+    if followed.lost:
+        notes.append(f"the markers of the clubhead do not fit in {_frames(followed.lost, first_frame)}: left out")
+    for place, name in enumerate(cluster.names):
+        if not followed.seen[:, place].any():
+            notes.append(f"{name} is never seen")
+    moved = np.linalg.norm(followed.shape - cluster.shape, axis=-1)
+    if moved.max() > MOVED:
+        name = cluster.names[int(moved.argmax())]
+        notes.append(
+            f"{name} sits {moved.max() * 1e3:.1f} mm from its place by the mapping or calibration: has it moved?"
+        )
+    return notes
+
+
+def of_fit(misfit: float, gap_frames: int, freedom: int) -> list[str]:
+    """Return what is doubtful about the path and its noise."""
+    notes = []
+    if gap_frames > 2:
+        notes.append(
+            f"the last {gap_frames - 1} frames before impact do not show the clubhead's pose: extended across them"
+        )
+    if misfit > ROUGH:
+        notes.append(
+            f"the path departs from the estimator's by {misfit:.1f} times the variance expected: its uncertainty is too"
+            " small (a larger roughness, or the given marker noise, may be needed)"
+        )
+    if 0 < freedom < FEW_FREEDOMS:
+        notes.append(f"the noise of the markers is estimated from {freedom} degrees of freedom only")
+    return notes
+
+
+def directions(velocity: Any) -> tuple[float, float, float]:
+    """Return speed [m/s], launch angle and azimuth [rad] of a velocity in world axes."""
+    x, y, z = (float(each) for each in velocity)
+    return math.sqrt(x * x + y * y + z * z), math.atan2(y, math.hypot(x, z)), math.atan2(z, x)
+
+
+def _flight(speed: float, launch: float, azimuth: float) -> str:
+    return f"{speed:.1f} m/s, {math.degrees(launch):.1f} deg up and {math.degrees(azimuth):.1f} deg right"
+
+
+def _frames(frames: list[int], first_frame: int) -> str:
+    """Write frames as ranges, the first few of them."""
+    runs: list[list[int]] = []
+    for frame in (each + first_frame for each in frames):
+        if runs and frame == runs[-1][1] + 1:
+            runs[-1][1] = frame
+        else:
+            runs.append([frame, frame])
+    written = [str(a) if a == b else f"{a}-{b}" for a, b in runs[:4]]
+    more = f" and {len(runs) - 4} more" if len(runs) > 4 else ""
+    return f"{'frame' if len(frames) == 1 else 'frames'} {', '.join(written)}{more}"

@@ -1,0 +1,46 @@
+"""The clubface as geometry: nearest point and point by its offsets, as in ``face.rs`` of the core.
+
+Face axes: origin at the face centre, x along the outward normal, y up the face, z towards the toe. The roll arc in the
+x-y plane is revolved about the axis parallel to y that lies the bulge radius behind the centre. All is written in
+curvatures, so that a plane is the torus of no curvature.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from clubface.motion_capture.rotations import Array
+
+
+def nearest(point: Any, bulge: float, roll: float) -> tuple[Array, Array]:
+    """Return how far points lie in front of the face [m] and the outward unit normal at their nearest face point.
+
+    Parameters
+    ----------
+    point
+        In face axes [m], shape (..., 3).
+    bulge, roll
+        Radii of the face [m]; infinite is flat.
+    """
+    p = np.asarray(point, dtype=np.float64)
+    x1, radial_x, radial_z = _circle(p[..., 0], p[..., 2], 1.0 / bulge)
+    distance, normal_x, normal_y = _circle(x1, p[..., 1], 1.0 / roll)
+    return distance, np.stack([normal_x * radial_x, normal_y, normal_x * radial_z], -1)
+
+
+def face_point(toe: Any, high: Any, bulge: float, roll: float) -> Array:
+    """Return the face point [m] with offsets [m] in the plane tangent at the centre, in face axes, shape (..., 3)."""
+    toe, high = np.broadcast_arrays(np.asarray(toe, float), np.asarray(high, float))
+    a, b = 1.0 / bulge, 1.0 / roll
+    x1 = -b * high**2 / (np.sqrt(1.0 - (b * high) ** 2) + 1.0)
+    root = np.sqrt((1.0 + a * x1) ** 2 - (a * toe) ** 2)
+    return np.stack([(2.0 * x1 + a * (x1**2 - toe**2)) / (root + 1.0), high, toe], -1)
+
+
+def _circle(x: Array, y: Array, curvature: float) -> tuple[Array, Array, Array]:
+    """Return the signed distance of (x, y) from a circle through the origin with normal +x there, and its normal."""
+    radial = curvature * x + 1.0
+    root = np.hypot(radial, curvature * y)
+    return (2.0 * x + curvature * (x**2 + y**2)) / (root + 1.0), radial / root, curvature * y / root

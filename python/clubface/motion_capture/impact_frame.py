@@ -1,0 +1,153 @@
+"""Between which frames the face meets the ball."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from clubface.clubs import Club
+from clubface.errors import FileError
+from clubface.motion_capture.ball_flight import RestingBall
+from clubface.motion_capture.reduction import gap
+from clubface.motion_capture.rigid_body import visible
+from clubface.motion_capture.rotations import Array
+
+APPROACH = 1.0
+"""m/s; a face that comes nearer more slowly is being set down behind the ball."""
+ASIDE = 0.15
+"""Metres from the face centre beyond which the head passes the ball instead of meeting it."""
+WIDEST = 8
+"""Frames without a pose across which a meeting is still believed."""
+SLOWED = 0.95
+"""Part of its speed a head keeps at most that has hit a ball: a putter keeps 0.8, a driver 0.7."""
+STILL = 3e-3
+"""Metres a ball moves at most that has not been hit."""
+
+
+class Interval(NamedTuple):
+    """Two frames between which the face meets the ball.
+
+    Attributes
+    ----------
+    before
+        The last frame with a pose before first touch.
+    after
+        The first frame that shows the impact has begun.
+    notes
+        What is not certain about it.
+    """
+
+    before: int
+    after: int
+    notes: tuple[str, ...] = ()
+
+
+def find_impact(
+    position: Array,
+    rotation: Array,
+    seen_ball: Array,
+    ball: RestingBall,
+    club: Club,
+    radius: float,
+    rate: float,
+    where: str,
+) -> Interval:
+    """Find the frames between which the face passes where the ball lies, and make sure that it hit the ball.
+
+    Parameters
+    ----------
+    position, rotation
+        Of the CG [m] and from club axes to the world; NaN in frames without a pose.
+    seen_ball
+        Centre of the ball in every frame [m]; NaN where it is not seen.
+    ball
+        At rest.
+    club, radius
+        The face, and the radius of the ball [m].
+    rate
+        Frames a second.
+    where
+        The file, for errors.
+
+    Raises
+    ------
+    FileError
+        No impact: the face never passes the ball, or the ball stays, or the head is not slowed.
+    """
+    ahead, local = gap(position, rotation, ball.centre, club, radius)
+    known = np.flatnonzero(np.isfinite(ahead))
+    first, second = known[:-1], known[1:]
+    closing = (ahead[first] - ahead[second]) / (second - first) * rate
+    aside = np.hypot(local[..., 1], local[..., 2])
+    passes = (ahead[first] > 0.0) & (ahead[second] <= 0.0) & (closing > APPROACH) & (second - first <= WIDEST)
+    passes &= np.minimum(aside[first], aside[second]) < ASIDE
+    places = np.flatnonzero(passes)
+    if len(places):
+        # The one at which the ball leaves; without that, the fastest: a practice swing is slower, or misses.
+        key = closing[places] if ball.departure is None else -np.abs(second[places] - ball.departure)
+        chosen = places[int(np.argmax(key))]
+        found = Interval(int(first[chosen]), int(second[chosen]))
+    else:
+        found = _last_seen(ahead, known, ball, aside)
+        if found is None:
+            away = np.linalg.norm(local, axis=-1)
+            nearest = int(np.nanargmin(away))
+            stays = "the ball stays" if ball.departure is None else "the ball leaves"
+            raise FileError(
+                where, None,
+                f"no impact: the face does not pass the ball; its centre comes no nearer than"
+                f" {away[nearest] * 1e3:.0f} mm (frame {nearest + 1} of {len(away)}), and {stays}",
+            )  # fmt: skip
+    return found._replace(notes=found.notes + _make_sure(position, seen_ball, ball, found, rate, where))
+
+
+def _last_seen(ahead: Array, known: Array, ball: RestingBall, aside: Array) -> Interval | None:
+    """Return the interval of a head that is lost from sight before the ball leaves."""
+    if ball.departure is None:
+        return None
+    earlier = known[known < ball.departure]
+    if len(earlier) < 2 or ball.departure - earlier[-1] > WIDEST or aside[earlier[-1]] > ASIDE:
+        return None
+    if not ahead[earlier[-2]] > ahead[earlier[-1]] > 0.0:
+        return None
+    return Interval(int(earlier[-1]), ball.departure, ("the clubhead is lost from sight before it meets the ball",))
+
+
+def _make_sure(
+    position: Array, seen_ball: Array, ball: RestingBall, found: Interval, rate: float, where: str
+) -> tuple[str, ...]:
+    """Refuse a pass that moved neither ball nor head; return what could not be made sure."""
+    frames = f"frames {found.before + 1} and {found.after + 1}"
+    later = seen_ball[found.after + 1 : found.after + 12]
+    later = later[visible(later)]
+    if len(later):
+        moved = float(np.linalg.norm(later - ball.centre, axis=-1).max())
+        if moved < max(STILL, 6.0 * ball.noise):
+            raise FileError(
+                where, None,
+                f"no impact: the face passes the place of the ball between {frames}, but the ball stays there"
+                f" (it moves {moved * 1e3:.1f} mm): a swing without a ball, or a wrong mapping",
+            )  # fmt: skip
+        return ()
+    speeds = [
+        _speed(position[found.before - 5 : found.before + 1], rate),
+        _speed(position[found.after + 1 : found.after + 7], rate),
+    ]
+    if not np.isfinite(speeds).all():
+        return ("neither ball nor clubhead is seen after impact: that they met is taken from where they were before",)
+    if speeds[1] > SLOWED * speeds[0]:
+        raise FileError(
+            where, None,
+            f"no impact: the face passes the place of the ball between {frames}, but the head keeps its speed"
+            f" ({speeds[0]:.1f} m/s before, {speeds[1]:.1f} m/s after): a swing without a ball, or a wrong mapping",
+        )  # fmt: skip
+    return ("the ball is not seen after impact; the loss of the head's speed shows that they met",)
+
+
+def _speed(position: Array, rate: float) -> float:
+    """Return the speed over a few frames [m/s], NaN with fewer than two poses."""
+    known = np.flatnonzero(np.isfinite(position[:, 0]))
+    if len(known) < 2:
+        return float("nan")
+    return float(np.linalg.norm(position[known[-1]] - position[known[0]]) / (known[-1] - known[0]) * rate)

@@ -1,0 +1,196 @@
+"""The mapping of markers as a small TOML file, read strictly."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from clubface import units
+from clubface.errors import ClubfaceError, InputError
+from clubface.motion_capture.mapping import FacePoint, MarkerMap, Point
+from clubface.strict_toml import Document, quoted
+
+TABLES = {
+    "cluster": None,
+    "face": None,
+    "calibration": ("file", "accuracy"),
+    "ball": ("marker", "offset", "position"),
+    "laboratory": ("target", "up", "unit"),
+    "noise": ("marker",),
+}
+"""The keys of each table; None: the names of markers."""
+SEEN = "seen"
+"""Stands for the position of a marker that the calibration places."""
+
+
+def from_document(document: Document) -> MarkerMap:
+    """Read the mapping a TOML document describes; every error carries file and line."""
+    data = document.data
+    document.check_keys(data, [*TABLES, "club"], ["cluster", "ball"])
+    document.check_text(data, ["club"])
+    for table, known in TABLES.items():
+        if not isinstance(data.get(table, {}), dict):
+            raise document.error(f"{table} must be a table: [{table}]", table)
+        if known is not None:
+            document.check_keys(data.get(table, {}), known, (), table)
+    part = {table: dict(data.get(table, {})) for table in TABLES}
+    read = _Reader(document)
+    given: dict[str, Any] = {
+        "cluster": {name: read.position(value, name, "cluster") for name, value in part["cluster"].items()},
+        "face": {name: read.face_point(value, name) for name, value in part["face"].items()},
+        "club": data.get("club"),
+        "path": document.path,
+    }
+    document.check_text(part["calibration"], ["file"], "calibration")
+    document.check_text(part["laboratory"], ["up", "unit"], "laboratory")
+    document.check_text(part["ball"], ["marker"], "ball")
+    calibration, ball, laboratory, noise = (part[name] for name in ("calibration", "ball", "laboratory", "noise"))
+    given["calibration"], given["ball"] = calibration.get("file"), ball.get("marker")
+    if "accuracy" in calibration:
+        given["accuracy"] = read.length(calibration["accuracy"], "accuracy", "calibration", above=-1e-300)
+    if "offset" in ball:
+        given["ball_offset"] = read.vector(ball["offset"], "offset", "ball")
+    if "position" in ball:
+        given["ball_position"] = read.vector(ball["position"], "position", "ball")
+    if "marker" in noise:
+        given["noise"] = read.length(noise["marker"], "marker", "noise", above=0.0)
+    given.update({key: laboratory[key] for key in ("up", "unit") if key in laboratory})
+    if "unit" in laboratory:
+        read.unit(laboratory["unit"])
+    if "target" in laboratory:
+        given["target"] = read.target(laboratory["target"])
+    try:
+        return MarkerMap(**given)
+    except ClubfaceError as error:
+        name = getattr(error, "parameter", "")
+        table = "laboratory" if name in ("target", "up") else ""
+        raise document.wrap(error, table) from None
+
+
+class _Reader:
+    """Turns values of the document into SI, with errors that carry its lines."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+
+    def length(self, value: Any, key: str, table: str, *, above: float | None = None) -> float:
+        try:
+            found = units.parse(value, "length", name=key)
+            if above is not None and found <= above:
+                raise InputError(key, value, f"above {max(above, 0.0):g} m" if above >= 0.0 else "0 m or more")
+        except InputError as error:
+            raise self.document.error(str(error), key, table) from None
+        return found
+
+    def vector(self, value: Any, key: str, table: str) -> Point:
+        if not isinstance(value, list) or len(value) != 3:
+            raise self.document.error(f"{key} must be three lengths in a list, not {value!r:.60}", key, table)
+        x, y, z = (self.length(each, key, table) for each in value)
+        return x, y, z
+
+    def position(self, value: Any, key: str, table: str) -> Point | None:
+        """Read the position of a marker, ``"seen"`` for one that the calibration places."""
+        return None if value == SEEN else self.vector(value, key, table)
+
+    def face_point(self, value: Any, key: str) -> FacePoint:
+        if not isinstance(value, dict):
+            raise self.document.error(f'{key} must be a table as in {{ toe = "30 mm", high = "0 mm" }}', key, "face")
+        for name in value:
+            if name not in FacePoint._fields:
+                raise self.document.error(f"{key} has {name}; it takes {', '.join(FacePoint._fields)}", key, "face")
+        missing = [name for name in ("toe", "high") if name not in value]
+        if missing:
+            raise self.document.error(f"{key} lacks {' and '.join(missing)}", key, "face")
+        lengths = (self.length(value.get(name, 0.0), key, "face") for name in FacePoint._fields)
+        return FacePoint(*lengths)
+
+    def target(self, value: Any) -> str | tuple[str, str]:
+        if isinstance(value, list) and len(value) == 2 and all(isinstance(each, str) for each in value):
+            return value[0], value[1]
+        if isinstance(value, str):
+            return value
+        raise self.document.error("target must be an axis in quotes or a list of two markers", "target", "laboratory")
+
+    def unit(self, symbol: str) -> None:
+        try:
+            units.unit(symbol, name="unit", dimension="length")
+        except InputError as error:
+            raise self.document.error(str(error), "unit", "laboratory") from None
+
+
+TEMPLATE = """\
+# Which marker is what. A length is text with its unit.
+club = "driver"               # optional: refuses swings said to be of another club
+
+[cluster]                     # markers on the clubhead, three or more, not on a line
+HEAD1 = "seen"                # "seen": placed by the calibration below. Without [face], its position from the
+HEAD2 = "seen"                # face centre instead, in the axes of the club at its static loft: to the target,
+HEAD3 = "seen"                # up, towards the toe, as in ["-25 mm", "32 mm", "-20 mm"]
+HEAD4 = "seen"
+
+[calibration]
+file = "calibration.c3d"      # where cluster and face are seen together; left out, the file of the swing
+accuracy = "0.3 mm"           # optional: how well the points below are placed, a standard deviation
+
+[face]                        # points on the face, from its centre in the plane that touches it there
+FACE_CENTRE = { toe = "0 mm", high = "0 mm", standoff = "2 mm" }   # standoff: of the marker's centre
+FACE_TOE = { toe = "30 mm", high = "0 mm", standoff = "2 mm" }
+FACE_TOP = { toe = "0 mm", high = "18 mm", standoff = "2 mm" }
+
+[ball]
+marker = "BALL"               # its centre is that of the ball; or: position = ["0 mm", "1200 mm", "51 mm"]
+# offset = ["0 mm", "0 mm", "0 mm"]   # from the marker to the ball's centre: to the target, up, right
+
+[laboratory]
+target = "+y"                 # axis to the target, or two markers on the target line: ["NEAR", "FAR"]
+up = "+z"
+# unit = "mm"                 # of the files, where they name none or a wrong one
+
+# [noise]
+# marker = "0.3 mm"           # standard deviation along each axis; estimated from the residuals unless given
+"""
+
+
+def template() -> str:
+    """Return TOML text to start one's own mapping file from, every key explained."""
+    return TEMPLATE
+
+
+def to_toml(mapping: MarkerMap) -> str:
+    """Return the text of a mapping file; see :meth:`MarkerMap.to_toml`."""
+
+    def length(value: float) -> str:
+        return quoted(f"{round(value * 1e3, 6):.10g} mm")
+
+    def vector(value: Point) -> str:
+        return f"[{', '.join(length(each) for each in value)}]"
+
+    lines = [f"club = {quoted(mapping.club)}", ""] if mapping.club is not None else []
+    lines.append("[cluster]")
+    for name, place in mapping.cluster.items():
+        lines.append(f"{_key(name)} = {quoted(SEEN) if place is None else vector(place)}")
+    told = [f"file = {quoted(mapping.calibration)}"] if mapping.calibration is not None else []
+    told += [f"accuracy = {length(mapping.accuracy)}"] if mapping.accuracy else []
+    lines += ["", "[calibration]", *told] if told else []
+    if mapping.face:
+        lines += ["", "[face]"]
+    for name, point in mapping.face.items():
+        values = ", ".join(f"{key} = {length(value)}" for key, value in point._asdict().items())
+        lines.append(f"{_key(name)} = {{ {values} }}")
+    lines += ["", "[ball]"]
+    if mapping.ball is not None:
+        lines.append(f"marker = {quoted(mapping.ball)}")
+    if any(mapping.ball_offset):
+        lines.append(f"offset = {vector(mapping.ball_offset)}")
+    if mapping.ball_position is not None:
+        lines.append(f"position = {vector(mapping.ball_position)}")
+    target = mapping.target if isinstance(mapping.target, str) else None
+    line = quoted(target) if target else f"[{', '.join(quoted(each) for each in mapping.target)}]"
+    lines += ["", "[laboratory]", f"target = {line}", f"up = {quoted(mapping.up)}"]
+    lines += [f"unit = {quoted(mapping.unit)}"] if mapping.unit is not None else []
+    lines += ["", "[noise]", f"marker = {length(mapping.noise)}"] if mapping.noise is not None else []
+    return "\n".join(lines) + "\n"
+
+
+def _key(name: str) -> str:
+    """Return a key as TOML takes it: bare where it can be."""
+    return name if name and all(each.isascii() and (each.isalnum() or each in "-_") for each in name) else quoted(name)

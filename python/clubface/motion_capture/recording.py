@@ -1,0 +1,176 @@
+"""Marker positions over time: read from and written to C3D files by ezc3d."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from clubface import units
+from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.motion_capture.c3d_layout import check_layout
+from clubface.motion_capture.rigid_body import visible
+from clubface.motion_capture.rotations import Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Recording:
+    """Markers of one trial.
+
+    Attributes
+    ----------
+    labels
+        Names of the markers.
+    positions
+        [m] in the axes of the laboratory, shape (frames, markers, 3); NaN where a marker was not seen.
+    rate
+        Frames a second [Hz].
+    first_frame
+        Number of the first frame, as the file counts.
+    path
+        The file, or another name of the source.
+    """
+
+    labels: tuple[str, ...]
+    positions: Array
+    rate: float
+    first_frame: int = 1
+    path: str = "<recording>"
+
+    @property
+    def times(self) -> Array:
+        """Times of the frames [s] from the first one."""
+        return np.arange(len(self.positions)) / self.rate
+
+    def marker(self, label: str) -> Array:
+        """Return the positions of one marker [m], shape (frames, 3)."""
+        return self.markers((label,))[:, 0]
+
+    def markers(self, labels: Iterable[str]) -> Array:
+        """Return the positions of markers [m], shape (frames, markers, 3).
+
+        A name is found as it is, or after the name of its subject: ``HEAD1`` in ``club:HEAD1``.
+
+        Raises
+        ------
+        FileError
+            Names that are not in the file; the message lists those that are.
+        """
+        wanted = tuple(labels)
+        places = [self._place(label) for label in wanted]
+        missing = [label for label, place in zip(wanted, places, strict=True) if place is None]
+        if missing:
+            plural = "markers" if len(missing) > 1 else "marker"
+            present = ", ".join(self.labels) or "none"
+            raise FileError(self.path, None, f"no {plural} {', '.join(missing)} here; the file has: {present}")
+        return self.positions[:, [place for place in places if place is not None]]
+
+    def _place(self, label: str) -> int | None:
+        if label in self.labels:
+            return self.labels.index(label)
+        ends = [place for place, each in enumerate(self.labels) if each.rpartition(":")[2] == label]
+        if len(ends) > 1:
+            shared = ", ".join(self.labels[place] for place in ends)
+            raise FileError(self.path, None, f"marker {label} may be any of {shared}; write its full name")
+        return ends[0] if ends else None
+
+
+def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Recording:
+    """Read the markers of a C3D file.
+
+    A point marked invalid, not finite or exactly at the origin was not seen, and is NaN.
+
+    Parameters
+    ----------
+    path
+        The file.
+    unit
+        Unit of length to use in place of the one the file names; needed where it names none.
+
+    Raises
+    ------
+    FileError
+        A file that is missing, empty, cut short, damaged or without points, or whose unit of length is unknown.
+    """
+    name = os.fspath(path)
+    layout = check_layout(name)
+    import ezc3d
+
+    try:
+        content = ezc3d.c3d(name)
+        data, groups = content["data"], content["parameters"]
+        points = np.asarray(data["points"], dtype=np.float64)
+        residuals = np.asarray(data["meta_points"]["residuals"], dtype=np.float64)
+        rate = float(content["header"]["points"]["frame_rate"])
+    except (OSError, RuntimeError, ValueError, KeyError, IndexError, TypeError) as error:
+        raise FileError(name, None, f"this C3D file cannot be read: {str(error).rstrip('.')}") from None
+    if points.ndim != 3 or not points.shape[1] or not points.shape[2]:
+        raise FileError(name, None, "the file holds no points")
+    if points.shape[2] < layout.frames:
+        raise FileError(name, None, f"the file is cut short: {points.shape[2]} of {layout.frames} frames")
+    if not (np.isfinite(rate) and rate > 0.0):
+        raise FileError(name, None, f"the frame rate is {rate:g} Hz")
+    positions = np.moveaxis(points[:3], 0, -1).swapaxes(0, 1) * _metres(name, groups, unit)
+    unseen = ~visible(positions) | np.all(positions == 0.0, axis=-1)
+    if residuals.shape[1:] == points.shape[1:]:
+        unseen |= residuals[0].T < 0.0
+    labels = _texts(groups, "LABELS", "LABELS2", "LABELS3")
+    labels += [f"*{place + 1}" for place in range(len(labels), points.shape[1])]
+    return Recording(
+        labels=tuple(labels[: points.shape[1]]),
+        positions=np.where(unseen[..., None], np.nan, positions),
+        rate=rate,
+        first_frame=layout.first_frame,
+        path=name,
+    )
+
+
+def write_c3d(recording: Recording, path: str | os.PathLike[str]) -> Path:
+    """Write the markers of a recording as a C3D file, in mm; the markers not seen are invalid there."""
+    import ezc3d
+
+    target = Path(path)
+    file = ezc3d.c3d()
+    point: Any = file["parameters"]["POINT"]
+    point["RATE"]["value"] = [recording.rate]
+    point["LABELS"]["value"] = recording.labels
+    point["UNITS"]["value"] = ("mm",)
+    points = np.ones((4, len(recording.labels), len(recording.positions)))
+    points[:3] = np.moveaxis(recording.positions * 1e3, -1, 0).swapaxes(1, 2)
+    file["data"]["points"] = points
+    try:
+        file.write(os.fspath(target))
+    except (OSError, RuntimeError) as error:
+        raise FileError(os.fspath(target), None, f"cannot be written: {error}") from None
+    return target
+
+
+def _metres(name: str, groups: Any, unit: str | None) -> float:
+    """Return the length [m] of the unit of a file."""
+    if unit is not None:
+        return units.unit(unit, name="units", dimension="length").numerator / units.unit(unit).denominator
+    given = _texts(groups, "UNITS")
+    symbol = given[0] if given else ""
+    if not symbol:
+        raise FileError(name, None, 'the file does not name its unit of length; give it, as in units "mm"')
+    try:
+        found = units.unit(symbol, dimension="length")
+    except (InputError, UnknownNameError):
+        allowed = ", ".join(units.symbols("length"))
+        raise FileError(
+            name, None, f"the unit of length {symbol!r} is unknown; name the right one of {allowed} by the units option"
+        ) from None
+    return found.numerator / found.denominator
+
+
+def _texts(groups: Any, *names: str) -> list[str]:
+    """Return the texts of parameters of the group POINT, one after the other, as far as they are there."""
+    found: list[str] = []
+    for each in names:
+        value: Sequence[Any] = groups.get("POINT", {}).get(each, {}).get("value", ())
+        found += [str(text).strip() for text in value]
+    return found

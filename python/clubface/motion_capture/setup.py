@@ -1,0 +1,100 @@
+"""What all swings of a session share: which marker is what, the club, the ball, and the calibration."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from clubface import units
+from clubface.balls import Ball
+from clubface.clubs import Club
+from clubface.equipment import HANDS, check_choice
+from clubface.errors import InputError
+from clubface.motion_capture.estimators import ROUGHNESS, check_roughness, estimator
+from clubface.motion_capture.laboratory import to_world
+from clubface.motion_capture.mapping import MarkerMap, marker_map
+from clubface.motion_capture.recording import Recording, read_c3d
+from clubface.motion_capture.registration import Registration, calibrated, given_positions
+from clubface.motion_capture.rotations import Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Setup:
+    """A laboratory ready to read swings.
+
+    Attributes
+    ----------
+    mapping
+        Which marker is what, options applied.
+    club, ball
+        What meets what.
+    estimator, roughness
+        How the last frames are extended to impact.
+    registration
+        The cluster on the club, or None where each swing holds its own calibration.
+    """
+
+    mapping: MarkerMap
+    club: Club
+    ball: Ball
+    estimator: str
+    roughness: float
+    registration: Registration | None
+
+    def turn(self, recording: Recording) -> Array:
+        """Return the matrix from the laboratory to the world as a right-hander sees it, shape (3, 3)."""
+        turn = to_world(self.mapping, recording)
+        return np.diag([1.0, 1.0, -1.0]) @ turn if self.club.hand < 0 else turn
+
+    def cluster(self, recording: Recording) -> Registration:
+        """Return the cluster on the club, calibrated from ``recording`` where no other file is."""
+        if self.registration is not None:
+            return self.registration
+        return calibrated(self.mapping, self.club, recording, self.turn(recording))
+
+
+def prepare(
+    mapping: str | os.PathLike[str] | MarkerMap,
+    club: str | os.PathLike[str] | Club,
+    *,
+    estimator_name: str = "smoother",
+    roughness: float = ROUGHNESS,
+    ball: str | os.PathLike[str] | Ball = "published",
+    hand: str | None = None,
+    target: str | None = None,
+    up: str | None = None,
+    unit: str | None = None,
+    noise: Any = None,
+) -> Setup:
+    """Return the set-up of a session: see :func:`read_swing` for the meanings; reads the calibration file."""
+    from clubface.balls import ball as ball_of
+    from clubface.clubs import club as club_of
+
+    estimator(estimator_name)
+    told: dict[str, Any] = {key: value for key, value in (("target", target), ("up", up)) if value is not None}
+    if unit is not None:
+        told["unit"] = units.unit(unit, name="units", dimension="length").symbol
+    if noise is not None:
+        told["noise"] = units.parse(noise, "length", name="noise")
+        if not told["noise"] > 0.0:
+            raise InputError("noise", noise, "above 0 m")
+    meant = replace(marker_map(mapping), **told)
+    head = club_of(club)
+    if hand is not None:
+        check_choice("hand", hand, HANDS)
+        head = head.replace(hand=hand)
+    if meant.club is not None and meant.club != head.name:
+        raise InputError("club", head.name, f"{meant.club}, the club of {meant.path}")
+    found = Setup(
+        mapping=meant, club=head, ball=ball_of(ball), estimator=estimator_name,
+        roughness=check_roughness(roughness), registration=None,
+    )  # fmt: skip
+    if not meant.face:
+        return replace(found, registration=given_positions(meant, head))
+    if meant.calibration_path is None:
+        return found
+    seen = read_c3d(meant.calibration_path, unit=meant.unit)
+    return replace(found, registration=calibrated(meant, head, seen, found.turn(seen)))

@@ -1,0 +1,157 @@
+"""How well the estimators read deliveries: bias, spread and coverage on swings whose truth is known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from clubface import units
+from clubface.clubs import Club
+from clubface.delivery import DIMENSIONS
+from clubface.motion_capture.estimators import ESTIMATORS, ROUGHNESS, estimator
+from clubface.motion_capture.reduction import QUANTITIES
+from clubface.motion_capture.rotations import Array
+from clubface.motion_capture.setup import Setup, prepare
+from clubface.motion_capture.swing import capture
+from clubface.motion_capture.synthetic.files import positions_map
+from clubface.motion_capture.synthetic.golfer import random_swing
+from clubface.motion_capture.synthetic.laboratory import Cameras
+
+UNITS = {
+    name: "m/s" if name == "speed" else units.display_unit(name, units.SI_UNITS[dimension])
+    for name, dimension in DIMENSIONS.items()
+}
+"""In which errors are told: m/s, deg, mm, deg/s."""
+NORMAL_95 = 1.959964
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Study:
+    """Errors of estimators on the same swings, SI.
+
+    Attributes
+    ----------
+    club
+        What was swung.
+    cameras
+        The laboratory.
+    errors
+        Captured less true deliveries by estimator, shape (swings, 11), in the order of ``QUANTITIES``.
+    deviations
+        The standard deviations stated with them.
+    touches
+        Errors of the instant of first touch [s], shape (swings,).
+    """
+
+    club: Club
+    cameras: Cameras
+    errors: dict[str, Array]
+    deviations: dict[str, Array]
+    touches: dict[str, Array]
+
+    def __len__(self) -> int:
+        return len(next(iter(self.errors.values())))
+
+    def bias(self, name: str) -> dict[str, float]:
+        """Return the mean errors of an estimator by quantity [UNITS]."""
+        return _told(self.errors[name].mean(0))
+
+    def spread(self, name: str) -> dict[str, float]:
+        """Return the standard deviations of its errors [UNITS]."""
+        return _told(self.errors[name].std(0, ddof=1))
+
+    def worst(self, name: str) -> dict[str, float]:
+        """Return its largest errors [UNITS]."""
+        return _told(np.abs(self.errors[name]).max(0))
+
+    def stated(self, name: str) -> dict[str, float]:
+        """Return the root mean square of the standard deviations it states [UNITS]."""
+        return _told(np.sqrt((self.deviations[name] ** 2).mean(0)))
+
+    def coverage(self, name: str) -> dict[str, float]:
+        """Return how often its intervals of 95% hold the truth, by quantity."""
+        inside = np.abs(self.errors[name]) < NORMAL_95 * self.deviations[name]
+        return dict(zip(QUANTITIES, inside.mean(0).tolist(), strict=True))
+
+    def document(self) -> dict[str, Any]:
+        """Return all of it as plain values, in ``UNITS``."""
+        figures = ("bias", "spread", "worst", "stated", "coverage")
+        return {
+            "club": self.club.name,
+            "swings": len(self),
+            "rate_hz": self.cameras.rate,
+            "noise_mm": self.cameras.noise * 1e3,
+            "gaps": self.cameras.gaps,
+            "units": UNITS,
+            "estimators": {name: {key: getattr(self, key)(name) for key in figures} for name in self.errors},
+        }
+
+
+def study(
+    count: int = 200,
+    *,
+    club: str | Club = "driver",
+    hand: str | None = None,
+    cameras: Cameras | None = None,
+    estimators: Iterable[str] = tuple(ESTIMATORS),
+    roughness: float = ROUGHNESS,
+    seed: int = 1,
+    progress: Callable[[int, int], object] | None = None,
+) -> Study:
+    """Read ``count`` synthetic swings by each estimator and compare with the truth.
+
+    Parameters
+    ----------
+    count
+        Swings.
+    club, hand
+        What is swung.
+    cameras
+        The laboratory; 720 Hz and no noise unless given.
+    estimators
+        Which.
+    roughness
+        Of the smoother.
+    seed
+        The same seed gives the same swings and noise.
+    progress
+        Called with the swings read and all of them.
+    """
+    seen = cameras or Cameras()
+    names = tuple(estimators)
+    for name in names:
+        estimator(name)
+    made = random_swing(0, club=club, hand=hand)
+    ready: dict[str, Setup] = {
+        name: prepare(positions_map(made.club, seen), made.club, estimator_name=name, roughness=roughness)
+        for name in names
+    }
+    errors, deviations = (np.full((len(names), count, len(QUANTITIES)), np.nan) for _ in range(2))
+    touches = np.full((len(names), count), np.nan)
+    for number in range(count):
+        swing = random_swing(np.random.default_rng([seed, number, 0]), club=made.club)
+        truth = np.array([swing.truth[name] for name in QUANTITIES])
+        recording, first = seen.record_from(swing, np.random.default_rng([seed, number, 1]))
+        for place, name in enumerate(names):
+            found = capture(recording, ready[name])
+            errors[place, number] = np.array([getattr(found.delivery, each) for each in QUANTITIES]) - truth
+            deviations[place, number] = [found.uncertainty[each] for each in QUANTITIES]
+            touches[place, number] = found.time + first
+        if progress is not None:
+            progress(number + 1, count)
+    return Study(
+        club=made.club,
+        cameras=seen,
+        errors=dict(zip(names, errors, strict=True)),
+        deviations=dict(zip(names, deviations, strict=True)),
+        touches=dict(zip(names, touches, strict=True)),
+    )
+
+
+def _told(values: Array) -> dict[str, float]:
+    return {
+        name: float(units.from_si(value, UNITS[name])) for name, value in zip(QUANTITIES, values.tolist(), strict=True)
+    }

@@ -1,0 +1,194 @@
+"""From a recording of a swing to the delivery."""
+
+from __future__ import annotations
+
+import math
+import os
+import warnings
+from typing import Any
+
+import numpy as np
+
+from clubface.balls import Ball
+from clubface.clubs import Club
+from clubface.delivery import Delivery
+from clubface.errors import CaptureWarning, FileError
+from clubface.motion_capture import checks
+from clubface.motion_capture.approach import follow
+from clubface.motion_capture.ball_flight import Launched, RestingBall, at_rest, flight
+from clubface.motion_capture.captured import CapturedDelivery
+from clubface.motion_capture.estimators import ROUGHNESS
+from clubface.motion_capture.impact_frame import find_impact
+from clubface.motion_capture.mapping import MarkerMap
+from clubface.motion_capture.recording import Recording, read_c3d
+from clubface.motion_capture.reduction import QUANTITIES, with_covariance
+from clubface.motion_capture.rotations import Array
+from clubface.motion_capture.setup import Setup, prepare
+from clubface.motion_capture.tracking import LEAST_MISFIT, Track, look_alikes, track
+
+FLOOR = 1e-6
+"""Metres; the least noise of a marker, above the rounding of a file in single precision."""
+MIRROR = np.array([1.0, 1.0, -1.0])
+
+
+def read_swing(
+    path: str | os.PathLike[str],
+    mapping: str | os.PathLike[str] | MarkerMap,
+    club: str | os.PathLike[str] | Club,
+    *,
+    estimator: str = "smoother",
+    roughness: float = ROUGHNESS,
+    ball: str | os.PathLike[str] | Ball = "published",
+    hand: str | None = None,
+    target: str | None = None,
+    up: str | None = None,
+    unit: str | None = None,
+    noise: Any = None,
+) -> CapturedDelivery:
+    """Read the delivery of one swing from a C3D file.
+
+    Parameters
+    ----------
+    path
+        The file.
+    mapping
+        Which marker is what: the path of a TOML file (see ``template``), or a :class:`MarkerMap`.
+    club
+        A built-in name, the path of a TOML file, or a :class:`Club`.
+    estimator
+        "smoother", "polynomial", or "linear" as in P1.
+    roughness
+        Of the smoother: how much the path may depart from a quartic.
+    ball
+        Its radius counts.
+    hand
+        "right" or "left"; that of the club unless given.
+    target, up
+        Axes of the laboratory such as "+y", in place of the mapping's.
+    unit
+        Unit of length of the files, in place of the one they name.
+    noise
+        Standard deviation of a marker along an axis, such as "0.3 mm"; the mapping's, or estimated from the residuals.
+
+    Raises
+    ------
+    FileError
+        A file that cannot be read, markers that are missing or do not fit, a swing without impact.
+    InputError
+        An option that cannot be used, another club than the mapping's.
+
+    Warns
+    -----
+    CaptureWarning
+        For each thing mended or doubtful, which ``notes`` of the result hold as well.
+    """
+    prepared = prepare(
+        mapping, club, estimator_name=estimator, roughness=roughness, ball=ball, hand=hand, target=target, up=up,
+        unit=unit, noise=noise,
+    )  # fmt: skip
+    found = capture(read_c3d(path, unit=prepared.mapping.unit), prepared)
+    for note in found.notes:
+        warnings.warn(f"{found.source}: {note}", CaptureWarning, stacklevel=2)
+    return found
+
+
+def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
+    """Return the delivery of one recording; errors as of :func:`read_swing`."""
+    where, head, radius = recording.path, setup.club, setup.ball.radius
+    turn, cluster = setup.turn(recording), setup.cluster(recording)
+    followed = track(cluster.shape, recording.markers(cluster.names) @ turn.T, cluster.names, where)
+    seen_ball, ball = _ball(recording, setup, turn)
+    position, rotation = followed.poses.position, followed.poses.rotation
+    interval = find_impact(position, rotation, seen_ball, ball, head, radius, recording.rate, where)
+    noise, freedom = _noise(followed, interval.before, setup, where)
+    approach = follow(
+        recording.times, followed, interval, ball.centre, head, radius,
+        noise=noise, name=setup.estimator, roughness=setup.roughness, where=where,
+    )  # fmt: skip
+    rest = np.eye(3) * (_ball_noise(ball, setup) ** 2 / max(ball.frames, 1))
+    found, _, covariance = with_covariance(
+        approach.path, ball.centre, approach.attitude, head, radius,
+        ball_covariance=rest, club_covariance=cluster.covariance,
+    )  # fmt: skip
+    values = dict(zip(QUANTITIES, found.tolist(), strict=True))
+    if abs(values["path"]) > 0.5 * math.pi:
+        raise FileError(where, None, "the clubhead moves away from the target: turn the axis that points to it round")
+    deviations = dict(zip(QUANTITIES, np.sqrt(np.diag(covariance)).tolist(), strict=True))
+    flown = flight(seen_ball, recording.times, ball, approach.touch)
+    notes = [
+        *checks.of_track(followed, cluster, recording.first_frame),
+        *checks.of_delivery(values, deviations, head),
+        *checks.of_launch(values, head.replace(hand="right"), setup.ball, flown, approach.touch),
+        *checks.of_fit(approach.path.misfit, int(interval.after - approach.frames[-1]), freedom),
+        *interval.notes,
+        *cluster.notes,
+        *(
+            f"the cluster looks the same with {words}: that could not be noticed"
+            for words in look_alikes(cluster.shape, cluster.names, LEAST_MISFIT)
+        ),
+    ]
+    flip = np.array([head.hand if name in ("path", "face") else 1.0 for name in QUANTITIES])
+    launch, launch_uncertainty = _launch(flown, head.hand)
+    return CapturedDelivery(
+        delivery=Delivery(
+            **{name: value * sign for (name, value), sign in zip(values.items(), flip.tolist(), strict=True)}
+        ),
+        uncertainty=deviations,
+        covariance=covariance * np.outer(flip, flip),
+        launch=launch,
+        launch_uncertainty=launch_uncertainty,
+        club=head,
+        estimator=setup.estimator,
+        time=approach.touch,
+        frames=(int(approach.frames[-1]) + recording.first_frame, interval.after + recording.first_frame),
+        used=len(approach.frames),
+        marker_noise=noise,
+        marker_noise_freedom=freedom,
+        misfit=approach.path.misfit,
+        notes=tuple(notes),
+        source=where,
+    )
+
+
+def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, RestingBall]:
+    """Return the centre of the ball in every frame and at rest, in world axes as a right-hander sees them."""
+    mapping = setup.mapping
+    if mapping.ball is None:
+        place = turn @ np.array(mapping.ball_position)
+        return np.full((len(recording.positions), 3), np.nan), RestingBall(place, mapping.accuracy, 1, None)
+    offset = np.array(mapping.ball_offset) * (MIRROR if setup.club.hand < 0 else 1.0)
+    seen = recording.marker(mapping.ball) @ turn.T + offset
+    found = at_rest(seen, recording.rate)
+    if found is None:
+        raise FileError(
+            recording.path, None, f"the ball's marker {mapping.ball} is never seen; give its position instead"
+        )
+    return seen, found
+
+
+def _ball_noise(ball: RestingBall, setup: Setup) -> float:
+    if setup.mapping.ball is None or setup.mapping.noise is None:
+        return max(ball.noise, FLOOR)
+    return max(setup.mapping.noise, FLOOR)
+
+
+def _noise(followed: Track, last: int, setup: Setup, where: str) -> tuple[float, int]:
+    """Return the noise of a marker along an axis [m], and the degrees of freedom of its estimate."""
+    if setup.mapping.noise is not None:
+        return max(setup.mapping.noise, FLOOR), 0
+    noise, freedom = followed.noise(np.arange(len(followed.known)) <= last)
+    if freedom <= 0:
+        raise FileError(where, None, "no frame before impact shows the clubhead's pose")
+    return max(noise, FLOOR), freedom
+
+
+def _launch(flown: Launched | None, hand: int) -> tuple[dict[str, float], dict[str, float]]:
+    """Return speed, launch angle and azimuth of the ball, and their standard deviations."""
+    if flown is None:
+        return {}, {}
+    speed, launch, azimuth = checks.directions(flown.velocity)
+    deviation = math.sqrt(float(flown.covariance[0, 0]))
+    return (
+        {"ball_speed": speed, "launch": launch, "azimuth": azimuth * hand},
+        {"ball_speed": deviation, "launch": deviation / speed, "azimuth": deviation / (speed * math.cos(launch))},
+    )

@@ -1,0 +1,27 @@
+"""Synthetic swings: a clubhead on a path known exactly, as cameras would record it.
+
+:func:`random_swing` makes one, :class:`Cameras` record it, :func:`synthesize` writes a folder of them.
+"""
+
+from __future__ import annotations
+
+from clubface.motion_capture.synthetic.files import calibration_map, positions_map, synthesize, truth
+from clubface.motion_capture.synthetic.golfer import random_chain, random_swing
+from clubface.motion_capture.synthetic.laboratory import Cameras
+from clubface.motion_capture.synthetic.path import Chain, Turn, motion
+from clubface.motion_capture.synthetic.swing import SyntheticSwing, swing
+
+__all__ = [
+    "Cameras",
+    "Chain",
+    "SyntheticSwing",
+    "Turn",
+    "calibration_map",
+    "motion",
+    "positions_map",
+    "random_chain",
+    "random_swing",
+    "swing",
+    "synthesize",
+    "truth",
+]

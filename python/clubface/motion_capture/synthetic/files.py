@@ -1,0 +1,107 @@
+"""A folder of synthetic swings: C3D files, the mapping file, the calibration and the truth."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from clubface.clubs import Club
+from clubface.delivery import DIMENSIONS
+from clubface.motion_capture.mapping import MarkerMap
+from clubface.motion_capture.recording import write_c3d
+from clubface.motion_capture.synthetic.golfer import random_swing
+from clubface.motion_capture.synthetic.laboratory import BALL, CLUSTERS, FACE, Cameras, kind_of
+from clubface.motion_capture.synthetic.swing import LAUNCH, SyntheticSwing
+from clubface.recorded import RecordedShots
+
+MAPPING, CALIBRATION, TRUTH = "markers.toml", "calibration.c3d", "truth.csv"
+
+
+def positions_map(club: Club, cameras: Cameras) -> MarkerMap:
+    """Return the mapping that gives the positions of the cluster."""
+    return MarkerMap(
+        cluster=dict(CLUSTERS[kind_of(club)]), ball=BALL, target=cameras.target, up=cameras.up, club=club.name
+    )
+
+
+def calibration_map(club: Club, cameras: Cameras, path: str = "<mapping>") -> MarkerMap:
+    """Return the mapping that has the cluster placed by a calibration file."""
+    kind = kind_of(club)
+    return MarkerMap(
+        cluster=dict.fromkeys(CLUSTERS[kind]), face=dict(FACE[kind]), calibration=CALIBRATION, ball=BALL,
+        target=cameras.target, up=cameras.up, club=club.name, path=path,
+    )  # fmt: skip
+
+
+def synthesize(
+    folder: str | os.PathLike[str],
+    count: int = 10,
+    *,
+    club: str | Club = "driver",
+    hand: str | None = None,
+    cameras: Cameras | None = None,
+    seed: int = 1,
+    progress: Callable[[int, int], object] | None = None,
+) -> list[Path]:
+    """Write ``count`` swings of one club and all that is needed to read them.
+
+    ``swing-001.c3d`` and so on; ``calibration.c3d`` of the head with markers on its face; ``markers.toml``; and
+    ``truth.csv`` with the exact delivery of each swing and the launch it was given, which ``read_shots`` reads.
+
+    Parameters
+    ----------
+    folder
+        Made where it does not exist.
+    count
+        Swings.
+    club, hand
+        What is swung, and by whom.
+    cameras
+        The laboratory; 720 Hz and no noise unless given.
+    seed
+        The same seed gives the same files.
+    progress
+        Called with the swings written and all of them.
+
+    Returns
+    -------
+    list
+        The files, those of the swings first.
+    """
+    from clubface.clubs import club as club_of
+    from clubface.fem.files import prepare
+
+    seen, head = cameras or Cameras(), club_of(club)
+    head = head if hand is None else head.replace(hand=hand)
+    target = prepare(folder)
+    swings, files = [], []
+    for number in range(1, count + 1):
+        swings.append(random_swing(np.random.default_rng([seed, number, 0]), club=head))
+        files.append(target / f"swing-{number:03d}.c3d")
+        write_c3d(seen.record(swings[-1], np.random.default_rng([seed, number, 1])), files[-1])
+        if progress is not None:
+            progress(number, count)
+    write_c3d(seen.calibrate(head, np.random.default_rng([seed, 0])), target / CALIBRATION)
+    (target / MAPPING).write_text(calibration_map(head, seen).to_toml(), encoding="utf-8")
+    truth(swings, str(target)).write(target / TRUTH)
+    return [*files, target / CALIBRATION, target / MAPPING, target / TRUTH]
+
+
+def truth(swings: Sequence[SyntheticSwing], source: str = "synthetic") -> RecordedShots:
+    """Return the exact deliveries of swings and the launches they were given, in one table."""
+    count = len(swings)
+    sides = ["left" if each.club.hand < 0 else "right" for each in swings]
+    return RecordedShots(
+        deliveries={name: np.array([each.truth[name] for each in swings]) for name in DIMENSIONS},
+        launches={name: np.array([each.launch[name] for each in swings]) for name in LAUNCH},
+        clubs=np.array([each.club.name for each in swings], dtype=object),
+        hand=np.array(sides, dtype=object),
+        rows=np.arange(1, count + 1),
+        source=source,
+        format="synthetic",
+        speed_at="cg",
+        face_at="face",
+    )

@@ -1,0 +1,48 @@
+"""Swings, recordings and set-ups that several tests of motion capture share."""
+
+import math
+
+import numpy as np
+import pytest
+
+pytest.importorskip("ezc3d")
+
+from clubface.motion_capture.reduction import QUANTITIES
+from clubface.motion_capture.setup import prepare
+from clubface.motion_capture.swing import capture
+from clubface.motion_capture.synthetic import Cameras, positions_map, random_swing
+
+SHOWN = {
+    name: math.degrees(1.0)
+    if name in ("attack", "path", "loft", "face", "lie")
+    else 1e3
+    if name in ("toe", "high")
+    else 1.0
+    for name in QUANTITIES
+}
+"""From SI to m/s, degrees, mm and rad/s."""
+
+
+def captured(swing, cameras, *, seed=1, mapping=None, **options):
+    """Record a swing and read it back."""
+    mapping = mapping or positions_map(swing.club, cameras)
+    return capture(cameras.record(swing, seed), prepare(mapping, swing.club, **options))
+
+
+def errors(found, swing):
+    """Captured less true values, in the units of SHOWN, in the order of QUANTITIES."""
+    return np.array([(getattr(found.delivery, name) - swing.truth[name]) * SHOWN[name] for name in QUANTITIES])
+
+
+def deviations(found):
+    """The stated standard deviations in the same units and order."""
+    return np.array([found.uncertainty[name] * SHOWN[name] for name in QUANTITIES])
+
+
+def swings(count, **options):
+    return [random_swing(seed, **options) for seed in range(count)]
+
+
+def world_cameras(**options):
+    """Cameras whose axes are those of the world."""
+    return Cameras(target="+x", up="+y", origin=(0.0, 0.0, 0.0), **options)
