@@ -29,7 +29,7 @@ $(VENV)/.setup: constraints-dev.txt scripts/find-tools.sh
 	@touch $@
 
 $(VENV)/.build: $(VENV)/.setup pyproject.toml $(RUST_SOURCES)
-	$(BIN)/maturin develop --release --extras cli,tables,plots,fem,capture,dev
+	$(BIN)/maturin develop --release --extras cli,tables,plots,fem,capture,fit,dev
 	@touch $@
 
 demo: build ## the published tour averages by every model; tables and pictures in out/

@@ -18,6 +18,7 @@ from clubface.errors import UnknownNameError
 COMMANDS = {
     "shot": "shot",
     "predict": "predict",
+    "identify": "identify",
     "flight": "flight",
     "sensitivity": "sensitivity",
     "models": "models",

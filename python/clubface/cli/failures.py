@@ -18,6 +18,8 @@ EXTRAS = {
     "pyarrow": "tables",
     "meshio": "fem",
     "ezc3d": "capture",
+    "pymoo": "fit",
+    "scipy": "fit",
 }
 """The extra of the package that brings each optional library."""
 

@@ -1,0 +1,170 @@
+"""``clubface identify``: model parameters from measured shots, and how well they are known."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import given, options, output
+from clubface.cli.recorded import RECORDED, recorded_shots
+from clubface.cli.tables import print_numbers
+from clubface.errors import InputError
+
+app = typer.Typer(add_completion=False)
+
+_FIT, _SEARCH, _SHOTS = "What is fitted", "Search and intervals", "Shots"
+
+
+def _option(*names: str, panel: str, metavar: str | None = None, text: str) -> Any:
+    return typer.Option(*names, metavar=metavar, rich_help_panel=panel, help=text, show_default=metavar is None)
+
+
+@app.command()
+@options.takes(RECORDED, options.ONE_MODEL)
+def identify(
+    shots: Annotated[
+        str, typer.Argument(metavar="SHOTS", help="Recorded shots: a launch monitor's file, CSV, Parquet.")
+    ],
+    mismatch: Annotated[
+        str, _option("--mismatch", panel=_SHOTS, text="What shots of another club do: refuse, or note.")
+    ] = "refuse",
+    free: Annotated[
+        list[str] | None,
+        _option(
+            "--free",
+            panel=_FIT,
+            metavar="NAME",
+            text="Parameter to identify; several with commas or repeated, or all. As published unless given.",
+        ),
+    ] = None,
+    tie: Annotated[
+        list[str] | None,
+        _option("--tie", panel=_FIT, metavar="A=B", text="Let parameter A take the value of the free B. Repeatable."),
+    ] = None,
+    bounds: Annotated[
+        list[str] | None,
+        _option("--bounds", panel=_FIT, metavar="NAME=LOW:HIGH", text="Narrower bounds of a parameter. Repeatable."),
+    ] = None,
+    cost: Annotated[
+        str, _option("--cost", panel=_FIT, text="published (P1's Eq. 22), least-squares or robust.")
+    ] = "published",
+    normaliser: Annotated[
+        str, _option("--normaliser", panel=_FIT, text="Of Eq. 22: absolute or signed means.")
+    ] = "absolute",
+    noise: Annotated[
+        list[str] | None,
+        _option("--noise", panel=_FIT, metavar="NAME=VALUE", text='Of the monitor: backspin="80 rpm". Repeatable.'),
+    ] = None,
+    quantities: Annotated[
+        list[str] | None,
+        _option("--quantity", panel=_FIT, metavar="NAME", text="Launch quantity to compare; P1's five unless given."),
+    ] = None,
+    population: Annotated[int, _option("--population", panel=_SEARCH, text="Of the genetic algorithm.")] = 200,
+    generations: Annotated[int, _option("--generations", panel=_SEARCH, text="Of the genetic algorithm.")] = 100,
+    refined: Annotated[int, _option("--refined", panel=_SEARCH, text="Best points refined by derivatives.")] = 5,
+    folds: Annotated[int, _option("--folds", panel=_SEARCH, text="Of the hold-out; 0 for none.")] = 5,
+    bootstrap: Annotated[int, _option("--bootstrap", panel=_SEARCH, text="Bootstrap samples; 0 for none.")] = 200,
+    profiles: Annotated[
+        bool, _option("--profiles/--no-profiles", panel=_SEARCH, text="Make profile likelihoods.")
+    ] = True,
+    confidence: Annotated[float, _option("--confidence", panel=_SEARCH, text="Of the intervals.")] = 0.95,
+    seed: Annotated[int, _option("--seed", panel=_SEARCH, text="Of all random numbers.")] = 1,
+    threads: Annotated[
+        int | None, _option("--threads", panel=_SEARCH, metavar="N", text="All cores unless given.")
+    ] = None,
+    target: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="FILE", help="TOML for --parameters elsewhere.", show_default=False),
+    ] = None,
+    checkpoint: Annotated[
+        str | None,
+        typer.Option(
+            "--checkpoint",
+            metavar="FILE",
+            show_default=False,
+            help="Keeps what is finished; SHOTS-CLUB-MODEL.checkpoint.json unless given.",
+        ),
+    ] = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")] = False,
+    as_json: options.Json = False,
+    **texts: Any,
+) -> None:
+    """Identify parameters of a model from shots whose delivery and launch were measured."""
+    model = given.one_model(texts["model"])
+    ties = {name: value.strip() for name, value in given.pairs(tie or (), "--tie").items()}
+    if target is not None and not target.endswith(".toml"):
+        raise InputError("--output", target, "a file that ends in .toml")
+
+    from clubface.identify.run import identify as fit
+
+    recorded, head = recorded_shots(shots, texts)
+    sets = given.parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])
+    kept = checkpoint or f"{Path(shots).stem}-{head.name}-{model}.checkpoint.json".replace("/", " ")
+    with _progress() as progress:
+        found = fit(
+            recorded, club=head, model=model, parameters=sets[model], free=_names(free), tied=ties or None,
+            bounds=_bounds(bounds), ball=texts["ball"], only=texts["only"], mismatch=mismatch,
+            quantities=_names(quantities), cost=cost, normaliser=normaliser,
+            noise=given.pairs(noise or (), "--noise"), population=population,
+            generations=generations, refined=refined, folds=folds, bootstrap=bootstrap,
+            profiles=None if profiles else (), confidence=confidence, seed=seed, accuracy=texts["accuracy"],
+            threads=threads, checkpoint=kept, resume=resume, progress=progress,
+        )  # fmt: skip
+    if target is not None:
+        Path(target).write_text(found.to_toml(), encoding="utf-8")
+    if as_json:
+        output.print_json(found.to_dict())
+    else:
+        _print(found)
+
+
+def _print(found: Any) -> None:
+    from clubface.identify import report
+
+    share = f"{100 * found.confidence:g}% interval"
+    heads = ["parameter", "value", f"{share}\nfrom", "\nto", "profile\nlikelihood", "\nidentified"]
+    print_numbers(heads, report.parameter_rows(found), title=report.headline(found))
+    print()
+    print_numbers([each.replace(" ", "\n") for each in report.DEVIATION_HEADS], report.deviation_rows(found))
+    output.print_notes([*report.remarks(found), report.effort(found)])
+
+
+def _names(given_names: Iterable[str] | None) -> str | list[str] | None:
+    names = [name.strip() for each in given_names or () for name in each.split(",") if name.strip()]
+    if names == ["all"]:
+        return "all"
+    return names or None
+
+
+def _bounds(texts: Iterable[str] | None) -> dict[str, tuple[str, str]]:
+    found = {}
+    for name, value in given.pairs(texts or (), "--bounds").items():
+        low, colon, high = value.partition(":")
+        if not (colon and low.strip() and high.strip()):
+            raise InputError("--bounds", f"{name}={value}", "of the form name=low:high")
+        found[name] = (low.strip(), high.strip())
+    return found
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[str, int, int, float], object] | None]:
+    """Show the stage and the least cost on the error stream where that is a terminal."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("starting", total=None)
+
+        def told(stage: str, done: int, total: int, best: float) -> None:
+            bar.update(task, completed=done, total=total, description=f"{stage}, least cost {best:.6g}")
+
+        yield told

@@ -1,0 +1,88 @@
+"""What a fit is worth on shots it has not seen, and how far its parameters move on other shots of the same kind."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from clubface.identify.cost import Cost
+from clubface.identify.refine import Linear, refine
+from clubface.identify.simulator import Simulator
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+FOLDS = 5
+BOOTSTRAP = 200
+RADIUS = 0.3
+"""How far the first step of a refit may go, in parts of the range of each parameter."""
+SMALL = 0.02
+"""A refit ends where a step is smaller than this part of the standard error."""
+UNKNOWN = 0.25
+"""Standard error assumed where the data do not tell, in parts of the range."""
+
+
+class Refits:
+    """Fits to parts of the shots, each begun at the optimum of all of them.
+
+    Parameters
+    ----------
+    simulator, cost
+        Of all shots.
+    optimum
+        The fit to all shots, a point of the unit cube.
+    errors
+        Standard errors of its coordinates, infinite where the data do not tell.
+    """
+
+    def __init__(
+        self, simulator: Simulator, cost: Cost, optimum: NDArray[np.float64], errors: NDArray[np.float64]
+    ) -> None:
+        self.simulator = simulator
+        self.cost = cost
+        self.optimum = optimum
+        self.enough = SMALL * np.where(np.isfinite(errors), np.minimum(errors, UNKNOWN), UNKNOWN)
+        self._linear = Linear(*simulator.derivatives(optimum))
+
+    def to(self, counts: NDArray[np.int64]) -> NDArray[np.float64]:
+        """Return the fit to shots that count as often as ``counts`` says, shape (shots,)."""
+        used = np.flatnonzero(counts)
+        first = Linear(self._linear.simulated[:, used], self._linear.derivatives[:, :, used])
+        part = self.simulator.of(self.simulator.shots.select(used))
+        cost = self.cost.select(used, counts[used])
+        return refine(part, cost, self.optimum, radius=RADIUS, first=first, enough=self.enough).point
+
+
+def held_out(
+    refits: Refits, folds: int, seed: int, once: Callable[[str, Callable[[], Any]], Any]
+) -> NDArray[np.float64]:
+    """Return launches of all shots, shape (quantities, shots), each by a fit to the other folds.
+
+    Groups of shots are dealt to folds at random. ``once`` returns a part by name, computed where it is not yet known.
+    """
+    groups = refits.simulator.shots.groups
+    count = int(groups.max()) + 1
+    fold_of = (np.random.default_rng((seed, count, folds)).permutation(count) % folds)[groups]
+    predicted = np.empty_like(refits.simulator.shots.launches)
+    for fold in range(folds):
+        others = (fold_of != fold).astype(np.int64)
+        point = once(f"fold {fold}", lambda others=others: refits.to(others).tolist())
+        left = np.flatnonzero(fold_of == fold)
+        predicted[:, left] = refits.simulator.of(refits.simulator.shots.select(left)).launch(np.array(point))
+    return predicted
+
+
+def bootstrap(
+    refits: Refits, samples: int, seed: int, once: Callable[[str, Callable[[], Any]], Any]
+) -> NDArray[np.float64]:
+    """Return fits to groups drawn with replacement, shape (samples, free): B. Efron, Annals of Statistics 7 (1979)."""
+    groups = refits.simulator.shots.groups
+    count = int(groups.max()) + 1
+    found = []
+    for sample in range(samples):
+        drawn = np.random.default_rng((seed, count, 0, sample)).integers(0, count, count)
+        counts = np.bincount(drawn, minlength=count)[groups]
+        found.append(once(f"bootstrap {sample}", lambda counts=counts: refits.to(counts).tolist()))
+    return np.array(found)

@@ -1,0 +1,161 @@
+"""Whether shots and fit make sense: the right club, enough information, bounds, contact times and forces."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from clubface import units
+from clubface.clubs import Club
+from clubface.errors import InputError, UnknownNameError
+from clubface.identify.free_parameters import FreeParameters
+from clubface.identify.identifiability import Identifiability, identifiability
+from clubface.identify.prepared import PreparedShots
+from clubface.identify.simulator import Simulator
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+MISMATCH = ("refuse", "note")
+LOFT_DIFFERENCE = float(np.radians(12.0))
+"""Mean dynamic loft further than this [rad] from the static loft belongs to another club."""
+AT_BOUND = 1e-4
+"""A parameter within this part of its range of a bound meets it."""
+CONTACT_TIME = (350e-6, 600e-6)
+"""Mean contact times [s] outside this are unphysical: measured ones are 400 to 500 us."""
+PEAK_FORCE = (8e3, 17e3)
+"""Mean peak forces [N] outside this, at 50 m/s, are unphysical: measured drives reach 10 to 14 kN."""
+REFERENCE_SPEED, SPEED_POWER = 50.0, 1.2
+"""Hertz: the peak force grows with the speed [m/s] to the power 6/5."""
+
+_SHORT = {
+    "d": "driver", "dr": "driver", "1w": "driver", "1-wood": "driver", "pw": "pitching-wedge", "gw": "gap-wedge",
+    "aw": "gap-wedge", "sw": "sand-wedge", "lw": "lob-wedge",
+}  # fmt: skip
+_WORDS = {"w": "wood", "i": "iron", "h": "hybrid", "hy": "hybrid", "wood": "wood", "iron": "iron", "hybrid": "hybrid"}
+
+
+def club_kind(name: str) -> str | None:
+    """Return what a club is from its name: "driver", "7-iron", "pitching-wedge"; None if the name does not tell."""
+    plain = "-".join(re.findall(r"[a-z]+|\d+", name.lower()))
+    if plain.replace("-", "") in _SHORT:
+        return _SHORT[plain.replace("-", "")]
+    if plain in _SHORT:
+        return _SHORT[plain]
+    for whole in ("driver", "pitching-wedge", "gap-wedge", "sand-wedge", "lob-wedge"):
+        if whole in plain:
+            return whole
+    number = re.search(r"(?<![a-z\d])(\d)-(wood|iron|hybrid|w|i|hy|h)(?![a-z])", plain)
+    if number:
+        return f"{number[1]}-{_WORDS[number[2]]}"
+    turned = re.search(r"(?<![a-z])(wood|iron|hybrid)-(\d)(?!\d)", plain)
+    return f"{turned[2]}-{turned[1]}" if turned else None
+
+
+def check_club(shots: PreparedShots, recorded_clubs: NDArray[np.object_] | None, mismatch: str) -> list[str]:
+    """Refuse shots of another club than the one given, by their names for it and by their loft, or return a note."""
+    if mismatch not in MISMATCH:
+        raise UnknownNameError("mismatch", mismatch, MISMATCH)
+    club = shots.club
+    found = _other_name(club, recorded_clubs) or _other_loft(shots)
+    if found is None:
+        return []
+    if mismatch == "refuse":
+        raise InputError(
+            "club", club.name, f'the club of these shots: {found} (mismatch="note" takes them all the same)'
+        )
+    return [found]
+
+
+def _other_name(club: Club, recorded: NDArray[np.object_] | None) -> str | None:
+    wanted = club_kind(club.name)
+    if recorded is None or wanted is None:
+        return None
+    kinds = {name: club_kind(str(name)) for name in dict.fromkeys(recorded)}
+    others = [str(name) for name, kind in kinds.items() if kind not in (None, wanted)]
+    return f"they name {', '.join(others)}" if others else None
+
+
+def _other_loft(shots: PreparedShots) -> str | None:
+    mean = shots.mean("loft")
+    if abs(mean - shots.club.loft) <= LOFT_DIFFERENCE:
+        return None
+    delivered, static = units.show(mean, "deg", 3), units.show(shots.club.loft, "deg", 3)
+    return f"their dynamic loft is {delivered} on average, the static loft of {shots.club.name} {static}"
+
+
+def check_information(simulator: Simulator, point: NDArray[np.float64], noise: NDArray[np.float64]) -> list[str]:
+    """Refuse shots that cannot determine the free parameters, naming what they leave open; return remarks on few shots.
+
+    ``point`` is one at which the parameters are tried, such as that of the published set.
+    """
+    shots, free = simulator.shots, simulator.free
+    if len(shots) < 2:
+        advice = "at least two, with different deliveries: one shot leaves nothing to judge the fit by"
+        raise InputError("the number of shots", len(shots), advice)
+    kinds = int(np.isfinite(shots.launches).any(axis=1).sum())
+    distinct = shots.distinct_deliveries()
+    values = min(int(np.isfinite(shots.launches).sum()), kinds * distinct)
+    notes = []
+    if distinct == 1:
+        notes.append(f"all {len(shots)} shots have the same delivery: how the launch depends on it is not tested")
+    if values < len(free):
+        told = identifiability(simulator, point, noise)
+        open_ = "; ".join(each.words for each in told.directions if each.strength in ("none", "unknown"))
+        same = f", since all {len(shots)} shots have the same delivery" if distinct == 1 else ""
+        raise InputError(
+            "the free parameters", ", ".join(free.names),
+            f"at most {values}, as many as there are different measured values{same}. Not determined: {open_}",
+        )  # fmt: skip
+    if len(shots) < 5 * len(free):
+        notes.append(f"{len(shots)} shots are few for {len(free)} parameters: intervals are rough")
+    return notes
+
+
+def fit_warnings(
+    simulator: Simulator, point: NDArray[np.float64], told: Identifiability, costs: list[float]
+) -> list[str]:
+    """Return what must be said of a fit: bounds met, unphysical contacts, what is not identified, a doubtful search."""
+    free = simulator.free
+    found = list(_bounds(free, point)) + _contacts(simulator, point)
+    for each in told.directions:
+        if each.strength in ("none", "unknown"):
+            found.append(f"not identified: {each.words}")
+    best = min(costs)
+    if len(costs) > 1 and sum(cost <= best * (1.0 + 1e-3) + 1e-12 for cost in costs) == 1:
+        second = sorted(costs)[1]
+        found.append(
+            f"only one of {len(costs)} refinements reached the least cost, {best:.6g} (the next {second:.6g}): another"
+            " seed or more generations may find a better fit"
+        )
+    return found
+
+
+def _bounds(free: FreeParameters, point: NDArray[np.float64]) -> list[str]:
+    found = []
+    for each, place, low, high in zip(free.declared(), point, free.lower, free.upper, strict=True):
+        side, bound = ("lower", low) if place < AT_BOUND else ("upper", high)
+        if place < AT_BOUND or place > 1.0 - AT_BOUND:
+            shown = units.show(float(bound), units.display_unit(each.name, each.unit), 4)
+            found.append(f"{each.name} meets its {side} bound, {shown}: the best value may lie beyond it")
+    return found
+
+
+def _contacts(simulator: Simulator, point: NDArray[np.float64]) -> list[str]:
+    times, forces = simulator.contact(point)
+    if not np.isfinite(times).all():
+        return []
+    found = []
+    time, force = float(np.mean(times)), float(np.mean(forces))
+    if not CONTACT_TIME[0] <= time <= CONTACT_TIME[1]:
+        found.append(f"contact lasts {time * 1e6:.0f} us on average; measured contacts last 400 to 500 us")
+    scale = (simulator.shots.mean("speed") / REFERENCE_SPEED) ** SPEED_POWER
+    low, high = (limit * scale for limit in PEAK_FORCE)
+    if not low <= force <= high:
+        usual = f"{10 * scale:.0f} to {14 * scale:.0f} kN"
+        found.append(
+            f"the normal force peaks at {force / 1e3:.1f} kN on average; measured impacts of this speed at {usual}"
+        )
+    return found

@@ -1,0 +1,285 @@
+"""Whole identifications: parameters recovered, interrupted and resumed to the same bits, shots that cannot do."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.recorded import RecordedShots
+from synthetic_shots import deliveries, published, recorded
+
+# What 1e-4 means where the true value is 0: of P1's other displacements, 0.5 mm, and of Penner's slope, 0.0029 s/m.
+ZERO = {"dcg_x": 5e-8, "cor_slope": 2.9e-7}
+QUICK = {"population": 30, "generations": 8, "refined": 3, "folds": 0, "bootstrap": 0, "profiles": ()}
+
+
+@pytest.mark.parametrize(
+    ("model", "club", "cost", "options"),
+    [
+        ("standard", "driver", "least-squares", {}),
+        ("adjusted", "driver", "published", {}),
+        ("adjusted", "7-iron", "robust", {}),
+        ("slip", "7-iron", "published", {}),
+        ("jorgensen", "driver", "published", {}),
+        ("volumetric", "driver", "published", {}),
+        ("volumetric", "7-iron", "least-squares", {}),
+        ("rings", "driver", "published", {"generations": 4, "refined": 2}),
+    ],
+)
+def test_parameters_come_back_from_shots_of_the_same_model(model, club, cost, options):
+    shots = recorded(12 if model == "rings" else 30, model, club=club)
+    found = clubface.identify(shots, club=club, model=model, cost=cost, **{**QUICK, **options})
+    assert found.cost < 1e-8
+    for name in found.free:
+        true = published(model, club).values[name]
+        assert found.parameters.values[name] == pytest.approx(true, rel=1e-4, abs=ZERO.get(name, 0.0))
+    assert not [text for text in found.warnings if "no launch changes" in text]
+
+
+def test_what_cannot_be_recovered_is_reported_and_the_rest_recovered():
+    """The shear modulus G and Poisson's ratio nu of the area model enter as G / (1 - nu) alone."""
+    found = clubface.identify(recorded(30, "area"), club="driver", model="area", **QUICK)
+    values, true = found.parameters.values, published("area").values
+    assert {name for name in found.free if found.identified(name) == "not alone"} == {"shear_modulus", "poisson"}
+    assert any("poisson" in text and "no launch changes" in text for text in found.warnings)
+    for name in ("damping", "friction"):
+        assert values[name] == pytest.approx(true[name], rel=1e-4)
+    stiffness = [each["shear_modulus"] / (1.0 - each["poisson"]) for each in (values, true)]
+    assert stiffness[0] == pytest.approx(stiffness[1], rel=1e-4)
+    # Its true value is its lower bound.
+    assert values["area_damping"] == pytest.approx(0.0, abs=1e-2)
+    assert found.intervals["poisson"] == (0.0, 0.499)
+
+
+SMALL = {
+    "club": "driver", "model": "slip", "free": ["cor", "slip_y", "slip_z"], "population": 10, "generations": 4,
+    "refined": 2, "folds": 3, "bootstrap": 6, "seed": 3,
+}  # fmt: skip
+
+
+def small(**changes):
+    return clubface.identify(recorded(25, "slip", noise=1.0), **{**SMALL, **changes})
+
+
+def answer(found):
+    return json.dumps({**found.to_dict(), "wall_s": 0.0})
+
+
+class Stop:
+    """Presses Ctrl-C when so many parts are finished."""
+
+    def __init__(self, after):
+        self.left = after
+
+    def __call__(self, stage, done, of, best):
+        self.left -= 1
+        if self.left == 0:
+            raise KeyboardInterrupt
+
+
+# 4 generations, 2 refinements, 3 folds, 6 samples, 3 profiles: 18 parts.
+@pytest.mark.parametrize("after", [1, 3, 4, 5, 8, 12, 17])
+def test_an_interrupted_identification_resumes_to_the_same_bits(tmp_path, after):
+    path = tmp_path / "fit.json"
+    with pytest.raises(KeyboardInterrupt, match=r"kept in .*fit\.json; resume"):
+        small(checkpoint=path, progress=Stop(after))
+    with pytest.raises(KeyboardInterrupt):
+        small(checkpoint=path, progress=Stop(1), resume=True)
+    assert answer(small(checkpoint=path, resume=True)) == answer(small())
+    assert not path.exists()
+
+
+def test_the_number_of_threads_changes_no_bit():
+    assert answer(small(threads=1)) == answer(small(threads=3))
+
+
+def test_another_seed_searches_elsewhere_and_finds_the_same_fit():
+    one, other = small(), small(seed=4)
+    assert answer(one) != answer(other)
+    assert one.cost == pytest.approx(other.cost, rel=1e-6)
+
+
+def test_a_checkpoint_of_something_else_is_refused(tmp_path):
+    path = tmp_path / "fit.json"
+    with pytest.raises(KeyboardInterrupt):
+        small(checkpoint=path, progress=Stop(5))
+    for changes in (
+        {"seed": 4},
+        {"free": ["slip_y"]},
+        {"cost": "robust"},
+        {"parameters": {"cor": 0.8}, "free": "slip_y"},
+    ):
+        with pytest.raises(FileError, match="other shots or with other settings"):
+            small(checkpoint=path, resume=True, **changes)
+    with pytest.raises(FileError, match="other shots"):
+        clubface.identify(recorded(25, "slip", noise=1.0, seed=9), checkpoint=path, resume=True, **SMALL)
+    for content in ("", "{}", '{"format": 1, "settings": 1, "seconds": 1, "parts": {"a": 1}}', "[1]"):
+        path.write_text(content)
+        with pytest.raises(FileError, match="cannot be read as a checkpoint"):
+            small(checkpoint=path, resume=True)
+    assert small(checkpoint=tmp_path / "none.json", resume=True).cost > 0.0
+
+
+def test_the_effort_is_that_of_a_search_of_p1():
+    found = small(folds=0, bootstrap=0, profiles=())
+    assert found.evaluations >= 40 + 2 * 2
+    assert found.impacts == found.evaluations * 25
+    assert found.method == "information"
+    assert np.isnan(found.cost_holdout)
+
+
+def test_the_hold_out_and_the_intervals_say_what_a_fit_is_worth():
+    found = small(folds=5, bootstrap=60, noise={"backspin": "60 rpm"})
+    # Held out, a fit is worse than on what it was made from; three parameters on 25 shots cost it little.
+    assert found.cost < found.cost_holdout < 1.5 * found.cost
+    assert set(found.intervals) == {"cor", "slip_y", "slip_z"}
+    for name, (low, high) in found.intervals.items():
+        assert low < found.parameters.values[name] < high
+    assert found.deviations["backspin"].mae < found.deviations["backspin"].mae_holdout
+
+
+def test_the_parameters_are_a_set_to_use_and_to_write(tmp_path):
+    found = small()
+    path = tmp_path / "fit.toml"
+    path.write_text(found.to_toml())
+    read = clubface.ParameterSet.from_toml(path)
+    assert dict(read.values) == dict(found.parameters.values)
+    launch = clubface.impact("driver", speed=50.0, model="slip", parameters=found.parameters)
+    assert launch.ball_speed == clubface.impact("driver", speed=50.0, model="slip", parameters=path).ball_speed
+    text = repr(found)
+    assert text.startswith("slip, driver, 25 shots: P1's cost (22) 0.")
+    assert "slip_y" in text
+    assert "backspin [rpm]" in text
+
+
+def test_a_fit_at_a_bound_is_warned_of():
+    # The true slip ratio is -0.0103.
+    shots = recorded(20, "slip", noise=0.1)
+    found = clubface.identify(shots, club="driver", model="slip", bounds={"slip_y": (-0.01, 0.5)}, **QUICK)
+    assert any(text.startswith("slip_y meets its lower bound, -0.01") for text in found.warnings)
+    assert clubface.identify(shots, club="driver", model="slip", **QUICK).warnings == ()
+
+
+def test_an_unphysical_contact_is_warned_of():
+    shots = recorded(20, "area")
+    options = {"club": "driver", "model": "area", "free": ["friction", "damping"], **QUICK}
+    # G 17 times too large: contact of some 170 us at 36 kN.
+    told = " ".join(clubface.identify(shots, parameters={"shear_modulus": "9e8 Pa"}, **options).warnings)
+    assert "measured contacts last 400 to 500 us" in told
+    assert "kN on average" in told
+    told = " ".join(clubface.identify(shots, **options).warnings)
+    assert "contact" not in told
+    assert "kN" not in told
+
+
+def edited(shots, **changes):
+    deliveries_, launches = dict(shots.deliveries), dict(shots.launches)
+    for name, values in changes.items():
+        (deliveries_ if name in deliveries_ else launches)[name] = np.asarray(values, dtype=float)
+    return RecordedShots(
+        deliveries=deliveries_, launches=launches, rows=shots.rows, source=shots.source, format=shots.format
+    )
+
+
+def test_rows_without_a_number_are_set_aside_with_their_reason():
+    shots = recorded(10, "slip", noise=1.0)
+    speed, backspin = shots.deliveries["speed"].copy(), shots.launches["backspin"].copy()
+    speed[2] = np.nan
+    backspin[4] = np.nan
+    toe = shots.deliveries["toe"].copy()
+    toe[7] = 0.2
+    found = clubface.identify(edited(shots, speed=speed, backspin=backspin, toe=toe), **{**SMALL, "free": "slip_y"})
+    assert found.shots == 8
+    assert [each.line for each in found.dropped] == [4, 9]
+    assert "speed" in found.dropped[0].reason
+    assert "face outline" in found.dropped[1].reason
+    with pytest.raises(InputError, match="speed"):
+        clubface.identify(edited(shots, speed=np.full(10, np.nan)), **SMALL)
+    nothing = dict.fromkeys(shots.launches, np.full(10, np.nan))
+    with pytest.raises(InputError, match="launch"):
+        clubface.identify(edited(shots, **nothing), **SMALL)
+
+
+def test_a_quantity_that_was_not_measured_is_left_out_and_said():
+    shots = recorded(10, "slip", noise=1.0)
+    found = clubface.identify(edited(shots, azimuth=np.full(10, np.nan)), **SMALL)
+    assert list(found.deviations) == ["ball_speed", "launch", "backspin", "sidespin"]
+    assert "not measured, so not in the cost: azimuth" in found.notes
+
+
+def test_shots_of_a_player_are_left_out_and_drawn_together():
+    """Every shot four times: as independent shots they look twice as certain as they are."""
+    one = recorded(12, "slip", noise=1.0)
+    four = one.select(np.repeat(np.arange(12), 4))
+    options = {**SMALL, "free": ["slip_y", "slip_z"], "bootstrap": 80, "folds": 12, "profiles": ()}
+    single, loose = clubface.identify(one, **options), clubface.identify(four, **options)
+    grouped = clubface.identify(four, groups=np.repeat(np.arange(12), 4), **options)
+    width = {name: np.ptp(found.intervals["slip_y"]) for name, found in
+             (("single", single), ("loose", loose), ("grouped", grouped))}  # fmt: skip
+    # Half of sqrt(4), up to the scatter of 80 samples.
+    assert 0.3 < width["loose"] / width["single"] < 0.75
+    assert grouped.intervals["slip_y"] == pytest.approx(single.intervals["slip_y"], rel=1e-3)
+    assert grouped.cost_holdout > loose.cost_holdout
+    with pytest.raises(InputError, match="one label a shot"):
+        clubface.identify(one, groups=[1, 2], **options)
+
+
+def test_one_shot_is_not_enough():
+    with pytest.raises(InputError, match="number of shots is 1; it must be at least two"):
+        clubface.identify(recorded(1, "slip"), **SMALL)
+
+
+def test_shots_that_are_all_the_same_say_what_they_leave_open():
+    one = {name: np.repeat(values[:1], 30) for name, values in deliveries(1).items()}
+    one["toe"][:], one["path"][:], one["face"][:] = 0.01, 0.05, 0.0
+    shots = recorded(30, "volumetric", noise=1.0, delivery=one)
+    with pytest.raises(
+        InputError, match=r"at most 5.*all 30 shots have the same delivery.*Not determined: .*stiffness"
+    ):
+        clubface.identify(shots, club="driver", model="volumetric", **QUICK)
+    found = clubface.identify(shots, club="driver", model="volumetric", free=["damping", "friction"], **QUICK)
+    assert any("same delivery" in text for text in found.notes)
+
+
+def test_more_parameters_than_information_are_refused():
+    shots = recorded(2, "volumetric")
+    with pytest.raises(InputError, match=r"at most 4, as many as there are different measured values"):
+        clubface.identify(shots, club="driver", model="volumetric", quantities=["ball_speed", "launch"], **QUICK)
+
+
+def test_shots_of_another_club_are_refused():
+    shots = recorded(10, "slip")
+    with pytest.raises(InputError, match=r"club is '7-iron'.*dynamic loft is .* static loft of 7-iron 30.5 deg"):
+        clubface.identify(shots, **{**SMALL, "club": "7-iron"})
+    found = clubface.identify(shots, **{**SMALL, "club": "7-iron"}, mismatch="note")
+    assert any("static loft" in text for text in found.notes)
+    named = RecordedShots(
+        deliveries=shots.deliveries, launches=shots.launches, clubs=np.array(["7 Iron"] * 10, dtype=object),
+        rows=shots.rows, source="range.csv", format="clubface",
+    )  # fmt: skip
+    with pytest.raises(InputError, match="they name 7 Iron"):
+        clubface.identify(named, **SMALL)
+    assert clubface.identify(named, **SMALL, only="7 Iron").shots == 10
+
+
+@pytest.mark.parametrize(
+    ("changes", "text"),
+    [
+        ({"population": 2}, "population is 2; it must be a whole number of at least 4"),
+        ({"folds": 1}, "folds is 1"),
+        ({"generations": 1.5}, "generations is 1.5"),
+        ({"confidence": 95}, "confidence is 95"),
+        ({"profiles": ["friction"]}, "profiles is 'friction'"),
+        ({"quantities": ["carry"]}, "carry"),
+        ({"model": "fem"}, "one with derivatives"),
+        ({"parameters": {"cor": np.array([0.8, 0.81])}}, "a single number"),
+        ({"mismatch": "ignore"}, "refuse"),
+    ],
+)
+def test_an_option_out_of_its_range_is_named(changes, text):
+    with pytest.raises((InputError, UnknownNameError), match=text):
+        small(**changes)
