@@ -136,6 +136,11 @@ def test_the_hold_out_and_the_intervals_say_what_a_fit_is_worth():
     found = small(folds=5, bootstrap=60, noise={"backspin": "60 rpm"})
     # Held out, a fit is worse than on what it was made from; three parameters on 25 shots cost it little.
     assert found.cost < found.cost_holdout < 1.5 * found.cost
+    # The held-out launches themselves: P1's cost of them is the one stated.
+    assert found.held_out is not None
+    measured = np.array([recorded(25, "slip", noise=1.0).launches[name] for name in found.deviations])
+    parts = np.abs(found.held_out - measured).mean(axis=1) / np.abs(measured).mean(axis=1)
+    assert parts.sum() == pytest.approx(found.cost_holdout, rel=1e-12)
     assert set(found.intervals) == {"cor", "slip_y", "slip_z"}
     for name, (low, high) in found.intervals.items():
         assert low < found.parameters.values[name] < high

@@ -84,6 +84,8 @@ class Identification:
         Costs the refinements ended at.
     samples
         Parameters of the bootstrap [SI], shape (samples, free).
+    held_out
+        Launches of every shot by a fit without it [SI], shape (quantities, shots); None without hold-out.
     identifiability
         What the shots can tell, by Fisher's information.
     profiles
@@ -114,6 +116,7 @@ class Identification:
     dropped: tuple[RejectedRow, ...]
     refined: tuple[float, ...]
     samples: NDArray[Any]
+    held_out: NDArray[Any] | None
     identifiability: Identifiability
     profiles: Mapping[str, Profile]
     warnings: tuple[str, ...]

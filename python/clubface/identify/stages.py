@@ -146,7 +146,8 @@ class Stages:
                 for place, name in enumerate(shots.quantities)
             },
             evaluations=spent.evaluations, impacts=spent.impacts, wall_s=self.checkpoint.seconds, shots=len(shots),
-            dropped=shots.dropped, refined=tuple(costs), samples=samples, identifiability=told, profiles=profiles,
+            dropped=shots.dropped, refined=tuple(costs), samples=samples, held_out=held,
+            identifiability=told, profiles=profiles,
             warnings=warnings, notes=notes, settings=dict(self.settings),
         )  # fmt: skip
 
