@@ -54,13 +54,15 @@ class Document:
         return cls(text, name)
 
     def line(self, key: str, table: str = "", occurrence: int = 0) -> int | None:
-        """Find the line (from 1) that sets ``key`` in the given ``occurrence`` of ``table``, or None."""
+        """Find the line (from 1) that sets ``key`` in the given ``occurrence`` of ``table``, or opens it, or None."""
         here, seen = "", {"": 0}
         for number, line in enumerate(self._lines, 1):
             text = line.strip()
             if text.startswith("["):
                 here = text.split("#")[0].strip("[] \t").replace(" ", "")
                 seen[here] = seen.get(here, -1) + 1
+                if not table and here == key:
+                    return number
             elif here == table and seen[here] == occurrence and text.split("=")[0].strip(" \t\"'") == key:
                 return number
         return None

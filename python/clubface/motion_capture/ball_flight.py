@@ -12,6 +12,8 @@ from clubface.motion_capture.rotations import Array
 
 REST = 0.25
 """Seconds before it leaves over which the place of the ball is averaged."""
+SHORTEST = 5
+"""Frames in a row that make a resting place."""
 LEAST_SPEED = 1.0
 """m/s; a ball slower than that lies still."""
 TIMES_USUAL = 6.0
@@ -35,6 +37,8 @@ class RestingBall(NamedTuple):
         Standard deviation of one frame along an axis [m].
     frames
         Frames averaged.
+    span
+        The first and the last frame in which it is seen to lie there.
     departure
         The first frame in which it has moved, or None where it is not seen to.
     """
@@ -42,6 +46,7 @@ class RestingBall(NamedTuple):
     centre: Array
     noise: float
     frames: int
+    span: tuple[int, int]
     departure: int | None
 
 
@@ -67,8 +72,8 @@ class Launched(NamedTuple):
     frames: int
 
 
-def at_rest(seen: Array, rate: float) -> RestingBall | None:
-    """Find the place of a ball that lies still and is then hit, or only lies still; None if it is never seen.
+def resting_places(seen: Array, rate: float) -> list[RestingBall]:
+    """Return where the ball lies still, the last place first: it may be carried about before it is hit.
 
     Parameters
     ----------
@@ -79,17 +84,21 @@ def at_rest(seen: Array, rate: float) -> RestingBall | None:
     """
     known = np.flatnonzero(visible(seen))
     if not len(known):
-        return None
+        return []
     steps = np.linalg.norm(np.diff(seen[known], axis=0), axis=-1) / np.diff(known) * rate
     # The lower quartile of the distance of two points of unit noise in three dimensions is 1.101 sqrt(2).
     usual = float(np.quantile(steps, 0.25)) if len(steps) else 0.0
     noise = usual / (1.101 * math.sqrt(2.0)) / rate
-    limit = max(LEAST_SPEED, TIMES_USUAL * usual)
-    moving = np.flatnonzero(steps > limit)
-    departure = int(known[moving[0] + 1]) if len(moving) else None
-    end = len(known) if departure is None else int(moving[0]) + 1
-    still = known[:end][known[:end] >= known[end - 1] - REST * rate]
-    return RestingBall(seen[still].mean(0), noise, len(still), departure)
+    ends = np.append(np.flatnonzero(steps > max(LEAST_SPEED, TIMES_USUAL * usual)), len(known) - 1)
+    starts = np.append(0, ends[:-1] + 1)
+    places = []
+    for start, end in zip(starts.tolist(), ends.tolist(), strict=True):
+        run = known[start : end + 1]
+        recent = run[run >= run[-1] - REST * rate]
+        if end - start + 1 >= SHORTEST or len(known) < SHORTEST:
+            departure = int(known[end + 1]) if end + 1 < len(known) else None
+            places.append(RestingBall(seen[recent].mean(0), noise, len(recent), (int(run[0]), int(run[-1])), departure))
+    return places[::-1]
 
 
 def flight(seen: Array, times: Array, ball: RestingBall, touch: float) -> Launched | None:

@@ -47,6 +47,10 @@ def of_delivery(values: Mapping[str, float], deviations: Mapping[str, float], cl
             f"the dynamic loft of {math.degrees(values['loft']):.1f} deg is far from the"
             f" {math.degrees(club.loft):.1f} deg of {club.name}: a wrong club, mapping or calibration"
         )
+    if abs(values["lie"]) > math.radians(45.0):
+        notes.append(
+            f"the lie of {math.degrees(values['lie']):.0f} deg is no club's: the axis that points up may be wrong"
+        )
     if deviations["loft"] > math.radians(2.0):
         notes.append(
             "the dynamic loft is not known to 2 deg: too few markers, too near together, or gaps before impact"
@@ -105,13 +109,11 @@ def of_track(followed: Track, cluster: Registration, first_frame: int) -> list[s
     return notes
 
 
-def of_fit(misfit: float, gap_frames: int, freedom: int) -> list[str]:
+def of_fit(misfit: float, missing: int, freedom: int) -> list[str]:
     """Return what is doubtful about the path and its noise."""
     notes = []
-    if gap_frames > 2:
-        notes.append(
-            f"the last {gap_frames - 1} frames before impact do not show the clubhead's pose: extended across them"
-        )
+    if missing > 1:
+        notes.append(f"the last {missing} frames before impact do not show the clubhead's pose: extended across them")
     if misfit > ROUGH:
         notes.append(
             f"the path departs from the estimator's by {misfit:.1f} times the variance expected: its uncertainty is too"

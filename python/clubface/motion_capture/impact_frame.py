@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -44,15 +45,9 @@ class Interval(NamedTuple):
 
 
 def find_impact(
-    position: Array,
-    rotation: Array,
-    seen_ball: Array,
-    ball: RestingBall,
-    club: Club,
-    radius: float,
-    rate: float,
-    where: str,
-) -> Interval:
+    position: Array, rotation: Array, seen_ball: Array, places: Sequence[RestingBall], club: Club, radius: float,
+    rate: float, where: str,
+) -> tuple[Interval, RestingBall]:  # fmt: skip
     """Find the frames between which the face passes where the ball lies, and make sure that it hit the ball.
 
     Parameters
@@ -61,8 +56,8 @@ def find_impact(
         Of the CG [m] and from club axes to the world; NaN in frames without a pose.
     seen_ball
         Centre of the ball in every frame [m]; NaN where it is not seen.
-    ball
-        At rest.
+    places
+        Where the ball lay, the last place first; the first at which it is met counts.
     club, radius
         The face, and the radius of the ball [m].
     rate
@@ -70,48 +65,58 @@ def find_impact(
     where
         The file, for errors.
 
+    Returns
+    -------
+    tuple
+        The frames, and the ball where it was met.
+
     Raises
     ------
     FileError
         No impact: the face never passes the ball, or the ball stays, or the head is not slowed.
     """
-    ahead, local = gap(position, rotation, ball.centre, club, radius)
+    for ball in places:
+        ahead, local = gap(position, rotation, ball.centre, club, radius)
+        found = _pass(ahead, np.hypot(local[..., 1], local[..., 2]), ball, rate)
+        if found is not None:
+            notes = _make_sure(position, seen_ball, ball, found, rate, where)
+            return found._replace(notes=found.notes + notes), ball
+    away = np.linalg.norm(gap(position, rotation, places[0].centre, club, radius)[1], axis=-1)
+    nearest = int(np.nanargmin(away))
+    stays = "the ball stays" if places[0].departure is None else "the ball leaves"
+    raise FileError(
+        where, None,
+        f"no impact: the face does not pass the ball; its centre comes no nearer than {away[nearest] * 1e3:.0f} mm"
+        f" (frame {nearest + 1} of {len(away)}), and {stays}",
+    )  # fmt: skip
+
+
+def _pass(ahead: Array, aside: Array, ball: RestingBall, rate: float) -> Interval | None:
+    """Return the frames between which the face passes a ball while it lies there, None if it does not."""
     known = np.flatnonzero(np.isfinite(ahead))
     first, second = known[:-1], known[1:]
     closing = (ahead[first] - ahead[second]) / (second - first) * rate
-    aside = np.hypot(local[..., 1], local[..., 2])
     passes = (ahead[first] > 0.0) & (ahead[second] <= 0.0) & (closing > APPROACH) & (second - first <= WIDEST)
     passes &= np.minimum(aside[first], aside[second]) < ASIDE
+    passes &= (second >= ball.span[0]) & (first <= ball.span[1] + WIDEST)
     places = np.flatnonzero(passes)
-    if len(places):
-        # The one at which the ball leaves; without that, the fastest: a practice swing is slower, or misses.
-        key = closing[places] if ball.departure is None else -np.abs(second[places] - ball.departure)
-        chosen = places[int(np.argmax(key))]
-        found = Interval(int(first[chosen]), int(second[chosen]))
-    else:
-        found = _last_seen(ahead, known, ball, aside)
-        if found is None:
-            away = np.linalg.norm(local, axis=-1)
-            nearest = int(np.nanargmin(away))
-            stays = "the ball stays" if ball.departure is None else "the ball leaves"
-            raise FileError(
-                where, None,
-                f"no impact: the face does not pass the ball; its centre comes no nearer than"
-                f" {away[nearest] * 1e3:.0f} mm (frame {nearest + 1} of {len(away)}), and {stays}",
-            )  # fmt: skip
-    return found._replace(notes=found.notes + _make_sure(position, seen_ball, ball, found, rate, where))
+    if not len(places):
+        return _last_seen(ahead, known, ball, aside)
+    # The one at which the ball leaves; without that, the fastest: a practice swing is slower, or misses.
+    key = closing[places] if ball.departure is None else -np.abs(second[places] - ball.departure)
+    chosen = places[int(np.argmax(key))]
+    return Interval(int(first[chosen]), int(second[chosen]))
 
 
 def _last_seen(ahead: Array, known: Array, ball: RestingBall, aside: Array) -> Interval | None:
-    """Return the interval of a head that is lost from sight before the ball leaves."""
-    if ball.departure is None:
-        return None
-    earlier = known[known < ball.departure]
-    if len(earlier) < 2 or ball.departure - earlier[-1] > WIDEST or aside[earlier[-1]] > ASIDE:
+    """Return the interval of a head that is lost from sight before the ball leaves, or is lost from sight as well."""
+    gone = ball.span[1] + 1 if ball.departure is None else ball.departure
+    earlier = known[known < gone]
+    if gone >= len(ahead) or len(earlier) < 2 or gone - earlier[-1] > WIDEST or aside[earlier[-1]] > ASIDE:
         return None
     if not ahead[earlier[-2]] > ahead[earlier[-1]] > 0.0:
         return None
-    return Interval(int(earlier[-1]), ball.departure, ("the clubhead is lost from sight before it meets the ball",))
+    return Interval(int(earlier[-1]), gone, ("the clubhead is lost from sight before it meets the ball",))
 
 
 def _make_sure(

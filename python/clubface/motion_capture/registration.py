@@ -131,6 +131,5 @@ def _scatter(turned: Array) -> float:
 
     It holds the noise of that frame as well, and so is not too small.
     """
-    if len(turned) < 2:
-        return 0.0
-    return float(np.sqrt(np.nanmean(np.nanvar(turned, axis=0, ddof=1))))
+    often = visible(turned).sum(0) > 1
+    return float(np.sqrt(np.mean(np.nanvar(turned[:, often], axis=0, ddof=1)))) if often.any() else 0.0

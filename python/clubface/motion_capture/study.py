@@ -16,7 +16,7 @@ from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.rotations import Array
 from clubface.motion_capture.setup import Setup, prepare
 from clubface.motion_capture.swing import capture
-from clubface.motion_capture.synthetic.files import positions_map
+from clubface.motion_capture.synthetic.files import check_count, positions_map
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 
@@ -120,6 +120,7 @@ def study(
     progress
         Called with the swings read and all of them.
     """
+    check_count(count)
     seen = cameras or Cameras()
     names = tuple(estimators)
     for name in names:

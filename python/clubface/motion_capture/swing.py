@@ -15,13 +15,14 @@ from clubface.delivery import Delivery
 from clubface.errors import CaptureWarning, FileError
 from clubface.motion_capture import checks
 from clubface.motion_capture.approach import follow
-from clubface.motion_capture.ball_flight import Launched, RestingBall, at_rest, flight
+from clubface.motion_capture.ball_flight import Launched, RestingBall, flight, resting_places
 from clubface.motion_capture.captured import CapturedDelivery
 from clubface.motion_capture.estimators import ROUGHNESS
 from clubface.motion_capture.impact_frame import find_impact
 from clubface.motion_capture.mapping import MarkerMap
 from clubface.motion_capture.recording import Recording, read_c3d
 from clubface.motion_capture.reduction import QUANTITIES, with_covariance
+from clubface.motion_capture.rigid_body import visible
 from clubface.motion_capture.rotations import Array
 from clubface.motion_capture.setup import Setup, prepare
 from clubface.motion_capture.tracking import LEAST_MISFIT, Track, look_alikes, track
@@ -97,9 +98,9 @@ def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
     where, head, radius = recording.path, setup.club, setup.ball.radius
     turn, cluster = setup.turn(recording), setup.cluster(recording)
     followed = track(cluster.shape, recording.markers(cluster.names) @ turn.T, cluster.names, where)
-    seen_ball, ball = _ball(recording, setup, turn)
+    seen_ball, places = _ball(recording, setup, turn)
     position, rotation = followed.poses.position, followed.poses.rotation
-    interval = find_impact(position, rotation, seen_ball, ball, head, radius, recording.rate, where)
+    interval, ball = find_impact(position, rotation, seen_ball, places, head, radius, recording.rate, where)
     noise, freedom = _noise(followed, interval.before, setup, where)
     approach = follow(
         recording.times, followed, interval, ball.centre, head, radius,
@@ -114,12 +115,13 @@ def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
     if abs(values["path"]) > 0.5 * math.pi:
         raise FileError(where, None, "the clubhead moves away from the target: turn the axis that points to it round")
     deviations = dict(zip(QUANTITIES, np.sqrt(np.diag(covariance)).tolist(), strict=True))
+    before = math.floor(approach.touch * recording.rate)
     flown = flight(seen_ball, recording.times, ball, approach.touch)
     notes = [
         *checks.of_track(followed, cluster, recording.first_frame),
         *checks.of_delivery(values, deviations, head),
         *checks.of_launch(values, head.replace(hand="right"), setup.ball, flown, approach.touch),
-        *checks.of_fit(approach.path.misfit, int(interval.after - approach.frames[-1]), freedom),
+        *checks.of_fit(approach.path.misfit, before - int(approach.frames[-1]), freedom),
         *interval.notes,
         *cluster.notes,
         *(
@@ -140,7 +142,7 @@ def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
         club=head,
         estimator=setup.estimator,
         time=approach.touch,
-        frames=(int(approach.frames[-1]) + recording.first_frame, interval.after + recording.first_frame),
+        frames=(before + recording.first_frame, before + recording.first_frame + 1),
         used=len(approach.frames),
         marker_noise=noise,
         marker_noise_freedom=freedom,
@@ -150,19 +152,19 @@ def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
     )
 
 
-def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, RestingBall]:
-    """Return the centre of the ball in every frame and at rest, in world axes as a right-hander sees them."""
+def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[RestingBall]]:
+    """Return the centre of the ball in every frame and where it rests, in world axes as a right-hander sees them."""
     mapping = setup.mapping
     if mapping.ball is None:
         place = turn @ np.array(mapping.ball_position)
-        return np.full((len(recording.positions), 3), np.nan), RestingBall(place, mapping.accuracy, 1, None)
+        always = (0, len(recording.positions) - 1)
+        return np.full((len(recording.positions), 3), np.nan), [RestingBall(place, mapping.accuracy, 1, always, None)]
     offset = np.array(mapping.ball_offset) * (MIRROR if setup.club.hand < 0 else 1.0)
     seen = recording.marker(mapping.ball) @ turn.T + offset
-    found = at_rest(seen, recording.rate)
-    if found is None:
-        raise FileError(
-            recording.path, None, f"the ball's marker {mapping.ball} is never seen; give its position instead"
-        )
+    found = resting_places(seen, recording.rate)
+    if not found:
+        lost = "seen at rest" if visible(seen).any() else "seen"
+        raise FileError(recording.path, None, f"the ball's marker {mapping.ball} is never {lost}; give its position")
     return seen, found
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from clubface.clubs import Club
 from clubface.delivery import DIMENSIONS
+from clubface.errors import InputError
 from clubface.motion_capture.mapping import MarkerMap
 from clubface.motion_capture.recording import write_c3d
 from clubface.motion_capture.synthetic.golfer import random_swing
@@ -17,6 +18,7 @@ from clubface.motion_capture.synthetic.laboratory import BALL, CLUSTERS, FACE, C
 from clubface.motion_capture.synthetic.swing import LAUNCH, SyntheticSwing
 from clubface.recorded import RecordedShots
 
+MOST = 100_000
 MAPPING, CALIBRATION, TRUTH = "markers.toml", "calibration.c3d", "truth.csv"
 
 
@@ -74,6 +76,7 @@ def synthesize(
     from clubface.clubs import club as club_of
     from clubface.fem.files import prepare
 
+    check_count(count)
     seen, head = cameras or Cameras(), club_of(club)
     head = head if hand is None else head.replace(hand=hand)
     target = prepare(folder)
@@ -88,6 +91,12 @@ def synthesize(
     (target / MAPPING).write_text(calibration_map(head, seen).to_toml(), encoding="utf-8")
     truth(swings, str(target)).write(target / TRUTH)
     return [*files, target / CALIBRATION, target / MAPPING, target / TRUTH]
+
+
+def check_count(count: object) -> None:
+    """Refuse what is no number of swings."""
+    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST:
+        raise InputError("count", count, f"a whole number from 1 to {MOST}")
 
 
 def truth(swings: Sequence[SyntheticSwing], source: str = "synthetic") -> RecordedShots:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from clubface.clubs import Club
+from clubface.errors import InputError
 from clubface.motion_capture.attitude import delivered, face_axes
 from clubface.motion_capture.face import face_point, nearest
 from clubface.motion_capture.laboratory import axis
@@ -74,6 +75,18 @@ class Cameras:
     up: str = "+z"
     origin: Point = field(default=(0.35, -0.2, 0.01))
     calibration_frames: int = 200
+
+    def __post_init__(self) -> None:
+        checks = {
+            "rate": (60.0 <= self.rate <= 1e5, "from 60 to 100000 Hz"),
+            "noise": (0.0 <= self.noise <= 0.01, "from 0 to 10 mm"),
+            "gaps": (0.0 <= self.gaps <= 0.5, "from 0 to 0.5"),
+            "gap": (self.gap >= 1.0, "1 frame or more"),
+            "calibration_frames": (self.calibration_frames >= 1, "1 or more"),
+        }
+        for name, (fine, allowed) in checks.items():
+            if not fine:
+                raise InputError(name, getattr(self, name), allowed)
 
     def record(self, swing: SyntheticSwing, seed: int | np.random.Generator, *, path: str = "<synthetic>") -> Recording:
         """Return the recording of a swing; impact falls at random between two frames."""
