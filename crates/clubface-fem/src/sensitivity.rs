@@ -1,10 +1,13 @@
-//! Derivatives of the launch with respect to everything that goes into an impact with a rigid head, by running the same code on dual numbers.
+//! Derivatives of the launch with respect to everything that goes into an impact with a head, by running the same code on dual numbers.
 
 use crate::ball::{Ball, Piece};
 use crate::cases::against_head;
+use crate::element::{Isotropic, ShellMaterial};
 use crate::error::FemError;
+use crate::head::{ShellHead, ShellPart};
 use crate::material::{Material, Maxwell};
-use crate::solve::{Options, Progress};
+use crate::mesh::ShellMesh;
+use crate::solve::{Impact, Options, Progress};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::launch::OUTPUT_COUNT;
 use clubface_impact::shot::{Shot, INPUTS, INPUT_COUNT};
@@ -13,11 +16,13 @@ use clubface_math::{Dual, Real};
 /// Derivatives found in one run.
 const WIDTH: usize = 4;
 
-/// A ball about to be met by a rigid head.
+/// A ball about to be met by a head.
 #[derive(Clone, Debug)]
 pub struct Setting {
     /// The ball.
     pub ball: Ball<f64>,
+    /// The head, if it is one of shells: then the clubhead of `inputs` is that of its mesh, and no variable.
+    pub head: Option<ShellHead<f64>>,
     /// Delivery, club and ball in the order of [`INPUTS`]; those of the ball are not used, as its pieces say more.
     pub inputs: [f64; INPUT_COUNT],
     /// Coefficient of friction.
@@ -34,7 +39,8 @@ pub struct Sensitivity {
 }
 
 impl Setting {
-    /// Names of all variables: inputs that are differentiable, "friction", and constants of the pieces such as "cover.shear".
+    /// Names of all variables: inputs that are differentiable, "friction", constants of the pieces such as "cover.shear", and those of parts of
+    /// a head such as "head.face.thickness", the mean over the part.
     #[must_use]
     pub fn variables(&self) -> Vec<String> {
         let mut names = Vec::new();
@@ -46,10 +52,11 @@ impl Setting {
     }
 
     /// The same setting in another number, each variable made by `number` from its name and value.
-    fn lift<R: Real>(&self, number: &mut dyn FnMut(&str, f64) -> R) -> (Ball<R>, FirstTouch<R>, R) {
+    fn lift<R: Real>(&self, number: &mut dyn FnMut(&str, f64) -> R) -> Lifted<R> {
+        let groups = if self.head.is_some() { &["delivery"][..] } else { &["delivery", "club"] };
         let inputs = std::array::from_fn(|i| {
             let input = &INPUTS[i];
-            if input.differentiable && input.group != "ball" {
+            if input.differentiable && groups.contains(&input.group) {
                 number(input.name, self.inputs[i])
             } else {
                 R::from_f64(self.inputs[i])
@@ -58,7 +65,8 @@ impl Setting {
         let friction = number("friction", self.friction);
         let pieces = self.ball.pieces.iter().map(|piece| lift_piece(piece, number)).collect();
         let ball = Ball { pieces, cube: self.ball.cube, element: self.ball.element, mass: self.ball.mass };
-        (ball, FirstTouch::of(&Shot::from_inputs(&inputs)), friction)
+        let head = self.head.as_ref().map(|head| lift_head(head, number));
+        Lifted { ball, head, touch: FirstTouch::of(&Shot::from_inputs(&inputs)), friction }
     }
 
     /// Launch and its derivatives by some of [`Setting::variables`]; a run of the impact for every four of them. `watch` is called with the
@@ -81,22 +89,65 @@ impl Setting {
         let mut found =
             Sensitivity { values: [f64::NAN; OUTPUT_COUNT], jacobian: vec![Vec::new(); OUTPUT_COUNT] };
         for (run, group) in variables.chunks(WIDTH).enumerate() {
-            let (ball, touch, friction) = self.lift(&mut |name, value| {
+            let lifted = self.lift(&mut |name, value| {
                 let place = group.iter().position(|each| each == name);
                 place.map_or_else(|| Dual::<f64, WIDTH>::constant(value), |i| Dual::variable(value, i))
             });
-            let mut impact = against_head(&ball, &touch, friction)?;
+            let mut impact = lifted.impact()?;
             let outcome = impact.run(options, &mut |progress, _| watch(run, progress))?;
             if let Some(stopped) = outcome.stopped {
                 return Err(stopped);
             }
-            for (row, output) in touch.launch(outcome.ball, outcome.head).outputs().iter().enumerate() {
+            for (row, output) in lifted.touch.launch(outcome.ball, outcome.head).outputs().iter().enumerate()
+            {
                 found.values[row] = output.value;
                 found.jacobian[row].extend_from_slice(&output.tangent[..group.len()]);
             }
         }
         Ok(found)
     }
+}
+
+/// A setting in numbers with derivatives.
+struct Lifted<R> {
+    ball: Ball<R>,
+    head: Option<ShellHead<R>>,
+    touch: FirstTouch<R>,
+    friction: R,
+}
+
+impl<R: Real> Lifted<R> {
+    #[inline]
+    fn impact(&self) -> Result<Impact<R>, FemError> {
+        match &self.head {
+            Some(head) => head.against_ball(&self.ball, &self.touch, self.friction),
+            None => against_head(&self.ball, &self.touch, self.friction),
+        }
+    }
+}
+
+fn lift_head<R: Real>(head: &ShellHead<f64>, number: &mut dyn FnMut(&str, f64) -> R) -> ShellHead<R> {
+    let mut thickness: Vec<R> = head.shells.thickness.iter().map(|&t| R::from_f64(t)).collect();
+    let mut parts = Vec::new();
+    for part in head.parts.iter().filter(|part| !part.elements.is_empty()) {
+        let mut of = |constant: &str, value: f64| number(&format!("head.{}.{constant}", part.name), value);
+        let walls = &mut thickness[part.elements.clone()];
+        let mean = walls.iter().map(|t| t.re()).sum::<f64>() / walls.len() as f64;
+        let factor = of("thickness", mean) * mean.recip();
+        walls.iter_mut().for_each(|t| *t = *t * factor);
+        let Isotropic { young, poisson } = part.material.elastic;
+        let elastic = Isotropic { young: of("youngs", young), poisson: of("poisson", poisson) };
+        let material = ShellMaterial { elastic, density: of("density", part.material.density) };
+        parts.push(ShellPart {
+            name: part.name.clone(),
+            elements: part.elements.clone(),
+            material,
+            face: part.face,
+        });
+    }
+    let ShellMesh { nodes, quads, .. } = head.shells.clone();
+    let shells = ShellMesh { nodes, quads, thickness };
+    ShellHead { shells, parts, added: head.added.clone(), loft: head.loft }
 }
 
 fn lift_piece<R: Real>(piece: &Piece<f64>, number: &mut dyn FnMut(&str, f64) -> R) -> Piece<R> {

@@ -9,6 +9,8 @@ from clubface.fem.balls import Ball
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from clubface.balls import Ball as RigidBall
+    from clubface.clubs import Club
     from clubface.fem.heads import ShellHead
     from clubface.fem.run import Settings
     from clubface.shots import Shots
@@ -134,6 +136,11 @@ class Impact:
         self._launch = found.get("launch")
         self.frame_velocity: NDArray[Any] = found["frame_velocity"]
         self.attitude: NDArray[Any] = found["attitude"]
+
+    @property
+    def equipment(self) -> tuple[Club, RigidBall] | None:
+        """The club and the ball as reduced models see them; None for a plane."""
+        return None if self._shots is None else (self._shots.club, self._shots.ball)
 
     @property
     def elements(self) -> int:

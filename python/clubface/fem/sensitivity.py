@@ -12,6 +12,7 @@ from clubface.delivery import Delivery
 from clubface.errors import UnknownNameError
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress, core_call
+from clubface.fem.heads import ShellHead
 from clubface.fem.run import Settings, friction_value, inputs_of, one_shot
 from clubface.quantities import outputs
 
@@ -49,20 +50,28 @@ class Derivatives(NamedTuple):
         return float(self.jacobian[names.index(quantity), self.variables.index(variable)])
 
 
-def variables(club: str | os.PathLike[str] | Club, *, which: str | os.PathLike[str] | Ball = "reference") -> list[str]:
-    """Return what a launch can be differentiated by: delivery, club, friction, and constants of the pieces of a ball.
+def variables(
+    club: str | os.PathLike[str] | Club | ShellHead, *, which: str | os.PathLike[str] | Ball = "reference"
+) -> list[str]:
+    """Return what a launch can be differentiated by: delivery, club, friction, constants of the pieces of a ball.
 
     A piece has its outer "radius" (thicker cover: smaller "core.radius"), its elastic constants, "bulk", "density",
-    and "maxwell.0.modulus", "maxwell.0.time" and so on.
+    and "maxwell.0.modulus", "maxwell.0.time" and so on. A part of a head of shells has its mean "thickness", as in
+    "head.face.thickness", "youngs", "poisson" and "density"; its mesh stays, and its club is no variable.
     """
     from clubface import _core
 
-    made = ball(which)
-    return _core.fem_variables(made.values(), inputs_of(one_shot(club, {"speed": 1.0}, made)))
+    made, head, rigid = ball(which), *_head_of(club)
+    return _core.fem_variables(made.values(), head, inputs_of(one_shot(rigid, {"speed": 1.0}, made)))
+
+
+def _head_of(club: str | os.PathLike[str] | Club | ShellHead) -> tuple[dict[str, Any] | None, Any]:
+    """Return the mesh of a head of shells as the core takes it, and the rigid club."""
+    return (club.values(), club.club) if isinstance(club, ShellHead) else (None, club)
 
 
 def sensitivity(
-    club: str | os.PathLike[str] | Club,
+    club: str | os.PathLike[str] | Club | ShellHead,
     delivery: Delivery | Mapping[str, Any] | None = None,
     *,
     by: Iterable[str],
@@ -72,7 +81,7 @@ def sensitivity(
     progress: Progress | None = None,
     **values: Any,
 ) -> Derivatives:
-    """Differentiate the launch of one impact with a rigid head.
+    """Differentiate the launch of one impact.
 
     Parameters
     ----------
@@ -93,14 +102,15 @@ def sensitivity(
     for name in names:
         if name not in known:
             raise UnknownNameError("variable", name, known)
-    inputs = inputs_of(one_shot(club, dict(as_values(delivery, values)), made))
+    head, rigid = _head_of(club)
+    inputs = inputs_of(one_shot(rigid, dict(as_values(delivery, values)), made))
     run, runs = replace(how, frames=0).values(), -(-len(names) // VARIABLES_A_RUN)
 
     def all_runs(watch: Progress) -> Any:
         def step(which: int, time: float, whole: float) -> None:
             watch(which + time / whole, runs)
 
-        return _core.fem_sensitivity(made.values(), inputs, mu, run, list(names), step)
+        return _core.fem_sensitivity(made.values(), head, inputs, mu, run, list(names), step)
 
     found, jacobian = cast("tuple[Any, Any]", core_call(all_runs, progress=progress))
     return Derivatives(dict(zip(outputs(), map(float, found), strict=True)), names, jacobian)

@@ -136,34 +136,44 @@ fn touch_of(inputs: &[f64]) -> PyResult<FirstTouch<f64>> {
     Ok(FirstTouch::of(&Shot::from_inputs(inputs)))
 }
 
-/// The shot of a ball and a rigid head whose launch is differentiated.
-fn setting_of(ball: &BallValues, inputs: &[f64], friction: f64) -> PyResult<Setting> {
+/// The shot of a ball and a head whose launch is differentiated.
+fn setting_of(
+    ball: &BallValues,
+    head: Option<&HeadValues<'_>>,
+    inputs: &[f64],
+    friction: f64,
+) -> PyResult<Setting> {
     let inputs = inputs.try_into().map_err(|_| PyValueError::new_err(("inputs", "", "all are needed")))?;
-    Ok(Setting { ball: ball_of(ball)?, inputs, friction })
+    Ok(Setting { ball: ball_of(ball)?, head: head.map(head_of).transpose()?, inputs, friction })
 }
 
 /// Names of the variables of [`fem_sensitivity`].
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
-pub fn fem_variables(ball: BallValues, inputs: Vec<f64>) -> PyResult<Vec<String>> {
-    Ok(setting_of(&ball, &inputs, 0.0)?.variables())
+pub fn fem_variables(
+    ball: BallValues,
+    head: Option<HeadValues<'_>>,
+    inputs: Vec<f64>,
+) -> PyResult<Vec<String>> {
+    Ok(setting_of(&ball, head.as_ref(), &inputs, 0.0)?.variables())
 }
 
-/// Launch of a shot with a rigid head, and its derivatives by some variables: (outputs, array of outputs by variables). `progress` is called with
+/// Launch of a shot with a head of shells, or else the rigid one of the inputs, and its derivatives by some variables: (outputs, array of outputs by variables). `progress` is called with
 /// the run (one for every four variables), simulated time and duration.
 #[pyfunction]
-#[pyo3(signature = (ball, inputs, friction, run, variables, progress=None))]
+#[pyo3(signature = (ball, head, inputs, friction, run, variables, progress=None))]
 #[allow(clippy::needless_pass_by_value)]
 pub fn fem_sensitivity<'py>(
     py: Python<'py>,
     ball: BallValues,
+    head: Option<HeadValues<'py>>,
     inputs: Vec<f64>,
     friction: f64,
     run: RunValues,
     variables: Vec<String>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Derivatives<'py>> {
-    let setting = setting_of(&ball, &inputs, friction)?;
+    let setting = setting_of(&ball, head.as_ref(), &inputs, friction)?;
     clubface_impact::check::check(&setting.inputs)
         .map_err(|e| PyValueError::new_err((e.input, "", e.message)))?;
     let pool = pool_of(&run)?;

@@ -1,0 +1,120 @@
+"""A finite element impact in the terms of the reduced models: stiffness, damping, and how far forces agree then."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from clubface.errors import InputError
+from clubface.fem.result import Impact
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+LAWS = {"volumetric": ("stiffness", "damping"), "rings": ("shear_modulus", "damping")}
+"""Reduced models whose normal force has a stiffness and a damping, and the names of these."""
+ROUNDS = 12
+ACCURACY = 1e-6
+
+
+class Equivalent(NamedTuple):
+    """A reduced model with the stiffness and damping of a finite element impact.
+
+    Attributes
+    ----------
+    model
+        Its name.
+    parameters
+        The two parameters found; the others are the published ones.
+    time
+        Times at which forces are compared [s].
+    force, reference
+        Normal force of the reduced model and of the finite elements, the mean over a tenth of the contact [N].
+    error
+        Root mean square of their difference over the contact, over the peak.
+    contact_time, reference_contact_time
+        [s].
+    """
+
+    model: str
+    parameters: dict[str, float]
+    time: NDArray[Any]
+    force: NDArray[Any]
+    reference: NDArray[Any]
+    error: float
+    contact_time: float
+    reference_contact_time: float
+
+
+def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
+    """Return a reduced model that gives the ball speed and the peak force of a finite element impact.
+
+    Two figures fix stiffness and damping; the course of the force and its duration are then predictions.
+
+    Parameters
+    ----------
+    found
+        A complete impact with a head.
+    model
+        One of ``LAWS``.
+
+    Raises
+    ------
+    InputError
+        An impact with a plane, or one that ended early; a model without such parameters.
+    """
+    import numpy as np
+
+    import clubface
+
+    if model not in LAWS:
+        raise InputError("model", model, f"one of {', '.join(LAWS)}")
+    if found.equipment is None or found.stopped is not None:
+        raise InputError("impact", "with a plane, or ended early", "a complete impact with a head")
+    club, ball = found.equipment
+    wanted = np.log([found.launch["ball_speed"], _peak(found)])
+    names = LAWS[model]
+    set_ = clubface.ParameterSet.builtin(model, club.parameters)
+    place = np.log([float(set_.values[name]) for name in names])
+
+    def figures(at: Any) -> Any:
+        """Logarithms of ball speed and peak force at three sets of parameters at once."""
+        given = {name: np.exp(values) for name, values in zip(names, np.transpose(at), strict=True)}
+        launch = clubface.impact(club, found.given, model=model, parameters=given, ball=ball)
+        return np.log(np.stack([launch.ball_speed, launch.peak_force], axis=-1))
+
+    for _ in range(ROUNDS):
+        shifts = np.array([[0.0, 0.0], [1e-4, 0.0], [0.0, 1e-4]])
+        values = figures(place + shifts)
+        if abs(values[0] - wanted).max() < ACCURACY:
+            break
+        slopes = (values[1:] - values[0]).T / 1e-4
+        place = place - np.clip(np.linalg.solve(slopes, values[0] - wanted), -0.5, 0.5)
+    else:
+        raise InputError("impact", found, f"one that {model} can reach with positive stiffness and damping")
+    parameters = {name: float(value) for name, value in zip(names, np.exp(place), strict=True)}
+    history = clubface.history(club, found.given, model=model, parameters=parameters, ball=ball)
+    time, reference = _smooth(found)
+    force = np.interp(time, history.time, history.normal_force, right=0.0)
+    error = float(np.sqrt(np.mean((force - reference) ** 2)) / reference.max())
+    return Equivalent(
+        model, parameters, time, force, reference, error, float(history.time[-1]), float(found.contact_time)
+    )
+
+
+def _smooth(found: Impact) -> tuple[Any, Any]:
+    """Return times within the contact and the normal force there, averaged over a tenth of the contact.
+
+    A mesh touches node by node, a reduced model all at once: what differs within the time between two rings of nodes is
+    not the law of force.
+    """
+    import numpy as np
+
+    time, force = found.contact["time"], found.contact["normal"]
+    width = max(3, int(0.1 * found.contact_time / (time[1] - time[0])) | 1)
+    within = time <= found.contact_time
+    mean = np.convolve(force, np.ones(width) / width, "same")
+    return time[within], mean[within]
+
+
+def _peak(found: Impact) -> float:
+    return float(_smooth(found)[1].max())

@@ -1,0 +1,25 @@
+"""Four meshes of the reference case: the default one is fine enough for the launch."""
+
+from dataclasses import replace
+
+import pytest
+
+from clubface import fem
+
+MESHES = ((8, 4, 2), (12, 6, 3), (16, 8, 4), (20, 10, 5))
+"""Elements along the cube, layers of core and cover around it; the second is the default."""
+
+
+@pytest.mark.study
+def test_the_launch_converges_with_the_mesh():
+    found = []
+    made = fem.ball("reference")
+    for cube, *layers in MESHES:
+        pieces = tuple(replace(piece, layers=count) for piece, count in zip(made.pieces, layers, strict=True))
+        ball = replace(made, cube=cube, pieces=pieces)
+        settings = fem.Settings(until_separation=True)
+        run = fem.throw(ball, speed="35 m/s", angle="11.5 deg", friction=0.35, settings=settings)
+        found.append(((run.normal_velocity**2 + run.tangential_velocity**2) ** 0.5, run.backspin))
+    (_, default, _, finest) = found
+    assert default[0] == pytest.approx(finest[0], rel=0.005)
+    assert default[1] == pytest.approx(finest[1], rel=0.02)

@@ -1,0 +1,76 @@
+"""Derivatives of finite element launches against differences of whole runs."""
+
+from dataclasses import replace
+
+import pytest
+
+from clubface import fem
+from clubface.errors import UnknownNameError
+from fem_runs import coarse, coarse_head
+
+SETTINGS = fem.Settings(until_separation=True)
+BALL = coarse("modern")
+OUTPUTS = ("ball_speed", "launch", "backspin")
+
+
+def launch(club="driver", ball=BALL, **values):
+    friction = values.pop("friction", 0.2)
+    given = {"speed": 45.0, "loft": 0.2, **values}
+    return fem.strike(club, which=ball, friction=friction, settings=SETTINGS, **given).launch
+
+
+def differences(run, at, step):
+    """Central differences of a run, by the launch quantities."""
+    low, high = run(at - step), run(at + step)
+    return {name: (high[name] - low[name]) / (2.0 * step) for name in OUTPUTS}
+
+
+def check(found, name, expected):
+    for output in OUTPUTS:
+        # A node that touches a step sooner or later kinks what it changes: differences are no better than that.
+        assert found.by(output, name) == pytest.approx(expected[output], rel=2e-4, abs=1e-9), (name, output)
+
+
+def test_derivatives_with_a_rigid_head():
+    names = ("speed", "loft", "friction")
+    found = fem.sensitivity("driver", speed=45.0, loft=0.2, by=names, which=BALL, friction=0.2, settings=SETTINGS)
+    for name, at in zip(names, (45.0, 0.2, 0.2), strict=True):
+        check(found, name, differences(lambda value, name=name: launch(**{name: value}), at, 1e-6 * at))
+
+
+def test_derivatives_by_thickness_and_modulus_of_a_face():
+    head = coarse_head()
+    names = ("head.face.thickness", "head.face.youngs", "friction")
+    found = fem.sensitivity(head, speed=45.0, loft=0.2, by=names, which=BALL, friction=0.2, settings=SETTINGS)
+    count = head.parts[0].elements
+    mean = float(head.thickness[:count].mean())
+
+    def walls(value):
+        thickness = head.thickness.copy()
+        thickness[:count] *= value / mean
+        # The derivative leaves the delivered club alone: its CG is that of the head as designed.
+        return launch(changed(thickness=thickness))
+
+    def metal(value):
+        first, *rest = head.parts
+        return launch(changed(parts=(replace(first, metal=replace(first.metal, youngs=value)), *rest)))
+
+    def changed(**values):
+        other = replace(head, **values)
+        other.__dict__["club"] = head.club
+        return other
+
+    check(found, names[0], differences(walls, mean, 1e-6 * mean))
+    check(found, names[1], differences(metal, head.parts[0].metal.youngs, 1e5))
+    check(found, names[2], differences(lambda value: launch(head, friction=value), 0.2, 2e-7))
+    # A thicker face gives less, so the ball leaves slower.
+    assert found.by("ball_speed", names[0]) < 0.0
+
+
+def test_an_unknown_variable_is_told():
+    assert {"speed", "friction", "core.radius"} <= set(fem.variables("driver", which=BALL))
+    known = fem.variables(coarse_head(), which=BALL)
+    assert "head.crown.thickness" in known
+    assert "club_mass" not in known
+    with pytest.raises(UnknownNameError, match=r"head\.face\.thickness"):
+        fem.sensitivity(coarse_head(), speed=45.0, by="head.face.thicknes", which=BALL)
