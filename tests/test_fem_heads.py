@@ -189,7 +189,7 @@ MISTAKES = [
     ('youngs = "110 GPa"', 'youngs = "-110 GPa"', "own.toml:21: youngs is '-110 GPa'; it must be 0.1 to 1000 GPa"),
     ('youngs = "110 GPa"', "poisson = 0.5", "own.toml:21: poisson is 0.5; it must be above -1 and below 0.5"),
     ("face = true", "", "at least one with face = true"),
-    ('kind = "mesh"', 'kind = "iron"', 'own.toml:2: kind must be "driver" or "mesh"'),
+    ('kind = "mesh"', 'kind = "blade"', "own.toml:2: kind must be one of driver, iron, mesh"),
     ('loft = "11.5 deg"', 'loft = "115 deg"', "own.toml:5: loft is '115 deg'; it must be 0 to 75 deg"),
     ('mass = "60 g"', 'mass = "60 mm"', "weight"),
 ]
@@ -238,7 +238,7 @@ name = "mine"
 ball = "paper"
 
 [head]
-kind = "shells"
+kind = "meshed"
 club = "p2"
 
 [delivery]
@@ -248,7 +248,7 @@ speed = "35 m/s"
     read = case(path).club
     assert isinstance(read, fem.ShellHead)
     assert read.elements == 3264
-    path.write_text(text.replace('"shells"', '"rigid"'))
+    path.write_text(text.replace('"meshed"', '"rigid"'))
     with pytest.raises(FileError, match=r"case.toml:6: .*unknown"):
         case(path)
     path.write_text(text.replace('"p2"', '"p3"'))

@@ -4,7 +4,7 @@ use crate::ball::{Ball, Piece};
 use crate::cases::against_head;
 use crate::element::{Isotropic, ShellMaterial};
 use crate::error::FemError;
-use crate::head::{ShellHead, ShellPart};
+use crate::head::{against_ball, ShellHead, ShellPart};
 use crate::material::{Material, Maxwell};
 use crate::mesh::ShellMesh;
 use crate::solve::{Impact, Options, Progress};
@@ -120,7 +120,7 @@ impl<R: Real> Lifted<R> {
     #[inline]
     fn impact(&self) -> Result<Impact<R>, FemError> {
         match &self.head {
-            Some(head) => head.against_ball(&self.ball, &self.touch, self.friction),
+            Some(head) => against_ball(head, &self.ball, &self.touch, self.friction),
             None => against_head(&self.ball, &self.touch, self.friction),
         }
     }

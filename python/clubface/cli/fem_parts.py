@@ -95,7 +95,7 @@ def head(
     trims = dict(made.report)
     if "scale" in trims:
         rows.append(["walls over design", output.number(trims.pop("scale"), 3)])
-    rows += [[f"trim mass {name}, g", output.number(from_si(mass, "g"), 1)] for name, mass in trims.items()]
+    rows += [[f"added mass {name}, g", output.number(from_si(mass, "g"), 1)] for name, mass in trims.items()]
     rows.append(["elements", str(made.elements)])
     if measure:
         rows.append(["restitution", output.number(document["restitution"], 3)])

@@ -8,7 +8,7 @@ motion, energies and the figures of P2 ("Analysis of golf ball spin mechanism at
 from __future__ import annotations
 
 from clubface.fem.balls import Ball, Piece, ball, ball_names
-from clubface.fem.heads import DriverHead, MeshHead, Metal, ShellHead, head, head_names
+from clubface.fem.heads import DriverHead, IronHead, MeshedHead, MeshHead, Metal, ShellHead, SolidHead, head, head_names
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.fem.reference import reference
 from clubface.fem.result import Impact
@@ -20,13 +20,16 @@ __all__ = [
     "Derivatives",
     "DriverHead",
     "Impact",
+    "IronHead",
     "Material",
     "Maxwell",
     "MeshHead",
+    "MeshedHead",
     "Metal",
     "Piece",
     "Settings",
     "ShellHead",
+    "SolidHead",
     "ball",
     "ball_names",
     "head",

@@ -14,7 +14,7 @@ from clubface.equipment import builtin_names, builtin_path, check_choice, check_
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
-from clubface.fem.heads import ShellHead, head
+from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
 from clubface.fem.run import Settings, friction_value, rigid_ball, strike, throw, throw_values
 from clubface.impact import impact
@@ -22,8 +22,8 @@ from clubface.strict_toml import Document
 
 T = TypeVar("T")
 FOLDER = "fem_cases"
-PLANE, RIGID, SHELLS = "plane", "rigid", "shells"
-HEADS = (PLANE, RIGID, SHELLS)
+PLANE, RIGID, MESHED = "plane", "rigid", "meshed"
+HEADS = (PLANE, RIGID, MESHED)
 KEYS = ("name", "description", "ball", "friction", "head", "delivery", "run")
 HEAD_KEYS = ("kind", "club")
 PLANE_KEYS = ("speed", "angle")
@@ -40,9 +40,9 @@ class Case:
     ball
         The ball.
     head
-        "plane" (rigid, at rest), "rigid" (the head of ``club``) or "shells".
+        "plane" (rigid, at rest), "rigid" (the head of ``club``) or "meshed".
     club
-        For a head: a club, or a head of shells.
+        For a head: a club, or a meshed head.
     delivery
         Of the head, as of :func:`clubface.impact`; for a plane, ``speed`` and ``angle`` of the ball.
     friction
@@ -55,7 +55,7 @@ class Case:
     ball: Ball
     head: str
     delivery: Mapping[str, Any]
-    club: Club | ShellHead | None = None
+    club: Club | MeshedHead | None = None
     friction: float = 0.35
     settings: Settings = field(default_factory=Settings)
     description: str = ""
@@ -74,16 +74,16 @@ class Case:
         if self.head == PLANE:
             if self.club is not None:
                 raise InputError(
-                    "club", self.club.name, 'left out for a plane; a club needs kind = "rigid" or "shells"'
+                    "club", self.club.name, 'left out for a plane; a club needs kind = "rigid" or "meshed"'
                 )
             throw_values(self.delivery["speed"], self.delivery.get("angle", 0.0))
             return
         if self.club is None:
             raise InputError("club", None, f"given for a head of kind {self.head}")
-        if isinstance(self.club, ShellHead) != (self.head == SHELLS):
-            raise InputError("club", self.club.name, "a head of shells" if self.head == SHELLS else "a club")
+        if isinstance(self.club, MeshedHead) != (self.head == MESHED):
+            raise InputError("club", self.club.name, "a meshed head" if self.head == MESHED else "a club")
         # The quickest model refuses what no model can compute, such as a face that moves away from the ball.
-        rigid = self.club.club if isinstance(self.club, ShellHead) else self.club
+        rigid = self.club.club if isinstance(self.club, MeshedHead) else self.club
         impact(rigid, self.delivery, ball=rigid_ball(self.ball))
 
     def replace(self, *, settings: Mapping[str, Any] | None = None, **changes: Any) -> Case:
@@ -158,7 +158,7 @@ def from_document(document: Document, folder: Path) -> Case:
             description=data.get("description", ""),
             ball=_read(document, ball, data["ball"], folder, "ball", ""),
             head=kind,
-            club=_read(document, head if kind == SHELLS else club, tables["head"].get("club"), folder, "club", "head"),
+            club=_read(document, head if kind == MESHED else club, tables["head"].get("club"), folder, "club", "head"),
             delivery=tables["delivery"],
             friction=data.get("friction", 0.35),
             settings=settings,

@@ -11,7 +11,7 @@ from clubface.clubs import Club
 from clubface.errors import InputError
 from clubface.fem.balls import Ball, Piece, ball
 from clubface.fem.core import Progress
-from clubface.fem.heads import ShellHead
+from clubface.fem.heads import MeshedHead
 from clubface.fem.materials import Material
 from clubface.fem.run import Settings, strike
 
@@ -24,7 +24,7 @@ STRIKER_SPEED = "0.6 m/s"
 
 
 def restitution(
-    head: Club | ShellHead | str,
+    head: Club | MeshedHead | str,
     *,
     which: str | os.PathLike[str] | Ball = "modern",
     speed: Any = COR_SPEED,
@@ -54,8 +54,8 @@ def restitution(
     made = ball(which)
     from clubface.clubs import club
 
-    shaped = head if isinstance(head, ShellHead) else club(head)
-    rigid = shaped.club if isinstance(shaped, ShellHead) else shaped
+    shaped = head if isinstance(head, MeshedHead) else club(head)
+    rigid = shaped.club if isinstance(shaped, MeshedHead) else shaped
     approach = units.parse(speed, "speed", name="speed")
     settings = Settings(duration=1.5e-3, until_separation=True)
     # Level face: the CG's place behind it decides where the impact is central.
@@ -72,7 +72,7 @@ def restitution(
 
 
 def characteristic_time(
-    head: ShellHead, *, speed: Any = STRIKER_SPEED, toe: Any = 0.0, high: Any = 0.0, progress: Progress | None = None
+    head: MeshedHead, *, speed: Any = STRIKER_SPEED, toe: Any = 0.0, high: Any = 0.0, progress: Progress | None = None
 ) -> float:
     """Return the characteristic time of a head [s]: how long a small steel sphere takes to be thrown back by the face.
 

@@ -11,7 +11,7 @@ from clubface import units
 from clubface.errors import InputError
 from clubface.fem.balls import Ball
 from clubface.fem.cards import Cards, element, node
-from clubface.fem.case import PLANE, RIGID, SHELLS, Case
+from clubface.fem.case import MESHED, PLANE, RIGID, Case
 from clubface.fem.keyword_head import write_head
 from clubface.fem.materials import Material
 from clubface.fem.run import Settings
@@ -89,7 +89,7 @@ def _control(deck: Cards, how: Settings, head: str) -> None:
     deck.keyword("CONTROL_TIMESTEP", [0.0, how.safety], names="dtinit tssfac")
     deck.keyword("CONTROL_ENERGY", [2, 2, 2, 2], names="hgen rwen slnten rylen")
     deck.keyword("CONTROL_BULK_VISCOSITY", [1e-6, 1e-6, 1], names="q1 q2 type")
-    of_head = {PLANE: ("RWFORC",), RIGID: ("RCFORC", "RBDOUT"), SHELLS: ("RCFORC",)}[head]
+    of_head = {PLANE: ("RWFORC",), RIGID: ("RCFORC", "RBDOUT"), MESHED: ("RCFORC",)}[head]
     outputs = ("GLSTAT", "MATSUM", *of_head)
     for name in outputs:
         deck.keyword(f"DATABASE_{name}", [how.interval], names="dt")

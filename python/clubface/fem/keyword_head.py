@@ -1,4 +1,4 @@
-"""The head of a keyword deck: rigid with its face as a mesh, or of shells."""
+"""The head of a keyword deck: rigid with its face as a mesh, or meshed."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from clubface.clubs import Club
 from clubface.delivery import DIMENSIONS
 from clubface.fem.cards import Cards, element, node
 from clubface.fem.case import Case
-from clubface.fem.heads import ShellHead
+from clubface.fem.heads import MeshedHead, Metal, ShellHead
 from clubface.fem.run import Settings, strike
 
 if TYPE_CHECKING:
@@ -30,8 +30,11 @@ FACE_ELEMENT = 2.5e-3
 def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
     """Write the head of a case behind a ball of so many ``nodes`` and ``elements``, and its contact with the ball."""
     assert case.club is not None
-    if isinstance(case.club, ShellHead):
-        faces = _shells(deck, case.club, _first_touch(case, case.club.club), nodes, elements)
+    if isinstance(case.club, MeshedHead):
+        hit = _first_touch(case, case.club.club)
+        write_elements = _shells if isinstance(case.club, ShellHead) else _solid
+        faces, last = write_elements(deck, case.club, hit, nodes, elements)
+        _masses_and_motion(deck, case.club, hit, nodes, last)
     else:
         _rigid(deck, case.club, _first_touch(case, case.club), nodes, elements)
         faces = [HEAD_PART]
@@ -44,37 +47,64 @@ def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
         deck.card([1])
 
 
-def _shells(deck: Cards, head: ShellHead, hit: dict[str, Any], nodes: int, elements: int) -> list[int]:
-    """Write the mesh, parts, added masses and motion of a head of shells; return the parts of its face."""
-    import numpy as np
-
+def _shells(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
+    """Write mesh and parts of a head of shells; return the parts of its face, and the last element."""
     deck.keyword("HOURGLASS", [HEAD_HOURGLASS, 4, 0.05], names="hgid ihq qm")
     deck.keyword("SECTION_SHELL", [HEAD_SECTION, 2, 5.0 / 6.0, 5], [1e-3] * 4, names="secid elform shrf nip")
     for number, part in enumerate(head.parts, start=HEAD_PART):
-        deck.keyword("PART")
-        deck.text(f"{head.name}: {part.name}")
-        deck.card([number, HEAD_SECTION, number, 0, HEAD_HOURGLASS])
-        metal = part.metal
-        deck.keyword("MAT_ELASTIC", [number, metal.density, metal.youngs, metal.poisson], names="mid ro e pr")
-    axes = np.asarray(hit["axes"])
-    places = (head.nodes @ _turn(head.loft) - hit["point"]) @ axes.T
-    deck.keyword("NODE")
-    deck.rows(node(nodes + number, place) for number, place in enumerate(places.tolist(), start=1))
+        _part(deck, number, f"{head.name}: {part.name}", part.metal, HEAD_SECTION, HEAD_HOURGLASS)
+    _nodes(deck, head, hit, nodes)
     deck.keyword("ELEMENT_SHELL_THICKNESS")
     corners = (head.quads.astype(int) + nodes + 1).tolist()
     walls = zip(head.part_of_elements().tolist(), corners, head.thickness.tolist(), strict=True)
     for number, (part, each, thickness) in enumerate(walls, start=elements + 1):
         deck.rows([element(number, HEAD_PART + part, each), f"{thickness:16.8e}" * 4])
+    faces = [HEAD_PART + number for number, part in enumerate(head.parts) if part.face]
+    return faces, elements + len(corners)
+
+
+def _solid(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
+    """Write mesh and part of a solid head; return its part, and the last element."""
+    # Section and hourglass control are those of the ball.
+    _part(deck, HEAD_PART, head.name, head.metal, 1, 1)
+    _nodes(deck, head, hit, nodes)
+    deck.keyword("ELEMENT_SOLID")
+    corners = (head.hexahedra.astype(int) + nodes + 1).tolist()
+    deck.rows(element(number, HEAD_PART, each) for number, each in enumerate(corners, start=elements + 1))
+    return [HEAD_PART], elements + len(corners)
+
+
+def _part(deck: Cards, number: int, title: str, metal: Metal, section: int, hourglass: int) -> None:
+    deck.keyword("PART")
+    deck.text(title)
+    deck.card([number, section, number, 0, hourglass])
+    deck.keyword("MAT_ELASTIC", [number, metal.density, metal.youngs, metal.poisson], names="mid ro e pr")
+
+
+def _nodes(deck: Cards, head: Any, hit: dict[str, Any], nodes: int) -> None:
+    deck.keyword("NODE")
+    deck.rows(node(nodes + number, place) for number, place in enumerate(_places(head, hit).tolist(), start=1))
+
+
+def _places(head: Any, hit: dict[str, Any]) -> NDArray[Any]:
+    """Return the nodes of a head [m] in the axes of the deck."""
+    import numpy as np
+
+    return (head.nodes @ _turn(head.loft) - hit["point"]) @ np.asarray(hit["axes"]).T
+
+
+def _masses_and_motion(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, last: int) -> None:
+    """Write added masses, as elements behind the ``last``, and the velocity of every node."""
+    import numpy as np
+
     deck.keyword("ELEMENT_MASS")
     added = [(place, mass) for place, mass in enumerate(head.added.tolist(), start=nodes + 1) if mass > 0.0]
-    first = elements + len(corners) + 1
-    deck.rows(f"{number:8d}{place:8d}{mass:16.8e}" for number, (place, mass) in enumerate(added, start=first))
+    deck.rows(f"{number:8d}{place:8d}{mass:16.8e}" for number, (place, mass) in enumerate(added, start=last + 1))
     spin = np.asarray(hit["spin"])
-    velocities = np.asarray(hit["velocity"]) + np.cross(spin, places - np.asarray(hit["cg"]))
+    velocities = np.asarray(hit["velocity"]) + np.cross(spin, _places(head, hit) - np.asarray(hit["cg"]))
     deck.keyword("INITIAL_VELOCITY_NODE", names="nid vx vy vz vxr vyr vzr")
     for number, velocity in enumerate(velocities.tolist(), start=nodes + 1):
         deck.card([number, *velocity, *spin.tolist()])
-    return [HEAD_PART + number for number, part in enumerate(head.parts) if part.face]
 
 
 def _rigid(deck: Cards, club: Club, hit: dict[str, Any], nodes: int, elements: int) -> None:

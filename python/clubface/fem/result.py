@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
     from clubface.balls import Ball as RigidBall
     from clubface.clubs import Club
-    from clubface.fem.heads import ShellHead
+    from clubface.fem.heads import MeshedHead
     from clubface.fem.run import Settings
     from clubface.shots import Shots
 
@@ -72,7 +72,7 @@ class Impact:
         first touch (those of the plane) with the origin at the clubhead's CG then (where the ball first touches the
         plane).
     head_frames
-        The same for the nodes of a head of shells.
+        The same for the nodes of a meshed head.
     axes
         Normal, up the face and to the toe at the point of first touch, a row each, in face axes.
     attitude
@@ -80,7 +80,7 @@ class Impact:
     frame_velocity
         Velocity of the clubhead at first touch along ``axes`` [m/s], to which ``motion`` is relative.
     ball, friction, settings, given, head
-        What went in; ``head`` is None unless it is one of shells.
+        What went in; ``head`` is None unless it is meshed.
     """
 
     peak_force: float
@@ -107,7 +107,7 @@ class Impact:
         friction: float,
         settings: Settings,
         shots: Shots | None = None,
-        head: ShellHead | None = None,
+        head: MeshedHead | None = None,
     ) -> None:
         for name in FIGURES:
             setattr(self, name, found[name])

@@ -15,7 +15,7 @@ from clubface.delivery import Delivery
 from clubface.errors import InputError, RuleWarning
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress, core_call
-from clubface.fem.heads.shells import ShellHead
+from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.result import Impact
 
 if TYPE_CHECKING:
@@ -36,6 +36,9 @@ class Settings:
         Time between the records of motion [s]; contact is recorded at every step.
     until_separation
         Whether to end soon after the last touch.
+    augmentation
+        0 for the penalty method of contact; above it, to 0.5, the augmented Lagrange method: the share of the spring force
+        that a multiplier takes over in a step, so that penetration fades.
     frames
         Number of deformed shapes to keep, evenly over the simulated time.
     threads
@@ -46,6 +49,7 @@ class Settings:
     safety: float = 0.8
     interval: float = 5e-6
     until_separation: bool = False
+    augmentation: float = 0.0
     frames: int = 0
     threads: int = 0
 
@@ -59,6 +63,10 @@ class Settings:
         object.__setattr__(self, "safety", units.parse(self.safety, units.DIMENSIONLESS, name="safety"))
         if not 0.05 <= self.safety <= 1.0:
             raise InputError("safety", self.safety, "0.05 to 1, the stable step")
+        value = units.parse(self.augmentation, units.DIMENSIONLESS, name="augmentation")
+        object.__setattr__(self, "augmentation", value)
+        if not 0.0 <= value <= 0.5:
+            raise InputError("augmentation", value, "0 (penalty method) to 0.5")
         for name, most in (("frames", 10_000), ("threads", 1024)):
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
@@ -117,7 +125,7 @@ def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
 
 
 def strike(
-    club: str | os.PathLike[str] | Club | ShellHead,
+    club: str | os.PathLike[str] | Club | MeshedHead,
     delivery: Delivery | Mapping[str, Any] | None = None,
     *,
     which: str | os.PathLike[str] | Ball = "reference",
@@ -126,12 +134,12 @@ def strike(
     progress: Progress | None = None,
     **values: Any,
 ) -> Impact:
-    """Hit a ball with a head: that of a club, rigid, or one of shells.
+    """Hit a ball with a head: that of a club, rigid, or a meshed one.
 
     Parameters
     ----------
     club
-        A club as of :func:`clubface.impact`, or a head of shells (:func:`clubface.fem.head`).
+        A club as of :func:`clubface.impact`, or a meshed head (:func:`clubface.fem.head`).
     delivery, **values
         As of :func:`clubface.impact`, for one shot.
     which, friction, settings, progress
@@ -142,14 +150,14 @@ def strike(
 
     made, mu, how = ball(which), friction_value(friction), settings or Settings()
     given = dict(as_values(delivery, values))
-    if isinstance(club, ShellHead):
+    if isinstance(club, MeshedHead):
         hit = one_shot(club.club, given, made)
-        arguments: Any = (_core.fem_shells, made.values(), club.values(), inputs_of(hit))
+        arguments: Any = (_core.fem_deformable, made.values(), club.values(), inputs_of(hit))
     else:
         hit = one_shot(club, given, made)
         arguments = (_core.fem_head, made.values(), inputs_of(hit))
     found = core_call(*arguments, mu, how.values(), progress=progress)
-    return Impact(found, made, given, mu, how, hit, club if isinstance(club, ShellHead) else None)
+    return Impact(found, made, given, mu, how, hit, club if isinstance(club, MeshedHead) else None)
 
 
 def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], made: Ball) -> Shots:

@@ -8,6 +8,7 @@ from typing import Any
 from xml.sax.saxutils import quoteattr
 
 from clubface.errors import InputError
+from clubface.fem.heads import MeshedHead, ShellHead, SolidHead
 from clubface.fem.result import Impact
 
 
@@ -16,8 +17,8 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
 
     Axes are the world's (x to the target, y up, z to the right), with the origin at the clubhead's CG of first touch;
     for a ball thrown at a plane x is the plane's normal. Lengths are in m, times in s. Points carry ``displacement``
-    from the shape at first touch, cells ``piece``: 0 for the core and on, then the parts of a head of shells, as
-    quadrilaterals with their ``thickness`` [m] (0 for hexahedra).
+    from the shape at first touch, cells ``piece``: 0 for the core and on, then the parts of a meshed head, those
+    of shells as quadrilaterals with their ``thickness`` [m] (0 for hexahedra).
 
     Parameters
     ----------
@@ -53,10 +54,10 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
         "thickness": [np.zeros(len(mesh["elements"]))],
     }
     if found.head is not None:
-        cells.append(("quad", found.head.quads.astype(np.int32) + len(mesh["nodes"])))
-        parts = found.head.part_of_elements() + len(found.ball.pieces)
-        of_cells["piece"].append(parts.astype(np.int32))
-        of_cells["thickness"].append(found.head.thickness)
+        kind, corners, parts, thickness = _cells(found.head)
+        cells.append((kind, corners.astype(np.int32) + len(mesh["nodes"])))
+        of_cells["piece"].append((parts + len(found.ball.pieces)).astype(np.int32))
+        of_cells["thickness"].append(thickness)
         shapes = np.concatenate([shapes, found.world_positions(found.head_frames)], axis=1)
     target, stem = Path(folder), file_stem(name)
     written = []
@@ -66,6 +67,17 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
         meshio.write(path, meshio.Mesh(shapes[0], cells, point_data=moved, cell_data=of_cells), file_format="vtu")
         written.append(path)
     return [*written, _collection(target / f"{stem}.pvd", found.frame_times.tolist(), written)]
+
+
+def _cells(head: MeshedHead) -> tuple[str, Any, Any, Any]:
+    """Return kind, nodes, part and thickness [m] of the elements of a head."""
+    import numpy as np
+
+    if isinstance(head, ShellHead):
+        return "quad", head.quads, head.part_of_elements(), head.thickness
+    assert isinstance(head, SolidHead)
+    none = np.zeros(head.elements)
+    return "hexahedron", head.hexahedra, none, none
 
 
 def file_stem(name: str) -> str:

@@ -12,6 +12,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 
 from clubface.errors import InputError
+from clubface.fem.heads import ShellHead
 from clubface.fem.result import Impact
 from clubface.plots.fem_head import Outline
 from clubface.plots.style import COLOURS, WIDTH, styled
@@ -46,7 +47,7 @@ class Section:
         self._masses = _masses(nodes, elements, mesh["piece"], mesh["density"])
         self._found = found
         head = found.head
-        self._head = None if head is None else Outline(head, self._from_touch(found.head_frames[0]))
+        self._head = None if not isinstance(head, ShellHead) else Outline(head, self._from_touch(found.head_frames[0]))
         self.times = found.frame_times
 
     def at(self, frame: int) -> tuple[Any, Any]:

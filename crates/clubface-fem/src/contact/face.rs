@@ -5,7 +5,7 @@
 //! rounding.
 
 use super::surface::{Foot, Surface};
-use super::{Contact, ContactEnergy, Resultant, Springs, Touch};
+use super::{Contact, ContactEnergy, Memory, Resultant, Springs, Touch};
 use crate::material::cross;
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
@@ -19,7 +19,7 @@ const REST: f64 = 100.0;
 struct Candidate<R> {
     mass: R,
     area: f64,
-    friction: Vec3<R>,
+    memory: Memory<R>,
     quad: u32,
     at: [R; 2],
     /// Steps for which it cannot touch.
@@ -42,8 +42,8 @@ pub struct FaceSide<'a, R> {
     pub quads: Vec<[u32; 4]>,
     /// Thickness of each quadrilateral, m.
     pub thickness: Vec<R>,
-    /// Row of a node's rotation less the row of its position.
-    pub rotations: u32,
+    /// Row of a node's rotation less the row of its position, if nodes turn.
+    pub rotations: Option<u32>,
     /// Masses of all rows, kg or kg m2.
     pub masses: &'a [R],
 }
@@ -88,7 +88,7 @@ impl<R: Real> FaceContact<R> {
             .map(|&n| Candidate {
                 mass: ball.masses[n as usize],
                 area: ball.areas[n as usize],
-                friction: Vec3::zero(),
+                memory: Memory::none(),
                 quad: surface.closest(positions[n as usize].vec()),
                 at: [R::zero(); 2],
                 rest: 0,
@@ -100,7 +100,7 @@ impl<R: Real> FaceContact<R> {
             .iter()
             .copied()
             .chain(rows.iter().copied())
-            .chain(rows.iter().map(|n| n + face.rotations))
+            .chain(face.rotations.into_iter().flat_map(|offset| rows.iter().map(move |n| n + offset)))
             .collect();
         // The ball touches first where a node of it is nearest.
         let gap = |c: &Candidate<R>, n: u32| {
@@ -159,7 +159,7 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             }
             let x = positions[node as usize].vec();
             let Some(foot) = self.surface.foot(x, candidate.quad, candidate.at) else {
-                candidate.friction = Vec3::zero();
+                candidate.memory = Memory::none();
                 candidate.rest = 4;
                 continue;
             };
@@ -169,14 +169,16 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             let (mut mobility, mut spin, mut arm) = (R::zero(), Vec3::zero(), x);
             for (&corner, &weight) in corners.iter().zip(&foot.weights) {
                 velocity += velocities[face[corner] as usize].vec() * -weight;
-                spin += velocities[rotations[corner] as usize].vec() * weight;
+                if let Some(&row) = rotations.get(corner) {
+                    spin += velocities[row as usize].vec() * weight;
+                }
                 mobility += weight * weight * self.mobilities[corner];
                 arm += self.surface.positions[corner] * -weight;
             }
             velocity += cross(arm, spin);
             let gap = foot.gap.re();
             if gap >= 0.0 {
-                candidate.friction = Vec3::zero();
+                candidate.memory = Memory::none();
                 self.fastest = self.fastest.max(velocity.norm_squared().re());
                 candidate.rest = (gap / (CAUTION * self.fastest.sqrt() * dt)).min(REST) as u32;
                 continue;
@@ -187,16 +189,20 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             let total = touch.force(
                 self.springs,
                 self.coefficient,
-                &mut candidate.friction,
+                &mut candidate.memory,
                 dt,
                 &mut self.resultant,
                 &mut self.energy,
             );
             *force = Row::from_vec(total);
-            let moment = cross(arm, total);
             spread(&foot, &corners, total, on_nodes);
-            spread(&foot, &corners, moment, moments);
+            if !moments.is_empty() {
+                spread(&foot, &corners, cross(arm, total), moments);
+            }
         }
+    }
+    fn augment(&mut self, share: f64) {
+        self.springs.augmentation = share;
     }
     fn forces(&self) -> &[Row<R>] {
         &self.forces

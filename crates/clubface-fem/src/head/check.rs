@@ -15,7 +15,7 @@ impl<R: Real> ShellHead<R> {
     ///
     /// # Errors
     /// [`FemError::Input`] that names the first element, node or value that is not allowed.
-    pub fn check(&self) -> Result<(), FemError> {
+    pub(super) fn check_shells(&self) -> Result<(), FemError> {
         for part in &self.parts {
             part.material.check(&part.name)?;
             for element in part.elements.clone() {

@@ -2,11 +2,13 @@
 
 mod cubed_sphere;
 mod driver;
+mod iron;
 mod quads;
 mod tuning;
 
 pub use cubed_sphere::{cubed_sphere, Fineness};
 pub use driver::{DriverFineness, DriverShape, DriverThickness, Region};
+pub use iron::{IronFineness, IronMesh, IronShape};
 pub use quads::{ShellMasses, ShellMesh, ROTARY};
 pub use tuning::{mass_properties, tune, MassProperties, Target, Trim, Tuned};
 

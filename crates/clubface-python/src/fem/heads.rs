@@ -1,9 +1,11 @@
 //! Heads of shells: the parametric driver as a mesh, mass properties of any mesh.
 
-use super::values::{error_of, head_of, HeadValues};
+use super::values::{any_head, error_of, AnyHead};
 use clubface_fem::element::{Isotropic, ShellMaterial};
 use clubface_fem::head::Driver;
-use clubface_fem::mesh::{DriverFineness, DriverShape, DriverThickness, MassProperties, Target, Trim};
+use clubface_fem::mesh::{
+    DriverFineness, DriverShape, DriverThickness, IronFineness, IronShape, MassProperties, Target, Trim,
+};
 use clubface_math::Vec3;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -68,11 +70,25 @@ pub fn fem_driver(py: Python<'_>, driver: DriverValues) -> PyResult<Bound<'_, Py
     Ok(dict)
 }
 
-/// Mass properties of a head of shells: {mass, centre, inertia: (3, 3)}, in the axes of its nodes.
+/// The mesh of a parametric iron: {nodes, elements: 8 an element in binary order, face}. `shape`: loft, length, height at heel and toe, thickness of
+/// face, sole and top line, rim, rounding.
+#[pyfunction]
+pub fn fem_iron(py: Python<'_>, shape: [f64; 9], elements: [usize; 3]) -> PyResult<Bound<'_, PyDict>> {
+    let [loft, length, heel_height, toe_height, face, sole, top, rim, rounding] = shape;
+    let shape = IronShape { loft, length, heel_height, toe_height, face, sole, top, rim, rounding };
+    let mesh = shape.mesh(IronFineness(elements));
+    let dict = PyDict::new(py);
+    dict.set_item("nodes", PyArray1::from_iter(py, mesh.solid.nodes.iter().flat_map(|p| p.array())))?;
+    dict.set_item("elements", PyArray1::from_iter(py, mesh.solid.elements.iter().copied().flatten()))?;
+    dict.set_item("face", PyArray1::from_iter(py, mesh.face.iter().copied().flatten()))?;
+    Ok(dict)
+}
+
+/// Mass properties of a head that deforms: {mass, centre, inertia: (3, 3)}, in the axes of its nodes.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
-pub fn fem_head_properties<'py>(py: Python<'py>, head: HeadValues<'py>) -> PyResult<Bound<'py, PyDict>> {
-    let head = head_of(&head)?;
+pub fn fem_head_properties<'py>(py: Python<'py>, head: AnyHead<'py>) -> PyResult<Bound<'py, PyDict>> {
+    let head = any_head(&head)?;
     head.check().map_err(|e| error_of(&e))?;
     let MassProperties { mass, centre, inertia } = head.mass_properties();
     let dict = PyDict::new(py);

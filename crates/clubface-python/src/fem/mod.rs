@@ -4,10 +4,11 @@ mod heads;
 mod run;
 mod values;
 
-pub use heads::{fem_driver, fem_head_properties};
+pub use heads::{fem_driver, fem_head_properties, fem_iron};
 
 use crate::columns::Derivatives;
 use clubface_fem::cases::{against_head, against_plane};
+use clubface_fem::head::against_ball;
 use clubface_fem::material::LAWS;
 use clubface_fem::sensitivity::Setting;
 use clubface_fem::solve::Progress;
@@ -18,7 +19,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use run::{options_of, pool_of, simulate, to_dict};
-use values::{ball_of, error_of, head_of, BallValues, HeadValues, RunValues};
+use values::{any_head, ball_of, error_of, head_of, AnyHead, BallValues, HeadValues, RunValues};
 
 /// The laws of materials: [{name, constants, summary}, ...].
 #[pyfunction]
@@ -109,21 +110,21 @@ pub fn fem_head<'py>(
     to_dict(py, &impact, &ran, Some(&touch))
 }
 
-/// A shot with a head of shells; `inputs` as of [`fem_head`], those of the clubhead are the head's.
+/// A shot with a head that deforms; `inputs` as of [`fem_head`], those of the clubhead are the head's.
 #[pyfunction]
 #[pyo3(signature = (ball, head, inputs, friction, run, progress=None))]
 #[allow(clippy::needless_pass_by_value)]
-pub fn fem_shells<'py>(
+pub fn fem_deformable<'py>(
     py: Python<'py>,
     ball: BallValues,
-    head: HeadValues<'py>,
+    head: AnyHead<'py>,
     inputs: Vec<f64>,
     friction: f64,
     run: RunValues,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (touch, ball, head) = (touch_of(&inputs)?, ball_of(&ball)?, head_of(&head)?);
-    let mut impact = head.against_ball(&ball, &touch, friction).map_err(|e| error_of(&e))?;
+    let (touch, ball, head) = (touch_of(&inputs)?, ball_of(&ball)?, any_head(&head)?);
+    let mut impact = against_ball(&*head, &ball, &touch, friction).map_err(|e| error_of(&e))?;
     let ran = simulate(py, &mut impact, &run, progress)?;
     to_dict(py, &impact, &ran, Some(&touch))
 }

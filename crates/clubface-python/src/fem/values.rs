@@ -2,9 +2,9 @@
 
 use clubface_fem::ball::{Ball, Piece};
 use clubface_fem::element::{Element, Isotropic, ShellMaterial};
-use clubface_fem::head::{ShellHead, ShellPart};
+use clubface_fem::head::{DeformableHead, ShellHead, ShellPart, SolidHead};
 use clubface_fem::material::{Material, Maxwell, Shape};
-use clubface_fem::mesh::ShellMesh;
+use clubface_fem::mesh::{ShellMesh, SolidMesh};
 use clubface_fem::FemError;
 use clubface_math::Vec3;
 use numpy::PyReadonlyArray1;
@@ -43,6 +43,7 @@ pub struct RunValues {
     pub(super) safety: f64,
     pub(super) interval: f64,
     pub(super) until_separation: bool,
+    pub(super) augmentation: f64,
     pub(super) threads: usize,
     pub(super) frames: usize,
 }
@@ -80,6 +81,31 @@ pub struct PartValues {
     face: bool,
 }
 
+/// A solid head of one material that is linear in logarithmic strain.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct SolidValues<'py> {
+    nodes: PyReadonlyArray1<'py, f64>,
+    /// Eight nodes an element, in binary order.
+    elements: PyReadonlyArray1<'py, u32>,
+    face: PyReadonlyArray1<'py, u32>,
+    added: PyReadonlyArray1<'py, f64>,
+    shear: f64,
+    bulk: f64,
+    density: f64,
+    element: String,
+    loft: f64,
+}
+
+/// A head that deforms.
+#[derive(FromPyObject)]
+pub enum AnyHead<'py> {
+    #[pyo3(transparent)]
+    Shells(HeadValues<'py>),
+    #[pyo3(transparent)]
+    Solid(SolidValues<'py>),
+}
+
 /// A head of shells.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
@@ -92,10 +118,46 @@ pub struct HeadValues<'py> {
     loft: f64,
 }
 
+fn nodes_of(values: &PyReadonlyArray1<'_, f64>) -> PyResult<Vec<Vec3<f64>>> {
+    Ok(values.as_slice()?.chunks_exact(3).map(|p| Vec3::new(p[0], p[1], p[2])).collect())
+}
+
+fn groups_of<const N: usize>(values: &PyReadonlyArray1<'_, u32>) -> PyResult<Vec<[u32; N]>> {
+    Ok(values.as_slice()?.chunks_exact(N).map(|g| std::array::from_fn(|i| g[i])).collect())
+}
+
+fn one_mesh(fits: bool) -> PyResult<()> {
+    let told = || PyValueError::new_err(("mesh of the head", "", "arrays of one mesh are needed"));
+    if fits {
+        Ok(())
+    } else {
+        Err(told())
+    }
+}
+
+pub(super) fn any_head(values: &AnyHead<'_>) -> PyResult<Box<dyn DeformableHead<f64>>> {
+    Ok(match values {
+        AnyHead::Shells(values) => Box::new(head_of(values)?),
+        AnyHead::Solid(values) => Box::new(solid_of(values)?),
+    })
+}
+
+fn solid_of(values: &SolidValues<'_>) -> PyResult<SolidHead<f64>> {
+    let (nodes, elements) = (nodes_of(&values.nodes)?, groups_of::<8>(&values.elements)?);
+    let (face, added) = (groups_of::<4>(&values.face)?, values.added.as_slice()?.to_vec());
+    let count = nodes.len();
+    let named = elements.iter().flatten().chain(face.iter().flatten());
+    one_mesh(added.len() == count && named.into_iter().all(|&n| (n as usize) < count))?;
+    let shape = Shape::from_name("linear", &[values.shear]).map_err(|e| error_of(&e))?;
+    let material = Material { shape, bulk: values.bulk, maxwell: vec![], density: values.density };
+    let element = Element::from_name(&values.element).map_err(|e| error_of(&e))?;
+    let layer = vec![0; elements.len()];
+    let solid = SolidMesh { nodes, elements, layer };
+    Ok(SolidHead { solid, face, material, element, added, loft: values.loft })
+}
+
 pub(super) fn head_of(values: &HeadValues<'_>) -> PyResult<ShellHead<f64>> {
-    let nodes: Vec<_> =
-        values.nodes.as_slice()?.chunks_exact(3).map(|p| Vec3::new(p[0], p[1], p[2])).collect();
-    let quads: Vec<_> = values.quads.as_slice()?.chunks_exact(4).map(|q| [q[0], q[1], q[2], q[3]]).collect();
+    let (nodes, quads) = (nodes_of(&values.nodes)?, groups_of::<4>(&values.quads)?);
     let (thickness, added) = (values.thickness.as_slice()?.to_vec(), values.added.as_slice()?.to_vec());
     let (mut parts, mut start) = (Vec::new(), 0);
     for part in &values.parts {
@@ -106,12 +168,7 @@ pub(super) fn head_of(values: &HeadValues<'_>) -> PyResult<ShellHead<f64>> {
         parts.push(ShellPart { name: part.name.clone(), elements, material, face: part.face });
     }
     let count = nodes.len();
-    if start != quads.len()
-        || thickness.len() != start
-        || added.len() != count
-        || quads.iter().flatten().any(|&n| n as usize >= count)
-    {
-        return Err(PyValueError::new_err(("mesh of the head", "", "arrays of one mesh are needed")));
-    }
+    let named = quads.iter().flatten().all(|&n| (n as usize) < count);
+    one_mesh(start == quads.len() && thickness.len() == start && added.len() == count && named)?;
     Ok(ShellHead { shells: ShellMesh { nodes, quads, thickness }, parts, added, loft: values.loft })
 }

@@ -10,6 +10,7 @@ from clubface import units
 from clubface.equipment import check_name, check_text
 from clubface.errors import InputError, UnknownNameError
 from clubface.fem.heads.metal import Metal
+from clubface.fem.heads.places import Place, parsed
 from clubface.fem.heads.shells import Part, ShellHead
 
 SHAPE = ("loft", "bulge", "roll", "width", "depth", "crown", "sole", "rounding")
@@ -53,7 +54,7 @@ class DriverHead:
     thickness: Mapping[str, Any]
     target: Mapping[str, Any]
     metal: Metal = field(default_factory=Metal)
-    trims: Mapping[str, tuple[Any, Any, Any, Any]] = field(default_factory=dict)
+    trims: Mapping[str, Place] = field(default_factory=dict)
     scales: tuple[float, float] = (0.5, 2.0)
     elements: tuple[int, int, int] = (36, 12, 25)
     description: str = ""
@@ -71,12 +72,7 @@ class DriverHead:
         target = _parsed(self.target, TARGETS, ("mass",), _target_dimension)
         if not 0.05 <= target["mass"] <= 0.5:
             raise InputError("mass", units.show(target["mass"], "g"), "50 to 500 g")
-        trims = {}
-        for name, values in self.trims.items():
-            if len(values) != 4:
-                raise InputError(f"trim {name}", values, "x, y, z and the most it may weigh")
-            place = tuple(units.parse(value, "length", name=f"trim {name}") for value in values[:3])
-            trims[name] = (*place, units.parse(values[3], "mass", name=f"trim {name}"))
+        trims = parsed(self.trims, "trim")
         low, high = self.scales
         if not 0.1 <= low <= 1.0 <= high <= 10.0:
             raise InputError("scales", self.scales, "0.1 to 1 and 1 to 10")

@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from clubface.equipment import builtin_names, builtin_path, is_path
 from clubface.errors import ClubfaceError, FileError, UnknownNameError
 from clubface.fem.heads.driver import SHAPE, TARGETS, WALLS, DriverHead
+from clubface.fem.heads.iron import SHAPE as IRON_SHAPE
+from clubface.fem.heads.iron import IronHead
+from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.shells import ShellHead
 from clubface.fem.heads.user_mesh import Group, MeshHead
 from clubface.strict_toml import Document
 
+T = TypeVar("T")
+Design = DriverHead | IronHead | MeshHead
 FOLDER = "fem_heads"
-DRIVER, MESH = "driver", "mesh"
+DRIVER, IRON, MESH = "driver", "iron", "mesh"
 METAL_KEYS = ("youngs", "poisson", "density")
 COMMON = ("name", "description", "kind")
 KEYS = {
     DRIVER: (*COMMON, "elements", "scales", "shape", "thickness", "target", "metal", "trims"),
+    IRON: (*COMMON, "elements", "element", "shape", "metal", "masses"),
     MESH: (*COMMON, "file", "unit", "loft", "bulge", "roll", "face_centre", "groups", "masses"),
 }
 
@@ -29,11 +35,11 @@ def head_names() -> tuple[str, ...]:
     return builtin_names(FOLDER)
 
 
-def head(which: str | os.PathLike[str] | ShellHead | DriverHead | MeshHead) -> ShellHead:
-    """Return a head of shells: by built-in name, from a TOML file, or from its design, meshed."""
-    if isinstance(which, ShellHead):
+def head(which: str | os.PathLike[str] | MeshedHead | Design) -> MeshedHead:
+    """Return a meshed head: by built-in name, from a TOML file, or from its design."""
+    if isinstance(which, MeshedHead):
         return which
-    if isinstance(which, DriverHead | MeshHead):
+    if isinstance(which, DriverHead | IronHead | MeshHead):
         return which.mesh()
     if is_path(which):
         return from_toml(which).mesh()
@@ -42,43 +48,69 @@ def head(which: str | os.PathLike[str] | ShellHead | DriverHead | MeshHead) -> S
     return from_toml(builtin_path("fem_head", str(which), head_names())).mesh()
 
 
-def from_toml(path: str | os.PathLike[str]) -> DriverHead | MeshHead:
+def from_toml(path: str | os.PathLike[str]) -> Design:
     """Read the design of a head from a TOML file; a mesh it names by path is looked for beside it."""
     document = Document.read(path)
     data = dict(document.data)
     kind = data.pop("kind", None)
     if kind not in KEYS:
-        raise document.error(f'kind must be "{DRIVER}" or "{MESH}", not {kind!r}', "kind")
+        raise document.error(f"kind must be one of {', '.join(KEYS)}, not {kind!r}", "kind")
     document.check_keys(data, KEYS[kind], ("name",))
-    document.check_text(data, ("name", "description", "file", "unit"))
+    document.check_text(data, ("name", "description", "file", "unit", "element"))
     if kind == DRIVER:
         return _driver(document, data)
+    if kind == IRON:
+        return _iron(document, data)
     return _mesh(document, data, Path(os.fspath(path)).parent)
 
 
 def _driver(document: Document, data: dict[str, Any]) -> DriverHead:
+    known = (
+        ("shape", SHAPE, SHAPE),
+        ("thickness", WALLS, WALLS),
+        ("target", TARGETS, ("mass",)),
+        ("metal", METAL_KEYS, ()),
+    )
+    tables = _tables_of(document, data, known)
+    data["metal"] = _metal(document, tables.pop("metal"), "metal")
+    data["trims"] = _places(document, data.pop("trims", []), "trims", "most")
+    return _made(document, DriverHead, data, tables)
+
+
+def _tables_of(
+    document: Document, data: dict[str, Any], known: Sequence[tuple[str, Sequence[str], Sequence[str]]]
+) -> dict[str, Any]:
+    """Take the tables out of ``data``: their name, the keys they may have and those they must."""
     tables = {}
-    for key, known in (("shape", SHAPE), ("thickness", WALLS), ("target", TARGETS), ("metal", METAL_KEYS)):
+    for key, allowed, required in known:
         tables[key] = data.pop(key, {})
         if not isinstance(tables[key], dict):
             raise document.error(f"{key} must be a table: [{key}]", key)
-        required = ("mass",) if key == "target" else () if key == "metal" else known
-        document.check_keys(tables[key], known, required, key)
-    tables["metal"] = _metal(document, tables["metal"], "metal")
-    tables["trims"] = _places(document, data.pop("trims", []), "trims", "most")
+        document.check_keys(tables[key], allowed, required, key)
+    return tables
+
+
+def _made(document: Document, design: Callable[..., T], data: dict[str, Any], tables: Mapping[str, Any]) -> T:
+    """Make a design; errors tell the line of the value at fault."""
     for key in ("elements", "scales"):
         if key in data:
-            if not isinstance(data[key], list):
-                raise document.error(f"{key} must be a list", key)
+            if not isinstance(data[key], list) or len(data[key]) != (3 if key == "elements" else 2):
+                raise document.error(f"{key} must be a list of {'three' if key == 'elements' else 'two'} numbers", key)
             data[key] = tuple(data[key])
     try:
-        return DriverHead(**data, **tables)
-    except (ClubfaceError, TypeError, ValueError) as error:
-        if not isinstance(error, ClubfaceError):
-            raise document.error(str(error)) from error
+        return design(**data, **tables)
+    except ClubfaceError as error:
         parameter = getattr(error, "parameter", None)
-        table = next((key for key in ("shape", "thickness", "target") if parameter in document.data.get(key, {})), "")
+        table = next((key for key, values in tables.items() if parameter in values), "")
         raise document.wrap(error, table) from error
+
+
+def _iron(document: Document, data: dict[str, Any]) -> IronHead:
+    tables = _tables_of(document, data, (("shape", IRON_SHAPE, IRON_SHAPE), ("metal", METAL_KEYS, ())))
+    if tables["metal"]:
+        data["metal"] = _metal(document, tables["metal"], "metal")
+    data["masses"] = _places(document, data.pop("masses", []), "masses", "mass")
+    return _made(document, IronHead, data, {"shape": tables["shape"]})
 
 
 def _mesh(document: Document, data: dict[str, Any], folder: Path) -> MeshHead:

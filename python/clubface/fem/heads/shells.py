@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from clubface.clubs import Club
-from clubface.errors import InputError
+from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.metal import Metal
 
 if TYPE_CHECKING:
@@ -37,8 +35,8 @@ class Part:
     face: bool = False
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ShellHead:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class ShellHead(MeshedHead):
     """A head of four-node shells, SI. Axes as of :class:`clubface.Club`; the origin is the face centre, on the outside.
 
     Attributes
@@ -110,57 +108,9 @@ class ShellHead:
             "loft": self.loft,
         }
 
-    @cached_property
-    def club(self) -> Club:
-        """The same head as a rigid one: mass, CG and inertia of the mesh, for any model."""
+    def face_places(self) -> NDArray[Any]:
+        """Return the places of the nodes of the face [m]."""
         import numpy as np
 
-        from clubface import _core
-        from clubface.fem.core import told
-
-        with told():
-            found = _core.fem_head_properties(self.values())
-        part = self.part_of_elements()
-        face = np.isin(part, [number for number, each in enumerate(self.parts) if each.face])
-        places = self.nodes[np.unique(self.quads[face])]
-        size = places.max(axis=0) - places.min(axis=0)
-        # The ball's place is taken from the face centre: the outline about it that holds the whole face.
-        width, height = 2.0 * float(np.abs(places[:, 2]).max()), float(np.hypot(size[0], size[1]))
-        x, y, z = (-float(value) for value in found["centre"])
-        tensor = [[float(value) for value in row] for row in found["inertia"]]
-        return Club(
-            name=self.name,
-            kind="iron" if np.isinf(self.bulge) else "wood",
-            mass=float(found["mass"]),
-            cg_x=x,
-            cg_y=y,
-            cg_z=z,
-            ixx=tensor[0][0],
-            iyy=tensor[1][1],
-            izz=tensor[2][2],
-            ixy=tensor[0][1],
-            ixz=tensor[0][2],
-            iyz=tensor[1][2],
-            loft=self.loft,
-            bulge=self.bulge,
-            roll=self.roll,
-            face_width=width,
-            face_height=height,
-            description=self.description,
-        )
-
-    def __repr__(self) -> str:
-        club = self.club
-        return f"<head {self.name}: {self.elements} shells, {club.mass * 1e3:.1f} g>"
-
-
-def check_arrays(head: ShellHead) -> None:
-    """Refuse arrays whose shapes do not fit."""
-    import numpy as np
-
-    count = len(head.nodes)
-    wanted = {"nodes": (count, 3), "quads": (len(head.quads), 4), "thickness": (len(head.quads),), "added": (count,)}
-    for name, shape in wanted.items():
-        found = np.shape(getattr(head, name))
-        if found != shape:
-            raise InputError(f"{name} of {head.name}", f"shape {found}", f"shape {shape}")
+        chosen = [number for number, part in enumerate(self.parts) if part.face]
+        return self.nodes[np.unique(self.quads[np.isin(self.part_of_elements(), chosen)])]

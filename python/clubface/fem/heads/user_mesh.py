@@ -12,13 +12,11 @@ from clubface import units
 from clubface.equipment import FLAT, check_name, check_text
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.fem.heads.metal import Metal
+from clubface.fem.heads.places import Place, parsed, spread
 from clubface.fem.heads.shells import Part, ShellHead
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-SPREAD = 8e-3
-"""Radius about the place of an added mass within which nodes carry it [m], beyond the nearest."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,7 +82,7 @@ class MeshHead:
     face_centre: tuple[float, float, float] = (0.0, 0.0, 0.0)
     bulge: Any = FLAT
     roll: Any = FLAT
-    masses: Mapping[str, tuple[Any, Any, Any, Any]] = field(default_factory=dict)
+    masses: Mapping[str, Place] = field(default_factory=dict)
     description: str = ""
 
     def __post_init__(self) -> None:
@@ -99,6 +97,7 @@ class MeshHead:
                 raise InputError(key, value, f'above 0 mm, or "{FLAT}"')
         if not 0.0 <= self.loft <= units.parse("75 deg", "angle"):
             raise InputError("loft", units.show(self.loft, "deg"), "0 to 75 deg")
+        object.__setattr__(self, "masses", parsed(self.masses, "mass"))
         if len(self.face_centre) != 3:
             raise InputError("face_centre", self.face_centre, "three numbers")
         if not any(group.face for group in self.groups):
@@ -131,24 +130,12 @@ class MeshHead:
             nodes=nodes,
             quads=quads.reshape(-1, 4),
             thickness=np.array([group.thickness for group in self.groups])[of_group],
-            added=self._added(nodes),
+            added=spread(self.masses, nodes),
             parts=parts,
             loft=self.loft,
             bulge=self.bulge,
             roll=self.roll,
         )
-
-    def _added(self, nodes: NDArray[Any]) -> NDArray[Any]:
-        """Spread the added masses over the nodes near their places."""
-        import numpy as np
-
-        added = np.zeros(len(nodes))
-        for name, values in self.masses.items():
-            place = [units.parse(value, "length", name=f"mass {name}") for value in values[:3]]
-            away = np.linalg.norm(nodes - place, axis=1)
-            share = np.maximum(0.0, 1.0 - away / (away.min() + SPREAD))
-            added += units.parse(values[3], "mass", name=f"mass {name}") * share / share.sum()
-        return added
 
     def _read(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return points in the unit of the file, quadrilaterals, and the number of the group of each."""

@@ -1,0 +1,76 @@
+//! Heads of hexahedra, such as irons.
+
+use super::{add, DeformableHead};
+use crate::element::{Element, Patch};
+use crate::error::FemError;
+use crate::material::Material;
+use crate::mesh::{ShellMasses, SolidMesh};
+use clubface_math::{Real, Vec3};
+
+/// A head of hexahedra of one material, in the axes of [`DeformableHead`].
+#[derive(Clone, Debug)]
+pub struct SolidHead<R> {
+    /// The mesh.
+    pub solid: SolidMesh,
+    /// Quadrilaterals that the ball may touch, counterclockwise seen from outside.
+    pub face: Vec<[u32; 4]>,
+    /// What it is made of.
+    pub material: Material<R>,
+    /// Kind of elements.
+    pub element: Element,
+    /// Mass added to each node, kg.
+    pub added: Vec<f64>,
+    /// Elevation of the face normal at the face centre, rad.
+    pub loft: f64,
+}
+
+impl<R: Real> DeformableHead<R> for SolidHead<R> {
+    fn check(&self) -> Result<(), FemError> {
+        self.material.check("head")?;
+        for element in 0..self.solid.elements.len() {
+            let volume = self.solid.volume(element);
+            if volume <= 0.0 || volume.is_nan() {
+                let name = format!("element {element} of the head");
+                let allowed = "its volume must be above zero: make the blade thicker or the mesh finer there";
+                return Err(FemError::input(name, format!("{:.3} mm3", volume * 1e9), allowed));
+            }
+        }
+        if self.face.is_empty() {
+            return Err(FemError::input(
+                "face",
+                "no elements",
+                "at least one side must be the ball's to touch",
+            ));
+        }
+        Ok(())
+    }
+    fn loft(&self) -> f64 {
+        self.loft
+    }
+    fn nodes(&self) -> &[Vec3<f64>] {
+        &self.solid.nodes
+    }
+    fn masses(&self) -> ShellMasses<R> {
+        let mut translation = vec![R::zero(); self.solid.nodes.len()];
+        for (e, element) in self.solid.elements.iter().enumerate() {
+            let share = self.material.density * (self.solid.volume(e) / 8.0);
+            for &node in element {
+                translation[node as usize] += share;
+            }
+        }
+        add(&mut translation, &self.added);
+        ShellMasses { translation, rotation: Vec::new() }
+    }
+    fn patches(&self, placed: &[Vec3<R>], first: u32) -> Vec<(String, Box<dyn Patch<R>>)> {
+        // Elements count their nodes from the first row of the structure.
+        let mut nodes = vec![Vec3::zero(); first as usize];
+        nodes.extend(placed);
+        let elements = self.solid.elements.iter().map(|element| element.map(|n| n + first)).collect();
+        let mesh = SolidMesh { nodes, elements, layer: self.solid.layer.clone() };
+        let patches = self.element.patches(&mesh, 0..mesh.elements.len(), &self.material);
+        patches.into_iter().map(|patch| ("head".to_owned(), patch)).collect()
+    }
+    fn face(&self) -> (Vec<[u32; 4]>, Vec<R>) {
+        (self.face.clone(), vec![R::zero(); self.face.len()])
+    }
+}

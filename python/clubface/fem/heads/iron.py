@@ -1,0 +1,102 @@
+"""A parametric solid or cavity-back iron: a few dimensions make a mesh of hexahedra."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from clubface import units
+from clubface.equipment import check_choice, check_name, check_text
+from clubface.errors import InputError, UnknownNameError
+from clubface.fem.balls import ELEMENTS
+from clubface.fem.heads.metal import Metal
+from clubface.fem.heads.places import Place, parsed, spread
+from clubface.fem.heads.solid import ROUND, SolidHead
+
+LENGTHS = {
+    "length": (0.04, 0.12), "heel_height": (0.01, 0.08), "toe_height": (0.015, 0.1), "face": (1e-3, 0.02),
+    "sole": (1e-3, 0.04), "top": (1e-3, 0.02), "rounding": (0.0, 0.02),
+}  # fmt: skip
+"""Dimensions and their limits [m]."""
+SHAPE = ("loft", "length", "heel_height", "toe_height", "face", "sole", "top", "rim", "rounding")
+"""In the order of the core."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class IronHead:
+    """An iron head as designed, each value text with a unit or SI.
+
+    Attributes
+    ----------
+    name, description
+        For tables.
+    shape
+        "loft"; "length" of the blade; "heel_height" and "toe_height" of the face; thickness of "face", "sole" and "top"
+        line; "rim", how much of the blade's height and half length is that thick, 0.05 to 0.5 (0.5: no cavity);
+        "rounding" of the outline's corners.
+    metal
+        Left out, a stainless steel.
+    masses
+        Added masses, such as the hosel's, by name: (x, y, z, mass), the place from the face centre.
+    elements
+        From heel to toe, from sole to top line, through the blade.
+    element
+        "one-point" or "full".
+    """
+
+    name: str
+    shape: Mapping[str, Any]
+    metal: Metal = field(default_factory=lambda: Metal(youngs=193e9, poisson=0.29, density=7800.0))
+    masses: Mapping[str, Place] = field(default_factory=dict)
+    elements: tuple[int, int, int] = (40, 24, 2)
+    element: str = "one-point"
+    description: str = ""
+
+    def __post_init__(self) -> None:
+        check_name(self.name)
+        check_text("description", self.description)
+        check_choice("element", self.element, ELEMENTS)
+        for key in self.shape:
+            if key not in SHAPE:
+                raise UnknownNameError("value of the head", key, SHAPE)
+        for key in SHAPE:
+            if key not in self.shape:
+                raise InputError(key, None, "given")
+        shape = {key: units.parse(self.shape[key], "length", name=key) for key in LENGTHS}
+        shape["loft"] = units.parse(self.shape["loft"], "angle", name="loft")
+        shape["rim"] = units.parse(self.shape["rim"], units.DIMENSIONLESS, name="rim")
+        for key, (least, most) in LENGTHS.items():
+            if not least <= shape[key] <= most:
+                raise InputError(key, units.show(shape[key], "mm"), f"{least * 1e3:g} to {most * 1e3:g} mm")
+        if not 0.0 <= shape["loft"] <= units.parse("70 deg", "angle"):
+            raise InputError("loft", units.show(shape["loft"], "deg"), "0 to 70 deg")
+        if not 0.05 <= shape["rim"] <= 0.5:
+            raise InputError("rim", shape["rim"], "0.05 to 0.5")
+        if 2.0 * shape["rounding"] >= shape["heel_height"]:
+            raise InputError("rounding", units.show(shape["rounding"], "mm"), "below half of heel_height")
+        for value, least in zip(self.elements, (8, 8, 1), strict=True):
+            if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= 400:
+                raise InputError("elements", self.elements, "three whole numbers from 8, 8 and 1 to 400")
+        object.__setattr__(self, "shape", shape)
+        object.__setattr__(self, "masses", parsed(self.masses, "mass"))
+        object.__setattr__(self, "elements", tuple(self.elements))
+
+    def mesh(self) -> SolidHead:
+        """Mesh the head."""
+        from clubface import _core
+
+        found = _core.fem_iron([self.shape[key] for key in SHAPE], list(self.elements))
+        nodes = found["nodes"].reshape(-1, 3)
+        return SolidHead(
+            name=self.name,
+            description=self.description,
+            nodes=nodes,
+            hexahedra=found["elements"].reshape(-1, 8)[:, ROUND],
+            face=found["face"].reshape(-1, 4),
+            metal=self.metal,
+            added=spread(self.masses, nodes),
+            loft=self.shape["loft"],
+            element=self.element,
+            report={name: place[3] for name, place in self.masses.items()},
+        )

@@ -1,0 +1,76 @@
+"""What all meshed heads are: something with a mass, an inertia and a face."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from clubface.clubs import Club
+from clubface.fem.core import told
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+class MeshedHead(ABC):
+    """A head of elements, SI. Axes as of :class:`clubface.Club`; the origin is the face centre, on the outside."""
+
+    name: str
+    description: str
+    loft: float
+    bulge: float
+    roll: float
+    report: Mapping[str, float]
+
+    @property
+    @abstractmethod
+    def elements(self) -> int:
+        """Number of elements."""
+
+    @abstractmethod
+    def values(self) -> dict[str, Any]:
+        """Return what the core takes."""
+
+    @abstractmethod
+    def face_places(self) -> NDArray[Any]:
+        """Return the places of the nodes of the face [m]."""
+
+    @cached_property
+    def club(self) -> Club:
+        """The same head as a rigid one: mass, CG and inertia of the mesh, for any model."""
+        import numpy as np
+
+        from clubface import _core
+
+        with told():
+            found = _core.fem_head_properties(self.values())
+        places = self.face_places()
+        size = places.max(axis=0) - places.min(axis=0)
+        x, y, z = (-float(value) for value in found["centre"])
+        tensor = [[float(value) for value in row] for row in found["inertia"]]
+        return Club(
+            name=self.name,
+            kind="iron" if np.isinf(self.bulge) else "wood",
+            mass=float(found["mass"]),
+            cg_x=x,
+            cg_y=y,
+            cg_z=z,
+            ixx=tensor[0][0],
+            iyy=tensor[1][1],
+            izz=tensor[2][2],
+            ixy=tensor[0][1],
+            ixz=tensor[0][2],
+            iyz=tensor[1][2],
+            loft=self.loft,
+            bulge=self.bulge,
+            roll=self.roll,
+            # The outline about the face centre that holds the whole face.
+            face_width=2.0 * float(np.abs(places[:, 2]).max()),
+            face_height=float(np.hypot(size[0], size[1])),
+            description=self.description,
+        )
+
+    def __repr__(self) -> str:
+        return f"<head {self.name}: {self.elements} elements, {self.club.mass * 1e3:.1f} g>"
