@@ -37,8 +37,8 @@ class Settings:
     until_separation
         Whether to end soon after the last touch.
     augmentation
-        0 for the penalty method of contact; above it, to 0.5, the augmented Lagrange method: the share of the spring force
-        that a multiplier takes over in a step, so that penetration fades.
+        0 for the penalty method of contact; above it, to 0.5, the augmented Lagrange method: the share of the spring
+        force that a multiplier takes over in a step, so that penetration fades.
     frames
         Number of deformed shapes to keep, evenly over the simulated time.
     threads
