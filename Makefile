@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build demo test check bench docs study benchmark-data clean
+.PHONY: help setup build demo test check bench docs study benchmark-data benchmark-identification clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -60,6 +60,10 @@ study: build ## the tests that take minutes
 
 benchmark-data: build ## make the benchmark shots again from their recipe, bit for bit
 	$(PYTHON) -m clubface.benchmark_data.generate
+
+benchmark-identification: build ## identify every model on the benchmark shots: the tables of docs/findings.md; hours, resumed
+	@mkdir -p out
+	$(PYTHON) -m clubface.findings out/benchmark-identification docs/findings.json
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks

@@ -225,7 +225,7 @@ def test_where_a_file_holds_several_sets_one_is_chosen(tmp_path):
         ('model = "slip"', 'model = "slop"', 5, "unknown model 'slop' .*did you mean slip"),
         ('model = "slip"', "model = 3", 5, "must be text"),
         ('club = "driver"', 'club = "putter"', 6, "unknown club 'putter'"),
-        ("[[set]]", "[[sets]]", None, "unknown key 'sets'"),
+        ("[[set]]", "[[sets]]", 4, "unknown key 'sets'"),
         ('title = "My session"', "", None, "missing: title"),
     ],
 )

@@ -1,0 +1,172 @@
+"""The whole study: every model identified on the benchmark shots of both clubs, and what follows from it.
+
+Each part is written to its own file when it is finished, so that an interrupted study goes on where it was.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.benchmark_data import CLUBS, BenchmarkShots, load
+from clubface.evaluation import Evaluation, evaluate
+from clubface.evaluation.statistics import Resamples, Values, interval
+from clubface.findings.error_budget import error_budget
+from clubface.findings.tour_fit import FREE, fit
+from clubface.identify import Identification, identify
+from clubface.measured_shots import QUANTITIES
+from clubface.parameters import ParameterSet
+from clubface.plain_json import plain
+
+MODELS = ("standard", "adjusted", "slip", "jorgensen", "volumetric", "rings", "area")
+EVERY = {("rings", "driver"): 5, ("rings", "7-iron"): 2}
+"""Models identified on a part of the shots, every so-manieth, for the time they take; they are evaluated on all."""
+BOOTSTRAP = {"rings": 50}
+RESAMPLES = 4000
+DIGITS = 9
+"""Significant digits kept."""
+
+Progress = Callable[[str, float], object]
+"""What is being done, and how much of it is, 0 to 1."""
+
+
+def run(folder: Path, *, threads: int | None = None, progress: Progress | None = None) -> dict[str, Any]:
+    """Run what is not in ``folder`` yet, and return all findings, made of what JSON has."""
+    folder.mkdir(parents=True, exist_ok=True)
+    clubs = {club: _of_club(club, folder, threads, progress) for club in CLUBS}
+    tour = {model: _kept(folder / f"tour-{model}.json", partial(_tour, model)) for model in FREE}
+    return rounded(plain({"models": list(MODELS), "clubs": clubs, "tour": tour}))
+
+
+def _of_club(club: str, folder: Path, threads: int | None, progress: Progress | None) -> dict[str, Any]:
+    """Return what is found with one club."""
+    shots, fits = load(club), {}
+    for model in MODELS:
+        part = folder / f"{club}-{model}"
+        compute = partial(_fitted, shots, model, part, threads, progress)
+        fits[model] = _kept(part.with_name(f"{part.name}.json"), compute)
+    sets = {model: _parameters(club, model, each) for model, each in fits.items()}
+    return {
+        "fits": {model: {key: each[key] for key in each if key != "held_out"} for model, each in fits.items()},
+        "held_out": _leads(shots, fits),
+        "errors": _kept(folder / f"{club}-errors.json", partial(_errors, shots, sets, threads)),
+        "budget": {model: error_budget(shots, sets[model]) for model in MODELS},
+    }
+
+
+def _fitted(
+    shots: BenchmarkShots, model: str, part: Path, threads: int | None, progress: Progress | None
+) -> dict[str, Any]:
+    """Identify one model on the shots of one club."""
+    which = np.arange(0, len(shots), EVERY.get((model, shots.club), 1))
+
+    def tell(stage: str, done: int, of: int, best: float) -> None:
+        if progress is not None:
+            progress(f"{part.name}: {stage}, cost {best:.4f}", done / of)
+
+    found = identify(
+        shots.measured.select(which), club=shots.club, model=model, groups=shots.player[which],
+        bootstrap=BOOTSTRAP.get(model, 200), threads=threads, checkpoint=part.with_name(f"{part.name}.checkpoint"),
+        resume=True, progress=tell,
+    )  # fmt: skip
+    measured = np.array([shots.measured.launches[name][which] for name in QUANTITIES])
+    return _told(found, measured, which)
+
+
+def _told(of: Identification, measured: Values, places: NDArray[np.int64]) -> dict[str, Any]:
+    """Return what is kept of an identification, and the share of each shot in P1's cost when it was held out."""
+    assert of.held_out is not None
+    losses = np.abs(of.held_out - measured) / np.abs(measured).mean(axis=1, keepdims=True)
+    told = of.to_dict()
+    kept = (
+        "parameters", "intervals", "cost", "cost_holdout", "evaluations", "impacts", "wall_s", "free", "shots",
+        "deviations", "identified", "warnings", "settings",
+    )  # fmt: skip
+    weak = [each["words"] for each in told["identifiability"]["directions"] if each["strength"] != "known"]
+    profiles = {name: each["interval"] for name, each in told["profiles"].items()}
+    held = {"places": places, "losses": losses.sum(axis=0)}
+    return {name: told[name] for name in kept} | {"weak": weak, "profile_intervals": profiles, "held_out": held}
+
+
+def _leads(shots: BenchmarkShots, fits: dict[str, Any]) -> dict[str, Any]:
+    """Return by how much each model's held-out cost exceeds the least, and its interval, players drawn together.
+
+    Models identified on a part of the shots are compared on that part.
+    """
+    found = {}
+    whole = {name: each for name, each in fits.items() if len(each["held_out"]["places"]) == len(shots)}
+    best = min(whole, key=lambda name: whole[name]["cost_holdout"])
+    for name, each in fits.items():
+        places = np.array(each["held_out"]["places"])
+        lead = np.array(each["held_out"]["losses"]) - np.array(fits[best]["held_out"]["losses"])[places]
+        resamples = Resamples(RESAMPLES, len(places), 0, shots.player[places])
+        found[name] = {"than": best, "more": lead.mean(), "interval": interval(resamples.means(lead[None])[:, 0])}
+    return found
+
+
+def _parameters(club: str, model: str, told: dict[str, Any]) -> ParameterSet:
+    values = told["parameters"]
+    return ParameterSet(model=model, club=club, name="identified on the benchmark shots", values=values)
+
+
+def _errors(shots: BenchmarkShots, sets: dict[str, ParameterSet], threads: int | None) -> dict[str, Any]:
+    """Return errors of all models on all shots of a club, with players drawn together, and the best ones."""
+    found = evaluate(
+        shots.measured, club=shots.club, models=list(MODELS), parameters=sets, groups=shots.player,
+        resamples=RESAMPLES, threads=threads,
+    )  # fmt: skip
+    return _evaluated(found)
+
+
+def _evaluated(of: Evaluation) -> dict[str, Any]:
+    return {
+        "mean": of.mean,
+        "sizes": {name: {m: size._asdict() for m, size in each.items()} for name, each in of.sizes.items()},
+        "best": {
+            name: {"model": each.model, "rivals": [rival._asdict() for rival in each.rivals]}
+            for name, each in of.best.items()
+        },
+        "cost": {model: of.cost(model) for model in of.models},
+        "seconds": of.seconds,
+        "floor": of.floor,
+    }
+
+
+def _tour(model: str) -> dict[str, Any]:
+    of = fit(model)
+    return {
+        "parameters": dict(of.parameters.values),
+        "free": list(of.free),
+        "clubs": list(of.clubs),
+        "lofts": of.lofts,
+        "errors": of.errors,
+        "left_out": of.left_out,
+        "carry": of.carry,
+    }
+
+
+def _kept(path: Path, compute: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+    """Return what is in ``path``, computed and written there if it is not."""
+    if path.exists():
+        return json.loads(path.read_text(encoding="utf-8"))
+    found = plain(compute())
+    part = path.with_suffix(".part")
+    part.write_text(json.dumps(found, allow_nan=False), encoding="utf-8")
+    os.replace(part, path)
+    return found
+
+
+def rounded(value: Any) -> Any:
+    """Return ``value`` with all numbers cut to ``DIGITS`` significant digits."""
+    if isinstance(value, float):
+        return float(f"{value:.{DIGITS}g}")
+    if isinstance(value, dict):
+        return {key: rounded(each) for key, each in value.items()}
+    return [rounded(each) for each in value] if isinstance(value, list) else value
