@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build demo test check bench docs study benchmark-data benchmark-identification clean
+.PHONY: help setup build demo test check bench docs study benchmark-data benchmark-identification benchmark-identification-speed identification-coverage clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -64,6 +64,12 @@ benchmark-data: build ## make the benchmark shots again from their recipe, bit f
 benchmark-identification: build ## identify every model on the benchmark shots: the tables of docs/findings.md; hours, resumed
 	@mkdir -p out
 	$(PYTHON) -m clubface.findings out/benchmark-identification docs/findings.json
+
+benchmark-identification-speed: build ## time of P1's whole identification of the volumetric driver, and its cost
+	$(PYTHON) benchmarks/identification_speed.py
+
+identification-coverage: build ## how often intervals of identified parameters hold the truth, over 400 repeats
+	$(PYTHON) -m pytest -m study tests/test_identify_coverage.py -s
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks

@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.optimize import minimize
+from scipy.optimize import linprog, minimize
 
 from clubface.errors import InputError, UnknownNameError
 from clubface.identify.cost import noise_of
 from clubface.identify.free_parameters import free_parameters
 from clubface.identify.identifiability import identifiability, scatter
+from clubface.identify.least_absolute import least_absolute
 from clubface.identify.profile import Profiler
 from clubface.identify.refine import refine
 from clubface.identify.search import Population, search
@@ -125,6 +126,35 @@ def test_a_refinement_ends_no_worse_than_a_bounded_quasi_newton_method(seed):
     theirs = minimize(value_and_gradient, start, jac=True, method="L-BFGS-B", bounds=[(0.0, 1.0)] * len(start))
     # Equal where both find the minimum, to the tolerance of the last step.
     assert ours.cost <= theirs.fun * (1.0 + 1e-9)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.integers(1, 60), st.integers(1, 7), st.sampled_from(["plain", "twins", "blind"]))
+def test_least_absolute_deviations_are_those_of_a_linear_program(seed, count, free, kind):
+    """The sum of t with -t <= deviations + rows step <= t, by another program."""
+    rng = np.random.default_rng(seed)
+    rows = rng.normal(size=(count, free)) * 10.0 ** rng.uniform(-2, 2, free)
+    deviations = rng.normal(size=count) * 10.0 ** rng.uniform(-3, 3)
+    if kind == "twins":  # equal shots
+        rows, deviations = np.repeat(rows, 3, axis=0), np.repeat(deviations, 3)
+    if kind == "blind":  # a parameter that changes nothing, and two that change the same
+        rows[:, 0] = 0.0
+        rows[:, -1] = rows[:, free // 2]
+    reach = 10.0 ** rng.uniform(-3, 1) * np.abs(deviations).mean()
+    lower, upper = -reach * rng.uniform(0, 1, free), reach * rng.uniform(0, 1, free)
+    found = least_absolute(deviations, rows, lower, upper)
+    assert (found >= lower).all()
+    assert (found <= upper).all()
+    bound = np.concatenate([-deviations, deviations])
+    identity = np.eye(len(deviations))
+    expected = linprog(
+        np.concatenate([np.zeros(free), np.ones(len(deviations))]),
+        A_ub=np.block([[rows, -identity], [-rows, -identity]]),
+        b_ub=bound,
+        bounds=[*zip(lower, upper, strict=True), *[(0.0, None)] * len(deviations)],
+    )
+    # Ties are told apart by 1e-9 of the mean deviation; the program's own tolerance is 1e-7.
+    assert np.abs(deviations + rows @ found).sum() <= expected.fun + 1e-6 * np.abs(deviations).sum()
 
 
 def test_a_refinement_keeps_to_bounds_and_to_what_is_held():

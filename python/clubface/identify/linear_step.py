@@ -1,4 +1,4 @@
-"""The best step within a box where launches are linear in the parameters: a linear program or bounded least squares.
+"""The best step within a box where launches are linear: least absolute deviations or bounded least squares.
 
 The mean absolute error of P1's cost has no gradient where a deviation vanishes, and at its minimum as many deviations
 vanish as there are parameters. A gradient method stalls at such kinks. The launches themselves are smooth, so they are
@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from clubface.identify.cost import Cost
+from clubface.identify.least_absolute import least_absolute
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -45,7 +46,7 @@ def best_step(
     rows = np.moveaxis(derivatives, 1, 2)[used]
     weights = cost.weights[used]
     if cost.loss == "absolute":
-        return _least_absolute(deviations * weights, rows * weights[:, None], lower, upper)
+        return least_absolute(deviations * weights, rows * weights[:, None], lower, upper)
     if cost.loss == "squares":
         roots = np.sqrt(weights)
         return _least_squares(deviations * roots, rows * roots[:, None], lower, upper)
@@ -68,43 +69,6 @@ def linear_cost(
 ) -> float:
     """Return the cost after a step if the launches were linear."""
     return cost.value(simulated + np.einsum("qfs,f->qs", derivatives, step))
-
-
-def _least_absolute(
-    deviations: NDArray[np.float64],
-    rows: NDArray[np.float64],
-    lower: NDArray[np.float64],
-    upper: NDArray[np.float64],
-) -> NDArray[np.float64]:
-    """Minimise the sum of |deviations + rows step| by the dual linear program, which has a row a parameter.
-
-    With y in [-1, 1] for the sign of each deviation: maximise y.deviations + lower.a - upper.b subject to
-    rows' y = a - b, a and b >= 0. The step is what its equations are worth.
-    """
-    from scipy.optimize import linprog
-
-    size = np.mean(np.abs(deviations))
-    scales = np.sqrt(np.mean(rows**2, axis=0))
-    if not (size > 0.0 and np.all(np.isfinite(scales))):
-        return np.zeros(len(lower))
-    scales = np.where(scales > 0.0, scales, 1.0) / size
-    # Deviations of size 1, and steps that change them by about 1: the tolerances of the solver are absolute.
-    matrix = rows / (scales * size)
-    low, high = lower * scales, upper * scales
-    count, free = matrix.shape
-    bounds = np.zeros((count + 2 * free, 2))
-    bounds[:count] = (-1.0, 1.0)
-    bounds[count:] = (0.0, np.inf)
-    found = linprog(
-        -np.concatenate([deviations / size, low, -high]),
-        A_eq=np.hstack([matrix.T, -np.eye(free), np.eye(free)]),
-        b_eq=np.zeros(free),
-        bounds=bounds,
-        method="highs-ds",
-    )
-    if found.status != 0:
-        return np.zeros(free)
-    return np.clip(found.eqlin.marginals / scales, lower, upper)
 
 
 def _least_squares(

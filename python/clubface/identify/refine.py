@@ -58,7 +58,7 @@ def refine(
     cost: Cost,
     start: NDArray[np.float64],
     *,
-    radius: float = FIRST_RADIUS,
+    radius: NDArray[np.float64] | float = FIRST_RADIUS,
     first: Linear | None = None,
     held: NDArray[np.bool_] | None = None,
     enough: NDArray[np.float64] | float = SMALLEST_STEP,
@@ -72,7 +72,7 @@ def refine(
     start
         A point of the unit cube, shape (free,).
     radius
-        How far the first step may go.
+        How far the first step may go, in all coordinates or in each.
     first
         The launches at ``start`` and their derivatives, where they are known.
     held
@@ -99,7 +99,7 @@ def _descend(
     simulator: Simulator,
     cost: Cost,
     start: NDArray[np.float64],
-    radius: float,
+    radius: NDArray[np.float64] | float,
     first: Linear | None,
     held: NDArray[np.bool_] | None,
     enough: NDArray[np.float64] | float,
@@ -107,25 +107,25 @@ def _descend(
     point = np.array(start)
     here = first or Linear(*simulator.derivatives(point))
     value = cost.value(here.simulated)
-    steps = 0
+    steps, reach = 0, np.broadcast_to(radius, point.shape)
     if not np.isfinite(value):
         return Refined(point, value, steps)
     while steps < MOST_STEPS:
-        lower, upper = np.maximum(-radius, -point), np.minimum(radius, 1.0 - point)
+        lower, upper = np.maximum(-reach, -point), np.minimum(reach, 1.0 - point)
         if held is not None:
             lower, upper = np.where(held, 0.0, lower), np.where(held, 0.0, upper)
         step = _within(here, cost, lower, upper, held)
-        length = float(np.max(np.abs(step)))
         promised = value - linear_cost(cost, here.simulated, here.derivatives, step)
-        if promised <= SMALLEST_FALL * value or length <= SMALLEST_STEP:
+        if promised <= SMALLEST_FALL * value or np.max(np.abs(step)) <= SMALLEST_STEP:
             break
         trial = np.clip(point + step, 0.0, 1.0)
         found = cost.value(simulator.launch(trial))
         share = (value - found) / promised
+        part = float(np.max(np.abs(step) / reach))
         if share < POOR:
-            radius = 0.25 * length
-        elif share > GOOD and length >= 0.9 * radius:
-            radius = min(2.5 * radius, 1.0)
+            reach = 0.25 * part * reach
+        elif share > GOOD and part >= 0.9:
+            reach = np.minimum(2.5 * reach, 1.0)
         if found < value:
             point, value = trial, found
             steps += 1

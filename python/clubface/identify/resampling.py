@@ -16,11 +16,9 @@ if TYPE_CHECKING:
 
 FOLDS = 5
 BOOTSTRAP = 200
-RADIUS = 0.3
-"""How far the first step of a refit may go, in parts of the range of each parameter."""
-SMALL = 0.02
-"""A refit ends where a step is smaller than this part of the standard error."""
-UNKNOWN = 0.25
+REACH, SMALL = 6.0, 0.05
+"""How far the first step of a refit may go, and below which size a step is the last one, in standard errors."""
+UNKNOWN = 0.05
 """Standard error assumed where the data do not tell, in parts of the range."""
 
 
@@ -43,7 +41,7 @@ class Refits:
         self.simulator = simulator
         self.cost = cost
         self.optimum = optimum
-        self.enough = SMALL * np.where(np.isfinite(errors), np.minimum(errors, UNKNOWN), UNKNOWN)
+        self.errors = np.where(np.isfinite(errors), np.minimum(errors, UNKNOWN), UNKNOWN)
         self._linear = Linear(*simulator.derivatives(optimum))
 
     def to(self, counts: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -52,7 +50,9 @@ class Refits:
         first = Linear(self._linear.simulated[:, used], self._linear.derivatives[:, :, used])
         part = self.simulator.of(self.simulator.shots.select(used))
         cost = self.cost.select(used, counts[used])
-        return refine(part, cost, self.optimum, radius=RADIUS, first=first, enough=self.enough).point
+        return refine(
+            part, cost, self.optimum, radius=REACH * self.errors, first=first, enough=SMALL * self.errors
+        ).point
 
 
 def held_out(

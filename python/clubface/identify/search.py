@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -66,35 +66,32 @@ def search(
     after_generation
         Called with the survivors of every generation.
     """
-    from pymoo.algorithms.soo.nonconvex.ga import GA
-    from pymoo.core.evaluator import Evaluator
+    from pymoo.algorithms.soo.nonconvex.ga import GA, FitnessSurvival
     from pymoo.core.population import Population as Individuals
     from pymoo.core.problem import Problem
-    from pymoo.problems.static import StaticProblem
 
     cube = Problem(n_var=free, n_obj=1, xl=0.0, xu=1.0)
-
-    def evaluated(individuals: Individuals, costs: NDArray[np.float64]) -> Individuals:
-        Evaluator().eval(StaticProblem(cube, F=costs[:, None]), individuals)
-        return individuals
-
     algorithm = GA(pop_size=population)
-    algorithm.setup(cube, termination=("n_gen", generations + 1), seed=seed, verbose=False)
-    done = begun.generation if begun else 0
-    if begun is not None:
-        algorithm.pop = evaluated(Individuals.new("X", begun.points), begun.costs)
-        algorithm.n_iter, algorithm.is_initialized = done + 1, True
+    individuals = None if begun is None else Individuals.new(X=begun.points, F=begun.costs[:, None])
     survivors = begun
-    for generation in range(done, generations):
-        algorithm.random_state = np.random.default_rng((seed, generation))
-        offspring = algorithm.ask()
-        if offspring is None:  # every child is a copy of a parent: the population has collapsed
-            break
-        algorithm.tell(infills=evaluated(offspring, costs_of(np.asarray(offspring.get("X")))))
-        assert algorithm.pop is not None
-        points, costs = np.asarray(algorithm.pop.get("X")), np.asarray(algorithm.pop.get("F"))
-        survivors = Population(generation + 1, points, costs[:, 0])
+    for generation in range(begun.generation if begun else 0, generations):
+        generator = np.random.default_rng((seed, generation))
+        if individuals is None:
+            individuals = algorithm.initialization.do(cube, population, random_state=generator)
+            individuals.set("F", costs_of(_array(individuals, "X"))[:, None])
+        else:
+            children = algorithm.mating.do(cube, individuals, population, random_state=generator)
+            if not len(children):  # every child is a copy of a parent: the population has collapsed
+                break
+            children.set("F", costs_of(_array(children, "X"))[:, None])
+            together = Individuals.merge(individuals, children)
+            individuals = FitnessSurvival().do(cube, together, n_survive=population)
+        survivors = Population(generation + 1, _array(individuals, "X"), _array(individuals, "F")[:, 0])
         if after_generation is not None:
             after_generation(survivors)
     assert survivors is not None
     return survivors
+
+
+def _array(individuals: Any, name: str) -> NDArray[np.float64]:
+    return np.asarray(individuals.get(name), dtype=np.float64)

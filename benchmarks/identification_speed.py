@@ -1,0 +1,43 @@
+"""Time of P1's whole identification: 200 by 100 sets of parameters on 550 drives, and the refinement of the best five.
+
+Prints wall and processor time and memory beside what they bought: cost and parameters.
+"""
+
+from __future__ import annotations
+
+import argparse
+import resource
+import time
+
+import clubface
+from clubface.identify.report import parameter_rows
+
+PUBLISHED_SECONDS = 0.0683
+"""CPU time of one volumetric impact in P1's Table 3 at 2.3 GHz: 0.683 s for ten."""
+
+
+def main() -> None:
+    """Identify one model of the driver and print the figures."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--model", default="volumetric")
+    parser.add_argument("--threads", type=int, default=None)
+    chosen = parser.parse_args()
+    shots = clubface.benchmark_data.load("driver").measured
+    began, processor = time.perf_counter(), time.process_time()
+    found = clubface.identify(
+        shots, club="driver", model=chosen.model, threads=chosen.threads, folds=0, bootstrap=0, profiles=()
+    )
+    wall, processor = time.perf_counter() - began, time.process_time() - processor
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+    print(f"{found.model}: {found.shots} drives, {found.evaluations:,} sets of parameters, {found.impacts:,} impacts")
+    print(f"wall {wall:.1f} s, processor {processor:.1f} s, memory {memory:.0f} MB at most")
+    print(f"cost (22) {found.cost:.6f}; the refinements ended at {', '.join(f'{cost:.6f}' for cost in found.refined)}")
+    for name, value, *_ in parameter_rows(found):
+        print(f"  {name:<18} {value}")
+    if chosen.model == "volumetric":
+        days = found.impacts * PUBLISHED_SECONDS / 86400.0
+        print(f"at the processor time P1 publishes for an impact, {PUBLISHED_SECONDS} s: {days:.1f} days")
+
+
+if __name__ == "__main__":
+    main()
