@@ -50,13 +50,13 @@ impl IronShape {
 
     /// Place on the face for -1 to 1 from heel to toe and from sole to top line: along the face from its centre, up and to the toe.
     fn outline(&self, along: f64, across: f64) -> (f64, f64) {
-        let height = self.heel_height + 0.5 * (along + 1.0) * (self.toe_height - self.heel_height);
-        let bottom = -0.25 * (self.heel_height + self.toe_height);
-        let up = bottom + 0.5 * height * (across + 1.0);
+        let height = |at: f64| self.heel_height + 0.5 * (at + 1.0) * (self.toe_height - self.heel_height);
         // Corners are rounded by drawing in the ends of the rows near sole and top line.
-        let near = (0.5 * height * (across.abs() - 1.0) + self.rounding).max(0.0);
+        let near = (0.5 * height(along) * (across.abs() - 1.0) + self.rounding).max(0.0);
         let drawn = self.rounding - (self.rounding * self.rounding - near * near).max(0.0).sqrt();
-        (up, along * (0.5 * self.length - drawn))
+        let toe = along * (0.5 * self.length - drawn);
+        let bottom = -0.25 * (self.heel_height + self.toe_height);
+        (bottom + 0.5 * height(2.0 * toe / self.length) * (across + 1.0), toe)
     }
 
     /// Thickness of the blade at the same coordinates.
@@ -135,7 +135,7 @@ mod tests {
             rim: 0.2,
             rounding: 8e-3,
         };
-        let mesh = shape.mesh(IronFineness([24, 16, 2]));
+        let mesh = shape.mesh(IronFineness([40, 24, 2]));
         for element in 0..mesh.solid.elements.len() {
             assert!(mesh.solid.volume(element) > 0.0, "element {element}");
         }
