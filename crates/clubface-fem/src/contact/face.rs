@@ -128,12 +128,15 @@ impl<R: Real> FaceContact<R> {
 
     /// Distance between ball and face, m, at the positions of the last step.
     #[must_use]
-    pub fn clearance(&self, positions: &[Row<R>]) -> f64 {
+    pub fn clearance(&self, positions: &[Row<R>]) -> R {
         self.candidates
             .iter()
             .zip(&self.nodes)
             .filter_map(|(c, &n)| self.surface.foot_from(positions[n as usize].vec(), c.quad))
-            .fold(f64::INFINITY, |least, foot| least.min(foot.gap.re()))
+            .fold(
+                R::from_f64(f64::INFINITY),
+                |least, foot| if foot.gap.re() < least.re() { foot.gap } else { least },
+            )
     }
 }
 

@@ -96,12 +96,12 @@ pub fn against_ball<R: Real>(
     let contact = FaceContact::new(&sides, &face, friction, springs, &positions);
     // Both sides are polyhedra: bring them to touch.
     let gap = contact.clearance(&positions);
-    if !gap.is_finite() {
+    if !gap.re().is_finite() {
         let allowed = "the face must be there: does the mesh lie at the face centre, its normals outwards?";
         return Err(FemError::input("point of first touch", "beside the face", allowed));
     }
     for row in &mut positions[..balls] {
-        row.add(touch.normal * R::from_f64(-gap));
+        row.add(touch.normal * -gap);
     }
     let mut structure = Structure::new(positions, masses, patches, contact.nodes());
     structure.translations = balls + count;
