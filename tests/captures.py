@@ -23,6 +23,9 @@ SHOWN = {
 """From SI to m/s, degrees, mm and rad/s."""
 
 
+CLEAN_CAMERAS = Cameras()
+
+
 def captured(swing, cameras, *, seed=1, mapping=None, **options):
     """Record a swing and read it back."""
     mapping = mapping or positions_map(swing.club, cameras)

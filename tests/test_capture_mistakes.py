@@ -129,6 +129,34 @@ def test_a_practice_swing_before_is_not_the_impact():
     assert found.delivery.speed == pytest.approx(read().delivery.speed, abs=0.05)
 
 
+def test_a_swing_where_the_ball_will_lie_is_not_the_impact():
+    practice = np.array(RECORDING.positions[::2])  # at twice the speed
+    practice[:, BALL] = RECORDING.positions[0, BALL] + [0.5, 0.0, 0.0]
+    shot = RECORDING.positions.copy()
+    shot[IMPACT:, BALL] = np.nan
+    found = capture(replace(RECORDING, positions=np.concatenate([practice, shot])), prepare(MAPPING, "driver"))
+    assert found.frames[0] == len(practice) + IMPACT
+
+
+def test_frames_after_first_touch_are_not_used_even_if_they_are_offered():
+    from clubface.motion_capture.approach import follow
+    from clubface.motion_capture.impact_frame import Interval
+    from clubface.motion_capture.tracking import track
+
+    ready = prepare(MAPPING, "driver")
+    cluster = ready.cluster(RECORDING)
+    turn = ready.turn(RECORDING)
+    followed = track(cluster.shape, RECORDING.markers(cluster.names) @ turn.T, cluster.names, "x")
+    ball = RECORDING.positions[:IMPACT, BALL].mean(0) @ turn.T
+    how = {"noise": 2e-4, "name": "smoother", "roughness": 0.6, "where": "x"}
+    found = [
+        follow(RECORDING.times, followed, Interval(last, last + 1), ball, ready.club, ready.ball.radius, **how)
+        for last in (IMPACT - 1, IMPACT, IMPACT + 1)
+    ]
+    assert [each.frames[-1] for each in found] == [IMPACT - 1] * 3
+    assert found[2].touch == pytest.approx(found[0].touch, abs=1e-9)
+
+
 def test_exchanged_and_stray_markers_are_mended_and_told():
     def mixed(positions):
         positions[IMPACT - 8 : IMPACT + 1, [0, 2]] = positions[IMPACT - 8 : IMPACT + 1, [2, 0]]

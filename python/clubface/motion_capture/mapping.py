@@ -46,7 +46,7 @@ class MarkerMap:
     calibration
         The C3D file in which cluster and face points are seen together; None is the swing itself.
     accuracy
-        Standard deviation of a given position of a cluster marker or face point, along each axis [m].
+        Standard deviation of a given position along each axis [m]: of a cluster marker, a face point, the ball.
     ball
         The marker whose centre is that of the ball, or None.
     ball_offset

@@ -129,7 +129,7 @@ HEAD4 = "seen"
 
 [calibration]
 file = "calibration.c3d"      # where cluster and face are seen together; left out, the file of the swing
-accuracy = "0.3 mm"           # optional: how well the points below are placed, a standard deviation
+accuracy = "0.3 mm"           # optional: how well the positions given here are known, a standard deviation
 
 [face]                        # points on the face, from its centre in the plane that touches it there
 FACE_CENTRE = { toe = "0 mm", high = "0 mm", standoff = "2 mm" }   # standoff: of the marker's centre

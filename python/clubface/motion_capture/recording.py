@@ -102,9 +102,8 @@ def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Record
 
     try:
         content = ezc3d.c3d(name)
-        data, groups = content["data"], content["parameters"]
-        points = np.asarray(data["points"], dtype=np.float64)
-        residuals = np.asarray(data["meta_points"]["residuals"], dtype=np.float64)
+        groups = content["parameters"]
+        points = np.asarray(content["data"]["points"], dtype=np.float64)  # NaN where the file marks a point invalid
         rate = float(content["header"]["points"]["frame_rate"])
     except (OSError, RuntimeError, ValueError, KeyError, IndexError, TypeError) as error:
         raise FileError(name, None, f"this C3D file cannot be read: {str(error).rstrip('.')}") from None
@@ -116,8 +115,6 @@ def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Record
         raise FileError(name, None, f"the frame rate is {rate:g} Hz")
     positions = np.moveaxis(points[:3], 0, -1).swapaxes(0, 1) * _metres(name, groups, unit)
     unseen = ~visible(positions) | np.all(positions == 0.0, axis=-1)
-    if residuals.shape[1:] == points.shape[1:]:
-        unseen |= residuals[0].T < 0.0
     labels = _texts(groups, "LABELS", "LABELS2", "LABELS3")
     labels += [f"*{place + 1}" for place in range(len(labels), points.shape[1])]
     return Recording(
