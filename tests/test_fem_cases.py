@@ -39,6 +39,35 @@ def test_a_case_reads_its_ball_beside_it(tmp_path):
     assert found.run().steps > 10
 
 
+OGDEN = 'law = "ogden"\nmu1 = "8 MPa"\nalpha1 = 2\nmu2 = "-2 MPa"\nalpha2 = -2'
+RIVLIN = 'law = "mooney-rivlin"\nc10 = "4 MPa"\nc01 = "1 MPa"'
+
+
+def test_ogdens_rubber_with_exponents_of_two_is_mooney_and_rivlins(tmp_path):
+    rivlin = case(write_case(tmp_path, duration=600)).run()
+    ogden = case(write_case(tmp_path, duration=600, old=RIVLIN, new=OGDEN))
+    core = ogden.ball.pieces[0].material
+    assert (core.law, core.constants["alpha2"], core.shear) == ("ogden", -2.0, pytest.approx(10e6))
+    # Rounding, grown over a thousand steps.
+    assert ogden.run().peak_force == pytest.approx(rivlin.peak_force, rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("new", "said"),
+    [
+        (OGDEN.replace('mu2 = "-2 MPa"', 'mu2 = "2 MPa"'), "ball.toml:12: mu2 is '2 MPa'; it must be of the sign of alpha2"),
+        (OGDEN.replace("alpha1 = 2", "alpha1 = 0"), "ball.toml:11: alpha1 is 0.0; it must be -30 to 30, not 0"),
+        (OGDEN.replace("alpha2 = -2", ""), "alpha2 missing"),
+        (OGDEN.replace("alpha1 = 2", 'alpha1 = "2 MPa"'), "ball.toml:11: alpha1 is '2 MPa'; it must be"),
+        (OGDEN.replace('mu1 = "8 MPa"\nalpha1 = 2\n', ""), "mu1, alpha1 missing"),
+    ],
+)
+def test_a_mistake_in_ogdens_constants_is_told(tmp_path, new, said):
+    with pytest.raises(FileError) as told:
+        case(write_case(tmp_path, old=RIVLIN, new=new))
+    assert said in str(told.value)
+
+
 MISTAKES = [
     ('thickness = "1.8 mm"', 'thickness = "0 mm"', "ball.toml:17: thickness of cover is '0 mm'"),
     ('thickness = "1.8 mm"', 'thickness = "20 mm"', "less than 80% of the radius"),

@@ -20,14 +20,30 @@ class Law(NamedTuple):
     name
         As in files.
     constants
-        The names of its constants, all in Pa.
+        The names of its constants, each with its dimension as of :mod:`clubface.units`.
+    needed
+        How many of them must be given, from the first; the others come in groups of as many.
     summary
         One line.
     """
 
     name: str
-    constants: tuple[str, ...]
+    constants: Mapping[str, str]
+    needed: int
     summary: str
+
+    def given(self, constants: Mapping[str, Any]) -> dict[str, float]:
+        """Return constants in the order of the core, SI, checked; text may carry units."""
+        for name in constants:
+            if name not in self.constants:
+                raise UnknownNameError(f"constant of {self.name}", name, self.constants)
+        names = list(self.constants)
+        last = max((names.index(name) for name in constants), default=0)
+        wanted = names[: (last // self.needed + 1) * self.needed]
+        missing = [name for name in wanted if name not in constants]
+        if missing:
+            raise InputError("constants", dict(constants), f"given in full: {', '.join(missing)} missing")
+        return {name: units.parse(constants[name], self.constants[name], name=name) for name in wanted}
 
 
 @cache
@@ -35,8 +51,13 @@ def laws() -> Mapping[str, Law]:
     """Return the elastic laws by name."""
     from clubface import _core
 
-    found = (Law(each["name"], tuple(each["constants"]), each["summary"]) for each in _core.fem_laws())
-    return MappingProxyType({law.name: law for law in found})
+    found = {}
+    for each in _core.fem_laws():
+        names = each["constants"]
+        dimensions = each.get("dimensions", ["pressure"] * len(names))
+        constants = MappingProxyType(dict(zip(names, dimensions, strict=True)))
+        found[each["name"]] = Law(each["name"], constants, each.get("needed", len(names)), each["summary"])
+    return MappingProxyType(found)
 
 
 @dataclass(frozen=True)
@@ -76,7 +97,7 @@ class Material:
     law
         The name of an elastic law, see :func:`laws`; "linear" is also given by ``youngs``.
     constants
-        Its constants by name [Pa].
+        Its constants by name [Pa; exponents are plain numbers].
     poisson
         Poisson's ratio at small strain, below 0.5: sets the bulk modulus.
     density
@@ -94,14 +115,7 @@ class Material:
     def __post_init__(self) -> None:
         if self.law not in laws():
             raise UnknownNameError("law", self.law, laws())
-        wanted = laws()[self.law].constants
-        for name in self.constants:
-            if name not in wanted:
-                raise UnknownNameError(f"constant of {self.law}", name, wanted)
-        missing = [name for name in wanted if name not in self.constants]
-        if missing:
-            raise InputError("constants", dict(self.constants), f"given in full: {', '.join(missing)} missing")
-        values = {name: units.parse(self.constants[name], "pressure", name=name) for name in wanted}
+        values = laws()[self.law].given(self.constants)
         object.__setattr__(self, "constants", MappingProxyType(values))
         object.__setattr__(self, "poisson", units.parse(self.poisson, units.DIMENSIONLESS, name="poisson"))
         if not -0.9 <= self.poisson <= 0.4999:
@@ -113,17 +127,22 @@ class Material:
         object.__setattr__(self, "maxwell", tuple(self.maxwell))
         if len(self.maxwell) > MAX_BRANCHES:
             raise InputError("maxwell", len(self.maxwell), f"at most {MAX_BRANCHES} branches")
-        name, low = min(values.items(), key=lambda each: each[1])
-        if low < 0.0 and self.law != "ogden":
-            raise InputError(name, units.show(low, "MPa"), "zero or above")
+        if self.law == "ogden":
+            _check_ogden(values)
+        else:
+            name, low = min(values.items(), key=lambda each: each[1])
+            if low < 0.0:
+                raise InputError(name, units.show(low, "MPa"), "zero or above")
         if not 1e3 <= self.shear <= 1e12:
             raise InputError(f"shear modulus of {self.law}", units.show(self.shear, "MPa"), "0.001 to 1000000 MPa")
 
     @property
     def shear(self) -> float:
         """Shear modulus of small, slow deformation [Pa]."""
-        total = sum(self.constants.values())
-        return 2.0 * total if self.law == "mooney-rivlin" else total
+        values = list(self.constants.values())
+        if self.law == "ogden":
+            return 0.5 * sum(mu * alpha for mu, alpha in zip(values[::2], values[1::2], strict=True))
+        return 2.0 * sum(values) if self.law == "mooney-rivlin" else sum(values)
 
     @property
     def bulk(self) -> float:
@@ -146,3 +165,14 @@ class Material:
             raise InputError("poisson", ratio, _POISSON)
         shear = modulus / (2.0 * (1.0 + ratio))
         return cls(law="linear", constants={"shear": shear}, poisson=ratio, density=density, maxwell=tuple(maxwell))
+
+
+def _check_ogden(values: Mapping[str, float]) -> None:
+    """Refuse terms that soften: each mu must have the sign of its alpha."""
+    for number in range(1, len(values) // 2 + 1):
+        mu, alpha = values[f"mu{number}"], values[f"alpha{number}"]
+        if not 0.0 < abs(alpha) <= 30.0:
+            raise InputError(f"alpha{number}", alpha, "-30 to 30, not 0")
+        if not mu * alpha > 0.0:
+            allowed = f"of the sign of alpha{number}: otherwise rubber may soften until it runs away"
+            raise InputError(f"mu{number}", units.show(mu, "MPa"), allowed)

@@ -9,6 +9,9 @@ const POISSON: f64 = 0.4999;
 /// Largest modulus of a branch over the slow one.
 const BRANCH: f64 = 1000.0;
 
+/// Largest exponent of stretches, positive or negative.
+const EXPONENT: f64 = 30.0;
+
 /// A value above zero, and finite.
 fn positive(value: f64, unit: &str, name: impl FnOnce() -> String) -> Result<(), FemError> {
     if value > 0.0 && value.is_finite() {
@@ -41,14 +44,7 @@ impl<R: Real> Material<R> {
     /// As [`Material::check`].
     pub fn check_law(&self, name: &str) -> Result<(), FemError> {
         let of = |what: &str| format!("{what} of {name}");
-        if let Shape::MooneyRivlin(law) = &self.shape {
-            for (constant, value) in [("C10", law.c10.re()), ("C01", law.c01.re())] {
-                if !(value >= 0.0 && value.is_finite()) {
-                    let allowed = "it must not be negative: such a rubber would soften until it runs away";
-                    return Err(FemError::input(of(constant), format!("{value} Pa"), allowed));
-                }
-            }
-        }
+        self.shape.check(name)?;
         positive(self.shear().re(), "Pa", || of("shear modulus"))?;
         positive(self.bulk.re(), "Pa", || {
             of("bulk modulus (infinite for a Poisson's ratio of 0.5: take 0.49 to 0.499 for rubber)")
@@ -71,6 +67,43 @@ impl<R: Real> Material<R> {
                 let allowed = format!("at most {BRANCH} times the slow modulus is allowed");
                 return Err(FemError::input(of("relative modulus"), term.modulus.re(), allowed));
             }
+        }
+        Ok(())
+    }
+}
+
+impl<R: Real> Shape<R> {
+    /// Refuses constants of rubber that would soften until it runs away.
+    fn check(&self, name: &str) -> Result<(), FemError> {
+        let of = |what: &str| format!("{what} of {name}");
+        match self {
+            Self::MooneyRivlin(law) => {
+                for (constant, value) in [("C10", law.c10.re()), ("C01", law.c01.re())] {
+                    if !(value >= 0.0 && value.is_finite()) {
+                        let allowed =
+                            "it must not be negative: such a rubber would soften until it runs away";
+                        return Err(FemError::input(of(constant), format!("{value} Pa"), allowed));
+                    }
+                }
+            }
+            Self::Ogden(law) => {
+                for (number, term) in law.terms().iter().enumerate() {
+                    let (mu, alpha) = (term.mu.re(), term.alpha.re());
+                    if !(alpha != 0.0 && alpha.abs() <= EXPONENT) {
+                        let allowed = format!("from -{EXPONENT} to {EXPONENT}, not zero, is allowed");
+                        return Err(FemError::input(of(&format!("alpha{}", number + 1)), alpha, allowed));
+                    }
+                    if !(mu * alpha > 0.0 && mu.is_finite()) {
+                        let allowed = "it must have the sign of its alpha: otherwise rubber may soften until it runs away";
+                        return Err(FemError::input(
+                            of(&format!("mu{}", number + 1)),
+                            format!("{mu} Pa"),
+                            allowed,
+                        ));
+                    }
+                }
+            }
+            Self::NeoHookean(_) | Self::Hencky(_) => {}
         }
         Ok(())
     }

@@ -25,20 +25,6 @@ impl<R> Hencky<R> {
     }
 }
 
-/// Inverse of a symmetric tensor of determinant one: its cofactors.
-#[inline(always)]
-fn inverse<S: Scalar>(c: &Symmetric<S>) -> Symmetric<S> {
-    let [xx, yy, zz, xy, xz, yz] = c.0;
-    Symmetric([
-        yy.mul_add(zz, -(yz * yz)),
-        xx.mul_add(zz, -(xz * xz)),
-        xx.mul_add(yy, -(xy * xy)),
-        xz.mul_add(yz, -(xy * zz)),
-        xy.mul_add(yz, -(xz * yy)),
-        xy.mul_add(xz, -(xx * yz)),
-    ])
-}
-
 /// Deviator of the logarithmic strain.
 #[inline(always)]
 fn strain<S: Scalar>(c: &Symmetric<S>, inverse: &Symmetric<S>) -> Symmetric<S> {
@@ -50,13 +36,14 @@ impl<S: Scalar> Isochoric<S> for Hencky<S> {
     #[inline(always)]
     fn stress(&self, c: &Symmetric<S>) -> Symmetric<S> {
         // W = mu e:e with e the deviator of (C - C^-1)/4, so 2 dW/dC = mu (e + C^-1 e C^-1).
-        let inverse = inverse(c);
+        // The determinant is one.
+        let inverse = c.cofactors();
         let strain = strain(c, &inverse);
         strain.sandwich(&inverse).plus(S::one(), &strain).scale(self.shear)
     }
     #[inline(always)]
     fn energy(&self, c: &Symmetric<S>) -> S {
-        let strain = strain(c, &inverse(c));
+        let strain = strain(c, &c.cofactors());
         self.shear * strain.contract(&strain)
     }
 }

@@ -7,94 +7,21 @@ mod check;
 mod hencky;
 mod mooney_rivlin;
 mod neo_hookean;
+mod ogden;
 mod registry;
+mod stretch;
+mod symmetric;
 mod viscous;
 
 pub use hencky::Hencky;
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
-pub use registry::{LawInfo, LAWS};
+pub use ogden::{Ogden, OgdenTerm, OGDEN_TERMS};
+pub use registry::{Constant, LawInfo, LAWS};
+pub use symmetric::{times, Symmetric};
 pub use viscous::{add_branches, history_length, Decay, Maxwell, MAX_TERMS};
 
 use clubface_math::{Mat3, Pack, Real, Scalar, Vec3};
-
-/// Six components of a symmetric tensor: xx, yy, zz, xy, xz, yz.
-#[derive(Clone, Copy, Debug)]
-pub struct Symmetric<S>(pub [S; 6]);
-
-impl<S: Scalar> Symmetric<S> {
-    /// `value` times the identity.
-    #[inline(always)]
-    pub fn diagonal(value: S) -> Self {
-        let o = S::zero();
-        Self([value, value, value, o, o, o])
-    }
-    /// `A^T A`.
-    #[inline(always)]
-    pub fn gram(a: &Mat3<S>) -> Self {
-        let [r, s, t] = a.rows;
-        let (x, y, z) = (Vec3::new(r.x, s.x, t.x), Vec3::new(r.y, s.y, t.y), Vec3::new(r.z, s.z, t.z));
-        Self([dot(x, x), dot(y, y), dot(z, z), dot(x, y), dot(x, z), dot(y, z)])
-    }
-    /// Sum of the diagonal.
-    #[inline(always)]
-    pub fn trace(&self) -> S {
-        self.0[0] + self.0[1] + self.0[2]
-    }
-    /// Double contraction `A : B`.
-    #[inline(always)]
-    pub fn contract(&self, o: &Self) -> S {
-        let (a, b) = (&self.0, &o.0);
-        let diagonal = a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]));
-        let shear = a[5].mul_add(b[5], a[4].mul_add(b[4], a[3] * b[3]));
-        diagonal + (shear + shear)
-    }
-    /// `A + s B`.
-    #[inline(always)]
-    #[must_use]
-    pub fn plus(&self, s: S, o: &Self) -> Self {
-        let mut sum = self.0;
-        for i in 0..6 {
-            sum[i] = o.0[i].mul_add(s, sum[i]);
-        }
-        Self(sum)
-    }
-    /// `s A`.
-    #[inline(always)]
-    #[must_use]
-    pub fn scale(&self, s: S) -> Self {
-        let mut product = self.0;
-        for i in 0..6 {
-            product[i] = product[i] * s;
-        }
-        Self(product)
-    }
-    /// As a matrix.
-    #[inline(always)]
-    pub fn matrix(&self) -> Mat3<S> {
-        Mat3::symmetric(self.0)
-    }
-    /// `B A B` for symmetric A and B.
-    #[inline(always)]
-    #[must_use]
-    pub fn sandwich(&self, b: &Self) -> Self {
-        let product = times(&b.matrix(), self);
-        let rows = times(&product, b).rows;
-        Self([rows[0].x, rows[1].y, rows[2].z, rows[0].y, rows[0].z, rows[1].z])
-    }
-}
-
-/// `A B` for symmetric B.
-#[inline(always)]
-pub fn times<S: Scalar>(a: &Mat3<S>, b: &Symmetric<S>) -> Mat3<S> {
-    let [x, y, z] = b.matrix().rows;
-    let [r, s, t] = a.rows;
-    Mat3::from_rows(
-        Vec3::new(dot(r, x), dot(r, y), dot(r, z)),
-        Vec3::new(dot(s, x), dot(s, y), dot(s, z)),
-        Vec3::new(dot(t, x), dot(t, y), dot(t, z)),
-    )
-}
 
 /// A law for the change of shape: an energy of the modified right Cauchy-Green tensor `C̄` (determinant one).
 pub trait Isochoric<S: Scalar>: Copy {
@@ -197,6 +124,8 @@ pub enum Shape<R> {
     NeoHookean(NeoHookean<R>),
     /// Linear elasticity in logarithmic strain.
     Hencky(Hencky<R>),
+    /// Ogden's rubber, powers of the principal stretches.
+    Ogden(Ogden<R>),
 }
 
 /// A material: change of shape, change of volume, creep, density.
@@ -212,14 +141,22 @@ pub struct Material<R> {
     pub density: R,
 }
 
+impl<R: Real> Shape<R> {
+    /// Shear modulus of small deformation, Pa.
+    pub fn shear(&self) -> R {
+        match self {
+            Self::MooneyRivlin(law) => (law.c10 + law.c01) * 2.0,
+            Self::NeoHookean(law) => law.shear,
+            Self::Hencky(law) => law.shear,
+            Self::Ogden(law) => law.shear(),
+        }
+    }
+}
+
 impl<R: Real> Material<R> {
     /// Shear modulus of small, slow deformation, Pa.
     pub fn shear(&self) -> R {
-        match &self.shape {
-            Shape::MooneyRivlin(law) => (law.c10 + law.c01) * 2.0,
-            Shape::NeoHookean(law) => law.shear,
-            Shape::Hencky(law) => law.shear,
-        }
+        self.shape.shear()
     }
     /// Shear modulus of small, fast deformation, Pa.
     pub fn instantaneous_shear(&self) -> R {
@@ -236,6 +173,7 @@ impl<R: Real> Material<R> {
             Shape::MooneyRivlin(law) => computation.with(law.splat::<P>()),
             Shape::NeoHookean(law) => computation.with(law.splat::<P>()),
             Shape::Hencky(law) => computation.with(law.splat::<P>()),
+            Shape::Ogden(law) => computation.with(law.splat::<P>()),
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use super::support::Random;
 use clubface_fem::material::{
-    Hencky, Isochoric, Kinematics, Material, MooneyRivlin, NeoHookean, Shape, UseLaw,
+    Hencky, Isochoric, Kinematics, Material, MooneyRivlin, NeoHookean, Ogden, OgdenTerm, Shape, UseLaw,
 };
-use clubface_math::{Dual, Mat3, Pack, Real, Scalar, Vec3};
+use clubface_math::{Dual, Mat3, Pack, PackKernel, Real, Scalar, Vec3};
 
 /// Every law, with a shear modulus of 10 MPa and a bulk modulus of 40 MPa.
 fn materials<R: Real>() -> Vec<(&'static str, Material<R>)> {
@@ -13,9 +13,19 @@ fn materials<R: Real>() -> Vec<(&'static str, Material<R>)> {
         ("Mooney-Rivlin", Shape::MooneyRivlin(MooneyRivlin { c10: c(4e6), c01: c(1e6) })),
         ("neo-Hookean", Shape::NeoHookean(NeoHookean { shear: c(10e6) })),
         ("Hencky", Shape::Hencky(Hencky { shear: c(10e6) })),
+        // Half the sum of mu alpha: 10 MPa.
+        ("Ogden, one term", Shape::Ogden(ogden(&[(-4e6, -5.0)]))),
+        ("Ogden, two terms", Shape::Ogden(ogden(&[(4e6, 3.5), (-3e6, -2.0)]))),
+        ("Ogden, three terms", Shape::Ogden(ogden(&[(10e6, 1.3), (0.6e6, 5.0), (-2e6, -2.0)]))),
     ]
     .map(|(name, shape)| (name, Material { shape, bulk: c(40e6), maxwell: vec![], density: c(1000.0) }))
     .into()
+}
+
+/// Ogden's rubber from mu (Pa) and alpha of each term.
+fn ogden<R: Real>(terms: &[(f64, f64)]) -> Ogden<R> {
+    let term = |&(mu, alpha): &(f64, f64)| OgdenTerm { mu: R::from_f64(mu), alpha: R::from_f64(alpha) };
+    Ogden::new(&terms.iter().map(term).collect::<Vec<_>>())
 }
 
 /// Energy (J/m3) and first Piola-Kirchhoff stress (Pa) at a deformation gradient.
@@ -110,5 +120,92 @@ fn small_strains_meet_the_moduli() {
         close(tangent(1, 1)[4], bulk + 4.0 / 3.0 * shear);
         close(tangent(1, 1)[8], bulk - 2.0 / 3.0 * shear);
         close(tangent(1, 1)[1], 0.0);
+    }
+}
+
+/// Largest difference of the first Piola-Kirchhoff stresses and of the energies of two laws, over the shear modulus of 10 MPa.
+fn apart(a: &Shape<f64>, b: &Shape<f64>) -> f64 {
+    let of = |shape: &Shape<f64>| Material { shape: *shape, bulk: 40e6, maxwell: vec![], density: 1e3 };
+    let (a, b) = (of(a), of(b));
+    let mut most = 0.0_f64;
+    for f in deformations().iter().chain(&[Mat3::diagonal(1.0)]) {
+        let ((energy, stress), (other, against)) = (evaluate(&a, *f), evaluate(&b, *f));
+        most = most.max((energy - other).abs());
+        for (x, y) in elements(&stress).iter().zip(elements(&against)) {
+            most = most.max((x - y).abs());
+        }
+    }
+    most / 10e6
+}
+
+#[test]
+fn ogden_with_even_exponents_is_mooney_and_rivlins() {
+    // Rounding of stretches up to 2.5, to the power of four.
+    let one = apart(&Shape::Ogden(ogden(&[(10e6, 2.0)])), &Shape::NeoHookean(NeoHookean { shear: 10e6 }));
+    let rivlin = Shape::MooneyRivlin(MooneyRivlin { c10: 4e6, c01: 1e6 });
+    let two = apart(&Shape::Ogden(ogden(&[(8e6, 2.0), (-2e6, -2.0)])), &rivlin);
+    assert!(one < 1e-12 && two < 1e-12, "{one} {two}");
+}
+
+/// Force over the undeformed section (Pa) of a bar of incompressible rubber in tension: that along it, less the pressure that keeps
+/// its sides free.
+fn tension(law: &Shape<f64>, stretch: f64) -> f64 {
+    let material = Material { shape: *law, bulk: 1e9, maxwell: vec![], density: 1e3 };
+    let across = stretch.powf(-0.5);
+    let f = Mat3::from_rows(
+        Vec3::new(stretch, 0.0, 0.0),
+        Vec3::new(0.0, across, 0.0),
+        Vec3::new(0.0, 0.0, across),
+    );
+    let stress = evaluate(&material, f).1;
+    // A pressure p adds p / stretch along the bar and p / across to the sides.
+    stress.rows[0].x - stress.rows[1].y * across / stretch
+}
+
+#[test]
+fn tension_of_ogdens_rubber() {
+    // Ogden's constants for Treloar's vulcanised rubber, and the closed form of its tension (Proc. R. Soc. Lond. A 326, 1972):
+    // sum of mu (l^(alpha - 1) - l^(-alpha/2 - 1)).
+    let terms = [(0.63e6, 1.3), (1.2e3, 5.0), (-10e3, -2.0)];
+    let law = Shape::Ogden(ogden(&terms));
+    for stretch in [0.5, 0.8, 1.0, 1.12, 2.0, 3.58, 5.0, 7.0] {
+        let f = |(mu, alpha): (f64, f64)| {
+            mu * (f64::powf(stretch, alpha - 1.0) - stretch.powf(-0.5 * alpha - 1.0))
+        };
+        let exact: f64 = terms.map(f).iter().sum();
+        // Rounding to a stretch of 5; the series of the logarithm ends at 1e-12 beyond. Over the shear modulus.
+        assert!((tension(&law, stretch) - exact).abs() < 1e-11 * 0.4225e6, "{stretch}: {exact}");
+    }
+}
+
+/// Stresses at eight deformations by packs, as wide as the CPU has.
+struct Wide<'a>(&'a Material<f64>, &'a [Mat3<f64>]);
+
+impl PackKernel<f64> for Wide<'_> {
+    type Output = Vec<[f64; 9]>;
+    fn run<P: Pack<Real = f64>>(self) -> Self::Output {
+        let mut found = Vec::new();
+        for some in self.1.chunks_exact(P::LANES) {
+            let lanes: Vec<_> = some.iter().map(elements).collect();
+            let f = std::array::from_fn(|i| P::load(&lanes.iter().map(|e| e[i]).collect::<Vec<_>>()));
+            let stress = elements(&self.0.with_law::<P, _>(At(matrix(f), P::splat(self.0.bulk))).1);
+            found.extend((0..P::LANES).map(|lane| stress.map(|s| s.lane(lane))));
+        }
+        found
+    }
+}
+
+#[test]
+fn lanes_are_numbers_on_their_own() {
+    let many = deformations();
+    for (name, material) in materials::<f64>() {
+        let wide = f64::dispatch(Wide(&material, &many[..8]));
+        for (f, lane) in many.iter().zip(&wide) {
+            // Multiplications and sums may be one operation in one width and two in another.
+            let alone = elements(&evaluate(&material, *f).1);
+            let size = alone.iter().fold(1e6, |m: f64, s| m.max(s.abs()));
+            assert!(alone.iter().zip(lane).all(|(a, b)| (a - b).abs() < 1e-12 * size), "{name}");
+        }
+        assert_eq!(wide.len(), 8);
     }
 }

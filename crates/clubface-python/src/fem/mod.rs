@@ -21,14 +21,16 @@ use pyo3::types::{PyDict, PyList};
 use run::{options_of, pool_of, simulate, to_dict};
 use values::{any_head, ball_of, error_of, head_of, AnyHead, BallValues, HeadValues, RunValues};
 
-/// The laws of materials: [{name, constants, summary}, ...].
+/// The laws of materials: [{name, constants, dimensions: one a constant, needed: how many of them, summary}, ...].
 #[pyfunction]
 pub fn fem_laws(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     let list = PyList::empty(py);
     for law in LAWS {
         let entry = PyDict::new(py);
         entry.set_item("name", law.name)?;
-        entry.set_item("constants", law.constants.to_vec())?;
+        entry.set_item("constants", law.constants.iter().map(|c| c.name).collect::<Vec<_>>())?;
+        entry.set_item("dimensions", law.constants.iter().map(|c| c.dimension).collect::<Vec<_>>())?;
+        entry.set_item("needed", law.needed)?;
         entry.set_item("summary", law.summary)?;
         list.append(entry)?;
     }

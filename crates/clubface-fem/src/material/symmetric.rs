@@ -1,0 +1,130 @@
+//! Symmetric tensors of the second order.
+
+use super::dot;
+use clubface_math::{Mat3, Scalar, Vec3};
+
+/// Six components of a symmetric tensor: xx, yy, zz, xy, xz, yz.
+#[derive(Clone, Copy, Debug)]
+pub struct Symmetric<S>(pub [S; 6]);
+
+impl<S: Scalar> Symmetric<S> {
+    /// `value` times the identity.
+    #[inline(always)]
+    pub fn diagonal(value: S) -> Self {
+        let o = S::zero();
+        Self([value, value, value, o, o, o])
+    }
+    /// `A^T A`.
+    #[inline(always)]
+    pub fn gram(a: &Mat3<S>) -> Self {
+        let [r, s, t] = a.rows;
+        let (x, y, z) = (Vec3::new(r.x, s.x, t.x), Vec3::new(r.y, s.y, t.y), Vec3::new(r.z, s.z, t.z));
+        Self([dot(x, x), dot(y, y), dot(z, z), dot(x, y), dot(x, z), dot(y, z)])
+    }
+    /// Sum of the diagonal.
+    #[inline(always)]
+    pub fn trace(&self) -> S {
+        self.0[0] + self.0[1] + self.0[2]
+    }
+    /// Double contraction `A : B`.
+    #[inline(always)]
+    pub fn contract(&self, o: &Self) -> S {
+        let (a, b) = (&self.0, &o.0);
+        let diagonal = a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]));
+        let shear = a[5].mul_add(b[5], a[4].mul_add(b[4], a[3] * b[3]));
+        diagonal + (shear + shear)
+    }
+    /// `A + s B`.
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(&self, s: S, o: &Self) -> Self {
+        let mut sum = self.0;
+        for i in 0..6 {
+            sum[i] = o.0[i].mul_add(s, sum[i]);
+        }
+        Self(sum)
+    }
+    /// `s A`.
+    #[inline(always)]
+    #[must_use]
+    pub fn scale(&self, s: S) -> Self {
+        let mut product = self.0;
+        for i in 0..6 {
+            product[i] = product[i] * s;
+        }
+        Self(product)
+    }
+    /// As a matrix.
+    #[inline(always)]
+    pub fn matrix(&self) -> Mat3<S> {
+        Mat3::symmetric(self.0)
+    }
+    /// `B A B` for symmetric A and B.
+    #[inline(always)]
+    #[must_use]
+    pub fn sandwich(&self, b: &Self) -> Self {
+        let product = times(&b.matrix(), self);
+        let rows = times(&product, b).rows;
+        Self([rows[0].x, rows[1].y, rows[2].z, rows[0].y, rows[0].z, rows[1].z])
+    }
+    /// Cofactors: the inverse times the determinant.
+    #[inline(always)]
+    #[must_use]
+    pub fn cofactors(&self) -> Self {
+        let [xx, yy, zz, xy, xz, yz] = self.0;
+        Self([
+            yy.mul_add(zz, -(yz * yz)),
+            xx.mul_add(zz, -(xz * xz)),
+            xx.mul_add(yy, -(xy * xy)),
+            xz.mul_add(yz, -(xy * zz)),
+            xy.mul_add(yz, -(xz * yy)),
+            xy.mul_add(xz, -(xx * yz)),
+        ])
+    }
+    /// Inverse.
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        let cofactors = self.cofactors();
+        cofactors.scale(determinant(self, &cofactors).recip())
+    }
+    /// The three invariants: trace, sum of the principal minors, determinant.
+    #[inline(always)]
+    pub fn invariants(&self) -> [S; 3] {
+        let cofactors = self.cofactors();
+        [self.trace(), cofactors.trace(), determinant(self, &cofactors)]
+    }
+    /// `A B` for a B with the same principal axes, so that the product is symmetric.
+    #[inline(always)]
+    #[must_use]
+    pub fn coaxial_product(&self, o: &Self) -> Self {
+        let ([a, b, c, d, e, f], [u, v, w, x, y, z]) = (self.0, o.0);
+        Self([
+            a.mul_add(u, d.mul_add(x, e * y)),
+            b.mul_add(v, d.mul_add(x, f * z)),
+            c.mul_add(w, e.mul_add(y, f * z)),
+            a.mul_add(x, d.mul_add(v, e * z)),
+            a.mul_add(y, d.mul_add(z, e * w)),
+            d.mul_add(y, b.mul_add(z, f * w)),
+        ])
+    }
+}
+
+/// Determinant of a symmetric tensor with the given cofactors.
+#[inline(always)]
+fn determinant<S: Scalar>(a: &Symmetric<S>, cofactors: &Symmetric<S>) -> S {
+    let (row, minors) = (&a.0, &cofactors.0);
+    row[4].mul_add(minors[4], row[3].mul_add(minors[3], row[0] * minors[0]))
+}
+
+/// `A B` for symmetric B.
+#[inline(always)]
+pub fn times<S: Scalar>(a: &Mat3<S>, b: &Symmetric<S>) -> Mat3<S> {
+    let [x, y, z] = b.matrix().rows;
+    let [r, s, t] = a.rows;
+    Mat3::from_rows(
+        Vec3::new(dot(r, x), dot(r, y), dot(r, z)),
+        Vec3::new(dot(s, x), dot(s, y), dot(s, z)),
+        Vec3::new(dot(t, x), dot(t, y), dot(t, z)),
+    )
+}
