@@ -55,7 +55,10 @@ def test_ogdens_rubber_with_exponents_of_two_is_mooney_and_rivlins(tmp_path):
 @pytest.mark.parametrize(
     ("new", "said"),
     [
-        (OGDEN.replace('mu2 = "-2 MPa"', 'mu2 = "2 MPa"'), "ball.toml:12: mu2 is '2 MPa'; it must be of the sign of alpha2"),
+        (
+            OGDEN.replace('mu2 = "-2 MPa"', 'mu2 = "2 MPa"'),
+            "ball.toml:12: mu2 is '2 MPa'; it must be of the sign of alpha2",
+        ),
         (OGDEN.replace("alpha1 = 2", "alpha1 = 0"), "ball.toml:11: alpha1 is 0.0; it must be -30 to 30, not 0"),
         (OGDEN.replace("alpha2 = -2", ""), "alpha2 missing"),
         (OGDEN.replace("alpha1 = 2", 'alpha1 = "2 MPa"'), "ball.toml:11: alpha1 is '2 MPa'; it must be"),
