@@ -9,6 +9,7 @@ import pytest
 
 import clubface
 from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.identify.sanity import club_kind
 from clubface.recorded import RecordedShots
 from synthetic_shots import deliveries, published, recorded
 
@@ -254,6 +255,19 @@ def test_more_parameters_than_information_are_refused():
     shots = recorded(2, "volumetric")
     with pytest.raises(InputError, match=r"at most 4, as many as there are different measured values"):
         clubface.identify(shots, club="driver", model="volumetric", quantities=["ball_speed", "launch"], **QUICK)
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [
+        ("driver", "driver"), ("Driver 9.5", "driver"), ("1W", "driver"), ("D", "driver"), ("7-iron", "7-iron"),
+        ("7 Iron", "7-iron"), ("7i", "7-iron"), ("Iron 7", "7-iron"), ("i7", "7-iron"), ("3 Wood", "3-wood"),
+        ("5w", "5-wood"), ("4h", "4-hybrid"), ("Hybrid 4", "4-hybrid"), ("PW", "pitching-wedge"),
+        ("Pitching Wedge", "pitching-wedge"), ("P790 7 Iron", "7-iron"), ("G425 Max", None), ("", None), ("56", None),
+    ],
+)  # fmt: skip
+def test_a_club_is_known_by_what_people_call_it(name, kind):
+    assert club_kind(name) == kind
 
 
 def test_shots_of_another_club_are_refused():

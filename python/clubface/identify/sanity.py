@@ -50,8 +50,8 @@ def club_kind(name: str) -> str | None:
     number = re.search(r"(?<![a-z\d])(\d)-(wood|iron|hybrid|w|i|hy|h)(?![a-z])", plain)
     if number:
         return f"{number[1]}-{_WORDS[number[2]]}"
-    turned = re.search(r"(?<![a-z])(wood|iron|hybrid)-(\d)(?!\d)", plain)
-    return f"{turned[2]}-{turned[1]}" if turned else None
+    turned = re.search(r"(?<![a-z])(wood|iron|hybrid|w|i|hy|h)-(\d)(?!\d)", plain)
+    return f"{turned[2]}-{_WORDS[turned[1]]}" if turned else None
 
 
 def check_club(shots: PreparedShots, recorded_clubs: NDArray[np.object_] | None, mismatch: str) -> list[str]:

@@ -18,7 +18,7 @@ from clubface.identify.prepared import PreparedShots
 from clubface.identify.profile import Profile, Profiler
 from clubface.identify.refine import refine
 from clubface.identify.report import caveats
-from clubface.identify.resampling import Refits, bootstrap, held_out
+from clubface.identify.resampling import Refits, bootstrap, held_out, interval_of
 from clubface.identify.result import Deviation, Identification
 from clubface.identify.sanity import fit_warnings
 from clubface.identify.search import Population, search
@@ -198,13 +198,15 @@ class Stages:
 
         A refit begins at the fit and would not leave it along a direction that changes nothing.
         """
-        free, part = self.simulator.free, 0.5 * (1.0 + self.settings["confidence"])
+        free = self.simulator.free
         if len(samples):
-            low, high = np.quantile(samples, [1.0 - part, part], axis=0)
+            groups = int(self.simulator.shots.groups.max()) + 1
+            low, high = interval_of(samples, self.settings["confidence"], groups)
         else:
             from statistics import NormalDist
 
-            reach = np.minimum(NormalDist().inv_cdf(part) * told.errors, 1.0)
+            reach = NormalDist().inv_cdf(0.5 * (1.0 + self.settings["confidence"]))
+            reach = np.minimum(reach * told.errors, 1.0)
             low, high = (free.values(np.clip(point + sign * reach, 0.0, 1.0)) for sign in (-1.0, 1.0))
         found = {name: (float(a), float(b)) for name, a, b in zip(free.names, low, high, strict=True)}
         for name, least, most in zip(free.names, free.lower, free.upper, strict=True):
