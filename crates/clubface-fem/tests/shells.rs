@@ -159,7 +159,6 @@ impl Contact<f64> for Free {
         &[]
     }
     fn assemble(&mut self, _: &[Row<f64>], _: &[Row<f64>], _: f64) {}
-    fn augment(&mut self, _share: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &[]
     }

@@ -36,9 +36,6 @@ class Settings:
         Time between the records of motion [s]; contact is recorded at every step.
     until_separation
         Whether to end soon after the last touch.
-    augmentation
-        0 for the penalty method of contact; above it, to 0.5, the augmented Lagrange method: the share of the spring
-        force that a multiplier takes over in a step, so that penetration fades.
     frames
         Number of deformed shapes to keep, evenly over the simulated time.
     threads
@@ -49,7 +46,6 @@ class Settings:
     safety: float = 0.8
     interval: float = 5e-6
     until_separation: bool = False
-    augmentation: float = 0.0
     frames: int = 0
     threads: int = 0
 
@@ -63,10 +59,6 @@ class Settings:
         object.__setattr__(self, "safety", units.parse(self.safety, units.DIMENSIONLESS, name="safety"))
         if not 0.05 <= self.safety <= 1.0:
             raise InputError("safety", self.safety, "0.05 to 1, the stable step")
-        value = units.parse(self.augmentation, units.DIMENSIONLESS, name="augmentation")
-        object.__setattr__(self, "augmentation", value)
-        if not 0.0 <= value <= 0.5:
-            raise InputError("augmentation", value, "0 (penalty method) to 0.5")
         for name, most in (("frames", 10_000), ("threads", 1024)):
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:

@@ -5,7 +5,7 @@
 //! rounding.
 
 use super::surface::{Foot, Surface};
-use super::{Contact, ContactEnergy, Memory, Resultant, Springs, Touch};
+use super::{Contact, ContactEnergy, Resultant, Springs, Touch};
 use crate::material::cross;
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
@@ -19,7 +19,7 @@ const REST: f64 = 100.0;
 struct Candidate<R> {
     mass: R,
     area: f64,
-    memory: Memory<R>,
+    friction: Vec3<R>,
     quad: u32,
     at: [R; 2],
     /// Steps for which it cannot touch.
@@ -88,7 +88,7 @@ impl<R: Real> FaceContact<R> {
             .map(|&n| Candidate {
                 mass: ball.masses[n as usize],
                 area: ball.areas[n as usize],
-                memory: Memory::none(),
+                friction: Vec3::zero(),
                 quad: surface.closest(positions[n as usize].vec()),
                 at: [R::zero(); 2],
                 rest: 0,
@@ -162,7 +162,7 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             }
             let x = positions[node as usize].vec();
             let Some(foot) = self.surface.foot(x, candidate.quad, candidate.at) else {
-                candidate.memory = Memory::none();
+                candidate.friction = Vec3::zero();
                 candidate.rest = 4;
                 continue;
             };
@@ -181,7 +181,7 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             velocity += cross(arm, spin);
             let gap = foot.gap.re();
             if gap >= 0.0 {
-                candidate.memory = Memory::none();
+                candidate.friction = Vec3::zero();
                 self.fastest = self.fastest.max(velocity.norm_squared().re());
                 candidate.rest = (gap / (CAUTION * self.fastest.sqrt() * dt)).min(REST) as u32;
                 continue;
@@ -192,7 +192,7 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             let total = touch.force(
                 self.springs,
                 self.coefficient,
-                &mut candidate.memory,
+                &mut candidate.friction,
                 dt,
                 &mut self.resultant,
                 &mut self.energy,
@@ -203,9 +203,6 @@ impl<R: Real> Contact<R> for FaceContact<R> {
                 spread(&foot, &corners, cross(arm, total), moments);
             }
         }
-    }
-    fn augment(&mut self, share: f64) {
-        self.springs.augmentation = share;
     }
     fn forces(&self) -> &[Row<R>] {
         &self.forces

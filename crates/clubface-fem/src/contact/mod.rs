@@ -9,7 +9,7 @@ mod surface;
 pub use face::{BallSide, FaceContact, FaceSide};
 pub use head::RigidHead;
 pub use rigid::{Plane, RigidContact, RigidSurface};
-pub use spring::{Memory, Springs, Touch, TANGENTIAL_STIFFNESS};
+pub use spring::{Springs, Touch, TANGENTIAL_STIFFNESS};
 
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
@@ -23,8 +23,6 @@ pub struct ContactEnergy {
     pub friction: f64,
     /// Turned into heat by the damping of nodes that arrive.
     pub damping: f64,
-    /// Work done on the multipliers of the augmented Lagrange method: they are no springs, and give it back in part.
-    pub multipliers: f64,
     /// Kinetic energy of rigid bodies.
     pub bodies: f64,
 }
@@ -52,8 +50,6 @@ pub trait Contact<R: Real>: Send {
     fn nodes(&self) -> &[u32];
     /// Computes the forces for positions (m) at a step and velocities (m/s) half a step before it; moves its bodies on by `dt` seconds.
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64);
-    /// Turns on the augmented Lagrange method, or off by zero: see [`Springs::augmentation`].
-    fn augment(&mut self, share: f64);
     /// Forces on [`Contact::nodes`], N.
     fn forces(&self) -> &[Row<R>];
     /// Sum of the forces of the last step.

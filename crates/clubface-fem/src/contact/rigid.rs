@@ -1,6 +1,6 @@
 //! Nodes of the ball against a rigid surface: penalty with Coulomb friction that sticks.
 
-use super::{Contact, ContactEnergy, Memory, Resultant, Springs, Touch};
+use super::{Contact, ContactEnergy, Resultant, Springs, Touch};
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
 
@@ -41,11 +41,11 @@ impl<R: Real> RigidSurface<R> for Plane {
     }
 }
 
-/// A node that may touch: its mass, its share of the surface, what it remembers.
+/// A node that may touch: its mass, its share of the surface, the friction force on it.
 struct Candidate<R> {
     mass: R,
     area: f64,
-    memory: Memory<R>,
+    friction: Vec3<R>,
 }
 
 /// Contact of some nodes with a rigid surface.
@@ -66,7 +66,7 @@ impl<R: Real, T: RigidSurface<R>> RigidContact<R, T> {
     pub fn new(surface: T, coefficient: R, nodes: Vec<u32>, masses: &[R], areas: &[f64]) -> Self {
         let candidates = nodes
             .iter()
-            .map(|&n| Candidate { mass: masses[n as usize], area: areas[n as usize], memory: Memory::none() })
+            .map(|&n| Candidate { mass: masses[n as usize], area: areas[n as usize], friction: Vec3::zero() })
             .collect();
         Self {
             surface,
@@ -99,7 +99,7 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
             let x = positions[node as usize].vec();
             let (gap, normal) = self.surface.nearest(x);
             if gap.re() >= 0.0 {
-                candidate.memory = Memory::none();
+                candidate.friction = Vec3::zero();
                 *force = Row::zero();
                 continue;
             }
@@ -108,7 +108,7 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
             let total = touch.force(
                 self.springs,
                 self.coefficient,
-                &mut candidate.memory,
+                &mut candidate.friction,
                 dt,
                 &mut self.resultant,
                 &mut self.energy,
@@ -118,9 +118,6 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
         }
         self.surface.advance(dt);
         self.energy.bodies = self.surface.kinetic_energy();
-    }
-    fn augment(&mut self, share: f64) {
-        self.springs.augmentation = share;
     }
     fn forces(&self) -> &[Row<R>] {
         &self.forces

@@ -12,38 +12,18 @@ pub struct Springs {
     pub damping: f64,
     /// The time step they refer to, s; if there is none, that of the run.
     pub step: Option<f64>,
-    /// Share of the spring force that a node's multiplier takes over in a step (augmented Lagrange method): penetration then fades, as it does not
-    /// under springs alone. Zero is the penalty method.
-    pub augmentation: f64,
 }
 
 impl Default for Springs {
     /// About the stiffness with which the surface elements hold their nodes. A stiffer spring lets every ring of nodes that arrives ring the
     /// force (peak 5% higher at 0.25), a softer one delays the contact (reversal of the tangential force 2% later at 0.05).
     fn default() -> Self {
-        Self { stiffness: 0.1, damping: 0.4, step: None, augmentation: 0.0 }
+        Self { stiffness: 0.1, damping: 0.4, step: None }
     }
 }
 
 /// Tangential stiffness over normal stiffness.
 pub const TANGENTIAL_STIFFNESS: f64 = 0.5;
-
-/// What a node in contact remembers.
-#[derive(Clone, Copy, Debug)]
-pub struct Memory<R> {
-    /// Force of the tangential spring, N.
-    pub friction: Vec3<R>,
-    /// Multiplier: the part of the normal force that is independent of the penetration, N.
-    pub multiplier: R,
-}
-
-impl<R: Real> Memory<R> {
-    /// Of a node that does not touch.
-    #[must_use]
-    pub fn none() -> Self {
-        Self { friction: Vec3::zero(), multiplier: R::zero() }
-    }
-}
 
 /// A node below the surface of the other side.
 pub struct Touch<R> {
@@ -60,13 +40,13 @@ pub struct Touch<R> {
 }
 
 impl<R: Real> Touch<R> {
-    /// Force on the node, N; adds to the sum and to the energies, and renews what the node remembers.
+    /// Force on the node, N; adds to the sum and to the energies, and renews the force of the tangential spring.
     #[inline(always)]
     pub fn force(
         &self,
         springs: Springs,
         coefficient: R,
-        memory: &mut Memory<R>,
+        friction: &mut Vec3<R>,
         dt: f64,
         sum: &mut Resultant<R>,
         energy: &mut ContactEnergy,
@@ -76,23 +56,20 @@ impl<R: Real> Touch<R> {
         let closing = -self.normal.dot(self.velocity);
         let spring = -(stiffness * self.gap);
         let damper = closing * self.mass * (2.0 * springs.damping * springs.stiffness.sqrt() / reference);
-        let pressing = (spring + damper + memory.multiplier).max(R::zero());
-        energy.damping += ((pressing - spring - memory.multiplier) * closing).re() * dt;
-        energy.multipliers += (memory.multiplier * closing).re() * dt;
-        memory.multiplier = (memory.multiplier + spring * springs.augmentation).max(R::zero());
+        let pressing = (spring + damper).max(R::zero());
+        energy.damping += ((pressing - spring) * closing).re() * dt;
         // Stick: the spring follows the node; slip: it is let out until it carries what friction allows.
         let tangential = stiffness * TANGENTIAL_STIFFNESS;
-        let trial = (memory.friction - self.velocity * (tangential * dt)).reject(self.normal);
+        let trial = (*friction - self.velocity * (tangential * dt)).reject(self.normal);
         let most = coefficient * pressing;
         let size = trial.norm();
-        memory.friction = trial;
+        *friction = trial;
         if size.re() > most.re() {
-            memory.friction = trial * (most / size);
+            *friction = trial * (most / size);
             energy.friction += (most * (size - most) / tangential).re();
         }
-        energy.stored +=
-            0.5 * (spring * spring / stiffness + memory.friction.norm_squared() / tangential).re();
-        let force = self.normal * pressing + memory.friction;
+        energy.stored += 0.5 * (spring * spring / stiffness + friction.norm_squared() / tangential).re();
+        let force = self.normal * pressing + *friction;
         sum.force += force;
         sum.normal += pressing;
         sum.area += self.area;

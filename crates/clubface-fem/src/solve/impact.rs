@@ -20,20 +20,11 @@ pub struct Options {
     pub energy_every: usize,
     /// Whether to end soon after the last touch instead of at the end of the simulated time.
     pub until_separation: bool,
-    /// Share of [`crate::contact::Springs::augmentation`]: zero is the penalty method.
-    pub augmentation: f64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self {
-            duration: 1e-3,
-            safety: 0.8,
-            interval: 5e-6,
-            energy_every: 4,
-            until_separation: false,
-            augmentation: 0.0,
-        }
+        Self { duration: 1e-3, safety: 0.8, interval: 5e-6, energy_every: 4, until_separation: false }
     }
 }
 
@@ -59,9 +50,6 @@ impl Options {
         }
         if self.interval.is_nan() || self.interval <= 0.0 || self.energy_every == 0 {
             return Err(FemError::input("interval", self.interval, "above 0 s is allowed"));
-        }
-        if !(0.0..=0.5).contains(&self.augmentation) {
-            return Err(FemError::input("augmentation", self.augmentation, "0 to 0.5 is allowed"));
         }
         Ok(())
     }
@@ -137,7 +125,6 @@ impl<R: Real> Impact<R> {
         watch: &mut dyn FnMut(&Progress, &Self) -> bool,
     ) -> Result<Outcome<R>, FemError> {
         options.check()?;
-        self.contact.augment(options.augmentation);
         let dt = rounded(self.structure.stable_step(40) * options.safety);
         let every = (options.interval / dt).round().max(1.0) as usize;
         let start = std::time::Instant::now();
@@ -257,7 +244,7 @@ impl Run {
             time,
             kinetic: impact.structure.kinetic_energy(&before) + contact.bodies,
             elements,
-            contact: contact.stored + contact.multipliers,
+            contact: contact.stored,
             friction: contact.friction,
             damping: contact.damping,
         };

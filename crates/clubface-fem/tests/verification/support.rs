@@ -138,7 +138,6 @@ impl Contact<f64> for Free {
         &[]
     }
     fn assemble(&mut self, _positions: &[Row<f64>], _velocities: &[Row<f64>], _dt: f64) {}
-    fn augment(&mut self, _share: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &[]
     }
@@ -217,7 +216,7 @@ pub struct Bounce {
 }
 
 /// Stiff, undamped contact springs, for comparison with closed forms that have none.
-pub const SPRING: Springs = Springs { stiffness: 0.25, damping: 0.0, step: None, augmentation: 0.0 };
+pub const SPRING: Springs = Springs { stiffness: 0.25, damping: 0.0, step: None };
 
 /// Throws a body at a plane: `surface` its outer nodes with their areas (m2), friction, velocity (m/s), duration (s), contact
 /// springs.

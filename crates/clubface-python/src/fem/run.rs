@@ -15,7 +15,6 @@ pub(super) fn options_of(run: &RunValues) -> Options {
         safety: run.safety,
         interval: run.interval,
         until_separation: run.until_separation,
-        augmentation: run.augmentation,
         ..Options::default()
     }
 }

@@ -43,7 +43,6 @@ pub struct RunValues {
     pub(super) safety: f64,
     pub(super) interval: f64,
     pub(super) until_separation: bool,
-    pub(super) augmentation: f64,
     pub(super) threads: usize,
     pub(super) frames: usize,
 }
