@@ -154,6 +154,7 @@ def test_the_parameters_are_a_set_to_use_and_to_write(tmp_path):
     path.write_text(found.to_toml())
     read = clubface.ParameterSet.from_toml(path)
     assert dict(read.values) == dict(found.parameters.values)
+    assert "95% intervals: cor 0.8" in read.caveats[-1]
     launch = clubface.impact("driver", speed=50.0, model="slip", parameters=found.parameters)
     assert launch.ball_speed == clubface.impact("driver", speed=50.0, model="slip", parameters=path).ball_speed
     text = repr(found)

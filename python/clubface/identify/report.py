@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from clubface.identify.result import Identification
 from clubface.measured_shots import QUANTITIES
 from clubface.quantities import outputs
-from clubface.units import display_unit, from_si, show
+from clubface.units import display_unit, from_si
 
 PARAMETER_HEADS = ("parameter", "value", "from", "to", "profile", "identified")
 DEVIATION_HEADS = ("quantity", "mean size", "MAE", "held out", "bias", "std")
@@ -82,8 +82,3 @@ def _table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
         ]
         lines.append("  ".join(cells).rstrip())
     return lines
-
-
-def caveats(of_warnings: Sequence[str], shots: int, confidence: float) -> tuple[str, ...]:
-    """Return what a parameter file must say of itself."""
-    return (f"identified from {shots} shots; {show(confidence, '%', 3)} intervals beside it", *of_warnings)

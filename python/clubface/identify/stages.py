@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from clubface import units
 from clubface.identify.checkpoint import Checkpoint
 from clubface.identify.cost import Cost
 from clubface.identify.free_parameters import FreeParameters
@@ -17,12 +18,12 @@ from clubface.identify.identifiability import Identifiability, identifiability, 
 from clubface.identify.prepared import PreparedShots
 from clubface.identify.profile import Profile, Profiler
 from clubface.identify.refine import refine
-from clubface.identify.report import caveats
 from clubface.identify.resampling import Refits, bootstrap, held_out, interval_of
 from clubface.identify.result import Deviation, Identification
 from clubface.identify.sanity import fit_warnings
 from clubface.identify.search import Population, search
 from clubface.identify.simulator import Effort, Simulator
+from clubface.models import Parameter
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -129,15 +130,17 @@ class Stages:
         warnings = tuple(fit_warnings(self.simulator, point, told, costs))
         shots = self.simulator.shots
         confidence = self.settings["confidence"]
+        intervals = self._intervals(point, told, samples, profiles)
+        spans = ", ".join(f"{each.name} {_span(each, intervals[each.name])}" for each in free.declared())
         parameters = free.parameters(
-            point, name=f"identified from {Path(shots.source).name}".replace("/", " "),
-            source=f"clubface identify: {self.settings['cost']} cost", reference=f"{len(shots)} shots",
-            caveats=caveats(warnings, len(shots), confidence),
+            point, name=f"identified from {Path(shots.source).name}".replace("/", " "), reference=f"{len(shots)} shots",
+            source=f"clubface identify: {self.settings['cost']} cost",
+            caveats=(*warnings, f"{100 * confidence:g}% intervals: {spans}"),
         )  # fmt: skip
         spent = self.checkpoint.spent
         return Identification(
             model=free.fixed.model, club=shots.club.name, parameters=parameters, free=free.names,
-            intervals=self._intervals(point, told, samples, profiles), confidence=confidence,
+            intervals=intervals, confidence=confidence,
             method="bootstrap" if len(samples) else "information",
             cost=min(costs), cost_holdout=float("nan") if held is None else self.cost.value(held),
             cost_kind=self.settings["cost"],
@@ -226,6 +229,11 @@ class Stages:
             return value
 
         return once
+
+
+def _span(of: Parameter, interval: tuple[float, float]) -> str:
+    unit = units.display_unit(of.name, of.unit)
+    return " to ".join(units.show(end, unit, 4) for end in interval)
 
 
 def _deviation(
