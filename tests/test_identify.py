@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -209,6 +210,21 @@ def test_rows_without_a_number_are_set_aside_with_their_reason():
     nothing = dict.fromkeys(shots.launches, np.full(10, np.nan))
     with pytest.raises(InputError, match="launch"):
         clubface.identify(edited(shots, **nothing), **SMALL)
+
+
+def test_the_mirror_image_of_shots_by_a_left_hander_gives_the_same_parameters():
+    """Path, face angle, azimuth and sidespin change sign; toe, closure and lie follow the club."""
+    right = recorded(15, "adjusted", noise=1.0)
+    left = edited(
+        right, path=-right.deliveries["path"], face=-right.deliveries["face"], azimuth=-right.launches["azimuth"],
+        sidespin=-right.launches["sidespin"], spin_axis=-right.launches["spin_axis"],
+    )  # fmt: skip
+    left = replace(left, hand=np.array(["left"] * 15, dtype=object))
+    one, other = (clubface.identify(each, club="driver", model="adjusted", **QUICK) for each in (right, left))
+    # The same sums in another order.
+    assert other.cost == pytest.approx(one.cost, rel=1e-9)
+    for name in one.free:
+        assert other.parameters.values[name] == pytest.approx(one.parameters.values[name], rel=1e-6, abs=1e-10)
 
 
 def test_a_quantity_that_was_not_measured_is_left_out_and_said():
