@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build demo test check bench docs study benchmark-data benchmark-identification benchmark-identification-speed identification-coverage clean
+.PHONY: help setup build demo test check bench docs study benchmark-data benchmark-identification benchmark-identification-speed identification-coverage capture-coverage clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -70,6 +70,9 @@ benchmark-identification-speed: build ## time of P1's whole identification of th
 
 identification-coverage: build ## how often intervals of identified parameters hold the truth, over 400 repeats
 	$(PYTHON) -m pytest -m study tests/test_identify_coverage.py -s
+
+capture-coverage: build ## errors and coverage of motion capture on 200 and 400 synthetic swings; some minutes
+	$(PYTHON) -m pytest -q -m study tests/test_capture_study.py
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks

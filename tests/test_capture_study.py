@@ -47,6 +47,19 @@ def test_the_picture_shows_every_estimator_of_every_study():
     assert marks[0].get_xdata()[0] == pytest.approx(found.bias("smoother")["speed"])
 
 
+def test_errors_of_a_delivery_become_those_of_its_launch():
+    import clubface
+
+    found = study(3, cameras=Cameras(noise=3e-4), estimators=("linear",))
+    off = found.launch_errors("linear", model="slip")
+    for row in range(3):
+        true, seen = (
+            clubface.impact("driver", dict(zip(QUANTITIES, values[row], strict=True)), model="slip")
+            for values in (found.truth, found.truth + found.errors["linear"])
+        )
+        assert off["sidespin"][row] == pytest.approx(float(seen.sidespin - true.sidespin), rel=1e-12)
+
+
 @pytest.mark.study
 @pytest.mark.parametrize("club", ["driver", "7-iron"])
 def test_without_noise_no_swing_of_two_hundred_is_off(club):

@@ -46,6 +46,9 @@ def read(
         str | None,
         typer.Option("--units", metavar="UNIT", help="Of length, in place of the files' own.", show_default=False),
     ] = None,
+    roughness: Annotated[
+        float, typer.Option("--roughness", metavar="NUMBER", help="Of the smoother: how much a path may bend.")
+    ] = 0.6,
     noise: Annotated[
         str | None,
         typer.Option(
@@ -64,8 +67,9 @@ def read(
 
     with progress_bar() as update:
         found = read_swings(
-            files, markers, club, estimator=estimator, hand=hand, ball=ball, target=target, up=up, unit=units,
-            noise=noise, progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} swings")),
+            files, markers, club, estimator=estimator, roughness=roughness, hand=hand, ball=ball, target=target, up=up,
+            unit=units, noise=noise,
+            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} swings")),
         )  # fmt: skip
     written = found.write(target_file) if target_file is not None and len(found) else []
     if as_json:

@@ -19,6 +19,7 @@ from clubface.motion_capture.swing import capture
 from clubface.motion_capture.synthetic.files import check_count, positions_map
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
+from clubface.motion_capture.synthetic.swing import LAUNCH
 
 UNITS = {
     name: "m/s" if name == "speed" else units.display_unit(name, units.SI_UNITS[dimension])
@@ -44,6 +45,8 @@ class Study:
         The standard deviations stated with them.
     touches
         Errors of the instant of first touch [s], shape (swings,).
+    truth
+        The true deliveries, shape (swings, 11).
     """
 
     club: Club
@@ -51,6 +54,7 @@ class Study:
     errors: dict[str, Array]
     deviations: dict[str, Array]
     touches: dict[str, Array]
+    truth: Array
 
     def __len__(self) -> int:
         return len(next(iter(self.errors.values())))
@@ -75,6 +79,29 @@ class Study:
         """Return how often its intervals of 95% hold the truth, by quantity."""
         inside = np.abs(self.errors[name]) < NORMAL_95 * self.deviations[name]
         return dict(zip(QUANTITIES, inside.mean(0).tolist(), strict=True))
+
+    def launch_errors(self, name: str, model: str = "standard") -> dict[str, Array]:
+        """Return by how much the launch changes, were it computed from the captured in place of the true deliveries.
+
+        Parameters
+        ----------
+        name
+            The estimator.
+        model
+            Of the impact; every shot with its published parameters.
+
+        Returns
+        -------
+        dict
+            ``ball_speed``, ``launch``, ``azimuth``, ``backspin``, ``sidespin`` [SI], shape (swings,).
+        """
+        from clubface.impact import impact
+
+        true, seen = (
+            impact(self.club, dict(zip(QUANTITIES, values.T, strict=True)), model=model)
+            for values in (self.truth, self.truth + self.errors[name])
+        )
+        return {each: getattr(seen, each) - getattr(true, each) for each in LAUNCH}
 
     def document(self) -> dict[str, Any]:
         """Return all of it as plain values, in ``UNITS``."""
@@ -131,14 +158,14 @@ def study(
         for name in names
     }
     errors, deviations = (np.full((len(names), count, len(QUANTITIES)), np.nan) for _ in range(2))
-    touches = np.full((len(names), count), np.nan)
+    touches, truths = np.full((len(names), count), np.nan), np.full((count, len(QUANTITIES)), np.nan)
     for number in range(count):
         swing = random_swing(np.random.default_rng([seed, number, 0]), club=made.club)
-        truth = np.array([swing.truth[name] for name in QUANTITIES])
+        truths[number] = [swing.truth[name] for name in QUANTITIES]
         recording, first = seen.record_from(swing, np.random.default_rng([seed, number, 1]))
         for place, name in enumerate(names):
             found = capture(recording, ready[name])
-            errors[place, number] = np.array([getattr(found.delivery, each) for each in QUANTITIES]) - truth
+            errors[place, number] = np.array([getattr(found.delivery, each) for each in QUANTITIES]) - truths[number]
             deviations[place, number] = [found.uncertainty[each] for each in QUANTITIES]
             touches[place, number] = found.time + first
         if progress is not None:
@@ -149,6 +176,7 @@ def study(
         errors=dict(zip(names, errors, strict=True)),
         deviations=dict(zip(names, deviations, strict=True)),
         touches=dict(zip(names, touches, strict=True)),
+        truth=truths,
     )
 
 
