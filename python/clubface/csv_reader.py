@@ -34,7 +34,7 @@ class CsvReader:
             raise
 
     @property
-    def blank(self) -> int:  # pyright: ignore[reportIncompatibleVariableOverride]
+    def blank(self) -> int:
         """Blank lines passed over so far."""
         return self._rows.blank
 

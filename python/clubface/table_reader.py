@@ -83,8 +83,6 @@ class Reader(Protocol):
         Whether its numbers are written with a decimal comma.
     counts
         What a place in the file is counted in: "line" or "row".
-    blank
-        Blank lines passed over so far.
     """
 
     path: str
@@ -93,7 +91,11 @@ class Reader(Protocol):
     delimiter: str
     decimal_comma: bool
     counts: str
-    blank: int
+
+    @property
+    def blank(self) -> int:
+        """Blank lines passed over so far."""
+        ...
 
     def pieces(self, rows: int, skip: int) -> Iterator[Piece]:
         """Yield the rows after the first ``skip``, some ``rows`` at a time."""

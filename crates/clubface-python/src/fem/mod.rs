@@ -165,7 +165,7 @@ pub fn fem_variables(
 /// the run (one for every four variables), simulated time and duration.
 #[pyfunction]
 #[pyo3(signature = (ball, head, inputs, friction, run, variables, progress=None))]
-#[allow(clippy::needless_pass_by_value)]
+#[allow(clippy::needless_pass_by_value, clippy::too_many_arguments)]
 pub fn fem_sensitivity<'py>(
     py: Python<'py>,
     ball: BallValues,
