@@ -184,6 +184,15 @@ def test_an_unphysical_contact_is_warned_of():
     assert "kN" not in told
 
 
+def test_an_evaluation_finds_the_cost_of_the_fit():
+    found = small()
+    shots = recorded(25, "slip", noise=1.0)
+    evaluated = clubface.evaluate(
+        shots, club="driver", models=["slip"], parameters={"slip": found.parameters}, resamples=100
+    )
+    assert evaluated.cost("slip") == pytest.approx(found.cost, rel=1e-12)
+
+
 def edited(shots, **changes):
     deliveries_, launches = dict(shots.deliveries), dict(shots.launches)
     for name, values in changes.items():
