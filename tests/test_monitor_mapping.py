@@ -18,7 +18,7 @@ COLUMN = '[columns.speed]\nheading = "Tempo"\nunit = "km/h"\n'
     [
         ("", None, "these keys are missing: columns"),
         ("columns = 3", 1, "columns must be tables"),
-        ("[columns]", None, "columns must be tables"),
+        ("[columns]", 1, "columns must be tables"),
         ("[columns", None, "not TOML"),
         ('decimals = ","\n' + COLUMN, 1, "did you mean decimal"),
         ("decimal = 1\n" + COLUMN, 1, "decimal must be text"),
