@@ -117,3 +117,22 @@ def test_files_without_a_swing_end_with_status_two(clubface_, folder):
     assert_mistake(ran, "no marker BALL here; the file has: HEAD1")
     assert_mistake(clubface_("capture", "synthesize", "-o", str(folder), "--gaps", "0.9"), "gaps", "0.5")
     assert_mistake(clubface_("capture", "synthesize", "-o", str(folder), "--count", "0"), "count")
+
+
+def test_ctrl_c_keeps_the_swings_that_were_read(clubface_, folder, monkeypatch):
+    from clubface.motion_capture import shots
+
+    real, calls = shots.capture, []
+
+    def stopped(recording, setup):
+        calls.append(recording)
+        if len(calls) == 3:
+            raise KeyboardInterrupt
+        return real(recording, setup)
+
+    monkeypatch.setattr(shots, "capture", stopped)
+    names = [f"swing-00{number}.c3d" for number in (1, 2, 3)]
+    ran = clubface_(*arguments(folder, *names), "-o", str(folder / "shots.csv"))
+    assert ran.status == 130
+    assert "interrupted: 2 of 3 swings read" in ran.err
+    assert (folder / "shots.csv").read_text().count("\n") == 3

@@ -316,3 +316,40 @@ def test_notes_are_warnings_of_a_single_reading(tmp_path):
     write_c3d(replace(seen, positions=positions), files[0])
     with pytest.warns(CaptureWarning, match=r"swing-001\.c3d: HEAD1 strays in frame 101"):
         read_swing(files[0], tmp_path / "markers.toml", "driver")
+
+
+def test_whatever_happens_to_a_recording_it_is_read_or_refused():
+    """Forty recordings hidden, shifted, cut, shuffled, reversed and scaled in part; numpy must not warn either."""
+    import warnings
+
+    random = np.random.default_rng(5)
+    ready = [prepare(MAPPING, "driver", estimator_name=name) for name in ("smoother", "polynomial", "linear")]
+    outcomes = []
+    for number in range(40):
+        positions = RECORDING.positions.copy()
+        first, last = np.sort(random.integers(0, len(positions), 2))
+        some = random.permutation(6)[: random.integers(1, 7)]
+        match number % 6:
+            case 0:
+                positions[first:last, some] = np.nan
+            case 1:
+                positions[first:last, some] += random.normal(size=3) * 10.0 ** random.uniform(-4, 1)
+            case 2:
+                positions = positions[first : last + 2]
+            case 3:
+                positions[first:, some] = positions[first:, random.permutation(some)]
+            case 4:
+                positions = np.repeat(positions[:: random.choice([1, -1])], 2, axis=0)
+            case 5:
+                positions[first:last] *= 10.0 ** random.uniform(-3, 3)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", RuntimeWarning)
+            try:
+                found = capture(replace(RECORDING, positions=positions), ready[number % 3])
+            except FileError as error:
+                outcomes.append(str(error))
+            else:
+                outcomes.append("read")
+                assert np.isfinite(list(found.uncertainty.values())).all()
+    assert outcomes.count("read") >= 5
+    assert len(set(outcomes)) >= 5

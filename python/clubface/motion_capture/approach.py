@@ -78,10 +78,13 @@ def follow(
     position, rotation = followed.poses.position, followed.poses.rotation
     known = np.flatnonzero(followed.known & (np.arange(len(times)) <= interval.before))
     extend, fewest, most = estimator(name)
-    ahead, _ = gap(position[known[-2:]], rotation[known[-2:]], ball, club, radius)
-    closing = float(ahead[0] - ahead[-1]) / float(times[known[-1]] - times[known[-2]]) if len(known) > 1 else 0.0
-    if len(known) < fewest or closing <= 0.0:
+    if len(known) < fewest:
         raise FileError(where, None, _too_few(len(known), fewest, name))
+    last = known[-4:]
+    ahead, _ = gap(position[last], rotation[last], ball, club, radius)
+    closing = float(ahead[0] - ahead[-1]) / float(times[last[-1]] - times[last[0]])
+    if closing <= 0.0:
+        raise FileError(where, None, "the clubhead does not come nearer to the ball in the last frames before impact")
     touch = float(times[known[-1]] + ahead[-1] / closing)
 
     def extended() -> Approach:
@@ -97,7 +100,10 @@ def follow(
         to_vector[:, 3:, 3:] = np.linalg.inv(left_jacobian(turned))
         coordinates = np.concatenate([position[frames], turned], 1)
         errors = to_vector @ errors @ np.swapaxes(to_vector, 1, 2)
-        path = extend(times[frames] - touch, coordinates, errors, roughness=roughness)
+        try:
+            path = extend(times[frames] - touch, coordinates, errors, roughness=roughness)
+        except np.linalg.LinAlgError:
+            raise FileError(where, None, "the frames before impact do not determine the path of the clubhead") from None
         _, time = deliver(Inputs(path.position, path.rate, ball, np.zeros(6)), attitude, club, radius)
         if not abs(float(time)) < TIME:
             raise FileError(where, None, f"the path of the clubhead by {name} does not lead to the ball")
