@@ -229,7 +229,7 @@ def test_a_moved_marker_is_told():
 
 def test_options_are_checked():
     for options, message in (
-        ({"estimator_name": "kalman"}, "unknown estimator"),
+        ({"estimator": "kalman"}, "unknown estimator"),
         ({"noise": "0 mm"}, "noise is '0 mm'; it must be above 0 m"),
         ({"noise": "1 deg"}, "noise"),
         ({"hand": "both"}, "hand"),
@@ -323,7 +323,7 @@ def test_whatever_happens_to_a_recording_it_is_read_or_refused():
     import warnings
 
     random = np.random.default_rng(5)
-    ready = [prepare(MAPPING, "driver", estimator_name=name) for name in ("smoother", "polynomial", "linear")]
+    ready = [prepare(MAPPING, "driver", estimator=name) for name in ("smoother", "polynomial", "linear")]
     outcomes = []
     for number in range(40):
         positions = RECORDING.positions.copy()

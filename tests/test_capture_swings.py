@@ -32,7 +32,7 @@ def test_without_noise_the_delivery_is_read_to_a_twentieth_of_a_degree(club, han
 
 
 def test_p1s_extrapolation_is_off_by_what_the_path_bends_in_a_frame():
-    found = [captured(swing, Cameras(), estimator_name="linear") for swing in swings(12)]
+    found = [captured(swing, Cameras(), estimator="linear") for swing in swings(12)]
     off = np.array([errors(each, swing) for each, swing in zip(found, swings(12), strict=True)])
     high = off[:, QUANTITIES.index("high")]
     # A path that bends with a = v^2/r = 1500 m/s2 leaves its tangent by a/2 (1/720 s)^2 = 1.4 mm within a frame, and

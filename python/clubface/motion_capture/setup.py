@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 
@@ -13,7 +13,8 @@ from clubface.balls import Ball
 from clubface.clubs import Club
 from clubface.equipment import HANDS, check_choice
 from clubface.errors import InputError
-from clubface.motion_capture.estimators import ROUGHNESS, check_roughness, estimator
+from clubface.motion_capture.estimators import ROUGHNESS, check_roughness
+from clubface.motion_capture.estimators import estimator as estimator_of
 from clubface.motion_capture.laboratory import to_world
 from clubface.motion_capture.mapping import MarkerMap, marker_map
 from clubface.motion_capture.recording import Recording, read_c3d
@@ -56,11 +57,24 @@ class Setup:
         return calibrated(self.mapping, self.club, recording, self.turn(recording))
 
 
+class Options(TypedDict, total=False):
+    """What :func:`read_swing` and :func:`read_swings` take by name; the same as :func:`prepare`."""
+
+    estimator: str
+    roughness: float
+    ball: str | os.PathLike[str] | Ball
+    hand: str | None
+    target: str | None
+    up: str | None
+    unit: str | None
+    noise: Any
+
+
 def prepare(
     mapping: str | os.PathLike[str] | MarkerMap,
     club: str | os.PathLike[str] | Club,
     *,
-    estimator_name: str = "smoother",
+    estimator: str = "smoother",
     roughness: float = ROUGHNESS,
     ball: str | os.PathLike[str] | Ball = "published",
     hand: str | None = None,
@@ -69,11 +83,40 @@ def prepare(
     unit: str | None = None,
     noise: Any = None,
 ) -> Setup:
-    """Return the set-up of a session: see :func:`read_swing` for the meanings; reads the calibration file."""
+    """Return the set-up of a session; reads the calibration file.
+
+    Parameters
+    ----------
+    mapping
+        Which marker is what: the path of a TOML file (see ``template``), or a :class:`MarkerMap`.
+    club
+        A built-in name, the path of a TOML file, or a :class:`Club`.
+    estimator
+        "smoother", "polynomial", or "linear" as in P1.
+    roughness
+        Of the smoother: how much the path may depart from a quartic.
+    ball
+        Its radius counts.
+    hand
+        "right" or "left"; that of the club unless given.
+    target, up
+        Axes of the laboratory such as "+y", in place of the mapping's.
+    unit
+        Unit of length of the files, in place of the one they name.
+    noise
+        Standard deviation of a marker along an axis, such as "0.3 mm"; the mapping's, or estimated from the residuals.
+
+    Raises
+    ------
+    FileError
+        A mapping or calibration file that cannot be used.
+    InputError
+        An option that cannot be used, another club than the mapping's.
+    """
     from clubface.balls import ball as ball_of
     from clubface.clubs import club as club_of
 
-    estimator(estimator_name)
+    estimator_of(estimator)
     told: dict[str, Any] = {key: value for key, value in (("target", target), ("up", up)) if value is not None}
     if unit is not None:
         told["unit"] = units.unit(unit, name="units", dimension="length").symbol
@@ -89,7 +132,7 @@ def prepare(
     if meant.club is not None and meant.club != head.name:
         raise InputError("club", head.name, f"{meant.club}, the club of {meant.path}")
     found = Setup(
-        mapping=meant, club=head, ball=ball_of(ball), estimator=estimator_name,
+        mapping=meant, club=head, ball=ball_of(ball), estimator=estimator,
         roughness=check_roughness(roughness), registration=None,
     )  # fmt: skip
     if not meant.face:

@@ -6,19 +6,17 @@ import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Unpack
 
 import numpy as np
 
-from clubface.balls import Ball
 from clubface.clubs import Club
 from clubface.errors import FileError, InputError
 from clubface.motion_capture.captured import CapturedDelivery
-from clubface.motion_capture.estimators import ROUGHNESS
 from clubface.motion_capture.mapping import MarkerMap
 from clubface.motion_capture.recording import read_c3d
 from clubface.motion_capture.reduction import QUANTITIES
-from clubface.motion_capture.setup import prepare
+from clubface.motion_capture.setup import Options, prepare
 from clubface.motion_capture.swing import capture
 from clubface.recorded import RecordedShots, RejectedRow
 
@@ -92,15 +90,8 @@ def read_swings(
     mapping: str | os.PathLike[str] | MarkerMap,
     club: str | os.PathLike[str] | Club,
     *,
-    estimator: str = "smoother",
-    roughness: float = ROUGHNESS,
-    ball: str | os.PathLike[str] | Ball = "published",
-    hand: str | None = None,
-    target: str | None = None,
-    up: str | None = None,
-    unit: str | None = None,
-    noise: Any = None,
     progress: Callable[[int, int], object] | None = None,
+    **options: Unpack[Options],
 ) -> CapturedSwings:
     """Read the deliveries of many C3D files of one session: same club, markers and calibration.
 
@@ -111,16 +102,13 @@ def read_swings(
     ----------
     paths
         The files.
-    mapping, club, estimator, roughness, ball, hand, target, up, unit, noise
+    mapping, club, **options
         As of :func:`read_swing`.
     progress
         Called with the files done and all of them.
     """
     files = [os.fspath(path) for path in paths]
-    setup = prepare(
-        mapping, club, estimator_name=estimator, roughness=roughness, ball=ball, hand=hand, target=target, up=up,
-        unit=unit, noise=noise,
-    )  # fmt: skip
+    setup = prepare(mapping, club, **options)
     captured: list[CapturedDelivery] = []
     places: list[int] = []
     rejected: list[RejectedRow] = []

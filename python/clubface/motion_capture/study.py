@@ -154,8 +154,7 @@ def study(
         estimator(name)
     made = random_swing(0, club=club, hand=hand)
     ready: dict[str, Setup] = {
-        name: prepare(positions_map(made.club, seen), made.club, estimator_name=name, roughness=roughness)
-        for name in names
+        name: prepare(positions_map(made.club, seen), made.club, estimator=name, roughness=roughness) for name in names
     }
     errors, deviations = (np.full((len(names), count, len(QUANTITIES)), np.nan) for _ in range(2))
     touches, truths = np.full((len(names), count), np.nan), np.full((count, len(QUANTITIES)), np.nan)

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 import os
 import warnings
-from typing import Any
+from typing import Unpack
 
 import numpy as np
 
-from clubface.balls import Ball
 from clubface.clubs import Club
 from clubface.delivery import Delivery
 from clubface.errors import CaptureWarning, FileError
@@ -17,14 +16,13 @@ from clubface.motion_capture import checks
 from clubface.motion_capture.approach import follow
 from clubface.motion_capture.ball_flight import Launched, RestingBall, flight, resting_places
 from clubface.motion_capture.captured import CapturedDelivery
-from clubface.motion_capture.estimators import ROUGHNESS
 from clubface.motion_capture.impact_frame import find_impact
 from clubface.motion_capture.mapping import MarkerMap
 from clubface.motion_capture.recording import Recording, read_c3d
 from clubface.motion_capture.reduction import QUANTITIES, with_covariance
 from clubface.motion_capture.rigid_body import visible
 from clubface.motion_capture.rotations import Array
-from clubface.motion_capture.setup import Setup, prepare
+from clubface.motion_capture.setup import Options, Setup, prepare
 from clubface.motion_capture.tracking import LEAST_MISFIT, Track, look_alikes, track
 
 FLOOR = 1e-6
@@ -36,15 +34,7 @@ def read_swing(
     path: str | os.PathLike[str],
     mapping: str | os.PathLike[str] | MarkerMap,
     club: str | os.PathLike[str] | Club,
-    *,
-    estimator: str = "smoother",
-    roughness: float = ROUGHNESS,
-    ball: str | os.PathLike[str] | Ball = "published",
-    hand: str | None = None,
-    target: str | None = None,
-    up: str | None = None,
-    unit: str | None = None,
-    noise: Any = None,
+    **options: Unpack[Options],
 ) -> CapturedDelivery:
     """Read the delivery of one swing from a C3D file.
 
@@ -56,20 +46,12 @@ def read_swing(
         Which marker is what: the path of a TOML file (see ``template``), or a :class:`MarkerMap`.
     club
         A built-in name, the path of a TOML file, or a :class:`Club`.
-    estimator
-        "smoother", "polynomial", or "linear" as in P1.
-    roughness
-        Of the smoother: how much the path may depart from a quartic.
-    ball
-        Its radius counts.
-    hand
-        "right" or "left"; that of the club unless given.
-    target, up
-        Axes of the laboratory such as "+y", in place of the mapping's.
-    unit
-        Unit of length of the files, in place of the one they name.
-    noise
-        Standard deviation of a marker along an axis, such as "0.3 mm"; the mapping's, or estimated from the residuals.
+    **options
+        ``estimator``: "smoother", "polynomial", or "linear" as in P1. ``roughness`` of the smoother: how much the path
+        may depart from a quartic. ``ball``, whose radius counts. ``hand``: "right" or "left", that of the club unless
+        given. ``target`` and ``up``: axes of the laboratory such as "+y", in place of the mapping's. ``unit`` of
+        length, in place of the one the file names. ``noise``: the standard deviation of a marker along an axis, such as
+        "0.3 mm"; the mapping's, or estimated from the residuals.
 
     Raises
     ------
@@ -83,10 +65,7 @@ def read_swing(
     CaptureWarning
         For each thing mended or doubtful, which ``notes`` of the result hold as well.
     """
-    prepared = prepare(
-        mapping, club, estimator_name=estimator, roughness=roughness, ball=ball, hand=hand, target=target, up=up,
-        unit=unit, noise=noise,
-    )  # fmt: skip
+    prepared = prepare(mapping, club, **options)
     found = capture(read_c3d(path, unit=prepared.mapping.unit), prepared)
     for note in found.notes:
         warnings.warn(f"{found.source}: {note}", CaptureWarning, stacklevel=2)
