@@ -137,7 +137,10 @@ fn lift_head<R: Real>(head: &ShellHead<f64>, number: &mut dyn FnMut(&str, f64) -
         walls.iter_mut().for_each(|t| *t = *t * factor);
         let Isotropic { young, poisson } = part.material.elastic;
         let elastic = Isotropic { young: of("youngs", young), poisson: of("poisson", poisson) };
-        let material = ShellMaterial { elastic, density: of("density", part.material.density) };
+        let ShellMaterial { density, hardening, points, .. } = &part.material;
+        let density = of("density", *density);
+        let hardening = hardening.map(|law| law.map(&mut of));
+        let material = ShellMaterial { elastic, density, hardening, points: *points };
         parts.push(ShellPart {
             name: part.name.clone(),
             elements: part.elements.clone(),

@@ -4,16 +4,21 @@ mod full;
 mod full_patch;
 mod indexed;
 mod lattice;
+mod layers;
 mod one_point;
 mod point;
+mod quadrature;
 mod quadrilateral;
 mod section;
 mod shell;
+mod shell_material;
 mod solid;
 
 pub use full_patch::{full_patches, FullPatch};
+pub use quadrature::{Rule, MAX_POINTS};
 pub use section::Isotropic;
-pub use shell::{ShellMaterial, ShellPatch, ShellRows, SHELL_PATCH};
+pub use shell::{ShellPatch, ShellRows, SHELL_PATCH};
+pub use shell_material::ShellMaterial;
 pub use solid::{solid_patches, SolidPatch};
 
 use crate::error::FemError;

@@ -19,8 +19,8 @@ use clubface_math::{Pack, Scalar, Vec3};
 
 /// Nodes of a quadrilateral.
 pub const CORNERS: usize = 4;
-/// Hourglass modes: membrane along both axes, rotation along both, shear along both pairs of edges.
-pub const HOURGLASS: usize = 6;
+/// Stabilised modes: the hourglass modes (membrane along both axes, rotation along both, shear along both pairs of edges), and drilling.
+pub const HOURGLASS: usize = 7;
 
 /// One quantity at the corners as modes of the reference square: mean, slopes, bilinear part.
 #[derive(Clone, Copy)]
@@ -70,7 +70,7 @@ pub struct Increment<P> {
     pub curvature: [P; 3],
     /// Transverse shear angles: xz, yz.
     pub shear: [P; 2],
-    /// Amplitudes of the hourglass modes.
+    /// Amplitudes of the stabilised modes.
     pub hourglass: [P; HOURGLASS],
 }
 
@@ -81,9 +81,16 @@ pub struct Resultants<P> {
     pub membrane: [P; 3],
     /// Bending moments, N: xx, yy, xy.
     pub bending: [P; 3],
+    /// The rest.
+    pub across: Across<P>,
+}
+
+/// What acts across the section or beside its strains.
+#[derive(Clone, Copy)]
+pub struct Across<P> {
     /// Transverse shear forces, N/m: xz, yz.
     pub shear: [P; 2],
-    /// Forces of the hourglass modes.
+    /// Forces of the stabilised modes.
     pub hourglass: [P; HOURGLASS],
 }
 
@@ -225,6 +232,7 @@ impl<P: Pack> Quadrilateral<P> {
                 self.stabilised(tilt.skew[1], ty),
                 twist + tilt.eta[0] * self.along,
                 twist + inner(tilt.xi, self.across),
+                dot(s.mean * quarter, self.axes[2]) - (uy[0] - ux[1]) * 0.5,
             ],
         }
     }
@@ -235,10 +243,12 @@ impl<P: Pack> Quadrilateral<P> {
         let area = self.area;
         let [hx, hy] = self.skew;
         let [bx, by] = self.across;
-        let (n, m, h) = (&r.membrane, &r.bending, &r.hourglass);
-        let (fx, fy) = (self.slope(n[0], n[2], h[0]), self.slope(n[2], n[1], h[1]));
+        let (n, m, h) = (&r.membrane, &r.bending, &r.across.hourglass);
+        // Drilling makes the shear forces differ.
+        let drill = h[6] / area * 0.5;
+        let (fx, fy) = (self.slope(n[0], n[2] + drill, h[0]), self.slope(n[2] - drill, n[1], h[1]));
         let (mx, my) = (self.slope(m[0], m[2], h[2]), self.slope(m[2], m[1], h[3]));
-        let q = self.spread(r.shear[0] * area, r.shear[1] * area);
+        let q = self.spread(r.across.shear[0] * area, r.across.shear[1] * area);
         let twist = h[4] + h[5];
         let warp = self.warp;
         // Moments conjugate to the tilt, mode by mode: of bending, of shear along the edges, of the rigid links.
@@ -253,7 +263,7 @@ impl<P: Pack> Quadrilateral<P> {
             skew: self.global(h[0], h[1], twist),
         };
         let moment = Modes {
-            mean: self.moment(mean),
+            mean: self.moment(mean) + self.axes[2] * (h[6] * -0.25),
             xi: self.moment(xi),
             eta: self.moment(eta),
             skew: self.moment([h[2], h[3]]),

@@ -1,10 +1,14 @@
 //! The section of a shell: from strain increments to stress resultants through the thickness.
 
-use super::quadrilateral::{Increment, Resultants, HOURGLASS};
+use super::quadrilateral::{Across, Increment, Resultants, HOURGLASS};
+use super::BLOCK;
 use clubface_math::{Pack, Scalar};
 
 /// Share of the section that carries transverse shear.
 const SHEAR_SHARE: f64 = 5.0 / 6.0;
+
+/// Stiffness of drilling over that of shear in the plane: enough to hold it, too little to shorten the stable step.
+const DRILLING: f64 = 0.1;
 
 /// Elastic constants of a shell.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +42,8 @@ pub struct Section<P> {
     elastic: Isotropic<P>,
     plate: P,
     shear: P,
-    thickness: P,
+    /// Thickness, m.
+    pub thickness: P,
     /// Second moment of area over width, m3.
     moment: P,
 }
@@ -51,9 +56,9 @@ impl<P: Scalar> Section<P> {
         Self { elastic, plate, shear, thickness, moment }
     }
 
-    /// Stiffness of the hourglass modes of an element with the given ratio of sides (across over along, and its inverse).
+    /// Stiffness of the stabilised modes of an element with the given area and ratio of sides (across over along, and its inverse).
     #[inline(always)]
-    pub fn hourglass(&self, (across, along): (P, P)) -> [P; HOURGLASS] {
+    pub fn hourglass(&self, area: P, (across, along): (P, P)) -> [P; HOURGLASS] {
         let membrane = self.elastic.young * self.thickness * (4.0 / 3.0);
         let bending = self.plate * self.moment * (4.0 / 3.0);
         let torsion = self.shear * self.moment * (4.0 / 3.0);
@@ -65,6 +70,7 @@ impl<P: Scalar> Section<P> {
             bending * along + torsion * across,
             shear * across,
             shear * along,
+            self.shear * self.thickness * area * DRILLING,
         ]
     }
 
@@ -75,43 +81,164 @@ impl<P: Scalar> Section<P> {
         [self.plate * (e[0] + nu * e[1]), self.plate * (e[1] + nu * e[0]), self.shear * e[2]]
     }
 
-    /// Adds the elastic response to a strain increment.
+    /// Elastic energy of plane stress, J/m3.
     #[inline(always)]
-    pub fn respond(&self, increment: &Increment<P>, hourglass: &[P; HOURGLASS], r: &mut Resultants<P>) {
-        let (n, m) = (self.stress(&increment.membrane), self.stress(&increment.curvature));
+    pub fn energy(&self, s: &[P; 3]) -> P {
+        let sum = s[0] + s[1];
+        let twice = sum * sum + (self.elastic.poisson + 1.0) * (s[2] * s[2] - s[0] * s[1]) * 2.0;
+        twice / (self.elastic.young * 2.0)
+    }
+
+    /// Adds the response to transverse shear and to the hourglass modes, which is elastic in any metal.
+    #[inline(always)]
+    pub fn respond_across(
+        &self,
+        increment: &Increment<P>,
+        hourglass: &[P; HOURGLASS],
+        across: &mut Across<P>,
+    ) {
         let shear = self.shear * self.thickness * SHEAR_SHARE;
-        for i in 0..3 {
-            r.membrane[i] += self.thickness * n[i];
-            r.bending[i] += self.moment * m[i];
-        }
         for i in 0..2 {
-            r.shear[i] += shear * increment.shear[i];
+            across.shear[i] += shear * increment.shear[i];
         }
         for i in 0..HOURGLASS {
-            r.hourglass[i] += hourglass[i] * increment.hourglass[i];
+            across.hourglass[i] += hourglass[i] * increment.hourglass[i];
         }
     }
 
-    /// Elastic energy of the resultants over an area, and of the hourglass modes, J.
+    /// Elastic energy of transverse shear over an area, and of the hourglass modes, J.
     #[inline(always)]
-    pub fn energy(&self, r: &Resultants<P>, area: P, hourglass: &[P; HOURGLASS]) -> (P, P) {
-        let nu = self.elastic.poisson;
-        let half = (self.elastic.young * 2.0).recip();
-        let shear = (r.shear[0] * r.shear[0] + r.shear[1] * r.shear[1])
-            / (self.shear * self.thickness * (2.0 * SHEAR_SHARE));
-        let membrane = complementary(&r.membrane, nu) * half / self.thickness;
-        let bending = complementary(&r.bending, nu) * half / self.moment;
+    pub fn energy_across(&self, across: &Across<P>, area: P, hourglass: &[P; HOURGLASS]) -> (P, P) {
+        let [x, y] = across.shear;
+        let shear = (x * x + y * y) / (self.shear * self.thickness * (2.0 * SHEAR_SHARE));
         let mut stabilising = P::zero();
         for i in 0..HOURGLASS {
-            stabilising += r.hourglass[i] * r.hourglass[i] / hourglass[i] * 0.5;
+            stabilising += across.hourglass[i] * across.hourglass[i] / hourglass[i] * 0.5;
         }
-        ((membrane + bending + shear) * area, stabilising)
+        (shear * area, stabilising)
     }
 }
 
-/// `E` times strain times stress of plane stress.
-#[inline(always)]
-fn complementary<P: Scalar>(s: &[P; 3], nu: P) -> P {
-    let sum = s[0] + s[1];
-    sum * sum + (nu + 1.0) * (s[2] * s[2] - s[0] * s[1]) * 2.0
+/// What elements of a block, from some lane on, remember: eight lanes a number.
+pub struct Memory<'a, R> {
+    numbers: &'a mut [R],
+    first: usize,
+}
+
+impl<'a, R> Memory<'a, R> {
+    /// From the numbers of a block.
+    #[inline(always)]
+    pub fn new(numbers: &'a mut [R], first: usize) -> Self {
+        Self { numbers, first }
+    }
+    /// Some consecutive numbers.
+    #[inline(always)]
+    pub fn load<P: Pack<Real = R>, const N: usize>(&self, from: usize) -> [P; N] {
+        let mut values = [P::zero(); N];
+        for i in 0..N {
+            values[i] = P::load(&self.numbers[(from + i) * BLOCK + self.first..]);
+        }
+        values
+    }
+    /// Writes them.
+    #[inline(always)]
+    pub fn store<P: Pack<Real = R>, const N: usize>(&mut self, from: usize, values: [P; N]) {
+        for i in 0..N {
+            values[i].store(&mut self.numbers[(from + i) * BLOCK + self.first..]);
+        }
+    }
+}
+
+/// Energies of elements, J.
+pub struct SectionEnergy<P> {
+    /// Elastic.
+    pub strain: P,
+    /// Of the hourglass modes.
+    pub hourglass: P,
+    /// Turned into heat by plastic flow.
+    pub plastic: P,
+}
+
+/// How a section answers to strain: what it remembers, and the resultants that follow.
+pub trait Response<P: Pack> {
+    /// Resultants after a strain increment, for the area of the elements; the memory moves on.
+    fn respond(
+        &self,
+        section: &Section<P>,
+        increment: &Increment<P>,
+        hourglass: &[P; HOURGLASS],
+        area: P,
+        memory: &mut Memory<P::Real>,
+    ) -> Resultants<P>;
+    /// Energies of elements of an area.
+    fn energy(
+        &self,
+        section: &Section<P>,
+        hourglass: &[P; HOURGLASS],
+        area: P,
+        memory: &Memory<P::Real>,
+    ) -> SectionEnergy<P>;
+}
+
+/// Numbers that transverse shear and hourglass modes take.
+pub const ACROSS: usize = 2 + HOURGLASS;
+
+impl<P: Pack> Across<P> {
+    /// From the first numbers.
+    #[inline(always)]
+    pub fn load(memory: &Memory<P::Real>) -> Self {
+        Self { shear: memory.load(0), hourglass: memory.load(2) }
+    }
+    /// Writes them.
+    #[inline(always)]
+    pub fn store(&self, memory: &mut Memory<P::Real>) {
+        memory.store(0, self.shear);
+        memory.store(2, self.hourglass);
+    }
+}
+
+/// An elastic section: its resultants are all it needs to remember.
+pub struct ElasticSection;
+
+impl ElasticSection {
+    /// Numbers of memory.
+    pub const LENGTH: usize = ACROSS + 6;
+}
+
+impl<P: Pack> Response<P> for ElasticSection {
+    #[inline(always)]
+    fn respond(
+        &self,
+        section: &Section<P>,
+        increment: &Increment<P>,
+        hourglass: &[P; HOURGLASS],
+        _area: P,
+        memory: &mut Memory<P::Real>,
+    ) -> Resultants<P> {
+        let mut across = Across::load(memory);
+        section.respond_across(increment, hourglass, &mut across);
+        across.store(memory);
+        let (n, m) = (section.stress(&increment.membrane), section.stress(&increment.curvature));
+        let (mut membrane, mut bending): ([P; 3], [P; 3]) = (memory.load(ACROSS), memory.load(ACROSS + 3));
+        for i in 0..3 {
+            membrane[i] += section.thickness * n[i];
+            bending[i] += section.moment * m[i];
+        }
+        memory.store(ACROSS, membrane);
+        memory.store(ACROSS + 3, bending);
+        Resultants { membrane, bending, across }
+    }
+    #[inline(always)]
+    fn energy(
+        &self,
+        section: &Section<P>,
+        hourglass: &[P; HOURGLASS],
+        area: P,
+        memory: &Memory<P::Real>,
+    ) -> SectionEnergy<P> {
+        let (shear, hourglass) = section.energy_across(&Across::load(memory), area, hourglass);
+        let membrane = section.energy(&memory.load(ACROSS)) / section.thickness;
+        let bending = section.energy(&memory.load(ACROSS + 3)) / section.moment;
+        SectionEnergy { strain: (membrane + bending) * area + shear, hourglass, plastic: P::zero() }
+    }
 }

@@ -1,59 +1,21 @@
 //! Patches of four-node shells of one material.
 //!
 //! A shell's node has a second row in the structure, for its rotation: its mass is the rotary inertia, its velocity the angular velocity, its
-//! position the rotation vector summed up, which nothing reads. Stress resultants are kept in the frame of the element and grow by
-//! the strain of every step.
+//! position the rotation vector summed up, which nothing reads. Stresses, or their resultants, are kept in the frame of the element and grow
+//! by the strain of every step.
 
-use super::quadrilateral::{Quadrilateral, Resultants, CORNERS, HOURGLASS};
-use super::section::{Isotropic, Section};
+use super::layers::Layers;
+use super::quadrature::Rule;
+use super::quadrilateral::{Quadrilateral, CORNERS};
+use super::section::{ElasticSection, Memory, Response, Section};
+use super::shell_material::ShellMaterial;
 use super::{Energy, Patch, BLOCK};
-use crate::error::FemError;
 use crate::mesh::ShellMesh;
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 use std::collections::HashMap;
 
 /// Shells a patch; as for solids, it does not depend on the number of threads.
 pub const SHELL_PATCH: usize = 136;
-
-/// Numbers an element remembers: resultants.
-const HISTORY: usize = 8 + HOURGLASS;
-
-/// What shells are made of.
-#[derive(Clone, Debug)]
-pub struct ShellMaterial<R> {
-    /// Elastic constants.
-    pub elastic: Isotropic<R>,
-    /// Density, kg/m3.
-    pub density: R,
-}
-
-impl<R: Real> ShellMaterial<R> {
-    /// Checks the constants of the part called `name`.
-    ///
-    /// # Errors
-    /// [`FemError::Input`] that names the first constant that is not allowed.
-    pub fn check(&self, name: &str) -> Result<(), FemError> {
-        let (young, poisson, density) =
-            (self.elastic.young.re(), self.elastic.poisson.re(), self.density.re());
-        if !(young > 0.0 && young.is_finite()) {
-            let name = format!("{name}.youngs");
-            return Err(FemError::input(name, format!("{young} Pa"), "it must be above zero"));
-        }
-        if !(poisson > -1.0 && poisson < 0.5) {
-            let name = format!("{name}.poisson");
-            return Err(FemError::input(name, poisson, "above -1 and below 0.5 is allowed"));
-        }
-        if !(density > 0.0 && density < 3e4) {
-            let name = format!("{name}.density");
-            return Err(FemError::input(
-                name,
-                format!("{density} kg/m3"),
-                "above 0, below 30000 kg/m3 is allowed",
-            ));
-        }
-        Ok(())
-    }
-}
 
 /// Where the nodes of a shell mesh stand among the rows of a structure.
 #[derive(Clone, Copy, Debug)]
@@ -74,7 +36,11 @@ pub struct ShellPatch<R> {
     thickness: Vec<R>,
     /// Reference areas, m2.
     areas: Vec<R>,
+    /// Points through the thickness (places from -1 to 1, weights), none for resultants alone.
+    points: Vec<(f64, f64)>,
+    /// By block, number and lane.
     history: Vec<R>,
+    history_length: usize,
     elements: usize,
     positions: Vec<Row<R>>,
     velocities: Vec<Row<R>>,
@@ -112,12 +78,21 @@ impl<R: Real> ShellPatch<R> {
         let nodes: Vec<u32> = (local.iter().map(|n| n + rows.positions))
             .chain(local.iter().map(|n| n + rows.rotations))
             .collect();
+        let points = material.rule().map_or(vec![], Rule::points);
+        let start = if points.is_empty() {
+            vec![R::zero(); ElasticSection::LENGTH]
+        } else {
+            Layers::<R>::start(points.len(), material.hardening.as_ref())
+        };
+        let one = start.iter().flat_map(|number| [*number; BLOCK]);
         Self {
             material,
             corners,
             thickness,
             areas,
-            history: vec![R::zero(); blocks * HISTORY * BLOCK],
+            history: one.collect::<Vec<_>>().repeat(blocks),
+            history_length: start.len(),
+            points,
             elements: elements.len(),
             positions: vec![Row::zero(); local.len()],
             velocities: vec![Row::zero(); nodes.len()],
@@ -192,35 +167,6 @@ fn scatter<P: Pack>(
     }
 }
 
-impl<P: Pack> Resultants<P> {
-    #[inline(always)]
-    fn load(history: &[P::Real], first: usize) -> Self {
-        let mut v = [P::zero(); HISTORY];
-        for i in 0..HISTORY {
-            v[i] = P::load(&history[i * BLOCK + first..]);
-        }
-        Self {
-            membrane: [v[0], v[1], v[2]],
-            bending: [v[3], v[4], v[5]],
-            shear: [v[6], v[7]],
-            hourglass: [v[8], v[9], v[10], v[11], v[12], v[13]],
-        }
-    }
-    #[inline(always)]
-    fn store(&self, history: &mut [P::Real], first: usize) {
-        for i in 0..3 {
-            self.membrane[i].store(&mut history[i * BLOCK + first..]);
-            self.bending[i].store(&mut history[(3 + i) * BLOCK + first..]);
-        }
-        for i in 0..2 {
-            self.shear[i].store(&mut history[(6 + i) * BLOCK + first..]);
-        }
-        for i in 0..HOURGLASS {
-            self.hourglass[i].store(&mut history[(8 + i) * BLOCK + first..]);
-        }
-    }
-}
-
 struct Assemble<'a, R> {
     patch: &'a mut ShellPatch<R>,
     dt: f64,
@@ -230,62 +176,88 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
     type Output = ();
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
-        let patch = self.patch;
-        let elastic = patch.material.elastic.splat::<P>();
-        let (plate, shear) = (elastic.plate(), elastic.shear());
-        let dt = P::from_f64(self.dt);
-        let count = patch.positions.len();
-        let (velocities, spins) = patch.velocities.split_at(count);
-        let (forces, moments) = patch.forces.split_at_mut(count);
-        for (block, corners) in patch.corners.iter().enumerate() {
-            let history = &mut patch.history[block * HISTORY * BLOCK..(block + 1) * HISTORY * BLOCK];
-            for first in (0..BLOCK).step_by(P::LANES) {
-                let shape = Quadrilateral::<P>::new(&gather(&patch.positions, corners, first));
-                let increment =
-                    shape.increment(&gather(velocities, corners, first), &gather(spins, corners, first), dt);
-                let thickness = P::load(&patch.thickness[block * BLOCK + first..]);
-                let section = Section::new(elastic, plate, shear, thickness);
-                let mut resultants = Resultants::load(history, first);
-                section.respond(&increment, &section.hourglass(shape.aspect()), &mut resultants);
-                resultants.store(history, first);
-                let (force, moment) = shape.forces(&resultants);
-                scatter(forces, corners, first, &force);
-                scatter(moments, corners, first, &moment);
-            }
+        let Self { patch, dt } = self;
+        if patch.points.is_empty() {
+            assemble::<P>(patch, &ElasticSection, dt);
+        } else {
+            let points = std::mem::take(&mut patch.points);
+            assemble::<P>(patch, &Layers::new(&points, &patch.material), dt);
+            patch.points = points;
         }
     }
 }
 
+#[inline(always)]
+fn assemble<P: Pack>(patch: &mut ShellPatch<P::Real>, law: &impl Response<P>, dt: f64) {
+    let elastic = patch.material.elastic.splat::<P>();
+    let (plate, shear) = (elastic.plate(), elastic.shear());
+    let dt = P::from_f64(dt);
+    let count = patch.positions.len();
+    let (velocities, spins) = patch.velocities.split_at(count);
+    let (forces, moments) = patch.forces.split_at_mut(count);
+    let histories = patch.history.chunks_exact_mut(patch.history_length * BLOCK);
+    for ((block, corners), history) in patch.corners.iter().enumerate().zip(histories) {
+        for first in (0..BLOCK).step_by(P::LANES) {
+            let shape = Quadrilateral::<P>::new(&gather(&patch.positions, corners, first));
+            let increment =
+                shape.increment(&gather(velocities, corners, first), &gather(spins, corners, first), dt);
+            let thickness = P::load(&patch.thickness[block * BLOCK + first..]);
+            let section = Section::new(elastic, plate, shear, thickness);
+            let hourglass = section.hourglass(shape.area, shape.aspect());
+            let mut memory = Memory::new(history, first);
+            let resultants = law.respond(&section, &increment, &hourglass, shape.area, &mut memory);
+            let (force, moment) = shape.forces(&resultants);
+            scatter(forces, corners, first, &force);
+            scatter(moments, corners, first, &moment);
+        }
+    }
+}
+
+/// Energies, and smallest and largest ratio of areas.
+type Found = (Energy, (f64, f64));
+
 struct Energies<'a, R> {
-    patch: &'a ShellPatch<R>,
+    patch: &'a mut ShellPatch<R>,
 }
 
 impl<R: Real> PackKernel<R> for Energies<'_, R> {
-    type Output = (Energy, (f64, f64));
+    type Output = Found;
     #[inline(always)]
-    fn run<P: Pack<Real = R>>(self) -> Self::Output {
+    fn run<P: Pack<Real = R>>(self) -> Found {
         let patch = self.patch;
-        let elastic = patch.material.elastic.splat::<P>();
-        let (plate, shear) = (elastic.plate(), elastic.shear());
-        let mut energy = Energy::default();
-        let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
-        for (block, corners) in patch.corners.iter().enumerate() {
-            for first in (0..BLOCK).step_by(P::LANES) {
-                let at = block * BLOCK + first;
-                let shape = Quadrilateral::<P>::new(&gather(&patch.positions, corners, first));
-                let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
-                let resultants = Resultants::load(&patch.history[block * HISTORY * BLOCK..], first);
-                let hourglass = section.hourglass(shape.aspect());
-                let (strain, stabilising) = section.energy(&resultants, shape.area, &hourglass);
-                let ratio = shape.area / P::load(&patch.areas[at..]);
-                for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {
-                    energy.strain += strain.lane(lane);
-                    energy.hourglass += stabilising.lane(lane);
-                    ratios.0 = ratios.0.min(ratio.lane(lane));
-                    ratios.1 = ratios.1.max(ratio.lane(lane));
-                }
+        if patch.points.is_empty() {
+            return energies::<P>(patch, &ElasticSection);
+        }
+        let points = std::mem::take(&mut patch.points);
+        let found = energies::<P>(patch, &Layers::new(&points, &patch.material));
+        patch.points = points;
+        found
+    }
+}
+
+#[inline(always)]
+fn energies<P: Pack>(patch: &mut ShellPatch<P::Real>, law: &impl Response<P>) -> Found {
+    let elastic = patch.material.elastic.splat::<P>();
+    let (plate, shear) = (elastic.plate(), elastic.shear());
+    let mut energy = Energy::default();
+    let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
+    let histories = patch.history.chunks_exact_mut(patch.history_length * BLOCK);
+    for ((block, corners), history) in patch.corners.iter().enumerate().zip(histories) {
+        for first in (0..BLOCK).step_by(P::LANES) {
+            let at = block * BLOCK + first;
+            let shape = Quadrilateral::<P>::new(&gather(&patch.positions, corners, first));
+            let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
+            let hourglass = section.hourglass(shape.area, shape.aspect());
+            let found = law.energy(&section, &hourglass, shape.area, &Memory::new(history, first));
+            let ratio = shape.area / P::load(&patch.areas[at..]);
+            for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {
+                energy.strain += found.strain.lane(lane);
+                energy.hourglass += found.hourglass.lane(lane);
+                energy.plastic += found.plastic.lane(lane);
+                ratios.0 = ratios.0.min(ratio.lane(lane));
+                ratios.1 = ratios.1.max(ratio.lane(lane));
             }
         }
-        (energy, ratios)
     }
+    (energy, ratios)
 }

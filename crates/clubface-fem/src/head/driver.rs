@@ -62,10 +62,10 @@ impl<R: Real> Driver<R> {
                 sole: 1.6e-3,
                 skirt: 1.4e-3,
             },
-            metal: ShellMaterial {
-                elastic: Isotropic { young: R::from_f64(114e9), poisson: R::from_f64(0.34) },
-                density: R::from_f64(4430.0),
-            },
+            metal: ShellMaterial::elastic(
+                Isotropic { young: R::from_f64(114e9), poisson: R::from_f64(0.34) },
+                R::from_f64(4430.0),
+            ),
             scales: (0.5, 2.0),
             trims: vec![
                 trim("sole", [-0.033, -0.023, 0.0]),

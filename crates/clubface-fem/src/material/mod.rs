@@ -4,19 +4,23 @@
 //! rubber and compressible plastics are treated alike (Holzapfel, Nonlinear Solid Mechanics, 2000, section 6.4).
 
 mod check;
+mod hardening;
 mod hencky;
 mod mooney_rivlin;
 mod neo_hookean;
 mod ogden;
+mod plane_stress;
 mod registry;
 mod stretch;
 mod symmetric;
 mod viscous;
 
+pub use hardening::{Hardening, HARDENING_POINTS};
 pub use hencky::Hencky;
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
 pub use ogden::{Ogden, OgdenTerm, OGDEN_TERMS};
+pub use plane_stress::{PlaneState, PlaneStress};
 pub use registry::{Constant, LawInfo, LAWS};
 pub use symmetric::{times, Symmetric};
 pub use viscous::{add_branches, history_length, Decay, Maxwell, MAX_TERMS};

@@ -45,7 +45,7 @@ fn driver_of(values: DriverValues) -> Driver<f64> {
         shape,
         fineness: DriverFineness(values.elements),
         thickness: DriverThickness { face_centre, face_edge, crown, sole, skirt },
-        metal: ShellMaterial { elastic: Isotropic { young, poisson }, density },
+        metal: ShellMaterial::elastic(Isotropic { young, poisson }, density),
         scales: values.scales,
         trims: trims.map(|(name, at, most)| Trim { name, at: Vec3::from_f64(at), most }).collect(),
         target: Target { mass, centre, above: values.above, inertia },

@@ -161,7 +161,7 @@ pub(super) fn head_of(values: &HeadValues<'_>) -> PyResult<ShellHead<f64>> {
     let (mut parts, mut start) = (Vec::new(), 0);
     for part in &values.parts {
         let elastic = Isotropic { young: part.youngs, poisson: part.poisson };
-        let material = ShellMaterial { elastic, density: part.density };
+        let material = ShellMaterial::elastic(elastic, part.density);
         let elements = start..start + part.elements;
         start = elements.end;
         parts.push(ShellPart { name: part.name.clone(), elements, material, face: part.face });

@@ -1,0 +1,103 @@
+//! The section of a shell as points through its thickness, each in plane stress.
+
+use super::quadrilateral::{Across, Increment, Resultants, HOURGLASS};
+use super::section::{Memory, Response, Section, SectionEnergy, ACROSS};
+use super::shell_material::ShellMaterial;
+use crate::material::{Hardening, PlaneState, PlaneStress};
+use clubface_math::{Pack, Real};
+
+/// Where the work that became heat stands, J, and where the points begin.
+const HEAT: usize = ACROSS;
+const POINTS: usize = HEAT + 1;
+/// Numbers a point takes: stress, equivalent plastic strain, yield stress.
+const POINT: usize = 5;
+
+/// Points through the thickness.
+pub struct Layers<'a, P> {
+    points: &'a [(f64, f64)],
+    metal: PlaneStress<P>,
+}
+
+impl<R: Real> Layers<'_, R> {
+    /// Numbers of memory of an element at rest.
+    pub fn start(points: usize, hardening: Option<&Hardening<R>>) -> Vec<R> {
+        let mut numbers = vec![R::zero(); POINTS];
+        let yields = hardening.map_or_else(|| Hardening::elastic().initial(), Hardening::initial);
+        for _ in 0..points {
+            let [stress, none] = [R::zero(); 2];
+            numbers.extend([stress, stress, stress, none, yields]);
+        }
+        numbers
+    }
+}
+
+impl<'a, P: Pack> Layers<'a, P> {
+    /// Points (places from -1 to 1, weights whose sum is 2) of a metal.
+    #[inline(always)]
+    pub fn new(points: &'a [(f64, f64)], material: &ShellMaterial<P::Real>) -> Self {
+        let elastic = material.elastic.splat::<P>();
+        let hardening = material.hardening.unwrap_or_else(Hardening::elastic).splat();
+        Self { points, metal: PlaneStress::new(elastic.young, elastic.poisson, hardening) }
+    }
+}
+
+#[inline(always)]
+fn state<P: Pack>(memory: &Memory<P::Real>, point: usize) -> PlaneState<P> {
+    let [x, y, xy, plastic_strain, yield_stress] = memory.load(POINTS + POINT * point);
+    PlaneState { stress: [x, y, xy], plastic_strain, yield_stress }
+}
+
+impl<P: Pack> Response<P> for Layers<'_, P> {
+    #[inline(always)]
+    fn respond(
+        &self,
+        section: &Section<P>,
+        increment: &Increment<P>,
+        hourglass: &[P; HOURGLASS],
+        area: P,
+        memory: &mut Memory<P::Real>,
+    ) -> Resultants<P> {
+        let mut across = Across::load(memory);
+        section.respond_across(increment, hourglass, &mut across);
+        across.store(memory);
+        let half = section.thickness * 0.5;
+        let (mut membrane, mut bending) = ([P::zero(); 3], [P::zero(); 3]);
+        let mut heat = P::zero();
+        for (point, &(place, weight)) in self.points.iter().enumerate() {
+            let (z, share) = (half * place, half * weight);
+            let mut strain = increment.membrane;
+            for i in 0..3 {
+                strain[i] += z * increment.curvature[i];
+            }
+            let mut at = state(memory, point);
+            heat += share * self.metal.advance(&strain, &mut at);
+            for i in 0..3 {
+                let force = share * at.stress[i];
+                membrane[i] += force;
+                bending[i] += z * force;
+            }
+            let [x, y, xy] = at.stress;
+            memory.store(POINTS + POINT * point, [x, y, xy, at.plastic_strain, at.yield_stress]);
+        }
+        let [before]: [P; 1] = memory.load(HEAT);
+        memory.store(HEAT, [before + heat * area]);
+        Resultants { membrane, bending, across }
+    }
+
+    #[inline(always)]
+    fn energy(
+        &self,
+        section: &Section<P>,
+        hourglass: &[P; HOURGLASS],
+        area: P,
+        memory: &Memory<P::Real>,
+    ) -> SectionEnergy<P> {
+        let (shear, hourglass) = section.energy_across(&Across::load(memory), area, hourglass);
+        let mut density = P::zero();
+        for (point, &(_, weight)) in self.points.iter().enumerate() {
+            density += section.energy(&state(memory, point).stress) * P::from_f64(0.5 * weight);
+        }
+        let [plastic] = memory.load(HEAT);
+        SectionEnergy { strain: density * section.thickness * area + shear, hourglass, plastic }
+    }
+}
