@@ -126,13 +126,9 @@ impl<R: Real> Patch<R> for FullPatch<R> {
     fn forces(&self) -> &[Row<R>] {
         &self.forces[..self.real_nodes]
     }
-    fn energy(&mut self, positions: &[Row<R>]) -> Energy {
+    fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
         self.load(positions);
-        R::dispatch(Energies { patch: self }).0
-    }
-    fn volume_ratios(&mut self, positions: &[Row<R>]) -> (f64, f64) {
-        self.load(positions);
-        R::dispatch(Energies { patch: self }).1
+        R::dispatch(Energies { patch: self })
     }
 }
 
@@ -233,8 +229,8 @@ impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Energies<'_, R> {
                     }
                     volume += constants.volume;
                     for lane in 0..lanes {
-                        ratios.0 = ratios.0.min(at.volume.lane(lane));
-                        ratios.1 = ratios.1.max(at.volume.lane(lane));
+                        ratios.0 = ratios.0.min(at.deformation.volume.lane(lane));
+                        ratios.1 = ratios.1.max(at.deformation.volume.lane(lane));
                     }
                 }
                 let dilation = element.volume() / volume - 1.0;

@@ -1,8 +1,9 @@
 //! Elements in any arrangement: the corners of a pack are gathered from the nodes one by one.
 
-use super::one_point::{empty, spread, sums, Face};
-use super::point::{Forces, Look};
+use super::one_point::{empty, spread, sums, Constants, Face, Hexahedron};
+use super::point::{Block, Look, Points};
 use super::BLOCK;
+use crate::material::Deformation;
 use crate::mesh::CORNERS;
 use clubface_math::{Pack, Real, Row, Vec3};
 use std::collections::HashMap;
@@ -62,18 +63,23 @@ impl<R: Real> Indexed<R> {
 
     /// Forces of all elements for the positions of their nodes.
     #[inline(always)]
-    pub fn assemble<P: Pack<Real = R>, W: Forces<P>>(
+    pub fn assemble<P: Pack<Real = R>, W: Points<P>>(
         &mut self,
         positions: &[Row<R>],
         nodes: &[u32],
-        mut point: W,
+        constants: &[Block<R>],
+        mut points: W,
     ) {
         self.load(positions, nodes);
         self.forces.fill(Row::zero());
         for block in 0..self.corners.len() {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let (low, high) = self.sides::<P>(block, first);
-                let (low, high) = point.forces(block, first, &low, &high, &empty());
+                let constants = Constants::new(&constants[block].0, first);
+                let element = Hexahedron::new(&constants, &low, &high);
+                let at = Deformation::new(element.gradient(&constants));
+                let stress = at.first_piola(&points.stress(block, first, constants.volume(), &at));
+                let (low, high) = element.forces(&constants, &stress, &empty());
                 for (bottom, face) in [(0, low), (4, high)] {
                     let (x, y, z) = (spread(face[0]), spread(face[1]), spread(face[2]));
                     for corner in 0..4 {
@@ -93,13 +99,15 @@ impl<R: Real> Indexed<R> {
         &mut self,
         positions: &[Row<R>],
         nodes: &[u32],
+        constants: &[Block<R>],
         point: &mut W,
     ) {
         self.load(positions, nodes);
         for block in 0..self.corners.len() {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let (low, high) = self.sides::<P>(block, first);
-                point.see(block, first, &low, &high);
+                let constants = Constants::new(&constants[block].0, first);
+                point.see(block, first, &constants, &Hexahedron::new(&constants, &low, &high));
             }
         }
     }

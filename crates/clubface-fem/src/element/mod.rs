@@ -1,10 +1,13 @@
 //! Elements: how forces at nodes follow from their positions.
 
+mod arrangement;
+mod field;
 mod full;
 mod full_patch;
 mod indexed;
 mod lattice;
 mod layers;
+mod motion;
 mod one_point;
 mod point;
 mod quadrature;
@@ -14,6 +17,7 @@ mod shell;
 mod shell_material;
 mod solid;
 
+pub use field::Scratch;
 pub use full_patch::{full_patches, FullPatch};
 pub use quadrature::{Rule, MAX_POINTS};
 pub use section::Isotropic;
@@ -77,10 +81,25 @@ pub trait Patch<R: Real>: Send + Sync {
     }
     /// Forces on [`Patch::nodes`], N.
     fn forces(&self) -> &[Row<R>];
+    /// Energies at the given positions, and the smallest and largest ratio of current to reference volume; the history stays as it is.
+    fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64));
     /// Energies at the given positions; the history stays as it is.
-    fn energy(&mut self, positions: &[Row<R>]) -> Energy;
-    /// Smallest and largest ratio of current to reference volume.
-    fn volume_ratios(&mut self, positions: &[Row<R>]) -> (f64, f64);
+    fn energy(&mut self, positions: &[Row<R>]) -> Energy {
+        self.look(positions).0
+    }
+    /// Takes charge of the motion of some nodes in [`Patch::step`], and returns their places in [`Patch::nodes`]. Given for each of them whether nothing but
+    /// this patch acts on it, and its inverse mass, 1/kg.
+    fn adopt(&mut self, _alone: &[bool], _inverse_masses: &[R]) -> Vec<u32> {
+        vec![]
+    }
+    /// Takes the motion of adopted nodes from the fields of all nodes, m and m/s.
+    fn take_over(&mut self, _positions: &[Row<R>], _velocities: &[Row<R>]) {}
+    /// As [`Patch::assemble`], with forces only on nodes that are not adopted; those move on by `dt` seconds, unseen in the fields of all nodes.
+    fn step(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64, _scratch: &mut Scratch<R>) {
+        self.assemble(positions, velocities, dt);
+    }
+    /// Writes the motion of adopted nodes to the fields of all nodes.
+    fn hand_back(&mut self, _positions: &mut [Row<R>], _velocities: &mut [Row<R>]) {}
 }
 
 /// Kinds of solid elements.

@@ -128,13 +128,9 @@ impl<R: Real> Patch<R> for ShellPatch<R> {
     fn forces(&self) -> &[Row<R>] {
         &self.forces
     }
-    fn energy(&mut self, positions: &[Row<R>]) -> Energy {
+    fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
         self.load_positions(positions);
-        R::dispatch(Energies { patch: self }).0
-    }
-    fn volume_ratios(&mut self, positions: &[Row<R>]) -> (f64, f64) {
-        self.load_positions(positions);
-        R::dispatch(Energies { patch: self }).1
+        R::dispatch(Energies { patch: self })
     }
 }
 

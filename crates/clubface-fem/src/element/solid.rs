@@ -1,8 +1,10 @@
 //! Patches of hexahedra of one material.
 
+use super::arrangement::shape;
+use super::field::Scratch;
 use super::indexed::Indexed;
-use super::lattice::{shape, Lattice, DEPTH};
-use super::one_point::{constants, CONSTANTS, VOLUME};
+use super::lattice::{Lattice, DEPTH};
+use super::one_point::{constants, CONSTANTS, SHAPES};
 use super::point::{Block, Elastic, Tally, Viscous};
 use super::{Aligned, Energy, Patch, BLOCK};
 use crate::material::{history_length, Decay, Isochoric, Material, UseLaw, MAX_TERMS};
@@ -12,10 +14,10 @@ use std::sync::Arc;
 
 /// Elements a patch: enough to hide the cost of starting on it, few enough that its nodes stay in the fast caches. It does not depend on the
 /// number of threads, so neither do the sums.
-pub const PATCH: usize = 432;
+pub const PATCH: usize = 864;
 
 /// Layers a patch of a lattice has, if the lattice has as many.
-const LAYERS: usize = 3;
+const LAYERS: usize = 6;
 
 /// How elements find their nodes.
 enum Layout<R> {
@@ -94,7 +96,7 @@ fn alike<R: Real>(a: &[Block<R>], b: &[Block<R>]) -> bool {
         && a.iter().zip(b).all(|(a, b)| {
             (0..CONSTANTS * BLOCK).all(|at| {
                 // Shapes of hourglass patterns are relative to the edges; they may all be zero but for rounding.
-                let size = largest[at / BLOCK].max(if at < VOLUME * BLOCK { 1e-3 } else { 0.0 });
+                let size = largest[at / BLOCK].max(if at < SHAPES * BLOCK { 1e-3 } else { 0.0 });
                 (a.0[at] - b.0[at]).re().abs() <= 1e-12 * size
             })
         })
@@ -121,7 +123,9 @@ impl<R: Real> SolidPatch<R> {
         let mut stored = vec![Aligned([R::zero(); CONSTANTS * BLOCK]); blocks];
         for (slot, element) in lanes.iter().enumerate() {
             let Some(element) = element else { continue };
-            for (which, value) in constants(&mesh.corners(elements[*element])).into_iter().enumerate() {
+            for (which, value) in
+                constants(&mesh.corners(elements[*element]), material.shear()).into_iter().enumerate()
+            {
                 stored[slot / BLOCK].0[which * BLOCK + slot % BLOCK] = value;
             }
         }
@@ -140,11 +144,6 @@ impl<R: Real> SolidPatch<R> {
         Self { material, layout, nodes, last, constants, history, history_length }
     }
 
-    fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
-        self.check(positions);
-        R::dispatch(Examine { patch: self, positions })
-    }
-
     /// The promise that every node exists, on which unchecked reads rely.
     fn check(&self, positions: &[Row<R>]) {
         assert!((self.last as usize) < positions.len(), "a patch of another mesh");
@@ -157,7 +156,27 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     }
     fn assemble(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64) {
         self.check(positions);
-        R::dispatch(Assemble { patch: self, positions, dt });
+        R::dispatch(Assemble { patch: self, positions, dt, scratch: &mut Scratch::new(), moving: false });
+    }
+    fn adopt(&mut self, alone: &[bool], inverse_masses: &[R]) -> Vec<u32> {
+        match &mut self.layout {
+            Layout::Lattice(lattice) => lattice.adopt(alone, inverse_masses),
+            Layout::Indexed(_) => vec![],
+        }
+    }
+    fn take_over(&mut self, positions: &[Row<R>], velocities: &[Row<R>]) {
+        if let Layout::Lattice(Lattice { motion: Some(motion), .. }) = &mut self.layout {
+            motion.take_over(positions, velocities, &self.nodes);
+        }
+    }
+    fn step(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64, scratch: &mut Scratch<R>) {
+        self.check(positions);
+        R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: true });
+    }
+    fn hand_back(&mut self, positions: &mut [Row<R>], velocities: &mut [Row<R>]) {
+        if let Layout::Lattice(Lattice { motion: Some(motion), .. }) = &mut self.layout {
+            motion.hand_back(positions, velocities, &self.nodes);
+        }
     }
     fn forces(&self) -> &[Row<R>] {
         match &self.layout {
@@ -165,11 +184,9 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
             Layout::Indexed(indexed) => indexed.forces(),
         }
     }
-    fn energy(&mut self, positions: &[Row<R>]) -> Energy {
-        self.look(positions).0
-    }
-    fn volume_ratios(&mut self, positions: &[Row<R>]) -> (f64, f64) {
-        self.look(positions).1
+    fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
+        self.check(positions);
+        R::dispatch(Examine { patch: self, positions })
     }
 }
 
@@ -177,6 +194,9 @@ struct Assemble<'a, R> {
     patch: &'a mut SolidPatch<R>,
     positions: &'a [Row<R>],
     dt: f64,
+    scratch: &'a mut Scratch<R>,
+    /// Whether nodes move that the patch has adopted.
+    moving: bool,
 }
 
 impl<R: Real> PackKernel<R> for Assemble<'_, R> {
@@ -192,13 +212,14 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
         }
         let rest = Loop {
             layout,
+            scratch: self.scratch,
+            step: self.moving.then(|| R::from_f64(self.dt)),
             positions: self.positions,
             nodes,
             constants,
             history,
             history_length: *history_length,
             bulk: P::splat(material.bulk),
-            shear: P::splat(material.shear()),
             decays,
             terms: material.maxwell.len(),
         };
@@ -209,13 +230,14 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
 /// All that the elements of a patch need, before the law is known.
 struct Loop<'a, P: Pack> {
     layout: &'a mut Layout<P::Real>,
+    scratch: &'a mut Scratch<P::Real>,
+    step: Option<P::Real>,
     positions: &'a [Row<P::Real>],
     nodes: &'a [u32],
     constants: &'a [Block<P::Real>],
     history: &'a mut [P::Real],
     history_length: usize,
     bulk: P,
-    shear: P,
     decays: [Decay<P>; MAX_TERMS],
     terms: usize,
 }
@@ -224,24 +246,25 @@ impl<P: Pack> UseLaw<P> for Loop<'_, P> {
     type Output = ();
     #[inline(always)]
     fn with<L: Isochoric<P>>(self, law: L) {
-        let Loop { layout, positions, nodes, constants, history, history_length, bulk, shear, decays, terms } =
-            self;
+        let Loop { layout, scratch, step, positions, nodes, constants, history, history_length, .. } = self;
+        let elastic = Elastic { law, bulk: self.bulk };
         // Compiled apart: without branches nothing is kept for them.
-        if terms == 0 {
-            let elastic = Elastic { law, constants, bulk, shear };
+        if self.terms == 0 {
             match layout {
                 // SAFETY: `assemble` has checked the nodes.
-                Layout::Lattice(lattice) => unsafe { lattice.assemble(positions, nodes, elastic) },
-                Layout::Indexed(indexed) => indexed.assemble(positions, nodes, elastic),
+                Layout::Lattice(lattice) => unsafe {
+                    lattice.assemble(scratch, positions, nodes, constants, elastic, step);
+                },
+                Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, elastic),
             }
         } else {
-            let decays = &decays[..terms];
-            let viscous =
-                Viscous { elastic: Elastic { law, constants, bulk, shear }, decays, history, history_length };
+            let viscous = Viscous { elastic, decays: &self.decays[..self.terms], history, history_length };
             match layout {
                 // SAFETY: `assemble` has checked the nodes.
-                Layout::Lattice(lattice) => unsafe { lattice.assemble(positions, nodes, viscous) },
-                Layout::Indexed(indexed) => indexed.assemble(positions, nodes, viscous),
+                Layout::Lattice(lattice) => unsafe {
+                    lattice.assemble(scratch, positions, nodes, constants, viscous, step);
+                },
+                Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, viscous),
             }
         }
     }
@@ -266,12 +289,14 @@ impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Examine<'_, R> {
     #[inline(always)]
     fn with<L: Isochoric<P>>(self, law: L) -> Self::Output {
         let SolidPatch { material, layout, nodes, constants, history, history_length, .. } = self.patch;
-        let (bulk, shear) = (P::splat(material.bulk), P::splat(material.shear()));
-        let mut tally = Tally::new(Elastic { law, constants, bulk, shear }, history, *history_length);
+        let elastic = Elastic { law, bulk: P::splat(material.bulk) };
+        let mut tally = Tally::new(elastic, history, *history_length);
         match layout {
             // SAFETY: `look` has checked the nodes.
-            Layout::Lattice(lattice) => unsafe { lattice.visit(self.positions, nodes, &mut tally) },
-            Layout::Indexed(indexed) => indexed.visit(self.positions, nodes, &mut tally),
+            Layout::Lattice(lattice) => unsafe {
+                lattice.visit(self.positions, nodes, constants, &mut tally);
+            },
+            Layout::Indexed(indexed) => indexed.visit(self.positions, nodes, constants, &mut tally),
         }
         (tally.energy, tally.ratios)
     }

@@ -29,66 +29,133 @@ use clubface_math::{Mat3, Pack, Real, Scalar, Vec3};
 
 /// A law for the change of shape: an energy of the modified right Cauchy-Green tensor `C̄` (determinant one).
 pub trait Isochoric<S: Scalar>: Copy {
-    /// `2 dW/dC̄`, Pa.
+    /// `2 dW/dC̄`, Pa, but for a multiple of `C̄^-1`, which changes no shape and is taken out of any stress.
     fn stress(&self, c: &Symmetric<S>) -> Symmetric<S>;
+    /// W, J/m3.
+    fn energy(&self, c: &Symmetric<S>) -> S;
+    /// Second Piola-Kirchhoff stress with `pressure`, `dW/dJ`, times a weight.
+    #[inline(always)]
+    fn second_piola(&self, at: &Deformation<S>, pressure: S, weight: S) -> Symmetric<S> {
+        let kinematics = Kinematics::of(*at);
+        kinematics.second_piola(&self.stress(&kinematics.c), pressure, weight)
+    }
+}
+
+/// A law that is an energy of the first two invariants alone, `tr C̄` and `tr C̄^-1`.
+pub trait OfInvariants<S: Scalar>: Copy {
+    /// Factors (Pa) of the identity and of `C̄` in `2 dW/dC̄`; what is left goes along `C̄^-1`.
+    fn factors(&self, first: S, second: S) -> [S; 2];
     /// W, J/m3.
     fn energy(&self, c: &Symmetric<S>) -> S;
 }
 
-/// Deformation at a point, as the laws need it.
+/// Laws of the invariants as laws of the change of shape.
+macro_rules! of_invariants {
+    ($($law:ident)+) => {$(
+        impl<S: Scalar> Isochoric<S> for $law<S> {
+            #[inline(always)]
+            fn stress(&self, c: &Symmetric<S>) -> Symmetric<S> {
+                let [one, along] = self.factors(c.trace(), c.cofactors().trace());
+                c.scale(along).plus_diagonal(one)
+            }
+            #[inline(always)]
+            fn energy(&self, c: &Symmetric<S>) -> S {
+                OfInvariants::energy(self, c)
+            }
+            #[inline(always)]
+            fn second_piola(&self, at: &Deformation<S>, pressure: S, weight: S) -> Symmetric<S> {
+                // As any law, but what waits for the root of the volume are a few scalars.
+                let cofactors = at.right.cofactors();
+                let root = inverse_cube_root(at.volume);
+                let shape = root * root;
+                let inverse_volume = shape * root;
+                let first = at.right.trace() * shape;
+                let second = cofactors.trace() * (shape * shape);
+                let [one, along] = self.factors(first, second);
+                // S : C̄ = one tr C̄ + along tr C̄^2, and J C^-1 = cof C / J.
+                let square = first.mul_add(first, -(second + second));
+                let mean = along.mul_add(square, one * first) * (inverse_volume * (1.0 / 3.0));
+                let weighted = shape * weight;
+                let sum = cofactors.scale((pressure - mean) * (inverse_volume * weight));
+                sum.plus(along * (shape * weighted), &at.right).plus_diagonal(one * weighted)
+            }
+        }
+    )+};
+}
+
+of_invariants!(MooneyRivlin NeoHookean Hencky);
+
+/// Deformation at a point: what follows from the gradient by products alone.
 #[derive(Clone, Copy, Debug)]
-pub struct Kinematics<S> {
+pub struct Deformation<S> {
     /// Deformation gradient.
     pub f: Mat3<S>,
-    /// Its determinant.
+    /// Its determinant J.
     pub volume: S,
-    /// Its cofactors, `J F^-T`.
-    pub cofactors: Mat3<S>,
+    /// `C = F^T F`.
+    pub right: Symmetric<S>,
+}
+
+impl<S: Scalar> Deformation<S> {
+    /// From the deformation gradient.
+    #[inline(always)]
+    pub fn new(f: Mat3<S>) -> Self {
+        let [a, b, c] = f.rows;
+        Self { f, volume: dot(a, cross(b, c)), right: Symmetric::gram(&f) }
+    }
+    /// First Piola-Kirchhoff stress of a second one.
+    #[inline(always)]
+    pub fn first_piola(&self, second: &Symmetric<S>) -> Mat3<S> {
+        times(&self.f, second)
+    }
+}
+
+/// Deformation at a point, with its change of shape apart from that of volume, as the laws need it.
+#[derive(Clone, Copy, Debug)]
+pub struct Kinematics<S> {
+    /// Deformation.
+    pub deformation: Deformation<S>,
     /// `1 / J`.
     pub inverse_volume: S,
     /// `J^(-2/3)`.
     pub shape: S,
     /// `C̄`.
     pub c: Symmetric<S>,
+    /// `C̄^-1`.
+    pub inverse: Symmetric<S>,
 }
 
 impl<S: Scalar> Kinematics<S> {
     /// From the deformation gradient; exact for a volume ratio between 0.3 and 2.5.
     #[inline(always)]
     pub fn new(f: Mat3<S>) -> Self {
-        let [a, b, c] = f.rows;
-        let cofactors = Mat3::from_rows(cross(b, c), cross(c, a), cross(a, b));
-        let volume = dot(a, cofactors.rows[0]);
-        let root = inverse_cube_root(volume);
+        Self::of(Deformation::new(f))
+    }
+    /// From a deformation.
+    #[inline(always)]
+    pub fn of(deformation: Deformation<S>) -> Self {
+        let root = inverse_cube_root(deformation.volume);
         let shape = root * root;
-        let inverse_volume = shape * root;
-        Self { f, volume, cofactors, inverse_volume, shape, c: Symmetric::gram(&f).scale(shape) }
+        let c = deformation.right.scale(shape);
+        Self { deformation, inverse_volume: shape * root, shape, c, inverse: c.cofactors() }
     }
     /// First Piola-Kirchhoff stress, from `2 dW/dC̄` and `dW/dJ`.
     #[inline(always)]
     pub fn first_piola(&self, stress: &Symmetric<S>, pressure: S) -> Mat3<S> {
-        self.weighted_piola(stress, pressure, S::one())
+        self.deformation.first_piola(&self.second_piola(stress, pressure, S::one()))
     }
-    /// First Piola-Kirchhoff stress times a weight.
+    /// Second Piola-Kirchhoff stress times a weight, from `2 dW/dC̄` and `dW/dJ`.
     #[inline(always)]
-    pub fn weighted_piola(&self, stress: &Symmetric<S>, pressure: S, weight: S) -> Mat3<S> {
-        // J^(-2/3) [F S - (S : C)/3 F^-T] + p J F^-T.
-        let mean = stress.contract(&self.c) * self.inverse_volume * (1.0 / 3.0);
-        let (shape, cofactor_part) = (self.shape * weight, (pressure - mean) * weight);
-        let shaped = times(&self.f, stress);
-        let (s, c) = (&shaped.rows, &self.cofactors.rows);
-        Mat3::from_rows(
-            combine(s[0], shape, c[0], cofactor_part),
-            combine(s[1], shape, c[1], cofactor_part),
-            combine(s[2], shape, c[2], cofactor_part),
-        )
+    pub fn second_piola(&self, stress: &Symmetric<S>, pressure: S, weight: S) -> Symmetric<S> {
+        // J^(-2/3) [S - (S : C̄)/3 C̄^-1] + p J C^-1, with C^-1 = J^(-2/3) C̄^-1.
+        let mean = stress.contract(&self.c) * (1.0 / 3.0);
+        let along = pressure.mul_add(self.deformation.volume, -mean);
+        stress.plus(along, &self.inverse).scale(self.shape * weight)
     }
     /// `2 dW/dC̄` without the part that would change the volume: `S - (S : C̄)/3 C̄^-1`.
     #[inline(always)]
     pub fn deviator(&self, stress: &Symmetric<S>) -> Symmetric<S> {
-        // C̄^-1 = cof^T cof J^(-2) / J^(-2/3), with J^(-4/3) = shape^2.
-        let inverse = Symmetric::gram(&self.cofactors).scale(self.shape * self.shape);
-        stress.plus(stress.contract(&self.c) * (-1.0 / 3.0), &inverse)
+        stress.plus(stress.contract(&self.c) * (-1.0 / 3.0), &self.inverse)
     }
 }
 
@@ -100,11 +167,6 @@ pub(crate) fn cross<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
 pub(crate) fn dot<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> S {
     a.z.mul_add(b.z, a.y.mul_add(b.y, a.x * b.x))
 }
-#[inline(always)]
-fn combine<S: Scalar>(a: Vec3<S>, s: S, b: Vec3<S>, t: S) -> Vec3<S> {
-    Vec3::new(a.x.mul_add(s, b.x * t), a.y.mul_add(s, b.y * t), a.z.mul_add(s, b.z * t))
-}
-
 /// `J^(-1/3)` from a parabola through J = 0.5, 1, 1.7, within 2% there. With `h = 1 - J y^3` the root is `y (1 - h)^(-1/3)`, whose series to the
 /// third order leaves `h^4/7`: two steps are exact there. They lead to the root for J between 0.3 and 2.5, beyond which an element is lost.
 #[inline(always)]

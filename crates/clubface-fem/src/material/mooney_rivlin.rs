@@ -1,6 +1,6 @@
 //! Rubber after Mooney (1940) and Rivlin (1948): `W = C10 (I1 - 3) + C01 (I2 - 3)`, the core of P2's ball.
 
-use super::{Isochoric, Symmetric};
+use super::{OfInvariants, Symmetric};
 use clubface_math::{Pack, Scalar};
 
 /// Constants in Pa; the shear modulus is `2 (C10 + C01)`.
@@ -22,11 +22,11 @@ impl<R> MooneyRivlin<R> {
     }
 }
 
-impl<S: Scalar> Isochoric<S> for MooneyRivlin<S> {
+impl<S: Scalar> OfInvariants<S> for MooneyRivlin<S> {
     #[inline(always)]
-    fn stress(&self, c: &Symmetric<S>) -> Symmetric<S> {
+    fn factors(&self, first: S, _second: S) -> [S; 2] {
         let twice = self.c01 + self.c01;
-        Symmetric::diagonal(twice.mul_add(c.trace(), self.c10 + self.c10)).plus(-twice, c)
+        [twice.mul_add(first, self.c10 + self.c10), -twice]
     }
     #[inline(always)]
     fn energy(&self, c: &Symmetric<S>) -> S {

@@ -1,6 +1,6 @@
 //! The simplest rubber, `W = mu/2 (I1 - 3)` (Treloar, 1943).
 
-use super::{Isochoric, Symmetric};
+use super::{OfInvariants, Symmetric};
 use clubface_math::{Pack, Scalar};
 
 /// Shear modulus.
@@ -20,10 +20,10 @@ impl<R> NeoHookean<R> {
     }
 }
 
-impl<S: Scalar> Isochoric<S> for NeoHookean<S> {
+impl<S: Scalar> OfInvariants<S> for NeoHookean<S> {
     #[inline(always)]
-    fn stress(&self, _c: &Symmetric<S>) -> Symmetric<S> {
-        Symmetric::diagonal(self.shear)
+    fn factors(&self, _first: S, _second: S) -> [S; 2] {
+        [self.shear, S::zero()]
     }
     #[inline(always)]
     fn energy(&self, c: &Symmetric<S>) -> S {

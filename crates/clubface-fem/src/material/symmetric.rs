@@ -44,6 +44,13 @@ impl<S: Scalar> Symmetric<S> {
         }
         Self(sum)
     }
+    /// `A + s I`.
+    #[inline(always)]
+    #[must_use]
+    pub fn plus_diagonal(&self, s: S) -> Self {
+        let [xx, yy, zz, xy, xz, yz] = self.0;
+        Self([xx + s, yy + s, zz + s, xy, xz, yz])
+    }
     /// `s A`.
     #[inline(always)]
     #[must_use]
@@ -58,14 +65,6 @@ impl<S: Scalar> Symmetric<S> {
     #[inline(always)]
     pub fn matrix(&self) -> Mat3<S> {
         Mat3::symmetric(self.0)
-    }
-    /// `B A B` for symmetric A and B.
-    #[inline(always)]
-    #[must_use]
-    pub fn sandwich(&self, b: &Self) -> Self {
-        let product = times(&b.matrix(), self);
-        let rows = times(&product, b).rows;
-        Self([rows[0].x, rows[1].y, rows[2].z, rows[0].y, rows[0].z, rows[1].z])
     }
     /// Cofactors: the inverse times the determinant.
     #[inline(always)]

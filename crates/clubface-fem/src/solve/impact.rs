@@ -131,19 +131,20 @@ impl<R: Real> Impact<R> {
         let mut run = Run { history: History::default(), touched: None, dt, step: 0 };
         let stopped = loop {
             let time = run.step as f64 * dt;
-            if time > options.duration {
+            if !run.goes_on(options) {
                 break None;
             }
-            if options.until_separation && run.touched.is_some_and(|last| time > last + AFTERWARDS) {
-                break None;
-            }
-            let sample = run.step.is_multiple_of(every);
-            if sample && !watch(&Progress { time, duration: options.duration, steps: run.step }, self) {
+            if run.step.is_multiple_of(every)
+                && !watch(&Progress { time, duration: options.duration, steps: run.step }, self)
+            {
                 break Some(FemError::Interrupted { microseconds: time * 1e6 });
             }
-            let ledger = sample && (run.step / every).is_multiple_of(options.energy_every);
-            if let Err(error) = run.advance(self, sample, ledger) {
-                break Some(error);
+            if (run.step).is_multiple_of(every * options.energy_every) {
+                if let Err(error) = run.ledger(self) {
+                    break Some(error);
+                }
+            } else {
+                run.march(self, every - run.step % every, options);
             }
         };
         let missed =
@@ -171,11 +172,6 @@ impl<R: Real> Impact<R> {
             Motion { velocity: kinetics.velocity, spin: kinetics.spin }
         })
     }
-
-    fn along_axes(&self, v: Vec3<R>) -> [f64; 3] {
-        let v = Vec3::new(v.x.re(), v.y.re(), v.z.re());
-        self.axes.map(|axis| axis.dot(v))
-    }
 }
 
 /// A step a little shorter, one of 64 in every factor of two: cases that hardly differ then take the same steps, and so differ smoothly.
@@ -193,43 +189,62 @@ struct Run {
 }
 
 impl Run {
-    fn advance<R: Real>(
-        &mut self,
-        impact: &mut Impact<R>,
-        sample: bool,
-        ledger: bool,
-    ) -> Result<(), FemError> {
-        let time = self.step as f64 * self.dt;
-        impact.structure.assemble(impact.contact.as_mut(), self.dt);
-        let resultant = impact.contact.resultant();
-        let [_, up, toe] = impact.along_axes(resultant.force);
+    fn time(&self) -> f64 {
+        self.step as f64 * self.dt
+    }
+
+    /// Whether there is another step.
+    fn goes_on(&self, options: &Options) -> bool {
+        let quiet = self.touched.is_some_and(|last| self.time() > last + AFTERWARDS);
+        self.time() <= options.duration && !(options.until_separation && quiet)
+    }
+
+    /// Records the contact of the current step.
+    fn record<R: Real>(&mut self, contact: &dyn Contact<R>, axes: &[Vec3<f64>; 3]) {
+        let (time, resultant) = (self.time(), contact.resultant());
+        let [_, up, toe] = along(axes, resultant.force);
         let normal = resultant.normal.re();
         self.history.contact.push(ContactFrame { time, normal, tangential: -up, toe, area: resultant.area });
         if normal > 0.0 {
             self.touched = Some(time);
         }
-        if sample {
-            let kinetics = impact.structure.kinetics(0..impact.ball_nodes);
-            self.history.motion.push(MotionFrame {
-                time,
-                velocity: impact.along_axes(kinetics.velocity - impact.head_velocity),
-                spin: impact.along_axes(kinetics.spin),
-                radius: impact.contact.nearest(kinetics.centre).0.re(),
-            });
-        }
-        if ledger {
-            self.ledger(impact, time)?;
-        } else {
-            impact.structure.advance(impact.contact.as_ref(), self.dt);
-        }
-        self.step += 1;
-        Ok(())
     }
 
-    /// A step with its energies.
-    fn ledger<R: Real>(&mut self, impact: &mut Impact<R>, time: f64) -> Result<(), FemError> {
-        let microseconds = time * 1e6;
-        for (&ratios, part) in impact.structure.volume_ratios().iter().zip(&impact.parts) {
+    /// Motion of the ball at the current step; its distance from the face comes with the contact.
+    fn motion<R: Real>(&self, impact: &Impact<R>) -> (MotionFrame, Vec3<R>) {
+        let kinetics = impact.structure.kinetics(0..impact.ball_nodes);
+        let velocity = along(&impact.axes, kinetics.velocity - impact.head_velocity);
+        let spin = along(&impact.axes, kinetics.spin);
+        (MotionFrame { time: self.time(), velocity, spin, radius: f64::NAN }, kinetics.centre)
+    }
+
+    /// Steps, as many as given, the first with a motion frame.
+    fn march<R: Real>(&mut self, impact: &mut Impact<R>, count: usize, options: &Options) {
+        let (frame, centre) = self.motion(impact);
+        let mut frame = Some(frame);
+        let Impact { structure, contact, axes, .. } = impact;
+        let dt = self.dt;
+        structure.march(contact.as_mut(), dt, count, &mut |contact| {
+            self.record(contact, axes);
+            if let Some(frame) = frame.take() {
+                let radius = contact.nearest(centre).0.re();
+                self.history.motion.push(MotionFrame { radius, ..frame });
+            }
+            self.step += 1;
+            self.goes_on(options)
+        });
+    }
+
+    /// A step with a motion frame and its energies.
+    fn ledger<R: Real>(&mut self, impact: &mut Impact<R>) -> Result<(), FemError> {
+        let (time, microseconds) = (self.time(), self.time() * 1e6);
+        impact.structure.assemble(impact.contact.as_mut(), self.dt);
+        self.record(impact.contact.as_ref(), &impact.axes);
+        let (frame, centre) = self.motion(impact);
+        let radius = impact.contact.nearest(centre).0.re();
+        self.history.motion.push(MotionFrame { radius, ..frame });
+        let (elements, ratios) = impact.structure.look();
+        for (&ratios, part) in ratios.iter().zip(&impact.parts) {
             for ratio in [ratios.0, ratios.1] {
                 if !(RATIOS.0..=RATIOS.1).contains(&ratio) {
                     return Err(FemError::ElementLost { part: part.clone(), ratio, microseconds });
@@ -237,9 +252,9 @@ impl Run {
             }
         }
         let before = impact.structure.velocities.clone();
-        let elements = impact.structure.energy();
         let contact = impact.contact.energy();
         impact.structure.advance(impact.contact.as_ref(), self.dt);
+        self.step += 1;
         let frame = EnergyFrame {
             time,
             kinetic: impact.structure.kinetic_energy(&before) + contact.bodies,
@@ -256,4 +271,10 @@ impl Run {
         }
         Ok(())
     }
+}
+
+/// Components of a vector along axes.
+fn along<R: Real>(axes: &[Vec3<f64>; 3], v: Vec3<R>) -> [f64; 3] {
+    let v = Vec3::new(v.x.re(), v.y.re(), v.z.re());
+    axes.map(|axis| axis.dot(v))
 }

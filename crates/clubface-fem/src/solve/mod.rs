@@ -2,8 +2,11 @@
 
 mod history;
 mod impact;
+mod march;
+mod shares;
 mod stable_step;
 mod structure;
+mod team;
 
 pub use history::{ContactFrame, EnergyFrame, Figures, History, MotionFrame};
 pub use impact::{Impact, Options, Outcome, Progress};

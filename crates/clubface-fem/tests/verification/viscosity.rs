@@ -27,7 +27,7 @@ impl Point {
         let at = Kinematics::new(f);
         let stress =
             add_branches(&at, NeoHookean { shear: SHEAR }.stress(&at.c), &self.decays, &mut self.history);
-        at.first_piola(&stress, BULK * (at.volume - 1.0))
+        at.first_piola(&stress, BULK * (at.deformation.volume - 1.0))
     }
     /// Work done on the branches so far, J/m3.
     fn work(&self) -> f64 {
@@ -102,7 +102,8 @@ fn closed_path(steps: usize) -> [f64; 3] {
         (f, stress) = (next, next_stress);
     }
     let end = Kinematics::new(f);
-    let stored = NeoHookean { shear: SHEAR }.energy(&end.c) + 0.5 * BULK * (end.volume - 1.0).powi(2);
+    let stored =
+        NeoHookean { shear: SHEAR }.energy(&end.c) + 0.5 * BULK * (end.deformation.volume - 1.0).powi(2);
     [work, stored, point.work()]
 }
 

@@ -1,0 +1,134 @@
+//! Nodes inside a lattice, on which nothing else acts: the lattice moves them itself, where their positions and forces are at hand, and
+//! nobody sees them move until they are handed back.
+
+use super::field::{Field, Layout, Memory};
+use clubface_math::{Pack, Real, Row};
+
+/// Motion of the nodes inside a lattice.
+pub struct Motion<R> {
+    layout: Layout,
+    /// Nodes inside: places, and where the first component stands in a field.
+    inside: Vec<(u32, u32)>,
+    /// The others in the planes between the first and the last: places, and where the first component stands in a field.
+    rim: Vec<(u32, u32)>,
+    /// Of all nodes.
+    positions: Memory<R>,
+    /// Zero but inside.
+    velocities: Memory<R>,
+    /// Plane by plane in the order of a field's component; zero but inside.
+    inverse_masses: Vec<R>,
+}
+
+impl<R: Real> Motion<R> {
+    /// For a lattice of nodes, given for each node whether nothing but the lattice acts on it, and its inverse mass (1/kg). None if something
+    /// acts on a node inside, or nothing is inside.
+    pub fn new(layout: Layout, alone: &[bool], inverse_masses: &[R]) -> Option<Self> {
+        let Layout { row, plane, planes, stride } = layout;
+        let between = |place: usize, count: usize| place > 0 && place + 1 < count;
+        let (inside, rim): (Vec<usize>, Vec<usize>) = (plane..plane * (planes - 1))
+            .partition(|node| between(node % plane / row, plane / row) && between(node % row, row));
+        if inside.is_empty() || !inside.iter().all(|&node| alone[node]) {
+            return None;
+        }
+        let mut masses = vec![R::zero(); planes * stride];
+        for &node in &inside {
+            masses[node / plane * stride + node % plane] = inverse_masses[node];
+        }
+        let place = |node: usize| (node as u32, layout.place(node, 0) as u32);
+        Some(Self {
+            layout,
+            inside: inside.into_iter().map(place).collect(),
+            rim: rim.into_iter().map(place).collect(),
+            positions: Memory::new(),
+            velocities: Memory::new(),
+            inverse_masses: masses,
+        })
+    }
+
+    /// Places of the nodes inside.
+    pub fn inside(&self) -> Vec<u32> {
+        self.inside.iter().map(|&(place, _)| place).collect()
+    }
+
+    /// Takes the motion of the nodes inside from the rows of all nodes; `nodes` is the lattice's list.
+    pub fn take_over(&mut self, positions: &[Row<R>], velocities: &[Row<R>], nodes: &[u32]) {
+        let mut x = self.positions.field(self.layout);
+        let mut v = self.velocities.field(self.layout);
+        for &(place, at) in &self.inside {
+            let node = nodes[place as usize] as usize;
+            // SAFETY of both: every place inside is a node of the lattice.
+            unsafe {
+                x.set_at(at as usize, &positions[node]);
+                v.set_at(at as usize, &velocities[node]);
+            }
+        }
+    }
+
+    /// Gives it back.
+    pub fn hand_back(&mut self, positions: &mut [Row<R>], velocities: &mut [Row<R>], nodes: &[u32]) {
+        let x = self.positions.field(self.layout);
+        let v = self.velocities.field(self.layout);
+        for &(place, at) in &self.inside {
+            let node = nodes[place as usize] as usize;
+            // SAFETY: every place inside is a node of the lattice.
+            (positions[node], velocities[node]) = unsafe { (x.get_at(at as usize), v.get_at(at as usize)) };
+        }
+    }
+
+    /// Positions of all nodes, those not inside from the rows of all nodes. `nodes` is longer than the list of the lattice by a block.
+    ///
+    /// # Safety
+    /// The nodes exist.
+    #[inline(always)]
+    pub unsafe fn meet<P: Pack<Real = R>>(&mut self, rows: &[Row<R>], nodes: &[u32]) -> Field<'_, R> {
+        let Layout { planes, .. } = self.layout;
+        let mut field = self.positions.field(self.layout);
+        // SAFETY of these: the caller's promise; every place of the rim is a node of the lattice.
+        unsafe {
+            field.load::<P>(0, rows, nodes);
+            field.load::<P>(planes - 1, rows, nodes);
+            for &(place, at) in &self.rim {
+                let node = *nodes.get_unchecked(place as usize);
+                field.set_at(at as usize, rows.get_unchecked(node as usize));
+            }
+        }
+        field
+    }
+
+    /// Writes the forces on the nodes that are not inside. There is room for all nodes and a block.
+    #[inline(always)]
+    pub fn part<P: Pack<Real = R>>(&self, forces: &mut Field<R>, rows: &mut [Row<R>]) {
+        // A plane overruns into the next.
+        forces.store::<P>(0, rows);
+        for &(place, at) in &self.rim {
+            // SAFETY: every place of the rim is a node of the lattice.
+            unsafe { *rows.get_unchecked_mut(place as usize) = forces.get_at(at as usize) };
+        }
+        forces.store::<P>(self.layout.planes - 1, rows);
+    }
+
+    /// Moves the nodes inside by a step, s.
+    #[inline(always)]
+    pub fn advance<P: Pack<Real = R>>(&mut self, forces: &mut Field<R>, step: P) {
+        let Layout { row, plane, planes, stride } = self.layout;
+        let mut x = self.positions.field(self.layout);
+        let mut v = self.velocities.field(self.layout);
+        for k in 1..planes - 1 {
+            // Whole rows, whose ends have neither velocity nor inverse mass; a pack may overrun into the last row, which has none either.
+            for at in (row..plane - row).step_by(P::LANES) {
+                // SAFETY: a row and more follow within the stride.
+                unsafe {
+                    let scale = P::read(self.inverse_masses.as_ptr().add(k * stride + at)) * step;
+                    for axis in 0..3 {
+                        let (f, v, x) =
+                            (forces.at(k, axis).add(at), v.at(k, axis).add(at), x.at(k, axis).add(at));
+                        // Product and sum apart, as where all nodes move: the same bits.
+                        let velocity = P::read(v) + P::read(f) * scale;
+                        velocity.write(v);
+                        (P::read(x) + velocity * step).write(x);
+                    }
+                }
+            }
+        }
+    }
+}
