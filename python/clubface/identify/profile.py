@@ -24,7 +24,8 @@ STEPS = (0.7, 1.4, 2.1, 2.8, 4.0, 6.0, 9.0, 13.0, 20.0)
 """Places of a profile on each side, in standard errors."""
 WIDEST = 0.15
 """Standard error taken for the steps of a parameter the data do not tell of, in parts of the range."""
-ENOUGH = 1e-4
+NEAR = 1e-2
+"""A fit ends where minus twice the logarithm of the likelihood would fall by less."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +85,7 @@ class Profiler:
 
     def most_likely(self, fit: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the most likely point, that of least squares, from a fit that may have been judged otherwise."""
-        return refine(self.simulator, self.cost, fit, enough=ENOUGH * self.errors).point
+        return refine(self.simulator, self.cost, fit).point
 
     def profile(self, place: int, optimum: NDArray[np.float64]) -> Profile:
         """Return the profile of the parameter at ``place`` of the free ones, from the most likely point."""
@@ -118,7 +119,7 @@ class Profiler:
             end = not 0.0 < where < 1.0
             point = point.copy()
             point[place] = min(max(where, 0.0), 1.0)
-            refined = refine(self.simulator, self.cost, point, held=held, enough=ENOUGH + 0.02 * self.errors)
+            refined = refine(self.simulator, self.cost, point, held=held, fall=NEAR / self.values_measured)
             point = refined.point
             found.append((float(point[place]), refined.cost))
             if end or self.values_measured * (refined.cost - least) > 1.5 * CHI_SQUARE_95:

@@ -18,7 +18,9 @@ FIRST_RADIUS = 0.1
 SMALLEST_STEP = 1e-10
 """A step that moves no parameter by more than this part of its range ends the refinement."""
 SMALLEST_FALL = 1e-12
-"""So does a fall of the cost by less than this part of it."""
+"""So does a fall of the cost by less than this part of it, where nothing else is said."""
+LAST = 50.0
+"""A step that promises less than this times the fall that matters is the last: the next one would be far smaller."""
 MOST_STEPS = 100
 
 EXPLAINED = 1e-3
@@ -61,7 +63,7 @@ def refine(
     radius: NDArray[np.float64] | float = FIRST_RADIUS,
     first: Linear | None = None,
     held: NDArray[np.bool_] | None = None,
-    enough: NDArray[np.float64] | float = SMALLEST_STEP,
+    fall: float = SMALLEST_FALL,
 ) -> Refined:
     """Minimise the cost from ``start``, within the bounds, by exact derivatives.
 
@@ -77,20 +79,20 @@ def refine(
         The launches at ``start`` and their derivatives, where they are known.
     held
         Coordinates that do not move, shape (free,).
-    enough
-        A step that moves no coordinate further than this is the last one.
+    fall
+        Part of the cost below which a further fall does not matter.
 
     Returns
     -------
     Refined
         Never worse than ``start``.
     """
-    found = _descend(simulator, cost, start, radius, first, held, enough)
+    found = _descend(simulator, cost, start, radius, first, held, fall)
     if cost.loss == "absolute" or not found.cost < EXPLAINED:
         return found
     # Where a contact takes one integration step more, its launch jumps by about 1e-4: an outlier to a linear model,
     # which least absolute deviations pass over. They lead on where squares are stuck at jumps.
-    other = _descend(simulator, cost.absolute(), found.point, radius, None, held, enough)
+    other = _descend(simulator, cost.absolute(), found.point, radius, None, held, fall)
     value = cost.value(simulator.launch(other.point))
     return Refined(other.point, value, found.steps + other.steps) if value < found.cost else found
 
@@ -102,7 +104,7 @@ def _descend(
     radius: NDArray[np.float64] | float,
     first: Linear | None,
     held: NDArray[np.bool_] | None,
-    enough: NDArray[np.float64] | float,
+    fall: float,
 ) -> Refined:
     point = np.array(start)
     here = first or Linear(*simulator.derivatives(point))
@@ -116,7 +118,7 @@ def _descend(
             lower, upper = np.where(held, 0.0, lower), np.where(held, 0.0, upper)
         step = _within(here, cost, lower, upper, held)
         promised = value - linear_cost(cost, here.simulated, here.derivatives, step)
-        if promised <= SMALLEST_FALL * value or np.max(np.abs(step)) <= SMALLEST_STEP:
+        if promised <= fall * value or np.max(np.abs(step)) <= SMALLEST_STEP:
             break
         trial = np.clip(point + step, 0.0, 1.0)
         found = cost.value(simulator.launch(trial))
@@ -129,11 +131,9 @@ def _descend(
         if found < value:
             point, value = trial, found
             steps += 1
-            if np.all(np.abs(step) <= enough):
+            if promised <= LAST * fall * value:
                 break
             here = Linear(*simulator.derivatives(point))
-        elif np.all(np.abs(step) <= enough):
-            break
     return Refined(point, value, steps)
 
 

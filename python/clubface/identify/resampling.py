@@ -16,8 +16,10 @@ if TYPE_CHECKING:
 
 FOLDS = 5
 BOOTSTRAP = 200
-REACH, SMALL = 6.0, 0.05
-"""How far the first step of a refit may go, and below which size a step is the last one, in standard errors."""
+REACH = 6.0
+"""How far the first step of a refit may go, in standard errors."""
+NEAR = 2e-3
+"""A refit ends where the cost times the number of values, over itself, would fall by less: 1 is one standard error."""
 UNKNOWN = 0.05
 """Standard error assumed where the data do not tell, in parts of the range."""
 
@@ -42,6 +44,7 @@ class Refits:
         self.cost = cost
         self.optimum = optimum
         self.errors = np.where(np.isfinite(errors), np.minimum(errors, UNKNOWN), UNKNOWN)
+        self.values = int(np.isfinite(simulator.shots.launches).sum())
         self._linear = Linear(*simulator.derivatives(optimum))
 
     def to(self, counts: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -50,9 +53,7 @@ class Refits:
         first = Linear(self._linear.simulated[:, used], self._linear.derivatives[:, :, used])
         part = self.simulator.of(self.simulator.shots.select(used))
         cost = self.cost.select(used, counts[used])
-        return refine(
-            part, cost, self.optimum, radius=REACH * self.errors, first=first, enough=SMALL * self.errors
-        ).point
+        return refine(part, cost, self.optimum, radius=REACH * self.errors, first=first, fall=NEAR / self.values).point
 
 
 def interval_of(samples: NDArray[np.float64], confidence: float, groups: int) -> NDArray[np.float64]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,6 +14,7 @@ from clubface.errors import InputError, UnknownNameError
 from clubface.identify.free_parameters import FreeParameters
 from clubface.identify.identifiability import Identifiability, identifiability
 from clubface.identify.prepared import PreparedShots
+from clubface.identify.profile import Profile
 from clubface.identify.simulator import Simulator
 
 if TYPE_CHECKING:
@@ -131,6 +133,21 @@ def fit_warnings(
             " seed or more generations may find a better fit"
         )
     return found
+
+
+def apart(intervals: Mapping[str, tuple[float, float]], profiles: Mapping[str, Profile]) -> list[str]:
+    """Return a warning if the fit and that of least squares, of which the profiles are, exclude each other."""
+    names = [
+        name
+        for name, each in profiles.items()
+        if each.interval[0] > intervals[name][1] or each.interval[1] < intervals[name][0]
+    ]
+    if not names:
+        return []
+    return [
+        f"the likelihood puts {', '.join(names)} outside the interval: the model does not describe these shots, so that"
+        " its parameters depend on what the fit is judged by"
+    ]
 
 
 def _bounds(free: FreeParameters, point: NDArray[np.float64]) -> list[str]:

@@ -20,7 +20,7 @@ from clubface.identify.profile import Profile, Profiler
 from clubface.identify.refine import refine
 from clubface.identify.resampling import Refits, bootstrap, held_out, interval_of
 from clubface.identify.result import Deviation, Identification
-from clubface.identify.sanity import fit_warnings
+from clubface.identify.sanity import apart, fit_warnings
 from clubface.identify.search import Population, search
 from clubface.identify.simulator import Effort, Simulator
 from clubface.models import Parameter
@@ -127,10 +127,10 @@ class Stages:
         held, samples = self._resampled(point, told)
         profiles = self._profiles(point, reckoned, told)
         free = self.simulator.free
-        warnings = tuple(fit_warnings(self.simulator, point, told, costs))
         shots = self.simulator.shots
         confidence = self.settings["confidence"]
         intervals = self._intervals(point, told, samples, profiles)
+        warnings = tuple(fit_warnings(self.simulator, point, told, costs) + apart(intervals, profiles))
         spans = ", ".join(f"{each.name} {_span(each, intervals[each.name])}" for each in free.declared())
         parameters = free.parameters(
             point, name=f"identified from {Path(shots.source).name}".replace("/", " "), reference=f"{len(shots)} shots",
@@ -197,7 +197,7 @@ class Stages:
         samples: NDArray[np.float64],
         profiles: Mapping[str, Profile],
     ) -> dict[str, tuple[float, float]]:
-        """Return an interval a parameter; of one that Fisher's information finds unknown, its profile's or its bounds.
+        """Return an interval a parameter; one that Fisher's information finds unknown takes in its profile or bounds.
 
         A refit begins at the fit and would not leave it along a direction that changes nothing.
         """
@@ -214,7 +214,8 @@ class Stages:
         found = {name: (float(a), float(b)) for name, a, b in zip(free.names, low, high, strict=True)}
         for name, least, most in zip(free.names, free.lower, free.upper, strict=True):
             if name in told.unknown:
-                found[name] = profiles[name].interval if name in profiles else (float(least), float(most))
+                a, b = profiles[name].interval if name in profiles else (float(least), float(most))
+                found[name] = (min(found[name][0], a), max(found[name][1], b))
         return found
 
     def _telling(self, stage: str, total: int) -> Callable[[str, Callable[[], Any]], Any]:
