@@ -8,7 +8,18 @@ motion, energies and the figures of P2 ("Analysis of golf ball spin mechanism at
 from __future__ import annotations
 
 from clubface.fem.balls import Ball, Piece, ball, ball_names
-from clubface.fem.heads import DriverHead, IronHead, MeshedHead, MeshHead, Metal, ShellHead, SolidHead, head, head_names
+from clubface.fem.heads import (
+    DriverHead,
+    Hardening,
+    IronHead,
+    MeshedHead,
+    MeshHead,
+    Metal,
+    ShellHead,
+    SolidHead,
+    head,
+    head_names,
+)
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.fem.reference import reference
 from clubface.fem.result import Impact
@@ -19,6 +30,7 @@ __all__ = [
     "Ball",
     "Derivatives",
     "DriverHead",
+    "Hardening",
     "Impact",
     "IronHead",
     "Material",

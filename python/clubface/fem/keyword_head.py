@@ -78,7 +78,15 @@ def _part(deck: Cards, number: int, title: str, metal: Metal, section: int, hour
     deck.keyword("PART")
     deck.text(title)
     deck.card([number, section, number, 0, hourglass])
-    deck.keyword("MAT_ELASTIC", [number, metal.density, metal.youngs, metal.poisson], names="mid ro e pr")
+    elastic = [number, metal.density, metal.youngs, metal.poisson]
+    if metal.yield_stress is None:
+        deck.keyword("MAT_ELASTIC", elastic, names="mid ro e pr")
+        return
+    # A curve of its own takes the place of the tangent modulus.
+    deck.keyword("MAT_PIECEWISE_LINEAR_PLASTICITY", [*elastic, metal.yield_stress], [None], names="mid ro e pr sigy")
+    strains, stresses = zip(*metal.curve(), strict=True)
+    deck.card(list(strains))
+    deck.card(list(stresses))
 
 
 def _nodes(deck: Cards, head: Any, hit: dict[str, Any], nodes: int) -> None:

@@ -19,7 +19,7 @@ mod solid;
 
 pub use field::Scratch;
 pub use full_patch::{full_patches, FullPatch};
-pub use quadrature::{Rule, MAX_POINTS};
+pub use quadrature::{Rule, DEFAULT_POINTS, MAX_POINTS};
 pub use section::Isotropic;
 pub use shell::{ShellPatch, ShellRows, SHELL_PATCH};
 pub use shell_material::ShellMaterial;

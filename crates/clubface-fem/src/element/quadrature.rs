@@ -5,6 +5,9 @@ use crate::error::FemError;
 /// Most points.
 pub const MAX_POINTS: usize = 31;
 
+/// Points through the thickness of a metal that yields, unless told.
+pub const DEFAULT_POINTS: usize = 5;
+
 /// Where stress is looked at through the thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
@@ -16,7 +19,7 @@ pub enum Rule {
 
 impl Default for Rule {
     fn default() -> Self {
-        Self::Gauss(5)
+        Self::Gauss(DEFAULT_POINTS)
     }
 }
 

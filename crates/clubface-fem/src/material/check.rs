@@ -103,6 +103,7 @@ impl<R: Real> Shape<R> {
                     }
                 }
             }
+            Self::VonMises(law) => law.hardening.check(name)?,
             Self::NeoHookean(_) | Self::Hencky(_) => {}
         }
         Ok(())

@@ -14,6 +14,7 @@ mod registry;
 mod stretch;
 mod symmetric;
 mod viscous;
+mod von_mises;
 
 pub use hardening::{Hardening, HARDENING_POINTS};
 pub use hencky::Hencky;
@@ -24,6 +25,7 @@ pub use plane_stress::{PlaneState, PlaneStress};
 pub use registry::{Constant, LawInfo, LAWS};
 pub use symmetric::{times, Symmetric};
 pub use viscous::{add_branches, history_length, Decay, Maxwell, MAX_TERMS};
+pub use von_mises::{PlasticState, VonMises};
 
 use clubface_math::{Mat3, Pack, Real, Scalar, Vec3};
 
@@ -192,6 +194,8 @@ pub enum Shape<R> {
     Hencky(Hencky<R>),
     /// Ogden's rubber, powers of the principal stretches.
     Ogden(Ogden<R>),
+    /// Metal that yields.
+    VonMises(VonMises<R>),
 }
 
 /// A material: change of shape, change of volume, creep, density.
@@ -215,6 +219,7 @@ impl<R: Real> Shape<R> {
             Self::NeoHookean(law) => law.shear,
             Self::Hencky(law) => law.shear,
             Self::Ogden(law) => law.shear(),
+            Self::VonMises(law) => law.shear,
         }
     }
 }
@@ -240,6 +245,7 @@ impl<R: Real> Material<R> {
             Shape::NeoHookean(law) => computation.with(law.splat::<P>()),
             Shape::Hencky(law) => computation.with(law.splat::<P>()),
             Shape::Ogden(law) => computation.with(law.splat::<P>()),
+            Shape::VonMises(law) => computation.with(law.splat::<P>()),
         }
     }
 }

@@ -4,7 +4,7 @@
 //! In this convention the shear modulus is half the sum of `mu alpha`; one term with alpha = 2 is the neo-Hookean solid of modulus mu, and a second
 //! with alpha = -2 makes it Mooney's and Rivlin's (`mu = 2 C10`, `mu = -2 C01`). Some programs write `2 mu / alpha^2` instead of `mu / alpha`.
 
-use super::stretch::{exponential, logarithm};
+use super::stretch::{Function, Stretches};
 use super::{Isochoric, Symmetric};
 use clubface_math::{Pack, Real, Scalar};
 
@@ -63,24 +63,37 @@ impl<S> Ogden<S> {
     }
 }
 
+impl<S: Scalar> Ogden<S> {
+    /// Factors (Pa) of the identity and of the tensor with these invariants in `2 dW/dC`, but for a multiple of its inverse.
+    #[inline(always)]
+    fn factors(&self, first: S, second: S) -> [S; 2] {
+        // W = sum of mu/alpha tr C^(alpha/2), so 2 dW/dC = sum of mu C^(alpha/2 - 1).
+        let stretches = Stretches::new(first, second);
+        let logarithm = stretches.logarithm();
+        let mut sum = Function::zero();
+        for term in self.terms() {
+            sum = sum.plus(term.mu, stretches.exponential(&logarithm, term.alpha * 0.5 - 1.0));
+        }
+        // C^2 = I C - II + C^-1.
+        let [one, linear, square] = stretches.factors(&sum);
+        [one - square * second, square.mul_add(first, linear)]
+    }
+}
+
 impl<S: Scalar> Isochoric<S> for Ogden<S> {
     #[inline(always)]
     fn stress(&self, c: &Symmetric<S>) -> Symmetric<S> {
-        // W = sum of mu/alpha tr C^(alpha/2), so 2 dW/dC = sum of mu C^(alpha/2 - 1).
-        let logarithm = logarithm(c);
-        let mut sum = Symmetric::diagonal(S::zero());
-        for term in self.terms() {
-            sum = sum.plus(term.mu, &exponential(&logarithm, term.alpha * 0.5 - 1.0));
-        }
-        sum
+        let [one, linear] = self.factors(c.trace(), c.second());
+        Symmetric::diagonal(one).plus(linear, c)
     }
     #[inline(always)]
     fn energy(&self, c: &Symmetric<S>) -> S {
-        let logarithm = logarithm(c);
+        let stretches = Stretches::new(c.trace(), c.second());
+        let logarithm = stretches.logarithm();
         let mut sum = S::zero();
         for term in self.terms() {
-            let power = exponential(&logarithm, term.alpha * 0.5);
-            sum += term.mu / term.alpha * (power.trace() - 3.0);
+            let power = stretches.exponential(&logarithm, term.alpha * 0.5);
+            sum += term.mu / term.alpha * (stretches.trace(&power) - 3.0);
         }
         sum
     }

@@ -1,6 +1,6 @@
 //! Laws by name, as case files and other languages ask for them.
 
-use super::{Hencky, MooneyRivlin, NeoHookean, Ogden, OgdenTerm, Shape};
+use super::{Hencky, MooneyRivlin, NeoHookean, Ogden, OgdenTerm, Shape, VonMises};
 use crate::error::FemError;
 use clubface_math::Real;
 
@@ -88,6 +88,10 @@ impl<R: Real> Shape<R> {
                     })
                     .collect();
                 Shape::Ogden(Ogden::new(&terms))
+            }
+            Self::VonMises(law) => {
+                let shear = of("shear", law.shear);
+                Shape::VonMises(VonMises { shear, hardening: law.hardening.map(of) })
             }
         }
     }

@@ -66,6 +66,14 @@ impl<S: Scalar> Symmetric<S> {
     pub fn matrix(&self) -> Mat3<S> {
         Mat3::symmetric(self.0)
     }
+    /// `B A B` for symmetric A and B.
+    #[inline(always)]
+    #[must_use]
+    pub fn sandwich(&self, b: &Self) -> Self {
+        let product = times(&b.matrix(), self);
+        let rows = times(&product, b).rows;
+        Self([rows[0].x, rows[1].y, rows[2].z, rows[0].y, rows[0].z, rows[1].z])
+    }
     /// Cofactors: the inverse times the determinant.
     #[inline(always)]
     #[must_use]
@@ -80,40 +88,13 @@ impl<S: Scalar> Symmetric<S> {
             xy.mul_add(xz, -(xx * yz)),
         ])
     }
-    /// Inverse.
+    /// Sum of the minors of the diagonal: the second invariant.
     #[inline(always)]
-    #[must_use]
-    pub fn inverse(&self) -> Self {
-        let cofactors = self.cofactors();
-        cofactors.scale(determinant(self, &cofactors).recip())
+    pub fn second(&self) -> S {
+        let [xx, yy, zz, xy, xz, yz] = self.0;
+        let shear = yz.mul_add(yz, xz.mul_add(xz, xy * xy));
+        xx.mul_add(yy + zz, yy.mul_add(zz, -shear))
     }
-    /// The three invariants: trace, sum of the principal minors, determinant.
-    #[inline(always)]
-    pub fn invariants(&self) -> [S; 3] {
-        let cofactors = self.cofactors();
-        [self.trace(), cofactors.trace(), determinant(self, &cofactors)]
-    }
-    /// `A B` for a B with the same principal axes, so that the product is symmetric.
-    #[inline(always)]
-    #[must_use]
-    pub fn coaxial_product(&self, o: &Self) -> Self {
-        let ([a, b, c, d, e, f], [u, v, w, x, y, z]) = (self.0, o.0);
-        Self([
-            a.mul_add(u, d.mul_add(x, e * y)),
-            b.mul_add(v, d.mul_add(x, f * z)),
-            c.mul_add(w, e.mul_add(y, f * z)),
-            a.mul_add(x, d.mul_add(v, e * z)),
-            a.mul_add(y, d.mul_add(z, e * w)),
-            d.mul_add(y, b.mul_add(z, f * w)),
-        ])
-    }
-}
-
-/// Determinant of a symmetric tensor with the given cofactors.
-#[inline(always)]
-fn determinant<S: Scalar>(a: &Symmetric<S>, cofactors: &Symmetric<S>) -> S {
-    let (row, minors) = (&a.0, &cofactors.0);
-    row[4].mul_add(minors[4], row[3].mul_add(minors[3], row[0] * minors[0]))
 }
 
 /// `A B` for symmetric B.

@@ -2,7 +2,8 @@
 
 use super::support::Random;
 use clubface_fem::material::{
-    Hencky, Isochoric, Kinematics, Material, MooneyRivlin, NeoHookean, Ogden, OgdenTerm, Shape, UseLaw,
+    Hardening, Hencky, Isochoric, Kinematics, Material, MooneyRivlin, NeoHookean, Ogden, OgdenTerm, Shape,
+    UseLaw, VonMises,
 };
 use clubface_math::{Dual, Mat3, Pack, PackKernel, Real, Scalar, Vec3};
 
@@ -13,6 +14,7 @@ fn materials<R: Real>() -> Vec<(&'static str, Material<R>)> {
         ("Mooney-Rivlin", Shape::MooneyRivlin(MooneyRivlin { c10: c(4e6), c01: c(1e6) })),
         ("neo-Hookean", Shape::NeoHookean(NeoHookean { shear: c(10e6) })),
         ("Hencky", Shape::Hencky(Hencky { shear: c(10e6) })),
+        ("von Mises", Shape::VonMises(VonMises { shear: c(10e6), hardening: Hardening::elastic() })),
         // Half the sum of mu alpha: 10 MPa.
         ("Ogden, one term", Shape::Ogden(ogden(&[(-4e6, -5.0)]))),
         ("Ogden, two terms", Shape::Ogden(ogden(&[(4e6, 3.5), (-3e6, -2.0)]))),

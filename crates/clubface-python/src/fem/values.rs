@@ -1,9 +1,9 @@
 //! What Python says about balls, heads and runs.
 
 use clubface_fem::ball::{Ball, Piece};
-use clubface_fem::element::{Element, Isotropic, ShellMaterial};
+use clubface_fem::element::{Element, Isotropic, Rule, ShellMaterial, DEFAULT_POINTS};
 use clubface_fem::head::{DeformableHead, ShellHead, ShellPart, SolidHead};
-use clubface_fem::material::{Material, Maxwell, Shape};
+use clubface_fem::material::{Hardening, Hencky, Material, Maxwell, Shape, VonMises};
 use clubface_fem::mesh::{ShellMesh, SolidMesh};
 use clubface_fem::FemError;
 use clubface_math::Vec3;
@@ -68,6 +68,27 @@ pub(super) fn ball_of(values: &BallValues) -> PyResult<Ball<f64>> {
     Ok(Ball { pieces, cube: values.cube, element, mass: values.mass })
 }
 
+/// When and how a metal yields.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct PlasticValues {
+    yield_stress: f64,
+    modulus: f64,
+    gain: f64,
+    rate: f64,
+    /// Plastic strains and yield stresses, or none.
+    table: Vec<(f64, f64)>,
+}
+
+fn hardening_of(values: &PlasticValues, name: &str) -> PyResult<Hardening<f64>> {
+    let law = if values.table.is_empty() {
+        Hardening::linear(values.yield_stress, values.modulus)
+    } else {
+        Hardening::table(&values.table, name).map_err(|e| error_of(&e))?
+    };
+    Ok(if values.gain > 0.0 { law.saturating(values.gain, values.rate) } else { law })
+}
+
 /// Shells of a head that follow each other.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
@@ -77,6 +98,10 @@ pub struct PartValues {
     youngs: f64,
     poisson: f64,
     density: f64,
+    plastic: Option<PlasticValues>,
+    /// Points through the thickness, and their rule.
+    points: Option<usize>,
+    rule: String,
     face: bool,
 }
 
@@ -92,6 +117,7 @@ pub struct SolidValues<'py> {
     shear: f64,
     bulk: f64,
     density: f64,
+    plastic: Option<PlasticValues>,
     element: String,
     loft: f64,
 }
@@ -147,7 +173,11 @@ fn solid_of(values: &SolidValues<'_>) -> PyResult<SolidHead<f64>> {
     let count = nodes.len();
     let named = elements.iter().flatten().chain(face.iter().flatten());
     one_mesh(added.len() == count && named.into_iter().all(|&n| (n as usize) < count))?;
-    let shape = Shape::from_name("linear", &[values.shear]).map_err(|e| error_of(&e))?;
+    let shear = values.shear;
+    let shape = match &values.plastic {
+        None => Shape::Hencky(Hencky { shear }),
+        Some(plastic) => Shape::VonMises(VonMises { shear, hardening: hardening_of(plastic, "head")? }),
+    };
     let material = Material { shape, bulk: values.bulk, maxwell: vec![], density: values.density };
     let element = Element::from_name(&values.element).map_err(|e| error_of(&e))?;
     let layer = vec![0; elements.len()];
@@ -161,7 +191,11 @@ pub(super) fn head_of(values: &HeadValues<'_>) -> PyResult<ShellHead<f64>> {
     let (mut parts, mut start) = (Vec::new(), 0);
     for part in &values.parts {
         let elastic = Isotropic { young: part.youngs, poisson: part.poisson };
-        let material = ShellMaterial::elastic(elastic, part.density);
+        let hardening = part.plastic.as_ref().map(|values| hardening_of(values, &part.name)).transpose()?;
+        let points = part.points.or(hardening.map(|_| DEFAULT_POINTS));
+        let points = points.map(|points| Rule::from_name(&part.rule, points).map_err(|e| error_of(&e)));
+        let material =
+            ShellMaterial { elastic, density: part.density, hardening, points: points.transpose()? };
         let elements = start..start + part.elements;
         start = elements.end;
         parts.push(ShellPart { name: part.name.clone(), elements, material, face: part.face });

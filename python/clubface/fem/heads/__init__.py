@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from clubface.fem.heads.driver import DriverHead
+from clubface.fem.heads.hardening import Hardening
 from clubface.fem.heads.iron import IronHead
 from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.metal import Metal
@@ -14,6 +15,7 @@ from clubface.fem.heads.user_mesh import Group, MeshHead
 __all__ = [
     "DriverHead",
     "Group",
+    "Hardening",
     "IronHead",
     "MeshHead",
     "MeshedHead",

@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from clubface import units
+from clubface.equipment import check_choice
 from clubface.errors import InputError
+from clubface.fem.heads.hardening import Hardening
+
+RULES = {"gauss": 2, "lobatto": 3}
+"""Rules of points through the thickness, and the fewest points of each."""
+MAX_POINTS = 31
 
 
 @dataclass(frozen=True, kw_only=True)
 class Metal:
-    """An elastic metal; left out, the usual titanium alloy Ti-6Al-4V.
+    """A metal, elastic until it yields; left out, the usual titanium alloy Ti-6Al-4V, elastic.
 
     Attributes
     ----------
@@ -20,11 +27,25 @@ class Metal:
         Poisson's ratio.
     density
         [kg/m3].
+    yield_stress
+        Stress in tension at which it yields [Pa], ``yield`` in files; None for a metal that stays elastic.
+    hardening
+        What the yield stress gains: a modulus [Pa], a :class:`Hardening`, or a table of plastic strain and yield stress
+        [Pa], whose first point is where it yields; None for a metal that does not harden.
+    points
+        Points through the thickness of shells; None for five in a metal that yields, none (stress resultants, which are
+        as good) in an elastic one.
+    rule
+        Where they lie: "gauss" or "lobatto" (with points on both surfaces).
     """
 
     youngs: float = 114e9
     poisson: float = 0.34
     density: float = 4430.0
+    yield_stress: float | None = None
+    hardening: Hardening | None = None
+    points: int | None = None
+    rule: str = "gauss"
 
     def __post_init__(self) -> None:
         for name, dimension in (("youngs", "pressure"), ("density", "density"), ("poisson", units.DIMENSIONLESS)):
@@ -35,3 +56,53 @@ class Metal:
             raise InputError("poisson", self.poisson, "above -1 and below 0.5")
         if not 100.0 <= self.density <= 25e3:
             raise InputError("density", units.show(self.density, "kg/m3"), "100 to 25000 kg/m3")
+        self._read_yield()
+        check_choice("rule", self.rule, RULES)
+        if self.points is not None:
+            least = RULES[self.rule]
+            whole = isinstance(self.points, int) and not isinstance(self.points, bool)
+            if not (whole and least <= self.points <= MAX_POINTS):
+                raise InputError("points", self.points, f"a whole number from {least} to {MAX_POINTS}")
+
+    def _read_yield(self) -> None:
+        if self.yield_stress is not None:
+            value = units.parse(self.yield_stress, "pressure", name="yield")
+            object.__setattr__(self, "yield_stress", value)
+        if self.hardening is not None:
+            object.__setattr__(self, "hardening", Hardening.of(self.hardening))
+            table = self.hardening.table
+            if table and self.yield_stress is None:
+                object.__setattr__(self, "yield_stress", table[0][1])
+            if self.yield_stress is None:
+                raise InputError("hardening", "given", "left out, or given together with yield")
+            if table and self.yield_stress != table[0][1]:
+                shown = units.show(self.yield_stress, "MPa")
+                raise InputError("yield", shown, "left out, or the stress of the first point of hardening")
+        if self.yield_stress is not None and not 1e6 <= self.yield_stress <= 0.1 * self.youngs:
+            raise InputError("yield", units.show(self.yield_stress, "MPa"), "1 MPa to a tenth of youngs")
+
+    def curve(self, count: int = 8) -> list[tuple[float, float]]:
+        """Return plastic strains and yield stresses [Pa]: those of the table, or ``count`` up to a strain of 20%."""
+        if self.yield_stress is None:
+            return []
+        hardening = self.hardening or Hardening()
+        if hardening.table:
+            # A curve needs two points.
+            last = (hardening.table[-1][0] + 0.2, hardening.table[-1][1])
+            return list(hardening.table) if len(hardening.table) > 1 else [*hardening.table, last]
+        # Closer where a saturating metal hardens most.
+        strains = [0.2 * (number / (count - 1)) ** 2 for number in range(count)]
+        return [(strain, hardening.stress(strain, self.yield_stress)) for strain in strains]
+
+    def plastic(self) -> dict[str, Any] | None:
+        """Return what the core takes of yield and hardening; None for an elastic metal."""
+        if self.yield_stress is None:
+            return None
+        hardening = self.hardening or Hardening()
+        return {
+            "yield_stress": self.yield_stress,
+            "modulus": hardening.modulus,
+            "gain": hardening.gain,
+            "rate": hardening.rate,
+            "table": list(hardening.table),
+        }

@@ -21,7 +21,8 @@ T = TypeVar("T")
 Design = DriverHead | IronHead | MeshHead
 FOLDER = "fem_heads"
 DRIVER, IRON, MESH = "driver", "iron", "mesh"
-METAL_KEYS = ("youngs", "poisson", "density")
+SOLID_METAL_KEYS = ("youngs", "poisson", "density", "yield", "hardening")
+METAL_KEYS = (*SOLID_METAL_KEYS, "points", "rule")
 COMMON = ("name", "description", "kind")
 KEYS = {
     DRIVER: (*COMMON, "elements", "scales", "shape", "thickness", "target", "metal", "trims"),
@@ -106,7 +107,7 @@ def _made(document: Document, design: Callable[..., T], data: dict[str, Any], ta
 
 
 def _iron(document: Document, data: dict[str, Any]) -> IronHead:
-    tables = _tables_of(document, data, (("shape", IRON_SHAPE, IRON_SHAPE), ("metal", METAL_KEYS, ())))
+    tables = _tables_of(document, data, (("shape", IRON_SHAPE, IRON_SHAPE), ("metal", SOLID_METAL_KEYS, ())))
     if tables["metal"]:
         data["metal"] = _metal(document, tables["metal"], "metal")
     data["masses"] = _places(document, data.pop("masses", []), "masses", "mass")
@@ -138,8 +139,10 @@ def _mesh(document: Document, data: dict[str, Any], folder: Path) -> MeshHead:
 
 
 def _metal(document: Document, values: dict[str, Any], table: str, occurrence: int = 0) -> Metal:
+    # "yield" is a word of Python.
+    named = {"yield_stress" if key == "yield" else key: value for key, value in values.items()}
     try:
-        return Metal(**values)
+        return Metal(**named)
     except ClubfaceError as error:
         raise document.wrap(error, table, occurrence) from error
 

@@ -95,6 +95,9 @@ class ShellHead(MeshedHead):
                 "youngs": part.metal.youngs,
                 "poisson": part.metal.poisson,
                 "density": part.metal.density,
+                "plastic": part.metal.plastic(),
+                "points": part.metal.points,
+                "rule": part.metal.rule,
                 "face": part.face,
             }
             for part in self.parts

@@ -1,0 +1,148 @@
+//! Metal after von Mises at finite strain: elastic in logarithmic strain (after Hencky) until it yields, then flowing with its volume kept.
+//!
+//! The deformation is an elastic one after a plastic one. What is remembered of the plastic one is its metric, the inverse of its right
+//! Cauchy-Green tensor, of determinant one. In logarithmic strain the return to the yield surface is that of small strains: the deviator shrinks
+//! by a factor (Weber and Anand, Comput. Methods Appl. Mech. Eng. 79, 1990; Simo, ibid. 99, 1992). The elastic left Cauchy-Green
+//! tensor has the invariants of `C̄` times the metric, and functions of it, pulled back to the undeformed shape, are combinations of the metric, of the metric
+//! around `C̄`, and of `C̄^-1`: neither rotations nor principal axes are needed.
+
+use super::stretch::Stretches;
+use super::{Hardening, Isochoric, Symmetric};
+use clubface_math::{Mask, Pack, Real, Scalar};
+
+/// Error of the yield condition, over the yield stress, below which one more Newton step is exact to rounding.
+const CLOSE: f64 = 1e-8;
+/// Newton steps at most: linear hardening needs one.
+const NEWTON: usize = 40;
+
+/// A metal that yields.
+#[derive(Clone, Copy, Debug)]
+pub struct VonMises<S> {
+    /// Shear modulus, Pa.
+    pub shear: S,
+    /// Yield stress.
+    pub hardening: Hardening<S>,
+}
+
+/// What a point remembers.
+#[derive(Clone, Copy, Debug)]
+pub struct PlasticState<S> {
+    /// Inverse of the right Cauchy-Green tensor of the plastic deformation.
+    pub metric: Symmetric<S>,
+    /// Equivalent plastic strain.
+    pub plastic_strain: S,
+    /// Von Mises' stress of the last step, over the undeformed volume, Pa.
+    pub mises: S,
+    /// Work that became heat, J/m3.
+    pub heat: S,
+}
+
+impl<S: Scalar> PlasticState<S> {
+    /// Numbers it takes.
+    pub const LENGTH: usize = 9;
+
+    /// Before any deformation.
+    #[inline(always)]
+    pub fn start() -> Self {
+        let zero = S::zero();
+        Self { metric: Symmetric::diagonal(S::one()), plastic_strain: zero, mises: zero, heat: zero }
+    }
+    /// As numbers.
+    #[inline(always)]
+    pub fn numbers(&self) -> [S; 9] {
+        let [a, b, c, d, e, f] = self.metric.0;
+        [a, b, c, d, e, f, self.plastic_strain, self.mises, self.heat]
+    }
+    /// From numbers.
+    #[inline(always)]
+    pub fn from_numbers([a, b, c, d, e, f, plastic_strain, mises, heat]: [S; 9]) -> Self {
+        Self { metric: Symmetric([a, b, c, d, e, f]), plastic_strain, mises, heat }
+    }
+}
+
+impl<R: Real> VonMises<R> {
+    #[inline(always)]
+    pub(super) fn splat<P: Pack<Real = R>>(&self) -> VonMises<P> {
+        VonMises { shear: P::splat(self.shear), hardening: self.hardening.splat() }
+    }
+}
+
+/// Stretches of the elastic deformation.
+#[inline(always)]
+fn elastic<S: Scalar>(c: &Symmetric<S>, metric: &Symmetric<S>) -> Stretches<S> {
+    // Both determinants are one, so cofactors are inverses.
+    Stretches::new(c.contract(metric), c.cofactors().contract(&metric.cofactors()))
+}
+
+impl<S: Scalar> VonMises<S> {
+    /// `2 dW/dC̄` (Pa), but for a multiple of `C̄^-1`, at the `C̄` of the end of a step; the state moves on.
+    #[inline(always)]
+    pub fn advance(&self, c: &Symmetric<S>, state: &mut PlasticState<S>) -> Symmetric<S> {
+        let around = c.sandwich(&state.metric);
+        let stretches = elastic(c, &state.metric);
+        // Twice the elastic strain; Kirchhoff's stress is the shear modulus times it.
+        let logarithm = stretches.logarithm();
+        let trial = (stretches.square_trace(&logarithm) * 1.5).safe_sqrt() * self.shear;
+        let yields = trial.gt(self.hardening.at(state.plastic_strain).0);
+        let mut share = S::one();
+        let metric = state.metric;
+        if yields.any() {
+            let flow = self.flow(trial, state.plastic_strain, yields);
+            share = S::select(yields, -(self.shear * 3.0 * flow / trial) + 1.0, share);
+            let mises = trial * share;
+            state.heat += (state.mises + mises) * flow * 0.5;
+            state.plastic_strain += flow;
+            // The elastic deformation that is left, as a power of the one tried.
+            let left = stretches.exponential(&logarithm.scale(share), S::one());
+            let [one, linear, square] = stretches.factors(&left);
+            let after = metric.scale(linear).plus(square, &around).plus(one, &c.cofactors());
+            for i in 0..6 {
+                state.metric.0[i] = S::select(yields, after.0[i], metric.0[i]);
+            }
+        }
+        state.mises = trial * share;
+        let [_, linear, square] = stretches.factors(&logarithm);
+        metric.scale(linear).plus(square, &around).scale(self.shear * share)
+    }
+
+    /// Elastic energy of shape, J/m3.
+    #[inline(always)]
+    pub fn stored(&self, c: &Symmetric<S>, state: &PlasticState<S>) -> S {
+        let stretches = elastic(c, &state.metric);
+        stretches.square_trace(&stretches.logarithm()) * self.shear * 0.25
+    }
+
+    /// Equivalent plastic strain of a step that leads to the yield surface, zero in lanes that stay inside.
+    #[inline(always)]
+    fn flow(&self, trial: S, strain: S, yields: S::Mask) -> S {
+        let mut flow = S::zero();
+        let mut running = yields;
+        let slope = self.shear * 3.0;
+        for _ in 0..NEWTON {
+            let (stress, hardening) = self.hardening.at(strain + flow);
+            let error = trial - slope * flow - stress;
+            // Convex and falling: the steps rise to the root and never pass it.
+            flow = S::select(running, flow + error / (slope + hardening), flow);
+            // Lanes that have arrived stay, so that none depends on its neighbours.
+            running = running.and((stress * CLOSE).lt(error.abs()));
+            if !running.any() {
+                break;
+            }
+        }
+        flow
+    }
+}
+
+/// As long as it has not yielded.
+impl<S: Scalar> Isochoric<S> for VonMises<S> {
+    #[inline(always)]
+    fn stress(&self, c: &Symmetric<S>) -> Symmetric<S> {
+        let stretches = Stretches::new(c.trace(), c.second());
+        let [_, linear, square] = stretches.factors(&stretches.logarithm());
+        Symmetric::diagonal(linear).plus(square, c).scale(self.shear)
+    }
+    #[inline(always)]
+    fn energy(&self, c: &Symmetric<S>) -> S {
+        self.stored(c, &PlasticState::start())
+    }
+}
