@@ -12,6 +12,7 @@ from clubface.errors import InputError, UnknownNameError
 from clubface.evaluation import evaluate, published, report, tables
 from clubface.evaluation.noise import TO_MEAN_ABSOLUTE
 from clubface.measured_shots import QUANTITIES
+from clubface.plain_json import plain
 from clubface.recorded import RecordedShots
 
 RPM, DEG = math.pi / 30, math.pi / 180
@@ -128,6 +129,10 @@ def test_one_shot_and_shots_all_alike_are_reported_without_what_they_cannot_tell
         text = report.as_markdown(each)
         assert "nan" not in text.lower().replace("finan", "")
         assert "What the errors go with" not in text
+        assert "no intervals" in text
+        assert all(best.equals for best in each.best.values())
+        assert report.document(each)["notes"]
+        json.dumps(plain(report.document(each)), allow_nan=False)
 
 
 def test_groups_are_one_a_shot_of_the_source():

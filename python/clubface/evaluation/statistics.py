@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
+from statistics import NormalDist
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +19,7 @@ _CHUNK, _KEPT = 1_000_000, 8_000_000
 
 
 class Interval(NamedTuple):
-    """The ends of a 95% confidence interval."""
+    """The ends of a 95% confidence interval; NaN where fewer than two different shots leave none."""
 
     low: float
     high: float
@@ -63,7 +65,7 @@ class Rival(NamedTuple):
         Its mean absolute error less that of the best, and its interval.
     p
         Two-sided probability that resampled shots favour the other one as clearly, after Holm's correction for the
-        number of rivals.
+        number of rivals; before it never below the least one that changes of sign of as many shots can give.
     """
 
     model: str
@@ -121,11 +123,12 @@ class Resamples:
         self._shots = shots
         self._seed = seed
         self._weights: Values | None = None
-        if groups is None:
-            self._group, self._groups = np.arange(shots), shots
-        else:
+        self._group = np.arange(shots)
+        self.groups = shots
+        """How many are drawn."""
+        if groups is not None:
             names, self._group = np.unique(np.asarray(groups), return_inverse=True)
-            self._groups = len(names)
+            self.groups = len(names)
 
     def means(self, values: Values) -> Values:
         """Return the means of ``values``, shape [columns, shots], over each resample: [resamples, columns]."""
@@ -141,17 +144,40 @@ class Resamples:
         step = max(1, _CHUNK // self._shots)
         for first in range(0, self.count, step):
             size = min(step, self.count - first)
-            drawn = (random.random((size, self._groups)) * self._groups).astype(np.int64)
-            offsets = self._groups * np.arange(size)[:, None]
-            counts = np.bincount((drawn + offsets).ravel(), minlength=size * self._groups)
-            weights = counts.reshape(size, self._groups)[:, self._group].astype(np.float64)
+            drawn = (random.random((size, self.groups)) * self.groups).astype(np.int64)
+            offsets = self.groups * np.arange(size)[:, None]
+            counts = np.bincount((drawn + offsets).ravel(), minlength=size * self.groups)
+            weights = counts.reshape(size, self.groups)[:, self._group].astype(np.float64)
             yield weights / weights.sum(axis=1, keepdims=True)
 
 
-def interval(resampled: Values) -> Interval:
-    """Return the percentile interval of resampled values."""
-    low, high = np.quantile(resampled, [0.5 - CONFIDENCE / 2, 0.5 + CONFIDENCE / 2])
+def interval(resampled: Values, groups: int) -> Interval:
+    """Return the percentile interval of the resampled means of ``groups`` that were drawn; of fewer than two, NaN.
+
+    Percentiles, further out by as much as Student's t is wider than the normal distribution, since plain ones are too
+    narrow for few groups: T. C. Hesterberg, What teachers should know about the bootstrap, The American Statistician 69
+    (2015) 371-386.
+    """
+    if groups < 2:
+        return Interval(math.nan, math.nan)
+    normal, degrees = NormalDist(), groups - 1
+    part = normal.cdf(math.sqrt(groups / degrees) * _students_t(normal.inv_cdf(0.5 + CONFIDENCE / 2), degrees))
+    low, high = np.quantile(resampled, [1.0 - part, part])
     return Interval(float(low), float(high))
+
+
+def _students_t(z: float, degrees: int) -> float:
+    """Return the quantile of Student's t from that of the normal distribution, by Abramowitz and Stegun 26.7.5.
+
+    For two degrees of freedom it is 3% low, but such a quantile is beyond all resamples anyway.
+    """
+    terms = (
+        z,
+        (z**3 + z) / 4.0,
+        (5.0 * z**5 + 16.0 * z**3 + 3.0 * z) / 96.0,
+        (3.0 * z**7 + 19.0 * z**5 + 17.0 * z**3 - 15.0 * z) / 384.0,
+    )
+    return sum(term / degrees**power for power, term in enumerate(terms))
 
 
 def error_sizes(errors: Mapping[str, Values], resamples: Resamples) -> tuple[dict[str, ErrorSize], Best]:
@@ -165,6 +191,8 @@ def error_sizes(errors: Mapping[str, Values], resamples: Resamples) -> tuple[dic
         Of these shots.
     """
     names, table = list(errors), np.stack(list(errors.values()))
+    # Shots that are copies of each other, errors and all, tell no more than one of them.
+    different = min(resamples.groups, len(np.unique(table, axis=1).T))
     means = resamples.means(np.concatenate([table, np.abs(table)]))
     signed, absolute = means[:, : len(names)], means[:, len(names) :]
     sizes = {}
@@ -173,17 +201,18 @@ def error_sizes(errors: Mapping[str, Values], resamples: Resamples) -> tuple[dic
         sizes[name] = ErrorSize(
             shots=error.size,
             bias=float(error.mean()),
-            bias_interval=interval(signed[:, place]),
+            bias_interval=interval(signed[:, place], different),
             mae=float(np.abs(error).mean()),
-            mae_interval=interval(absolute[:, place]),
+            mae_interval=interval(absolute[:, place], different),
             std=float(error.std(ddof=1)) if error.size > 1 else float("nan"),
             rms=float(np.sqrt(np.mean(error**2))),
             worst=float(np.abs(error).max()),
         )
-    return sizes, best_of({name: sizes[name].mae for name in names}, dict(zip(names, absolute.T, strict=True)))
+    mae = {name: sizes[name].mae for name in names}
+    return sizes, best_of(mae, dict(zip(names, absolute.T, strict=True)), different)
 
 
-def best_of(mae: Mapping[str, float], resampled: Mapping[str, Values]) -> Best:
+def best_of(mae: Mapping[str, float], resampled: Mapping[str, Values], groups: int) -> Best:
     """Return the model with the least mean absolute error and the significance of its lead over each other.
 
     Parameters
@@ -192,14 +221,19 @@ def best_of(mae: Mapping[str, float], resampled: Mapping[str, Values]) -> Best:
         Mean absolute error by the name of the model.
     resampled
         The same over each resample, paired.
+    groups
+        How many shots, or groups of them, were drawn. Fewer than six are never significant.
     """
+    # All of them favour the same model in two of 2^groups changes of sign.
+    least = 2.0 ** (1 - groups)
     first = min(mae, key=lambda name: mae[name])
     rivals = []
     for name in sorted((each for each in mae if each != first), key=lambda name: mae[name]):
         lead = resampled[name] - resampled[first]
         # One more resample on either side, so that none finite gives a probability of zero.
         tails = [(1.0 + float(np.sum(side))) / (1.0 + lead.size) for side in (lead <= 0.0, lead >= 0.0)]
-        rivals.append(Rival(name, mae[name] - mae[first], interval(lead), min(1.0, 2.0 * min(tails))))
+        p = min(1.0, max(least, 2.0 * min(tails)))
+        rivals.append(Rival(name, mae[name] - mae[first], interval(lead, groups), p))
     corrected = holm([each.p for each in rivals])
     return Best(first, tuple(each._replace(p=p) for each, p in zip(rivals, corrected, strict=True)))
 

@@ -53,7 +53,9 @@ def shown(value: float, quantity: str, *, signed: bool = False, more: int = 0) -
 
 
 def between(ends: Interval, quantity: str, *, signed: bool = False, more: int = 0) -> str:
-    """Write an interval as "[low, high]"."""
+    """Write an interval as "[low, high]"; one of NaN stays empty."""
+    if math.isnan(ends.low):
+        return ""
     return f"[{', '.join(shown(each, quantity, signed=signed, more=more) for each in ends)}]"
 
 
@@ -249,11 +251,16 @@ def notes(of: Evaluation) -> list[str]:
         "Errors are model less measured. Percentages refer to the mean magnitude of what was measured. STD is the"
         " standard deviation of the error about its mean (n - 1)."
     )
+    if any(math.isnan(each.mae_interval.low) for sizes in of.sizes.values() for each in sizes.values()):
+        found.append(
+            "One shot, or shots all alike, give no intervals and cannot tell which model is better: that takes shots"
+            " with different deliveries."
+        )
     found.append(
         f"Intervals hold 95% of {of.resamples} bootstrap resamples of the shots (seed {of.seed}). Models are compared"
-        " on the same resamples; p is two-sided, after Holm's correction for the number of rivals. Which model is best"
-        " was chosen on the same shots, and parameters identified on them flatter the model with more of them: only"
-        " shots held out tell."
+        " on the same resamples; p is two-sided, after Holm's correction for the number of rivals, and differences of"
+        " fewer than six shots are never significant. Which model is best was chosen on the same shots, and parameters"
+        " identified on them flatter the model with more of them: only shots held out tell."
     )
     if of.published:
         found.append(

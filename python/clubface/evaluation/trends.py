@@ -73,7 +73,7 @@ def trends(
         resampled = (means[:, 2:] - means[:, :1] * mean_errors)[usable] / spread[usable, None]
         for place, model in enumerate(errors):
             slope, variance = float(np.mean(x * centred[place])), float(np.mean(centred[place] ** 2))
-            ends = interval(resampled[:, place] / deviation)
+            ends = interval(resampled[:, place] / deviation, resamples.groups)
             explained = slope**2 / variance if variance > 0.0 else 0.0
             found[model].append(Trend(name, slope / deviation, ends, explained))
     return found

@@ -25,8 +25,8 @@ from clubface.measured_shots import QUANTITIES
 from clubface.parameters import ParameterSet
 from clubface.plain_json import plain
 
-MODELS = ("standard", "adjusted", "slip", "jorgensen", "volumetric", "rings", "area")
-EVERY = {("rings", "driver"): 5, ("rings", "7-iron"): 2}
+MODELS = ("standard", "adjusted", "slip", "jorgensen", "volumetric", "area", "rings")
+EVERY = {("rings", "driver"): 10, ("rings", "7-iron"): 3}
 """Models identified on a part of the shots, every so-manieth, for the time they take; they are evaluated on all."""
 BOOTSTRAP = {"rings": 50}
 RESAMPLES = 4000
@@ -40,25 +40,34 @@ Progress = Callable[[str, float], object]
 def run(folder: Path, *, threads: int | None = None, progress: Progress | None = None) -> dict[str, Any]:
     """Run what is not in ``folder`` yet, and return all findings, made of what JSON has."""
     folder.mkdir(parents=True, exist_ok=True)
-    clubs = {club: _of_club(club, folder, threads, progress) for club in CLUBS}
     tour = {model: _kept(folder / f"tour-{model}.json", partial(_tour, model)) for model in FREE}
+    of = {club: load(club) for club in CLUBS}
+    # The quick models of both clubs before the slow ones of either.
+    fits = {club: {} for club in CLUBS}
+    for model in MODELS:
+        for club, shots in of.items():
+            fits[club][model] = fitted(shots, model, folder, threads=threads, progress=progress)
+    clubs = {club: _of_club(shots, fits[club], folder, threads) for club, shots in of.items()}
     return rounded(plain({"models": list(MODELS), "clubs": clubs, "tour": tour}))
 
 
-def _of_club(club: str, folder: Path, threads: int | None, progress: Progress | None) -> dict[str, Any]:
+def _of_club(shots: BenchmarkShots, fits: dict[str, Any], folder: Path, threads: int | None) -> dict[str, Any]:
     """Return what is found with one club."""
-    shots, fits = load(club), {}
-    for model in MODELS:
-        part = folder / f"{club}-{model}"
-        compute = partial(_fitted, shots, model, part, threads, progress)
-        fits[model] = _kept(part.with_name(f"{part.name}.json"), compute)
-    sets = {model: _parameters(club, model, each) for model, each in fits.items()}
+    sets = {model: _parameters(shots.club, model, each) for model, each in fits.items()}
     return {
         "fits": {model: {key: each[key] for key in each if key != "held_out"} for model, each in fits.items()},
         "held_out": _leads(shots, fits),
-        "errors": _kept(folder / f"{club}-errors.json", partial(_errors, shots, sets, threads)),
+        "errors": _kept(folder / f"{shots.club}-errors.json", partial(_errors, shots, sets, threads)),
         "budget": {model: error_budget(shots, sets[model]) for model in MODELS},
     }
+
+
+def fitted(
+    shots: BenchmarkShots, model: str, folder: Path, *, threads: int | None = None, progress: Progress | None = None
+) -> dict[str, Any]:
+    """Return one model as identified on the shots of one club, from ``folder`` if it is there."""
+    part = folder / f"{shots.club}-{model}"
+    return _kept(part.with_name(f"{part.name}.json"), partial(_fitted, shots, model, part, threads, progress))
 
 
 def _fitted(
@@ -107,7 +116,8 @@ def _leads(shots: BenchmarkShots, fits: dict[str, Any]) -> dict[str, Any]:
         places = np.array(each["held_out"]["places"])
         lead = np.array(each["held_out"]["losses"]) - np.array(fits[best]["held_out"]["losses"])[places]
         resamples = Resamples(RESAMPLES, len(places), 0, shots.player[places])
-        found[name] = {"than": best, "more": lead.mean(), "interval": interval(resamples.means(lead[None])[:, 0])}
+        means = resamples.means(lead[None])[:, 0]
+        found[name] = {"than": best, "more": lead.mean(), "interval": interval(means, resamples.groups)}
     return found
 
 

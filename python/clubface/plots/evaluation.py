@@ -46,7 +46,7 @@ def error_figure(of: Evaluation) -> Figure:
             shown = float(units.from_si(given.mae[name], unit)) if given else 0.0
             if given:
                 axes.plot(shown, row, marker="D", markersize=4.5, markerfacecolor="white", markeredgecolor="0.1")
-            ends.append(max(high, shown))
+            ends.append(np.nanmax([mae, high, shown]))
             axes.text(1.0, row, f"{mae:.{DIGITS[name]}f}", transform=axes.get_yaxis_transform(), **_NUMBER)
         if name in of.floor:
             axes.axvspan(0.0, float(units.from_si(of.floor[name], unit)), color="0.80", zorder=0, linewidth=0.0)
