@@ -2,9 +2,7 @@
 
 use super::full::{constants, Forces, Hexahedron, Point, CONSTANTS, POINTS};
 use super::{Energy, Patch, BLOCK};
-use crate::material::{
-    add_branches, history_length, Decay, Isochoric, Kinematics, Material, UseLaw, MAX_TERMS,
-};
+use crate::material::{Kinematics, Material, Remembering, UseMemory, MEMORY};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 use std::collections::HashMap;
@@ -71,16 +69,10 @@ impl<R: Real> FullPatch<R> {
         if blocks * BLOCK == elements.len() {
             real_nodes = nodes.len();
         }
-        let terms = material.maxwell.len();
-        assert!(terms <= MAX_TERMS, "at most {MAX_TERMS} viscoelastic terms");
-        let history_length = history_length(terms);
-        let mut history = vec![R::zero(); blocks * POINTS * history_length * BLOCK];
-        if terms > 0 {
-            // The undeformed C̄ is the identity; its driving stress has no deviator.
-            for point in history.chunks_exact_mut(history_length * BLOCK) {
-                point[6 * BLOCK..9 * BLOCK].fill(R::one());
-            }
-        }
+        let memory = material.memory();
+        let history_length = memory.len();
+        let one: Vec<R> = memory.into_iter().flat_map(|number| [number; BLOCK]).collect();
+        let history = one.repeat(blocks * POINTS);
         let rows = vec![Row::zero(); nodes.len()];
         Self {
             material,
@@ -142,22 +134,16 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
         let material = self.patch.material.clone();
-        material.with_law::<P, _>(self);
+        material.with_memory::<P, _>(&material.decays(self.dt), self);
     }
 }
 
-impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Assemble<'_, R> {
+impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
     type Output = ();
     #[inline(always)]
-    fn with<L: Isochoric<P>>(self, law: L) {
+    fn with<M: Remembering<P>>(self, law: M) {
         let patch = self.patch;
         let bulk = P::splat(patch.material.bulk);
-        let mut decays = [Decay { whole: P::zero(), half: P::zero() }; MAX_TERMS];
-        let terms = patch.material.maxwell.len();
-        for (decay, term) in decays.iter_mut().zip(&patch.material.maxwell) {
-            let step = term.decay(self.dt);
-            *decay = Decay { whole: P::splat(step.whole), half: P::splat(step.half) };
-        }
         let length = patch.history_length;
         for block in 0..patch.corners.len() {
             for first in (0..BLOCK).step_by(P::LANES) {
@@ -167,17 +153,14 @@ impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Assemble<'_, R> {
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let at = Kinematics::new(element.gradient(point, &constants));
-                    let mut stress = law.stress(&at.c);
-                    if terms > 0 {
-                        let mut history = [P::zero(); 13 + 6 * MAX_TERMS];
-                        let stored = &mut patch.history[(block * POINTS + point) * length * BLOCK..];
-                        for i in 0..length {
-                            history[i] = P::load(&stored[i * BLOCK + first..]);
-                        }
-                        stress = add_branches(&at, stress, &decays[..terms], &mut history[..length]);
-                        for i in 0..length {
-                            history[i].store(&mut stored[i * BLOCK + first..]);
-                        }
+                    let mut history = [P::zero(); MEMORY];
+                    let stored = &mut patch.history[(block * POINTS + point) * length * BLOCK..];
+                    for i in 0..length {
+                        history[i] = P::load(&stored[i * BLOCK + first..]);
+                    }
+                    let stress = law.advance(&at, &mut history[..length]);
+                    for i in 0..length {
+                        history[i].store(&mut stored[i * BLOCK + first..]);
                     }
                     forces.add_stress(point, &constants, &at.first_piola(&stress, P::zero()));
                     volume += constants.volume;
@@ -202,31 +185,37 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
     type Output = (Energy, (f64, f64));
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) -> Self::Output {
-        self.patch.material.with_law::<P, _>(Energies { patch: self.patch })
+        let material = &self.patch.material;
+        material.with_memory::<P, _>(&material.decays(0.0), Energies { patch: self.patch })
     }
 }
 
-impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Energies<'_, R> {
+impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
     type Output = (Energy, (f64, f64));
     #[inline(always)]
-    fn with<L: Isochoric<P>>(self, law: L) -> Self::Output {
+    fn with<M: Remembering<P>>(self, law: M) -> Self::Output {
         let patch = self.patch;
         let bulk = P::splat(patch.material.bulk);
+        let length = patch.history_length;
         let mut energy = Energy::default();
         let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
         for block in 0..patch.corners.len() {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let lanes = P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first));
                 let element = patch.gather::<P>(block, first);
-                let (mut strain, mut viscous, mut volume) = (P::zero(), P::zero(), P::zero());
+                let [mut strain, mut viscous, mut plastic, mut volume] = [P::zero(); 4];
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let at = Kinematics::new(element.gradient(point, &constants));
-                    strain += law.energy(&at.c) * constants.volume;
-                    if patch.history_length > 0 {
-                        let work = ((block * POINTS + point) * patch.history_length + 12) * BLOCK + first;
-                        viscous += P::load(&patch.history[work..]) * constants.volume;
+                    let mut history = [P::zero(); MEMORY];
+                    for i in 0..length {
+                        let number = (block * POINTS + point) * length + i;
+                        history[i] = P::load(&patch.history[number * BLOCK + first..]);
                     }
+                    let found = law.energy(&at.c, &history[..length]);
+                    strain += found.strain * constants.volume;
+                    viscous += found.viscous * constants.volume;
+                    plastic += found.plastic * constants.volume;
                     volume += constants.volume;
                     for lane in 0..lanes {
                         ratios.0 = ratios.0.min(at.deformation.volume.lane(lane));
@@ -238,6 +227,7 @@ impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Energies<'_, R> {
                 for lane in 0..lanes {
                     energy.strain += strain.lane(lane);
                     energy.viscous += viscous.lane(lane);
+                    energy.plastic += plastic.lane(lane);
                 }
             }
         }

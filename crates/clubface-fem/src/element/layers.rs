@@ -67,14 +67,14 @@ impl<P: Pack> Response<P> for Layers<'_, P> {
             let (z, share) = (half * place, half * weight);
             let mut strain = increment.membrane;
             for i in 0..3 {
-                strain[i] += z * increment.curvature[i];
+                strain[i] = z.mul_add(increment.curvature[i], strain[i]);
             }
             let mut at = state(memory, point);
             heat += share * self.metal.advance(&strain, &mut at);
             for i in 0..3 {
                 let force = share * at.stress[i];
                 membrane[i] += force;
-                bending[i] += z * force;
+                bending[i] = z.mul_add(force, bending[i]);
             }
             let [x, y, xy] = at.stress;
             memory.store(POINTS + POINT * point, [x, y, xy, at.plastic_strain, at.yield_stress]);

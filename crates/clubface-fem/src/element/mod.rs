@@ -7,6 +7,7 @@ mod full_patch;
 mod indexed;
 mod lattice;
 mod layers;
+mod modes;
 mod motion;
 mod one_point;
 mod point;

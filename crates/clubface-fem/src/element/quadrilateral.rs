@@ -14,52 +14,14 @@
 //! Membrane strain increments are differences of squared lengths, and the others are exact to the second order in the rotation of a step, so
 //! that rigid motion makes no stress.
 
+use super::modes::{inner, less, plus, turned, Flat, Modes};
 use crate::material::{cross, dot};
-use clubface_math::{Pack, Scalar, Vec3};
+use clubface_math::{Pack, Vec3};
 
 /// Nodes of a quadrilateral.
 pub const CORNERS: usize = 4;
 /// Stabilised modes: the hourglass modes (membrane along both axes, rotation along both, shear along both pairs of edges), and drilling.
 pub const HOURGLASS: usize = 7;
-
-/// One quantity at the corners as modes of the reference square: mean, slopes, bilinear part.
-#[derive(Clone, Copy)]
-struct Modes<T> {
-    mean: T,
-    xi: T,
-    eta: T,
-    skew: T,
-}
-
-impl<P: Scalar> Modes<Vec3<P>> {
-    /// Modes of vectors at the corners (-1,-1), (1,-1), (1,1), (-1,1), four times as large.
-    #[inline(always)]
-    fn of(x: &[Vec3<P>; CORNERS]) -> Self {
-        let (a, b, c, d) = (x[1] + x[0], x[2] + x[3], x[1] - x[0], x[2] - x[3]);
-        Self { mean: b + a, eta: b - a, xi: d + c, skew: d - c }
-    }
-    /// The transpose of [`Modes::of`].
-    #[inline(always)]
-    fn back(self) -> [Vec3<P>; CORNERS] {
-        let (a, b) = (self.mean - self.eta, self.mean + self.eta);
-        let (c, d) = (self.xi - self.skew, self.xi + self.skew);
-        [a - c, a + c, b + d, b - d]
-    }
-}
-
-/// A vector in the plane of the element.
-type Flat<P> = [P; 2];
-
-#[inline(always)]
-fn inner<P: Scalar>(a: Flat<P>, b: Flat<P>) -> P {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-/// A vector turned by a small angle.
-#[inline(always)]
-fn turned<P: Scalar>(v: Flat<P>, angle: P) -> Flat<P> {
-    [v[0] - angle * v[1], v[1] + angle * v[0]]
-}
 
 /// Strain increments of a step.
 #[derive(Clone, Copy)]
@@ -106,6 +68,8 @@ pub struct Quadrilateral<P> {
     warp: P,
     inverse_along: P,
     inverse_across: P,
+    /// Four over the area, 1/m2.
+    inverse_size: P,
     /// Area of the flat element, m2.
     pub area: P,
 }
@@ -121,8 +85,9 @@ impl<P: Pack> Quadrilateral<P> {
         let size = dot(normal, normal).sqrt();
         let square = dot(xi, xi);
         let along = square.sqrt();
-        let inverse_along = along.recip();
-        let inverse_size = size.recip();
+        // One division for both reciprocals.
+        let both = (along * size).recip();
+        let (inverse_along, inverse_size) = (both * size, both * along);
         let first = xi * inverse_along;
         let third = normal * inverse_size;
         let second = cross(third, first);
@@ -133,6 +98,7 @@ impl<P: Pack> Quadrilateral<P> {
             warp: dot(skew, third),
             inverse_along,
             inverse_across: along * inverse_size,
+            inverse_size,
             area: size * 4.0,
             axes: [first, second, third],
         }
@@ -148,13 +114,13 @@ impl<P: Pack> Quadrilateral<P> {
     #[inline(always)]
     fn gradient(&self, xi: P, eta: P) -> Flat<P> {
         let x = xi * self.inverse_along;
-        [x, (eta - x * self.across[0]) * self.inverse_across]
+        [x, less(eta, x, self.across[0]) * self.inverse_across]
     }
     /// The transpose of [`Quadrilateral::gradient`].
     #[inline(always)]
     fn spread(&self, x: P, y: P) -> Flat<P> {
         let eta = y * self.inverse_across;
-        [(x - eta * self.across[0]) * self.inverse_along, eta]
+        [less(x, eta, self.across[0]) * self.inverse_along, eta]
     }
     /// Components along the axes of the element.
     #[inline(always)]
@@ -169,18 +135,21 @@ impl<P: Pack> Quadrilateral<P> {
     /// Bilinear part of a component without what a linear field makes of a skewed element.
     #[inline(always)]
     fn stabilised(&self, skew: P, gradient: Flat<P>) -> P {
-        skew - gradient[0] * self.skew[0] - gradient[1] * self.skew[1]
+        less(less(skew, gradient[0], self.skew[0]), gradient[1], self.skew[1])
     }
 
     /// Velocity of a corner of the flat element, seen through its rigid link.
     #[inline(always)]
     fn link(&self, velocity: P, tilt: P) -> P {
-        velocity - self.warp * tilt
+        less(velocity, self.warp, tilt)
     }
     /// Forces on the slopes of a component from a row of resultants and the force of its hourglass mode.
     #[inline(always)]
     fn slope(&self, x: P, y: P, hourglass: P) -> Flat<P> {
-        self.spread(x * self.area - hourglass * self.skew[0], y * self.area - hourglass * self.skew[1])
+        self.spread(
+            less(x * self.area, hourglass, self.skew[0]),
+            less(y * self.area, hourglass, self.skew[1]),
+        )
     }
 
     /// Strain increments from velocities (m/s) and angular velocities (rad/s) of the corners over a step, s.
@@ -210,16 +179,18 @@ impl<P: Pack> Quadrilateral<P> {
         let ty = self.gradient(tilt.xi[1], tilt.eta[1]);
         // Half the difference of squared lengths: linear part less half the square of the increment.
         let (gx, gy) = (Vec3::new(ux[0], uy[0], w[0]), Vec3::new(ux[1], uy[1], w[1]));
-        let membrane = [gx.x - dot(gx, gx) * 0.5, gy.y - dot(gy, gy) * 0.5, gx.y + gy.x - dot(gx, gy)];
+        let half = P::from_f64(0.5);
+        let membrane =
+            [less(gx.x, dot(gx, gx), half), less(gy.y, dot(gy, gy), half), gx.y + gy.x - dot(gx, gy)];
         // Tilts are those of the middle of the step, seen from its end: half the spin in the plane lies between.
         let spin = (uy[0] - ux[1]) * 0.25;
         let back = turned(tilt.mean, -spin);
         // Shear along the edges: their mean, and half the difference between opposite ones.
         let m = turned(tilt.mean, spin);
-        let along = xi[2] + m[0] * self.along + inner(tilt.eta, self.skew);
+        let along = m[0].mul_add(self.along, xi[2] + inner(tilt.eta, self.skew));
         let across = eta[2] + inner(m, self.across) + inner(tilt.xi, self.skew);
         // A warped element that tips over loses height at its corners.
-        let twist = skew[2] + inner(m, self.skew) - self.warp * inner(m, m) * 0.5;
+        let twist = less(skew[2] + inner(m, self.skew), self.warp * half, inner(m, m));
         let shear = self.gradient(along, across);
         Increment {
             membrane,
@@ -230,9 +201,9 @@ impl<P: Pack> Quadrilateral<P> {
                 self.stabilised(self.link(skew[1], back[1]), uy),
                 self.stabilised(tilt.skew[0], tx),
                 self.stabilised(tilt.skew[1], ty),
-                twist + tilt.eta[0] * self.along,
+                tilt.eta[0].mul_add(self.along, twist),
                 twist + inner(tilt.xi, self.across),
-                dot(s.mean * quarter, self.axes[2]) - (uy[0] - ux[1]) * 0.5,
+                less(dot(s.mean * quarter, self.axes[2]), uy[0] - ux[1], half),
             ],
         }
     }
@@ -245,17 +216,25 @@ impl<P: Pack> Quadrilateral<P> {
         let [bx, by] = self.across;
         let (n, m, h) = (&r.membrane, &r.bending, &r.across.hourglass);
         // Drilling makes the shear forces differ.
-        let drill = h[6] / area * 0.5;
+        let drill = h[6] * self.inverse_size * 0.125;
         let (fx, fy) = (self.slope(n[0], n[2] + drill, h[0]), self.slope(n[2] - drill, n[1], h[1]));
         let (mx, my) = (self.slope(m[0], m[2], h[2]), self.slope(m[2], m[1], h[3]));
         let q = self.spread(r.across.shear[0] * area, r.across.shear[1] * area);
         let twist = h[4] + h[5];
         let warp = self.warp;
         // Moments conjugate to the tilt, mode by mode: of bending, of shear along the edges, of the rigid links.
-        let mean =
-            [q[0] * self.along + q[1] * bx + twist * hx - warp * h[0], q[1] * by + twist * hy - warp * h[1]];
-        let xi = [mx[0] + q[1] * hx + h[5] * bx - warp * fx[1], my[0] + q[1] * hy + h[5] * by - warp * fy[1]];
-        let eta = [mx[1] + q[0] * hx + h[4] * self.along - warp * fx[0], my[1] + q[0] * hy - warp * fy[0]];
+        let mean = [
+            less(q[0].mul_add(self.along, q[1].mul_add(bx, twist * hx)), warp, h[0]),
+            less(q[1].mul_add(by, twist * hy), warp, h[1]),
+        ];
+        let xi = [
+            less(q[1].mul_add(hx, h[5].mul_add(bx, mx[0])), warp, fx[1]),
+            less(q[1].mul_add(hy, h[5].mul_add(by, my[0])), warp, fy[1]),
+        ];
+        let eta = [
+            less(q[0].mul_add(hx, h[4].mul_add(self.along, mx[1])), warp, fx[0]),
+            less(q[0].mul_add(hy, my[1]), warp, fy[0]),
+        ];
         let force = Modes {
             mean: Vec3::zero(),
             xi: self.global(fx[0], fy[0], q[0]),
@@ -263,7 +242,7 @@ impl<P: Pack> Quadrilateral<P> {
             skew: self.global(h[0], h[1], twist),
         };
         let moment = Modes {
-            mean: self.moment(mean) + self.axes[2] * (h[6] * -0.25),
+            mean: plus(self.moment(mean), self.axes[2], h[6] * -0.25),
             xi: self.moment(xi),
             eta: self.moment(eta),
             skew: self.moment([h[2], h[3]]),
@@ -274,11 +253,13 @@ impl<P: Pack> Quadrilateral<P> {
     #[inline(always)]
     fn global(&self, x: P, y: P, z: P) -> Vec3<P> {
         let [a, b, c] = self.axes;
-        (a * x + b * y + c * z) * P::from_f64(-0.25)
+        let quarter = P::from_f64(-0.25);
+        plus(plus(a * (x * quarter), b, y * quarter), c, z * quarter)
     }
     /// Minus a quarter of the moment that does the work of a tilt.
     #[inline(always)]
     fn moment(&self, tilt: Flat<P>) -> Vec3<P> {
-        (self.axes[1] * tilt[0] - self.axes[0] * tilt[1]) * P::from_f64(-0.25)
+        let quarter = P::from_f64(0.25);
+        plus(self.axes[0] * (tilt[1] * quarter), self.axes[1], tilt[0] * -quarter)
     }
 }

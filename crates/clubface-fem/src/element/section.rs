@@ -66,8 +66,8 @@ impl<P: Scalar> Section<P> {
         [
             membrane * across,
             membrane * along,
-            bending * across + torsion * along,
-            bending * along + torsion * across,
+            bending.mul_add(across, torsion * along),
+            bending.mul_add(along, torsion * across),
             shear * across,
             shear * along,
             self.shear * self.thickness * area * DRILLING,
@@ -78,7 +78,7 @@ impl<P: Scalar> Section<P> {
     #[inline(always)]
     pub fn stress(&self, e: &[P; 3]) -> [P; 3] {
         let nu = self.elastic.poisson;
-        [self.plate * (e[0] + nu * e[1]), self.plate * (e[1] + nu * e[0]), self.shear * e[2]]
+        [self.plate * nu.mul_add(e[1], e[0]), self.plate * nu.mul_add(e[0], e[1]), self.shear * e[2]]
     }
 
     /// Elastic energy of plane stress, J/m3.
@@ -99,10 +99,10 @@ impl<P: Scalar> Section<P> {
     ) {
         let shear = self.shear * self.thickness * SHEAR_SHARE;
         for i in 0..2 {
-            across.shear[i] += shear * increment.shear[i];
+            across.shear[i] = shear.mul_add(increment.shear[i], across.shear[i]);
         }
         for i in 0..HOURGLASS {
-            across.hourglass[i] += hourglass[i] * increment.hourglass[i];
+            across.hourglass[i] = hourglass[i].mul_add(increment.hourglass[i], across.hourglass[i]);
         }
     }
 
@@ -221,8 +221,8 @@ impl<P: Pack> Response<P> for ElasticSection {
         let (n, m) = (section.stress(&increment.membrane), section.stress(&increment.curvature));
         let (mut membrane, mut bending): ([P; 3], [P; 3]) = (memory.load(ACROSS), memory.load(ACROSS + 3));
         for i in 0..3 {
-            membrane[i] += section.thickness * n[i];
-            bending[i] += section.moment * m[i];
+            membrane[i] = section.thickness.mul_add(n[i], membrane[i]);
+            bending[i] = section.moment.mul_add(m[i], bending[i]);
         }
         memory.store(ACROSS, membrane);
         memory.store(ACROSS + 3, bending);

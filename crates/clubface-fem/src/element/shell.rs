@@ -31,8 +31,13 @@ pub struct ShellPatch<R> {
     material: ShellMaterial<R>,
     /// Rows of positions, then rows of rotations.
     nodes: Vec<u32>,
-    /// Places in the first half of `nodes`, by block, corner and lane.
+    /// Places in the first half of `nodes`, by block, corner and lane, and rows of positions.
     corners: Vec<[u32; CORNERS * BLOCK]>,
+    rows: Vec<[u32; CORNERS * BLOCK]>,
+    /// How far behind its position the rotation of a node stands.
+    behind: usize,
+    /// Largest row of a position.
+    last: u32,
     thickness: Vec<R>,
     /// Reference areas, m2.
     areas: Vec<R>,
@@ -42,13 +47,14 @@ pub struct ShellPatch<R> {
     history: Vec<R>,
     history_length: usize,
     elements: usize,
-    positions: Vec<Row<R>>,
-    velocities: Vec<Row<R>>,
     forces: Vec<Row<R>>,
 }
 
 impl<R: Real> ShellPatch<R> {
     /// From some elements of a mesh, free of stress.
+    ///
+    /// # Panics
+    /// If rotations stand before positions.
     pub fn new(
         mesh: &ShellMesh<R>,
         elements: std::ops::Range<usize>,
@@ -59,17 +65,19 @@ impl<R: Real> ShellPatch<R> {
         let mut place = HashMap::new();
         let blocks = elements.len().div_ceil(BLOCK);
         let mut corners = vec![[0; CORNERS * BLOCK]; blocks];
+        let mut rows_of = corners.clone();
         let mut thickness = Vec::with_capacity(blocks * BLOCK);
         let mut areas = Vec::with_capacity(blocks * BLOCK);
         for slot in 0..blocks * BLOCK {
             // The last block is filled up with copies of the last element, too thin to matter.
             let element = elements.start + slot.min(elements.len() - 1);
             for (corner, &node) in mesh.quads[element].iter().enumerate() {
-                corners[slot / BLOCK][corner * BLOCK + slot % BLOCK] =
-                    *place.entry(node).or_insert_with(|| {
-                        local.push(node);
-                        local.len() as u32 - 1
-                    });
+                let (block, at) = (slot / BLOCK, corner * BLOCK + slot % BLOCK);
+                rows_of[block][at] = node + rows.positions;
+                corners[block][at] = *place.entry(node).or_insert_with(|| {
+                    local.push(node);
+                    local.len() as u32 - 1
+                });
             }
             let real = slot < elements.len();
             thickness.push(if real { mesh.thickness[element] } else { R::zero() });
@@ -84,27 +92,29 @@ impl<R: Real> ShellPatch<R> {
         } else {
             Layers::<R>::start(points.len(), material.hardening.as_ref())
         };
+        assert!(rows.rotations >= rows.positions, "rotations stand behind positions");
+        let last = rows_of.iter().flatten().copied().max().unwrap_or(0);
         let one = start.iter().flat_map(|number| [*number; BLOCK]);
         Self {
             material,
             corners,
+            rows: rows_of,
+            behind: (rows.rotations - rows.positions) as usize,
+            last,
             thickness,
             areas,
             history: one.collect::<Vec<_>>().repeat(blocks),
             history_length: start.len(),
             points,
             elements: elements.len(),
-            positions: vec![Row::zero(); local.len()],
-            velocities: vec![Row::zero(); nodes.len()],
             forces: vec![Row::zero(); nodes.len()],
             nodes,
         }
     }
 
-    fn load_positions(&mut self, positions: &[Row<R>]) {
-        for (local, &node) in self.positions.iter_mut().zip(&self.nodes) {
-            *local = positions[node as usize];
-        }
+    /// The promise that every row exists, on which unchecked reads rely.
+    fn check(&self, positions: &[Row<R>]) {
+        assert!((self.last as usize) < positions.len(), "a patch of another mesh");
     }
 }
 
@@ -113,12 +123,10 @@ impl<R: Real> Patch<R> for ShellPatch<R> {
         &self.nodes
     }
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64) {
-        self.load_positions(positions);
-        for (local, &node) in self.velocities.iter_mut().zip(&self.nodes) {
-            *local = velocities[node as usize];
-        }
+        self.check(positions);
+        self.check(&velocities[self.behind..]);
         self.forces.fill(Row::zero());
-        R::dispatch(Assemble { patch: self, dt });
+        R::dispatch(Assemble { patch: self, positions, velocities, dt });
     }
     fn probe(&mut self, positions: &[Row<R>], displacements: &[Row<R>]) {
         let history = self.history.clone();
@@ -129,22 +137,25 @@ impl<R: Real> Patch<R> for ShellPatch<R> {
         &self.forces
     }
     fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
-        self.load_positions(positions);
-        R::dispatch(Energies { patch: self })
+        self.check(positions);
+        R::dispatch(Energies { patch: self, positions })
     }
 }
 
 /// Vectors of the corners of `LANES` elements of a block.
+///
+/// # Safety
+/// All of the block's rows exist.
 #[inline(always)]
-fn gather<P: Pack>(
-    rows: &[Row<P::Real>],
-    corners: &[u32; CORNERS * BLOCK],
+unsafe fn gather<P: Pack>(
+    field: &[Row<P::Real>],
+    rows: &[u32; CORNERS * BLOCK],
     first: usize,
 ) -> [Vec3<P>; CORNERS] {
     let mut x = [Vec3::zero(); CORNERS];
     for corner in 0..CORNERS {
-        // SAFETY: `ShellPatch::new` makes every entry a place in the first half of `nodes`; all callers pass that many rows.
-        x[corner] = unsafe { P::gather(rows, &corners[corner * BLOCK + first..]) };
+        // SAFETY: the caller's promise.
+        x[corner] = unsafe { P::gather(field, &rows[corner * BLOCK + first..]) };
     }
     x
 }
@@ -158,53 +169,62 @@ fn scatter<P: Pack>(
     values: &[Vec3<P>; CORNERS],
 ) {
     for corner in 0..CORNERS {
-        // SAFETY: as in `gather`.
+        // SAFETY: `ShellPatch::new` makes every entry a place in the first half of `nodes`; all callers pass that many rows.
         unsafe { P::scatter_add(rows, &corners[corner * BLOCK + first..], values[corner]) };
     }
 }
 
 struct Assemble<'a, R> {
     patch: &'a mut ShellPatch<R>,
+    positions: &'a [Row<R>],
+    velocities: &'a [Row<R>],
     dt: f64,
 }
 
 impl<R: Real> PackKernel<R> for Assemble<'_, R> {
     type Output = ();
     #[inline(always)]
-    fn run<P: Pack<Real = R>>(self) {
-        let Self { patch, dt } = self;
-        if patch.points.is_empty() {
-            assemble::<P>(patch, &ElasticSection, dt);
-        } else {
-            let points = std::mem::take(&mut patch.points);
-            assemble::<P>(patch, &Layers::new(&points, &patch.material), dt);
-            patch.points = points;
+    fn run<P: Pack<Real = R>>(mut self) {
+        if self.patch.points.is_empty() {
+            return self.with::<P>(&ElasticSection);
         }
+        let points = std::mem::take(&mut self.patch.points);
+        self.with::<P>(&Layers::new(&points, &self.patch.material));
+        self.patch.points = points;
     }
 }
 
-#[inline(always)]
-fn assemble<P: Pack>(patch: &mut ShellPatch<P::Real>, law: &impl Response<P>, dt: f64) {
-    let elastic = patch.material.elastic.splat::<P>();
-    let (plate, shear) = (elastic.plate(), elastic.shear());
-    let dt = P::from_f64(dt);
-    let count = patch.positions.len();
-    let (velocities, spins) = patch.velocities.split_at(count);
-    let (forces, moments) = patch.forces.split_at_mut(count);
-    let histories = patch.history.chunks_exact_mut(patch.history_length * BLOCK);
-    for ((block, corners), history) in patch.corners.iter().enumerate().zip(histories) {
-        for first in (0..BLOCK).step_by(P::LANES) {
-            let shape = Quadrilateral::<P>::new(&gather(&patch.positions, corners, first));
-            let increment =
-                shape.increment(&gather(velocities, corners, first), &gather(spins, corners, first), dt);
-            let thickness = P::load(&patch.thickness[block * BLOCK + first..]);
-            let section = Section::new(elastic, plate, shear, thickness);
-            let hourglass = section.hourglass(shape.area, shape.aspect());
-            let mut memory = Memory::new(history, first);
-            let resultants = law.respond(&section, &increment, &hourglass, shape.area, &mut memory);
-            let (force, moment) = shape.forces(&resultants);
-            scatter(forces, corners, first, &force);
-            scatter(moments, corners, first, &moment);
+impl<R: Real> Assemble<'_, R> {
+    #[inline(always)]
+    fn with<P: Pack<Real = R>>(&mut self, law: &impl Response<P>) {
+        let patch = &mut *self.patch;
+        let elastic = patch.material.elastic.splat::<P>();
+        let (plate, shear) = (elastic.plate(), elastic.shear());
+        let dt = P::from_f64(self.dt);
+        let spins = &self.velocities[patch.behind..];
+        let (forces, moments) = patch.forces.split_at_mut(patch.nodes.len() / 2);
+        let histories = patch.history.chunks_exact_mut(patch.history_length * BLOCK);
+        for ((block, rows), history) in patch.rows.iter().enumerate().zip(histories) {
+            for first in (0..BLOCK).step_by(P::LANES) {
+                // SAFETY: `assemble` has checked the rows.
+                let (places, velocities, spins) = unsafe {
+                    (
+                        gather(self.positions, rows, first),
+                        gather(self.velocities, rows, first),
+                        gather(spins, rows, first),
+                    )
+                };
+                let shape = Quadrilateral::<P>::new(&places);
+                let increment = shape.increment(&velocities, &spins, dt);
+                let thickness = P::load(&patch.thickness[block * BLOCK + first..]);
+                let section = Section::new(elastic, plate, shear, thickness);
+                let hourglass = section.hourglass(shape.area, shape.aspect());
+                let mut memory = Memory::new(history, first);
+                let resultants = law.respond(&section, &increment, &hourglass, shape.area, &mut memory);
+                let (force, moment) = shape.forces(&resultants);
+                scatter(forces, &patch.corners[block], first, &force);
+                scatter(moments, &patch.corners[block], first, &moment);
+            }
         }
     }
 }
@@ -214,46 +234,50 @@ type Found = (Energy, (f64, f64));
 
 struct Energies<'a, R> {
     patch: &'a mut ShellPatch<R>,
+    positions: &'a [Row<R>],
 }
 
 impl<R: Real> PackKernel<R> for Energies<'_, R> {
     type Output = Found;
     #[inline(always)]
-    fn run<P: Pack<Real = R>>(self) -> Found {
-        let patch = self.patch;
-        if patch.points.is_empty() {
-            return energies::<P>(patch, &ElasticSection);
+    fn run<P: Pack<Real = R>>(mut self) -> Found {
+        if self.patch.points.is_empty() {
+            return self.with::<P>(&ElasticSection);
         }
-        let points = std::mem::take(&mut patch.points);
-        let found = energies::<P>(patch, &Layers::new(&points, &patch.material));
-        patch.points = points;
+        let points = std::mem::take(&mut self.patch.points);
+        let found = self.with::<P>(&Layers::new(&points, &self.patch.material));
+        self.patch.points = points;
         found
     }
 }
 
-#[inline(always)]
-fn energies<P: Pack>(patch: &mut ShellPatch<P::Real>, law: &impl Response<P>) -> Found {
-    let elastic = patch.material.elastic.splat::<P>();
-    let (plate, shear) = (elastic.plate(), elastic.shear());
-    let mut energy = Energy::default();
-    let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
-    let histories = patch.history.chunks_exact_mut(patch.history_length * BLOCK);
-    for ((block, corners), history) in patch.corners.iter().enumerate().zip(histories) {
-        for first in (0..BLOCK).step_by(P::LANES) {
-            let at = block * BLOCK + first;
-            let shape = Quadrilateral::<P>::new(&gather(&patch.positions, corners, first));
-            let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
-            let hourglass = section.hourglass(shape.area, shape.aspect());
-            let found = law.energy(&section, &hourglass, shape.area, &Memory::new(history, first));
-            let ratio = shape.area / P::load(&patch.areas[at..]);
-            for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {
-                energy.strain += found.strain.lane(lane);
-                energy.hourglass += found.hourglass.lane(lane);
-                energy.plastic += found.plastic.lane(lane);
-                ratios.0 = ratios.0.min(ratio.lane(lane));
-                ratios.1 = ratios.1.max(ratio.lane(lane));
+impl<R: Real> Energies<'_, R> {
+    #[inline(always)]
+    fn with<P: Pack<Real = R>>(&mut self, law: &impl Response<P>) -> Found {
+        let patch = &mut *self.patch;
+        let elastic = patch.material.elastic.splat::<P>();
+        let (plate, shear) = (elastic.plate(), elastic.shear());
+        let mut energy = Energy::default();
+        let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
+        let histories = patch.history.chunks_exact_mut(patch.history_length * BLOCK);
+        for ((block, rows), history) in patch.rows.iter().enumerate().zip(histories) {
+            for first in (0..BLOCK).step_by(P::LANES) {
+                let at = block * BLOCK + first;
+                // SAFETY: `look` has checked the rows.
+                let shape = Quadrilateral::<P>::new(&unsafe { gather(self.positions, rows, first) });
+                let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
+                let hourglass = section.hourglass(shape.area, shape.aspect());
+                let found = law.energy(&section, &hourglass, shape.area, &Memory::new(history, first));
+                let ratio = shape.area / P::load(&patch.areas[at..]);
+                for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {
+                    energy.strain += found.strain.lane(lane);
+                    energy.hourglass += found.hourglass.lane(lane);
+                    energy.plastic += found.plastic.lane(lane);
+                    ratios.0 = ratios.0.min(ratio.lane(lane));
+                    ratios.1 = ratios.1.max(ratio.lane(lane));
+                }
             }
         }
+        (energy, ratios)
     }
-    (energy, ratios)
 }

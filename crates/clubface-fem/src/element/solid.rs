@@ -5,9 +5,9 @@ use super::field::Scratch;
 use super::indexed::Indexed;
 use super::lattice::{Lattice, DEPTH};
 use super::one_point::{constants, CONSTANTS, SHAPES};
-use super::point::{Block, Elastic, Tally, Viscous};
+use super::point::{Aging, Block, Elastic, Tally};
 use super::{Aligned, Energy, Patch, BLOCK};
-use crate::material::{history_length, Decay, Isochoric, Material, UseLaw, MAX_TERMS};
+use crate::material::{Isochoric, Material, Remembering, UseLaw, UseMemory};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, PackKernel, Real, Row};
 use std::sync::Arc;
@@ -129,16 +129,10 @@ impl<R: Real> SolidPatch<R> {
                 stored[slot / BLOCK].0[which * BLOCK + slot % BLOCK] = value;
             }
         }
-        let terms = material.maxwell.len();
-        assert!(terms <= MAX_TERMS, "at most {MAX_TERMS} viscoelastic terms");
-        let history_length = history_length(terms);
-        let mut history = vec![R::zero(); blocks * history_length * BLOCK];
-        if terms > 0 {
-            // The undeformed C̄ is the identity; its driving stress has no deviator.
-            for block in history.chunks_exact_mut(history_length * BLOCK) {
-                block[6 * BLOCK..9 * BLOCK].fill(R::one());
-            }
-        }
+        let memory = material.memory();
+        let history_length = memory.len();
+        let one: Vec<R> = memory.into_iter().flat_map(|number| [number; BLOCK]).collect();
+        let history = one.repeat(blocks);
         let last = nodes.iter().copied().max().unwrap_or(0);
         let (material, constants) = (material.clone(), stored.into());
         Self { material, layout, nodes, last, constants, history, history_length }
@@ -204,12 +198,6 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
         let SolidPatch { material, layout, nodes, constants, history, history_length, .. } = self.patch;
-        let nothing = Decay { whole: P::zero(), half: P::zero() };
-        let mut decays = [nothing; MAX_TERMS];
-        for (decay, term) in decays.iter_mut().zip(&material.maxwell) {
-            let step = term.decay(self.dt);
-            *decay = Decay { whole: P::splat(step.whole), half: P::splat(step.half) };
-        }
         let rest = Loop {
             layout,
             scratch: self.scratch,
@@ -220,10 +208,13 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
             history,
             history_length: *history_length,
             bulk: P::splat(material.bulk),
-            decays,
-            terms: material.maxwell.len(),
         };
-        material.with_law::<P, _>(rest);
+        // Compiled apart: elements without memory have nothing to load.
+        if *history_length == 0 {
+            material.with_law::<P, _>(rest);
+        } else {
+            material.with_memory::<P, _>(&material.decays(self.dt), rest);
+        }
     }
 }
 
@@ -238,34 +229,36 @@ struct Loop<'a, P: Pack> {
     history: &'a mut [P::Real],
     history_length: usize,
     bulk: P,
-    decays: [Decay<P>; MAX_TERMS],
-    terms: usize,
 }
 
 impl<P: Pack> UseLaw<P> for Loop<'_, P> {
     type Output = ();
     #[inline(always)]
     fn with<L: Isochoric<P>>(self, law: L) {
-        let Loop { layout, scratch, step, positions, nodes, constants, history, history_length, .. } = self;
-        let elastic = Elastic { law, bulk: self.bulk };
-        // Compiled apart: without branches nothing is kept for them.
-        if self.terms == 0 {
-            match layout {
-                // SAFETY: `assemble` has checked the nodes.
-                Layout::Lattice(lattice) => unsafe {
-                    lattice.assemble(scratch, positions, nodes, constants, elastic, step);
-                },
-                Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, elastic),
-            }
-        } else {
-            let viscous = Viscous { elastic, decays: &self.decays[..self.terms], history, history_length };
-            match layout {
-                // SAFETY: `assemble` has checked the nodes.
-                Layout::Lattice(lattice) => unsafe {
-                    lattice.assemble(scratch, positions, nodes, constants, viscous, step);
-                },
-                Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, viscous),
-            }
+        let Loop { layout, scratch, step, positions, nodes, constants, bulk, .. } = self;
+        let points = Elastic { law, bulk };
+        match layout {
+            // SAFETY: `assemble` has checked the nodes.
+            Layout::Lattice(lattice) => unsafe {
+                lattice.assemble(scratch, positions, nodes, constants, points, step);
+            },
+            Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, points),
+        }
+    }
+}
+
+impl<P: Pack> UseMemory<P> for Loop<'_, P> {
+    type Output = ();
+    #[inline(always)]
+    fn with<M: Remembering<P>>(self, law: M) {
+        let Loop { layout, scratch, step, positions, nodes, constants, history, history_length, bulk } = self;
+        let points = Aging { law, bulk, history, history_length };
+        match layout {
+            // SAFETY: `assemble` has checked the nodes.
+            Layout::Lattice(lattice) => unsafe {
+                lattice.assemble(scratch, positions, nodes, constants, points, step);
+            },
+            Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, points),
         }
     }
 }
@@ -280,17 +273,18 @@ impl<R: Real> PackKernel<R> for Examine<'_, R> {
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) -> Self::Output {
         let material = self.patch.material.clone();
-        material.with_law::<P, _>(self)
+        material.with_memory::<P, _>(&material.decays(0.0), self)
     }
 }
 
-impl<R: Real, P: Pack<Real = R>> UseLaw<P> for Examine<'_, R> {
+impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Examine<'_, R> {
     type Output = (Energy, (f64, f64));
     #[inline(always)]
-    fn with<L: Isochoric<P>>(self, law: L) -> Self::Output {
+    fn with<M: Remembering<P>>(self, law: M) -> Self::Output {
         let SolidPatch { material, layout, nodes, constants, history, history_length, .. } = self.patch;
-        let elastic = Elastic { law, bulk: P::splat(material.bulk) };
-        let mut tally = Tally::new(elastic, history, *history_length);
+        let (bulk, ratios) = (P::splat(material.bulk), (f64::INFINITY, f64::NEG_INFINITY));
+        let energy = Energy::default();
+        let mut tally = Tally { law, bulk, history, history_length: *history_length, energy, ratios };
         match layout {
             // SAFETY: `look` has checked the nodes.
             Layout::Lattice(lattice) => unsafe {

@@ -59,6 +59,10 @@ impl<R: Real> Material<R> {
             let allowed = format!("at most {MAX_TERMS} are allowed");
             return Err(FemError::input(of("number of viscoelastic terms"), self.maxwell.len(), allowed));
         }
+        if matches!(self.shape, Shape::VonMises(_)) && !self.maxwell.is_empty() {
+            let allowed = "none are allowed in a metal that yields";
+            return Err(FemError::input(of("number of viscoelastic terms"), self.maxwell.len(), allowed));
+        }
         for (number, term) in self.maxwell.iter().enumerate() {
             let of = |what: &str| format!("{what} of viscoelastic term {} of {name}", number + 1);
             positive(term.modulus.re(), "", || of("relative modulus"))?;

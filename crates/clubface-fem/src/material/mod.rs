@@ -6,6 +6,7 @@
 mod check;
 mod hardening;
 mod hencky;
+mod memory;
 mod mooney_rivlin;
 mod neo_hookean;
 mod ogden;
@@ -18,13 +19,14 @@ mod von_mises;
 
 pub use hardening::{Hardening, HARDENING_POINTS};
 pub use hencky::Hencky;
+pub use memory::{PointEnergy, Remembering, UseMemory, MEMORY};
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
 pub use ogden::{Ogden, OgdenTerm, OGDEN_TERMS};
 pub use plane_stress::{PlaneState, PlaneStress};
 pub use registry::{Constant, LawInfo, LAWS};
 pub use symmetric::{times, Symmetric};
-pub use viscous::{add_branches, history_length, Decay, Maxwell, MAX_TERMS};
+pub use viscous::{add_branches, Decay, Maxwell, MAX_TERMS};
 pub use von_mises::{PlasticState, VonMises};
 
 use clubface_math::{Mat3, Pack, Real, Scalar, Vec3};
@@ -85,7 +87,7 @@ macro_rules! of_invariants {
     )+};
 }
 
-of_invariants!(MooneyRivlin NeoHookean Hencky);
+of_invariants!(MooneyRivlin NeoHookean Hencky Ogden);
 
 /// Deformation at a point: what follows from the gradient by products alone.
 #[derive(Clone, Copy, Debug)]
@@ -237,7 +239,7 @@ impl<R: Real> Material<R> {
         }
         self.shear() * sum
     }
-    /// Runs a computation with the law of the change of shape spread over packs.
+    /// Runs a computation with the law of the change of shape spread over packs; of a metal that yields, the law before it does.
     #[inline(always)]
     pub fn with_law<P: Pack<Real = R>, U: UseLaw<P>>(&self, computation: U) -> U::Output {
         match &self.shape {
@@ -245,7 +247,7 @@ impl<R: Real> Material<R> {
             Shape::NeoHookean(law) => computation.with(law.splat::<P>()),
             Shape::Hencky(law) => computation.with(law.splat::<P>()),
             Shape::Ogden(law) => computation.with(law.splat::<P>()),
-            Shape::VonMises(law) => computation.with(law.splat::<P>()),
+            Shape::VonMises(law) => computation.with(Hencky { shear: law.shear }.splat::<P>()),
         }
     }
 }

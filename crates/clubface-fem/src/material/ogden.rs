@@ -5,7 +5,7 @@
 //! with alpha = -2 makes it Mooney's and Rivlin's (`mu = 2 C10`, `mu = -2 C01`). Some programs write `2 mu / alpha^2` instead of `mu / alpha`.
 
 use super::stretch::{Function, Stretches};
-use super::{Isochoric, Symmetric};
+use super::{OfInvariants, Symmetric};
 use clubface_math::{Pack, Real, Scalar};
 
 /// Most terms.
@@ -63,8 +63,7 @@ impl<S> Ogden<S> {
     }
 }
 
-impl<S: Scalar> Ogden<S> {
-    /// Factors (Pa) of the identity and of the tensor with these invariants in `2 dW/dC`, but for a multiple of its inverse.
+impl<S: Scalar> OfInvariants<S> for Ogden<S> {
     #[inline(always)]
     fn factors(&self, first: S, second: S) -> [S; 2] {
         // W = sum of mu/alpha tr C^(alpha/2), so 2 dW/dC = sum of mu C^(alpha/2 - 1).
@@ -77,14 +76,6 @@ impl<S: Scalar> Ogden<S> {
         // C^2 = I C - II + C^-1.
         let [one, linear, square] = stretches.factors(&sum);
         [one - square * second, square.mul_add(first, linear)]
-    }
-}
-
-impl<S: Scalar> Isochoric<S> for Ogden<S> {
-    #[inline(always)]
-    fn stress(&self, c: &Symmetric<S>) -> Symmetric<S> {
-        let [one, linear] = self.factors(c.trace(), c.second());
-        Symmetric::diagonal(one).plus(linear, c)
     }
     #[inline(always)]
     fn energy(&self, c: &Symmetric<S>) -> S {

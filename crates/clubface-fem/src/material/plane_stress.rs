@@ -52,9 +52,9 @@ impl<S: Scalar> PlaneStress<S> {
         let plate = self.young / (S::one() - self.poisson * self.poisson);
         let [x, y, xy] = state.stress;
         let trial = [
-            x + plate * (increment[0] + self.poisson * increment[1]),
-            y + plate * (increment[1] + self.poisson * increment[0]),
-            xy + twice_shear * increment[2] * 0.5,
+            plate.mul_add(self.poisson.mul_add(increment[1], increment[0]), x),
+            plate.mul_add(self.poisson.mul_add(increment[0], increment[1]), y),
+            (twice_shear * 0.5).mul_add(increment[2], xy),
         ];
         let (sum, difference) = (trial[0] + trial[1], trial[1] - trial[0]);
         let (mean, deviating) =

@@ -33,16 +33,6 @@ impl<S: Scalar> Maxwell<S> {
     }
 }
 
-/// Numbers of history a point keeps: stress and deformation of the last step, work done on the branches, six stresses a branch.
-#[must_use]
-pub fn history_length(terms: usize) -> usize {
-    if terms == 0 {
-        0
-    } else {
-        13 + 6 * terms
-    }
-}
-
 /// Stress of the branches added to that of the law; the history moves on by one step.
 #[inline(always)]
 pub fn add_branches<S: Scalar>(

@@ -7,7 +7,7 @@
 //! around `C̄`, and of `C̄^-1`: neither rotations nor principal axes are needed.
 
 use super::stretch::Stretches;
-use super::{Hardening, Isochoric, Symmetric};
+use super::{Hardening, Symmetric};
 use clubface_math::{Mask, Pack, Real, Scalar};
 
 /// Error of the yield condition, over the yield stress, below which one more Newton step is exact to rounding.
@@ -130,19 +130,5 @@ impl<S: Scalar> VonMises<S> {
             }
         }
         flow
-    }
-}
-
-/// As long as it has not yielded.
-impl<S: Scalar> Isochoric<S> for VonMises<S> {
-    #[inline(always)]
-    fn stress(&self, c: &Symmetric<S>) -> Symmetric<S> {
-        let stretches = Stretches::new(c.trace(), c.second());
-        let [_, linear, square] = stretches.factors(&stretches.logarithm());
-        Symmetric::diagonal(linear).plus(square, c).scale(self.shear)
-    }
-    #[inline(always)]
-    fn energy(&self, c: &Symmetric<S>) -> S {
-        self.stored(c, &PlasticState::start())
     }
 }

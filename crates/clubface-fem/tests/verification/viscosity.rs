@@ -2,7 +2,7 @@
 
 use super::support::Random;
 use clubface_fem::material::{
-    add_branches, history_length, Decay, Isochoric, Kinematics, Maxwell, NeoHookean,
+    add_branches, Decay, Isochoric, Kinematics, Material, Maxwell, NeoHookean, Shape,
 };
 use clubface_math::{Mat3, Vec3};
 
@@ -18,8 +18,8 @@ struct Point {
 
 impl Point {
     fn new(dt: f64) -> Self {
-        let mut history = vec![0.0; history_length(2)];
-        history[6..9].fill(1.0);
+        let shape = Shape::NeoHookean(NeoHookean { shear: SHEAR });
+        let history = Material { shape, bulk: BULK, maxwell: TERMS.to_vec(), density: 1e3 }.memory();
         Self { history, decays: TERMS.map(|term| term.decay(dt)) }
     }
     /// First Piola-Kirchhoff stress at the end of a step to the gradient `f`, Pa.

@@ -7,8 +7,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from clubface import units
-from clubface.errors import InputError
 from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.materials import Material
@@ -74,10 +72,6 @@ class SolidHead(MeshedHead):
         """Return what the core takes."""
         import numpy as np
 
-        if self.metal.plastic() is not None:
-            raise InputError(
-                "yield", units.show(self.metal.yield_stress or 0.0, "MPa"), "left out: of heads only shells yield"
-            )
         material = Material.linear(self.metal.youngs, self.metal.poisson, density=self.metal.density)
         return {
             "nodes": np.ascontiguousarray(self.nodes, float).reshape(-1),
@@ -87,7 +81,7 @@ class SolidHead(MeshedHead):
             "shear": material.shear,
             "bulk": material.bulk,
             "density": self.metal.density,
-            "plastic": None,
+            "plastic": self.metal.plastic(),
             "element": self.element,
             "loft": self.loft,
         }

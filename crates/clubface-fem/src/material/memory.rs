@@ -1,0 +1,140 @@
+//! Laws with what they remember at a point: viscoelastic branches, plastic flow.
+
+use super::{
+    add_branches, Decay, Isochoric, Kinematics, Material, PlasticState, Shape, Symmetric, UseLaw, VonMises,
+    MAX_TERMS,
+};
+use clubface_math::{Pack, Real, Scalar};
+
+/// Most numbers a point remembers: stress and deformation of the last step, work done on the branches, six stresses a branch.
+pub const MEMORY: usize = 13 + 6 * MAX_TERMS;
+
+/// Energies at a point without that of the change of volume, J/m3.
+#[derive(Clone, Copy, Debug)]
+pub struct PointEnergy<S> {
+    /// Elastic.
+    pub strain: S,
+    /// Done on viscoelastic branches.
+    pub viscous: S,
+    /// Turned into heat by plastic flow.
+    pub plastic: S,
+}
+
+/// A law for the change of shape with a memory, some numbers a point.
+pub trait Remembering<S: Scalar> {
+    /// `2 dW/dC̄` (Pa), but for a multiple of `C̄^-1`, at the end of a step; the memory moves on.
+    fn advance(&self, at: &Kinematics<S>, memory: &mut [S]) -> Symmetric<S>;
+    /// Energies at `C̄`.
+    fn energy(&self, c: &Symmetric<S>, memory: &[S]) -> PointEnergy<S>;
+}
+
+/// An elastic law with viscoelastic branches, or none.
+#[derive(Clone, Copy, Debug)]
+pub struct Branched<'a, S, L> {
+    law: L,
+    decays: &'a [Decay<S>],
+}
+
+impl<S: Scalar, L: Isochoric<S>> Remembering<S> for Branched<'_, S, L> {
+    #[inline(always)]
+    fn advance(&self, at: &Kinematics<S>, memory: &mut [S]) -> Symmetric<S> {
+        let stress = self.law.stress(&at.c);
+        if self.decays.is_empty() {
+            return stress;
+        }
+        add_branches(at, stress, self.decays, memory)
+    }
+    #[inline(always)]
+    fn energy(&self, c: &Symmetric<S>, memory: &[S]) -> PointEnergy<S> {
+        let viscous = if memory.is_empty() { S::zero() } else { memory[12] };
+        PointEnergy { strain: self.law.energy(c), viscous, plastic: S::zero() }
+    }
+}
+
+/// The state in a point's memory.
+#[inline(always)]
+fn state<S: Scalar>(memory: &[S]) -> PlasticState<S> {
+    let mut numbers = [S::zero(); PlasticState::<f64>::LENGTH];
+    numbers.copy_from_slice(&memory[..PlasticState::<f64>::LENGTH]);
+    PlasticState::from_numbers(numbers)
+}
+
+impl<S: Scalar> Remembering<S> for VonMises<S> {
+    #[inline(always)]
+    fn advance(&self, at: &Kinematics<S>, memory: &mut [S]) -> Symmetric<S> {
+        let mut state = state(memory);
+        let stress = VonMises::advance(self, &at.c, &mut state);
+        memory[..PlasticState::<f64>::LENGTH].copy_from_slice(&state.numbers());
+        stress
+    }
+    #[inline(always)]
+    fn energy(&self, c: &Symmetric<S>, memory: &[S]) -> PointEnergy<S> {
+        let state = state(memory);
+        PointEnergy { strain: self.stored(c, &state), viscous: S::zero(), plastic: state.heat }
+    }
+}
+
+/// A computation for [`Material::with_memory`].
+pub trait UseMemory<S: Scalar> {
+    /// What it returns.
+    type Output;
+    /// Runs it; implement with `#[inline(always)]`.
+    fn with<M: Remembering<S>>(self, law: M) -> Self::Output;
+}
+
+/// Gives a law its branches.
+struct Branching<'a, S, U> {
+    decays: &'a [Decay<S>],
+    computation: U,
+}
+
+impl<S: Scalar, U: UseMemory<S>> UseLaw<S> for Branching<'_, S, U> {
+    type Output = U::Output;
+    #[inline(always)]
+    fn with<L: Isochoric<S>>(self, law: L) -> U::Output {
+        self.computation.with(Branched { law, decays: self.decays })
+    }
+}
+
+impl<R: Real> Material<R> {
+    /// What a point remembers before any deformation: nothing in an elastic material.
+    #[must_use]
+    pub fn memory(&self) -> Vec<R> {
+        let terms = self.maxwell.len();
+        assert!(terms <= MAX_TERMS, "at most {MAX_TERMS} viscoelastic terms");
+        if let Shape::VonMises(_) = self.shape {
+            return PlasticState::start().numbers().to_vec();
+        }
+        if terms == 0 {
+            return vec![];
+        }
+        let mut numbers = vec![R::zero(); 13 + 6 * terms];
+        // The undeformed C̄ is the identity; its driving stress has no deviator.
+        numbers[6..9].fill(R::one());
+        numbers
+    }
+
+    /// Decay of the branches over a step of `dt` seconds, the first of as many as there are.
+    #[inline(always)]
+    pub fn decays<P: Pack<Real = R>>(&self, dt: f64) -> [Decay<P>; MAX_TERMS] {
+        let mut decays = [Decay { whole: P::zero(), half: P::zero() }; MAX_TERMS];
+        for (decay, term) in decays.iter_mut().zip(&self.maxwell) {
+            let step = term.decay(dt);
+            *decay = Decay { whole: P::splat(step.whole), half: P::splat(step.half) };
+        }
+        decays
+    }
+
+    /// Runs a computation with the law and its memory spread over packs; `decays` are those of a step.
+    #[inline(always)]
+    pub fn with_memory<P: Pack<Real = R>, U: UseMemory<P>>(
+        &self,
+        decays: &[Decay<P>; MAX_TERMS],
+        computation: U,
+    ) -> U::Output {
+        if let Shape::VonMises(law) = &self.shape {
+            return computation.with(law.splat::<P>());
+        }
+        self.with_law::<P, _>(Branching { decays: &decays[..self.maxwell.len()], computation })
+    }
+}
