@@ -7,8 +7,11 @@ import pytest
 
 import clubface
 from clubface import benchmark_data, tour
+from clubface.benchmark_data.recipe import recipe
+from clubface.errors import InputError
 from clubface.evaluation import published
 from clubface.findings import study, tour_fit
+from clubface.findings.effects import effect_sizes
 from clubface.findings.error_budget import error_budget, extrapolated
 from clubface.findings.implied_bias import bias_of, bias_of_magnitudes, mean_magnitude
 from clubface.measured_shots import QUANTITIES
@@ -61,6 +64,22 @@ def test_parts_of_the_error_are_what_they_are_called():
         # Independent parts add up in squares, at most in magnitudes.
         assert budget["all"][name] < sum(budget[part][name] for part in ("model", "capture", "monitor"))
         assert budget["extrapolation"][name] < budget["capture"][name]
+
+
+@pytest.mark.parametrize("club", benchmark_data.CLUBS)
+def test_the_sizes_of_the_effects_are_those_the_recipe_gives_them(club):
+    shots, of = benchmark_data.load(club), recipe(club)
+    sizes = effect_sizes(shots)
+    # Ball speed changes with restitution e as v M / (M + m) with the effective masses; at the centre of these heads
+    # M / (M + m) is 0.8, and off it less. Mean magnitude of a normal scatter: 0.8 of its deviation.
+    speed = np.mean(shots.truth.deliveries["speed"])
+    scatter = math.sqrt(2 / math.pi) * of.ball_scatter * speed * np.cos(np.mean(shots.truth.deliveries["loft"]))
+    assert sizes["ball"]["ball_speed"] == pytest.approx(0.8 * scatter, rel=0.1)
+    distance = np.hypot(shots.truth.deliveries["toe"], shots.truth.deliveries["high"]) / of.flex_radius
+    ratio = of.flex_drop * np.mean(distance**2) / (math.sqrt(2 / math.pi) * of.ball_scatter)
+    assert sizes["face"]["ball_speed"] / sizes["ball"]["ball_speed"] == pytest.approx(ratio, rel=0.1)
+    # Five grams at the hosel move the CG towards the heel, which with a driver turns the axis of its gear effect.
+    assert sizes["shaft"]["sidespin"] > 10 * sizes["ball"]["sidespin"]
 
 
 def test_lines_through_frames_without_noise_miss_only_by_the_arc():
@@ -124,9 +143,12 @@ def test_a_study_is_resumed_and_keeps_what_was_finished(tmp_path, monkeypatch):
     found = study.run(tmp_path)
     # Only what was interrupted was computed twice.
     assert calls == [
-        ("driver", "adjusted"), ("driver", "slip"), ("7-iron", "adjusted"), ("7-iron", "slip"), ("7-iron", "slip"),
+        ("driver", "adjusted"), ("7-iron", "adjusted"), ("driver", "slip"), ("7-iron", "slip"), ("7-iron", "slip"),
     ]  # fmt: skip
     assert study.run(tmp_path) == found
+    monkeypatch.setattr(study, "BOOTSTRAP", {"rings": 7})
+    with pytest.raises(InputError, match="has another bootstrap"):
+        study.run(tmp_path)
     fits = found["clubs"]["7-iron"]["fits"]
     assert set(fits) == {"adjusted", "slip"}
     held = found["clubs"]["7-iron"]["held_out"]

@@ -6,6 +6,7 @@ import json
 import sys
 from pathlib import Path
 
+from clubface.errors import ClubfaceError
 from clubface.findings.study import run
 
 
@@ -32,6 +33,9 @@ def main(arguments: list[str]) -> int:
     except KeyboardInterrupt:
         print(f"\ninterrupted; what is finished is in {folder}, and the next run goes on after it", file=sys.stderr)
         return 130
+    except ClubfaceError as error:
+        print(f"clubface.findings: {error}", file=sys.stderr)
+        return 2
     target.write_text(json.dumps(found, indent=1, allow_nan=False) + "\n", encoding="utf-8")
     print(target)
     return 0

@@ -15,9 +15,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface import __version__
 from clubface.benchmark_data import CLUBS, BenchmarkShots, load
+from clubface.errors import InputError
 from clubface.evaluation import Evaluation, evaluate
 from clubface.evaluation.statistics import Resamples, Values, interval
+from clubface.findings.effects import effect_sizes
 from clubface.findings.error_budget import error_budget
 from clubface.findings.tour_fit import FREE, fit
 from clubface.identify import Identification, identify
@@ -40,6 +43,7 @@ Progress = Callable[[str, float], object]
 def run(folder: Path, *, threads: int | None = None, progress: Progress | None = None) -> dict[str, Any]:
     """Run what is not in ``folder`` yet, and return all findings, made of what JSON has."""
     folder.mkdir(parents=True, exist_ok=True)
+    _check_settings(folder)
     tour = {model: _kept(folder / f"tour-{model}.json", partial(_tour, model)) for model in FREE}
     of = {club: load(club) for club in CLUBS}
     # The quick models of both clubs before the slow ones of either.
@@ -51,6 +55,16 @@ def run(folder: Path, *, threads: int | None = None, progress: Progress | None =
     return rounded(plain({"models": list(MODELS), "clubs": clubs, "tour": tour}))
 
 
+def _check_settings(folder: Path) -> None:
+    """Refuse a folder whose parts were made otherwise: they would be mixed with others."""
+    every = {f"{club} {model}": step for (model, club), step in EVERY.items()}
+    now = {"version": __version__, "every": every, "bootstrap": BOOTSTRAP, "resamples": RESAMPLES}
+    kept = _kept(folder / "settings.json", lambda: now)
+    if kept != now:
+        changed = ", ".join(name for name in now if kept.get(name) != now[name])
+        raise InputError("the folder of the study", str(folder), f"a new one: what is in it has another {changed}")
+
+
 def _of_club(shots: BenchmarkShots, fits: dict[str, Any], folder: Path, threads: int | None) -> dict[str, Any]:
     """Return what is found with one club."""
     sets = {model: _parameters(shots.club, model, each) for model, each in fits.items()}
@@ -58,6 +72,7 @@ def _of_club(shots: BenchmarkShots, fits: dict[str, Any], folder: Path, threads:
         "fits": {model: {key: each[key] for key in each if key != "held_out"} for model, each in fits.items()},
         "held_out": _leads(shots, fits),
         "errors": _kept(folder / f"{shots.club}-errors.json", partial(_errors, shots, sets, threads)),
+        "effects": effect_sizes(shots),
         "budget": {model: error_budget(shots, sets[model]) for model in MODELS},
     }
 
