@@ -46,6 +46,14 @@ def test_shots_become_parameters_as_table_json_and_file(clubface_, drives):
     assert used.status == 0
 
 
+def test_the_fit_is_drawn(clubface_, drives):
+    pytest.importorskip("matplotlib")
+    ran = clubface_("identify", drives, "--club", "driver", "--model", "slip", *FAST, "--plot", "fit.PNG")
+    assert ran.status == 0
+    with open("fit.PNG", "rb") as file:
+        assert file.read(4) == b"\x89PNG"
+
+
 def test_options_reach_the_fit(clubface_, drives):
     ran = clubface_(
         "identify", drives, "--club", "driver", "--model", "slip", *FAST, "--free", "cor,slip_y",
@@ -72,6 +80,7 @@ def test_options_reach_the_fit(clubface_, drives):
         (("drives.csv", "--model", "slip", "--tie", "slip_z=cor"), ("slip_z", "cor")),
         (("drives.csv", "--model", "slip", "--cost", "mean"), ("mean", "published")),
         (("drives.csv", "--model", "slip", "-o", "fit.json"), ("--output", ".toml")),
+        (("drives.csv", "--model", "slip", "--plot", "fit.doc"), ("--plot", "fit.doc", ".png, .svg, .pdf")),
         (("drives.csv", "--model", "fem"), ("fem", "volumetric")),
         (("empty.csv",), ("empty.csv",)),
         (("header.csv",), ("header.csv", "no shots")),

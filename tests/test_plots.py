@@ -10,7 +10,9 @@ pytest.importorskip("matplotlib")
 
 from clubface import plots, tour
 from clubface.plots import style
+from clubface.plots.identification import identification_figure
 from clubface.trajectory import trajectory
+from synthetic_shots import recorded
 
 SHOT = {"speed": "113 mph", "attack": "-1.3 deg", "loft": "12.8 deg", "toe": "8 mm"}
 
@@ -29,6 +31,15 @@ def histories():
 @pytest.fixture(scope="module")
 def averages():
     return tour.tour(["standard", "area"])
+
+
+@pytest.fixture(scope="module")
+def identified():
+    # Five free parameters, of which two are not identified alone: a row and a part of one.
+    return clubface.identify(
+        recorded(20, "area", noise=1.0), club="driver", model="area", population=8, generations=2, refined=1, folds=0,
+        bootstrap=8, bounds={"area_damping": (0.0, 10.0)}, profiles=["damping", "friction", "poisson"],
+    )  # fmt: skip
 
 
 def laid_out(figure):
@@ -125,6 +136,34 @@ def test_launches_stand_beside_what_was_published(averages):
     published = figure.axes[0].lines[0]
     assert published.get_ydata()[0] == pytest.approx(171.0, rel=1e-12)
     assert_nothing_overlaps(figure)
+
+
+def test_each_identified_parameter_has_its_interval_samples_and_profile(identified):
+    figure = identification_figure(identified)
+    drawn = figure.axes
+    assert len(drawn) == len(identified.free) == 5
+    assert drawn[0].get_xlabel() == "shear modulus [MPa]"
+    for axes, name in zip(drawn, identified.free, strict=True):
+        factor = 1e-6 if name == "shear_modulus" else 1.0
+        band = axes.patches[0].get_extents().transformed(axes.transData.inverted())
+        low, high = identified.intervals[name]
+        assert (band.x0, band.x1) == pytest.approx((low * factor, high * factor), rel=1e-9)
+        assert axes.lines[0].get_xdata()[0] == pytest.approx(identified.parameters.values[name] * factor, rel=1e-12)
+        bars = axes.patches[1].get_data()
+        assert np.count_nonzero(bars.values) <= len(identified.samples)
+        left, right = axes.get_xlim()
+        assert left < low * factor
+        assert right > high * factor
+    assert_nothing_overlaps(figure)
+
+
+def test_a_profile_passes_the_level_of_95_percent_where_its_interval_ends(identified):
+    profile = identified.profiles["damping"]
+    assert profile.closed == (True, True)
+    curve = identification_figure(identified).axes[identified.free.index("damping")].lines[1]
+    rises = np.interp(profile.interval, curve.get_xdata(), curve.get_ydata())
+    # Straight pieces of a parabola between places: a sixteenth of a step squared.
+    assert rises == pytest.approx(3.84146, rel=2e-3)
 
 
 @pytest.mark.parametrize(("ending", "magic"), [(".png", b"\x89PNG"), (".pdf", b"%PDF"), (".svg", b"<?xml")])

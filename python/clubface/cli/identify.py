@@ -81,6 +81,15 @@ def identify(
         str | None,
         typer.Option("--output", "-o", metavar="FILE", help="TOML for --parameters elsewhere.", show_default=False),
     ] = None,
+    plot: Annotated[
+        str | None,
+        typer.Option(
+            "--plot",
+            metavar="FILE",
+            help="Profiles and intervals as a picture: .png, .svg or .pdf.",
+            show_default=False,
+        ),
+    ] = None,
     checkpoint: Annotated[
         str | None,
         typer.Option(
@@ -99,6 +108,10 @@ def identify(
     ties = {name: value.strip() for name, value in given.pairs(tie or (), "--tie").items()}
     if target is not None and not target.endswith(".toml"):
         raise InputError("--output", target, "a file that ends in .toml")
+    if plot is not None:
+        from clubface.plots.style import check_ending
+
+        check_ending(plot, name="--plot")
 
     from clubface.identify.run import identify as fit
 
@@ -117,6 +130,11 @@ def identify(
         )  # fmt: skip
     if target is not None:
         Path(target).write_text(found.to_toml(), encoding="utf-8")
+    if plot is not None:
+        from clubface.plots.identification import identification_figure
+        from clubface.plots.style import save
+
+        save(identification_figure(found), plot)
     if as_json:
         output.print_json(found.to_dict())
     else:
