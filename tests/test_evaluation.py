@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import clubface
+from clubface import benchmark_data
 from clubface.errors import InputError, UnknownNameError
 from clubface.evaluation import evaluate, published, report, tables
 from clubface.evaluation.noise import TO_MEAN_ABSOLUTE
@@ -106,7 +107,7 @@ def test_a_shot_that_one_model_cannot_compute_is_left_out_for_all():
     (failed,) = found.failed
     assert failed.line == 6
     assert failed.reason.startswith("standard: impact at 200.0 mm is outside the face")
-    assert "cannot compute them: 1 shot (" in " ".join(tables.notes(found))
+    assert "cannot compute them: 1 shot (" in " ".join(tables.remarks(found))
 
 
 def test_missing_values_leave_out_no_more_than_they_must():
@@ -133,6 +134,13 @@ def test_one_shot_and_shots_all_alike_are_reported_without_what_they_cannot_tell
         assert all(best.equals for best in each.best.values())
         assert report.document(each)["notes"]
         json.dumps(plain(report.document(each)), allow_nan=False)
+
+
+def test_shots_that_look_like_another_clubs_are_told_before_the_tables():
+    pytest.importorskip("pyarrow")
+    found = evaluate(benchmark_data.load("7-iron").measured, club="driver", models="standard", resamples=100)
+    text = report.as_markdown(found)
+    assert "is this the right club?" in text[: text.index("## ")]
 
 
 def test_groups_are_one_a_shot_of_the_source():

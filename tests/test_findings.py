@@ -144,6 +144,8 @@ def test_a_study_is_resumed_and_keeps_what_was_finished(tmp_path, monkeypatch):
     # Only what was interrupted was computed twice.
     assert calls == [
         ("driver", "adjusted"), ("7-iron", "adjusted"), ("driver", "slip"), ("7-iron", "slip"), ("7-iron", "slip"),
+        # On the shots that they made themselves.
+        ("driver", "adjusted"), ("driver", "slip"), ("7-iron", "adjusted"), ("7-iron", "slip"),
     ]  # fmt: skip
     assert study.run(tmp_path) == found
     monkeypatch.setattr(study, "BOOTSTRAP", {"rings": 7})
@@ -151,6 +153,9 @@ def test_a_study_is_resumed_and_keeps_what_was_finished(tmp_path, monkeypatch):
         study.run(tmp_path)
     fits = found["clubs"]["7-iron"]["fits"]
     assert set(fits) == {"adjusted", "slip"}
+    own = found["clubs"]["driver"]["own"]["slip"]
+    assert own["shots"] == (benchmark_data.load("driver").model == "slip").sum()
+    assert own["true"]["slip_y"] == ParameterSet.builtin("slip", "driver").values["slip_y"]
     held = found["clubs"]["7-iron"]["held_out"]
     costs = {name: each["cost_holdout"] for name, each in fits.items()}
     best = min(costs, key=lambda name: costs[name])

@@ -71,6 +71,9 @@ def evaluate(
     if as_json:
         output.print_json(report.document(result))
     else:
+        if remarks := tables.remarks(result):
+            output.print_notes(remarks)
+            print()
         shown = [*tables.in_published_form(result), *tables.published_form(result)]
         for table in [*shown, tables.best_models(result), tables.noise_floor(result)]:
             print_numbers(table.heads, table.rows, title=table.title)

@@ -79,6 +79,7 @@ def title(of: Evaluation) -> str:
 def as_markdown(of: Evaluation, *, pictures: str | None = None) -> str:
     """Return the report as Markdown; ``pictures`` is the ending of the pictures beside it, such as ".png"."""
     lines = [f"# {title(of)}", "", f"Source: `{of.shots.source}`.", ""]
+    lines += [*(f"* {note}" for note in tables.remarks(of)), ""] if tables.remarks(of) else []
     for section in sections(of):
         lines += [f"## {section.title}", ""]
         if section.picture and pictures:
@@ -100,6 +101,8 @@ def _markdown(table: Table) -> list[str]:
 def as_html(of: Evaluation, pictures: dict[str, bytes] | None = None) -> str:
     """Return the report as one HTML document; ``pictures`` holds PNG files by name, which become part of it."""
     body = [f"<h1>{html.escape(title(of))}</h1>", f"<p>Source: <code>{html.escape(of.shots.source)}</code>.</p>"]
+    if tables.remarks(of):
+        body.append(_html_notes(tables.remarks(of)))
     for section in sections(of):
         body.append(f"<h2>{html.escape(section.title)}</h2>")
         if section.picture in (pictures or {}):
@@ -109,11 +112,13 @@ def as_html(of: Evaluation, pictures: dict[str, bytes] | None = None) -> str:
                 f'<figure><img alt="{text}" src="data:image/png;base64,{data}"><figcaption>{text}</figcaption></figure>'
             )
         body += [f'<div class="wide">{_html(table)}</div>' for table in section.tables]
-    body.append("<h2>Notes</h2><ul>")
-    body += [f'<li class="note">{html.escape(note)}</li>' for note in tables.notes(of)]
-    body.append("</ul>")
+    body += ["<h2>Notes</h2>", _html_notes(tables.notes(of))]
     head = f'<meta charset="utf-8"><title>{html.escape(title(of))}</title><style>{_STYLE}</style>'
     return f'<!doctype html>\n<html lang="en"><head>{head}</head>\n<body>\n' + "\n".join(body) + "\n</body></html>\n"
+
+
+def _html_notes(notes: list[str]) -> str:
+    return "<ul>" + "".join(f'<li class="note">{html.escape(note)}</li>' for note in notes) + "</ul>"
 
 
 def _html(table: Table) -> str:
@@ -162,7 +167,7 @@ def document(of: Evaluation) -> dict[str, Any]:
             for name, each in of.published.items()
         },
         "bootstrap": {"resamples": of.resamples, "seed": of.seed},
-        "notes": tables.notes(of),
+        "notes": [*tables.remarks(of), *tables.notes(of)],
     }
 
 

@@ -236,8 +236,8 @@ def _step(covariate: str) -> float:
     return unit.numerator / unit.denominator
 
 
-def notes(of: Evaluation) -> list[str]:
-    """Return what a reader must know of the tables."""
+def remarks(of: Evaluation) -> list[str]:
+    """Return what a reader must know of the shots before the tables: what was assumed, what was left out."""
     found = list(of.shots.notes)
     if of.shots.dropped:
         first = "; ".join(f"{each.line}: {each.reason}" for each in of.shots.dropped[:5])
@@ -247,10 +247,15 @@ def notes(of: Evaluation) -> list[str]:
     if of.failed:
         first = "; ".join(f"{each.line}: {each.reason}" for each in of.failed[:5])
         found.append(f"left out for all models, since one cannot compute them: {counted(len(of.failed))} ({first})")
-    found.append(
+    return found
+
+
+def notes(of: Evaluation) -> list[str]:
+    """Return what a reader must know of the tables."""
+    found = [
         "Errors are model less measured. Percentages refer to the mean magnitude of what was measured. STD is the"
         " standard deviation of the error about its mean (n - 1)."
-    )
+    ]
     if any(math.isnan(each.mae_interval.low) for sizes in of.sizes.values() for each in sizes.values()):
         found.append(
             "One shot, or shots all alike, give no intervals and cannot tell which model is better: that takes shots"

@@ -17,9 +17,11 @@ from numpy.typing import NDArray
 
 from clubface import __version__
 from clubface.benchmark_data import CLUBS, BenchmarkShots, load
+from clubface.benchmark_data.impacts import true_parameters
+from clubface.benchmark_data.recipe import recipe
 from clubface.errors import InputError
 from clubface.evaluation import Evaluation, evaluate
-from clubface.evaluation.statistics import Resamples, Values, interval
+from clubface.evaluation.statistics import Resamples, interval
 from clubface.findings.effects import effect_sizes
 from clubface.findings.error_budget import error_budget
 from clubface.findings.tour_fit import FREE, fit
@@ -29,8 +31,10 @@ from clubface.parameters import ParameterSet
 from clubface.plain_json import plain
 
 MODELS = ("standard", "adjusted", "slip", "jorgensen", "volumetric", "area", "rings")
-EVERY = {("rings", "driver"): 10, ("rings", "7-iron"): 3}
+EVERY = {"driver-rings": 10, "7-iron-rings": 3}
 """Models identified on a part of the shots, every so-manieth, for the time they take; they are evaluated on all."""
+OWN_EVERY = {"driver-rings": 3}
+"""The same for the shots that a model made itself."""
 BOOTSTRAP = {"rings": 50}
 RESAMPLES = 4000
 DIGITS = 9
@@ -51,14 +55,22 @@ def run(folder: Path, *, threads: int | None = None, progress: Progress | None =
     for model in MODELS:
         for club, shots in of.items():
             fits[club][model] = fitted(shots, model, folder, threads=threads, progress=progress)
-    clubs = {club: _of_club(shots, fits[club], folder, threads) for club, shots in of.items()}
+    own = {
+        club: {
+            model: _kept(folder / f"{club}-{model}-own.json", partial(_own, shots, model, folder, threads, progress))
+            for model in MODELS
+            if model in recipe(club).mixture
+        }
+        for club, shots in of.items()
+    }
+    clubs = {club: _of_club(shots, fits[club], folder, threads) | {"own": own[club]} for club, shots in of.items()}
     return rounded(plain({"models": list(MODELS), "clubs": clubs, "tour": tour}))
 
 
 def _check_settings(folder: Path) -> None:
     """Refuse a folder whose parts were made otherwise: they would be mixed with others."""
-    every = {f"{club} {model}": step for (model, club), step in EVERY.items()}
-    now = {"version": __version__, "every": every, "bootstrap": BOOTSTRAP, "resamples": RESAMPLES}
+    counts = {"every": EVERY, "own_every": OWN_EVERY, "bootstrap": BOOTSTRAP, "resamples": RESAMPLES}
+    now = {"version": __version__, **counts}
     kept = _kept(folder / "settings.json", lambda: now)
     if kept != now:
         changed = ", ".join(name for name in now if kept.get(name) != now[name])
@@ -81,32 +93,44 @@ def fitted(
     shots: BenchmarkShots, model: str, folder: Path, *, threads: int | None = None, progress: Progress | None = None
 ) -> dict[str, Any]:
     """Return one model as identified on the shots of one club, from ``folder`` if it is there."""
-    part = folder / f"{shots.club}-{model}"
-    return _kept(part.with_name(f"{part.name}.json"), partial(_fitted, shots, model, part, threads, progress))
+    which = np.arange(0, len(shots), EVERY.get(f"{shots.club}-{model}", 1))
+    part = folder / f"{shots.club}-{model}.json"
+    return _kept(part, lambda: _told(_identified(shots, model, which, part, threads, progress), shots, which))
 
 
-def _fitted(
-    shots: BenchmarkShots, model: str, part: Path, threads: int | None, progress: Progress | None
+def _own(
+    shots: BenchmarkShots, model: str, folder: Path, threads: int | None, progress: Progress | None
 ) -> dict[str, Any]:
-    """Identify one model on the shots of one club."""
-    which = np.arange(0, len(shots), EVERY.get((model, shots.club), 1))
+    """Return one model as identified on the shots that it made, and the parameters it made them with, on average."""
+    which = np.flatnonzero(shots.model == model)[:: OWN_EVERY.get(f"{shots.club}-{model}", 1)]
+    found = _identified(shots, model, which, folder / f"{shots.club}-{model}-own.json", threads, progress)
+    delivery = {name: values[which] for name, values in shots.truth.deliveries.items()}
+    true = true_parameters(recipe(shots.club), model, delivery, shots.restitution_offset[which]).values
+    kept = {name: each for name, each in _told(found, shots, which).items() if name != "held_out"}
+    return kept | {"true": {name: float(np.mean(true[name])) for name in kept["free"]}}
+
+
+def _identified(
+    shots: BenchmarkShots, model: str, which: NDArray[np.int64], part: Path, threads: int | None,
+    progress: Progress | None,
+) -> Identification:  # fmt: skip
+    """Identify one model on some of the shots of one club."""
 
     def tell(stage: str, done: int, of: int, best: float) -> None:
         if progress is not None:
-            progress(f"{part.name}: {stage}, cost {best:.4f}", done / of)
+            progress(f"{part.stem}: {stage}, cost {best:.4f}", done / of)
 
-    found = identify(
+    return identify(
         shots.measured.select(which), club=shots.club, model=model, groups=shots.player[which],
-        bootstrap=BOOTSTRAP.get(model, 200), threads=threads, checkpoint=part.with_name(f"{part.name}.checkpoint"),
+        bootstrap=BOOTSTRAP.get(model, 200), threads=threads, checkpoint=part.with_suffix(".checkpoint"),
         resume=True, progress=tell,
     )  # fmt: skip
-    measured = np.array([shots.measured.launches[name][which] for name in QUANTITIES])
-    return _told(found, measured, which)
 
 
-def _told(of: Identification, measured: Values, places: NDArray[np.int64]) -> dict[str, Any]:
+def _told(of: Identification, shots: BenchmarkShots, which: NDArray[np.int64]) -> dict[str, Any]:
     """Return what is kept of an identification, and the share of each shot in P1's cost when it was held out."""
     assert of.held_out is not None
+    measured = np.array([shots.measured.launches[name][which] for name in QUANTITIES])
     losses = np.abs(of.held_out - measured) / np.abs(measured).mean(axis=1, keepdims=True)
     told = of.to_dict()
     kept = (
@@ -115,7 +139,7 @@ def _told(of: Identification, measured: Values, places: NDArray[np.int64]) -> di
     )  # fmt: skip
     weak = [each["words"] for each in told["identifiability"]["directions"] if each["strength"] != "known"]
     profiles = {name: each["interval"] for name, each in told["profiles"].items()}
-    held = {"places": places, "losses": losses.sum(axis=0)}
+    held = {"places": which, "losses": losses.sum(axis=0)}
     return {name: told[name] for name in kept} | {"weak": weak, "profile_intervals": profiles, "held_out": held}
 
 
