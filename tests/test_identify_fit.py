@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from scipy.optimize import linprog, minimize
 
 from clubface.errors import InputError, UnknownNameError
+from clubface.identify.asymptotic import errors_of_minimum
 from clubface.identify.cost import noise_of
 from clubface.identify.free_parameters import free_parameters
 from clubface.identify.identifiability import identifiability, scatter
@@ -227,3 +228,25 @@ def test_the_profile_of_a_nearly_linear_model_is_its_normal_interval():
     assert profile.closed == (True, True)
     assert profile.verdict == "yes"
     assert profile.rise.min() == 0.0
+
+
+def test_without_a_bootstrap_the_errors_are_those_of_the_cost_that_is_minimised():
+    """Of least squares those of the information, of mean absolute errors sqrt(pi / 2) times those."""
+    shots = recorded(40, "adjusted", noise=1.0)
+    simulator, squares, point = fitted(shots, "adjusted", cost="least-squares")
+    told = identifiability(simulator, point, noise_of(simulator.shots.quantities))
+    assert errors_of_minimum(simulator, squares, point, told) == pytest.approx(told.errors, rel=1e-9)
+    absolute = errors_of_minimum(simulator, squares.absolute(), point, told)
+    assert absolute == pytest.approx(np.sqrt(np.pi / 2.0) * told.errors, rel=1e-9)
+    _, huber, _ = fitted(shots, "adjusted", cost="robust")
+    # 95% efficient: P. J. Huber's 1.345.
+    assert errors_of_minimum(simulator, huber, point, told) == pytest.approx(told.errors / np.sqrt(0.95), rel=1e-3)
+    # P1's weights are not those of the noise.
+    _, published_, _ = fitted(shots, "adjusted")
+    assert np.all(errors_of_minimum(simulator, published_, point, told) > 1.01 * absolute)
+
+
+def test_what_changes_no_launch_has_no_error_by_any_cost():
+    simulator, cost, point = fitted(recorded(20, "area"), "area", free=["shear_modulus", "poisson", "damping"])
+    told = identifiability(simulator, point, noise_of(simulator.shots.quantities))
+    assert np.isfinite(errors_of_minimum(simulator, cost, point, told)).tolist() == [False, False, True]

@@ -63,7 +63,7 @@ class Identification:
     confidence
         Of the intervals.
     method
-        How they were made: "bootstrap", or "information" without one.
+        How they were made: "bootstrap", or "information" without one, from derivatives and normal deviations.
     cost
         At the parameters.
     cost_holdout

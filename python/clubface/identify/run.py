@@ -102,7 +102,7 @@ def identify(
     folds
         Of the hold-out; 0 for none.
     bootstrap
-        Samples; 0 for none, intervals are then those of Fisher's information.
+        Samples; 0 for none, intervals are then those of normally distributed deviations of independent shots.
     profiles
         Parameters to make profile likelihoods of; left out, all that are free.
     confidence

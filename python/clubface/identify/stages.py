@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface import units
+from clubface.identify.asymptotic import errors_of_minimum
 from clubface.identify.checkpoint import Checkpoint
 from clubface.identify.cost import Cost
 from clubface.identify.free_parameters import FreeParameters
@@ -209,7 +210,7 @@ class Stages:
             from statistics import NormalDist
 
             reach = NormalDist().inv_cdf(0.5 * (1.0 + self.settings["confidence"]))
-            reach = np.minimum(reach * told.errors, 1.0)
+            reach = np.minimum(reach * errors_of_minimum(self.simulator, self.cost, point, told), 1.0)
             low, high = (free.values(np.clip(point + sign * reach, 0.0, 1.0)) for sign in (-1.0, 1.0))
         found = {name: (float(a), float(b)) for name, a, b in zip(free.names, low, high, strict=True)}
         for name, least, most in zip(free.names, free.lower, free.upper, strict=True):
