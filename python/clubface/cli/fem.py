@@ -194,7 +194,7 @@ def export(
     if form == "lsdyna":
         _tell([keyword.write(chosen, target / f"{vtu.file_stem(chosen.name)}.k")])
         return
-    wanted = chosen if chosen.settings.frames else chosen.replace(settings={"frames": 51})
+    wanted = chosen.replace(settings={"frames": chosen.settings.frames or 51, "fields": True})
     found = run_with_progress(lambda progress: wanted.run(progress))
     _tell(vtu.write_series(found, target, chosen.name)[-1:])
     _end(found)

@@ -8,6 +8,7 @@ motion, energies and the figures of P2 ("Analysis of golf ball spin mechanism at
 from __future__ import annotations
 
 from clubface.fem.balls import Ball, Piece, ball, ball_names
+from clubface.fem.fields import ElementFields
 from clubface.fem.heads import (
     DriverHead,
     Hardening,
@@ -30,6 +31,7 @@ __all__ = [
     "Ball",
     "Derivatives",
     "DriverHead",
+    "ElementFields",
     "Hardening",
     "Impact",
     "IronHead",

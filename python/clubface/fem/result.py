@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from clubface.fem.balls import Ball
+from clubface.fem.fields import ElementFields
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -73,6 +74,9 @@ class Impact:
         plane).
     head_frames
         The same for the nodes of a meshed head.
+    fields, head_fields
+        Stress and strain in the elements of the ball, and of a meshed head, at ``frame_times`` in the axes of
+        ``frames`` (:class:`ElementFields`); None unless the settings asked for them.
     axes
         Normal, up the face and to the toe at the point of first touch, a row each, in face axes.
     attitude
@@ -122,6 +126,7 @@ class Impact:
         shapes = found["frames"].reshape(*found["frames"].shape[:2], 3)
         self.frames: NDArray[Any] = shapes[:, : found["ball_nodes"]]
         self.head_frames: NDArray[Any] = shapes[:, found["ball_nodes"] :]
+        self.fields, self.head_fields = _fields(found["fields"], len(self.frames), settings, ball, head)
         self.stopped: str | None = found["stopped"]
         self.interrupted: bool = found["interrupted"]
         self.axes: NDArray[Any] = found["axes"]
@@ -187,3 +192,18 @@ class Impact:
     def __repr__(self) -> str:
         state = f", stopped: {self.stopped}" if self.stopped else ""
         return f"<finite element impact of {self.ball.name}: {self.steps} steps in {self.wall:.2f} s{state}>"
+
+
+def _fields(
+    told: list[dict[str, NDArray[Any]]], frames: int, settings: Settings, ball: Ball, head: MeshedHead | None
+) -> tuple[ElementFields | None, ElementFields | None]:
+    """Return the fields of ball and head."""
+    if not settings.fields or frames == 0:
+        return None, None
+    from clubface.fem.heads import ShellHead
+
+    of_ball = ElementFields.from_core(told[0], frames, ball.elements, shells=False)
+    if head is None:
+        return of_ball, None
+    shells = isinstance(head, ShellHead)
+    return of_ball, ElementFields.from_core(told[1], frames, head.elements, shells=shells)

@@ -38,6 +38,8 @@ class Settings:
         Whether to end soon after the last touch.
     frames
         Number of deformed shapes to keep, evenly over the simulated time.
+    fields
+        Whether to keep stress and strain of every element with the deformed shapes.
     threads
         0 for all cores; the result does not depend on it.
     """
@@ -47,6 +49,7 @@ class Settings:
     interval: float = 5e-6
     until_separation: bool = False
     frames: int = 0
+    fields: bool = False
     threads: int = 0
 
     def __post_init__(self) -> None:
@@ -63,8 +66,9 @@ class Settings:
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
                 raise InputError(name, value, f"a whole number from 0 to {most}")
-        if not isinstance(self.until_separation, bool):
-            raise InputError("until_separation", self.until_separation, "true or false")
+        for name in ("until_separation", "fields"):
+            if not isinstance(getattr(self, name), bool):
+                raise InputError(name, getattr(self, name), "true or false")
 
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""

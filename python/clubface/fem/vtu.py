@@ -8,8 +8,12 @@ from typing import Any
 from xml.sax.saxutils import quoteattr
 
 from clubface.errors import InputError
+from clubface.fem.fields import turned
 from clubface.fem.heads import MeshedHead, ShellHead, SolidHead
 from clubface.fem.result import Impact
+
+PARAVIEW = [0, 1, 2, 3, 5, 4]
+"""Places of xx, yy, zz, xy, yz, xz among ours."""
 
 
 def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> list[Path]:
@@ -18,7 +22,9 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
     Axes are the world's (x to the target, y up, z to the right), with the origin at the clubhead's CG of first touch;
     for a ball thrown at a plane x is the plane's normal. Lengths are in m, times in s. Points carry ``displacement``
     from the shape at first touch, cells ``piece``: 0 for the core and on, then the parts of a meshed head, those
-    of shells as quadrilaterals with their ``thickness`` [m] (0 for hexahedra).
+    of shells as quadrilaterals with their ``thickness`` [m] (0 for hexahedra). A run with fields adds to the cells
+    ``stress`` [Pa] and ``strain`` (components xx, yy, zz, xy, yz, xz), ``pressure``, ``von_mises`` [Pa] and
+    ``plastic_strain``, those of shells on the outer side; ``von_mises_inner`` is that of the inner side.
 
     Parameters
     ----------
@@ -64,7 +70,8 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
     for number, shape in enumerate(shapes):
         moved: dict[str, Any] = {"displacement": (shape - shapes[0]).astype(np.float32)}
         path = target / f"{stem}-{number:04d}.vtu"
-        meshio.write(path, meshio.Mesh(shapes[0], cells, point_data=moved, cell_data=of_cells), file_format="vtu")
+        data = of_cells | _felt(found, number)
+        meshio.write(path, meshio.Mesh(shapes[0], cells, point_data=moved, cell_data=data), file_format="vtu")
         written.append(path)
     return [*written, _collection(target / f"{stem}.pvd", found.frame_times.tolist(), written)]
 
@@ -78,6 +85,28 @@ def _cells(head: MeshedHead) -> tuple[str, Any, Any, Any]:
     assert isinstance(head, SolidHead)
     none = np.zeros(head.elements)
     return "hexahedron", head.hexahedra, none, none
+
+
+def _felt(found: Impact, frame: int) -> dict[str, list[Any]]:
+    """Return stress and strain of all cells in a frame, a list of the bodies' arrays each."""
+    data: dict[str, list[Any]] = {}
+    for fields in (found.fields, found.head_fields):
+        if fields is None:
+            continue
+        shells = fields.stress.ndim == 4
+        outer = (frame, slice(None), 0) if shells else (frame,)
+        inner = (frame, slice(None), 1) if shells else (frame,)
+        arrays = {
+            "stress": turned(fields.stress[outer], found.attitude)[:, PARAVIEW],
+            "strain": turned(fields.strain[outer], found.attitude)[:, PARAVIEW],
+            "pressure": fields.pressure[outer],
+            "von_mises": fields.von_mises[outer],
+            "von_mises_inner": fields.von_mises[inner],
+            "plastic_strain": fields.plastic_strain[frame],
+        }
+        for name, array in arrays.items():
+            data.setdefault(name, []).append(array.astype("float32"))
+    return data
 
 
 def file_stem(name: str) -> str:

@@ -1,8 +1,9 @@
 //! Patches of fully integrated hexahedra of one material.
 
 use super::full::{constants, Forces, Hexahedron, Point, CONSTANTS, POINTS};
+use super::gauge::{cauchy, logarithmic, Felt, Tell};
 use super::{Energy, Patch, BLOCK};
-use crate::material::{Kinematics, Material, Remembering, UseMemory, MEMORY};
+use crate::material::{Kinematics, Material, Remembering, Symmetric, UseMemory, MEMORY};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 use std::collections::HashMap;
@@ -19,6 +20,8 @@ pub struct FullPatch<R> {
     /// By block, point, number and lane.
     history: Vec<R>,
     history_length: usize,
+    /// Number of the first element in the mesh, and how many there are.
+    first: usize,
     elements: usize,
     positions: Vec<Row<R>>,
     forces: Vec<Row<R>>,
@@ -81,6 +84,7 @@ impl<R: Real> FullPatch<R> {
             constants: stored,
             history,
             history_length,
+            first: elements.start,
             elements: elements.len(),
             positions: rows.clone(),
             forces: rows,
@@ -92,6 +96,16 @@ impl<R: Real> FullPatch<R> {
         for (local, &node) in self.positions.iter_mut().zip(&self.nodes) {
             *local = positions[node as usize];
         }
+    }
+
+    /// What a point of a block remembers, from lane `first` on.
+    #[inline(always)]
+    fn remembered<P: Pack<Real = R>>(&self, point: usize, first: usize) -> [P; MEMORY] {
+        let mut history = [P::zero(); MEMORY];
+        for i in 0..self.history_length {
+            history[i] = P::load(&self.history[(point * self.history_length + i) * BLOCK + first..]);
+        }
+        history
     }
 
     /// Elements of a block, from lane `first` on.
@@ -121,6 +135,10 @@ impl<R: Real> Patch<R> for FullPatch<R> {
     fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
         self.load(positions);
         R::dispatch(Energies { patch: self })
+    }
+    fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>) {
+        self.load(positions);
+        R::dispatch(Feel { patch: self, tell });
     }
 }
 
@@ -196,7 +214,6 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
     fn with<M: Remembering<P>>(self, law: M) -> Self::Output {
         let patch = self.patch;
         let bulk = P::splat(patch.material.bulk);
-        let length = patch.history_length;
         let mut energy = Energy::default();
         let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
         for block in 0..patch.corners.len() {
@@ -207,12 +224,8 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let at = Kinematics::new(element.gradient(point, &constants));
-                    let mut history = [P::zero(); MEMORY];
-                    for i in 0..length {
-                        let number = (block * POINTS + point) * length + i;
-                        history[i] = P::load(&patch.history[number * BLOCK + first..]);
-                    }
-                    let found = law.energy(&at.c, &history[..length]);
+                    let history = patch.remembered(block * POINTS + point, first);
+                    let found = law.energy(&at.c, &history[..patch.history_length]);
                     strain += found.strain * constants.volume;
                     viscous += found.viscous * constants.volume;
                     plastic += found.plastic * constants.volume;
@@ -232,5 +245,54 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
             }
         }
         (energy, ratios)
+    }
+}
+
+struct Feel<'a, 'b, R> {
+    patch: &'a FullPatch<R>,
+    tell: &'a mut Tell<'b>,
+}
+
+impl<R: Real> PackKernel<R> for Feel<'_, '_, R> {
+    type Output = ();
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) {
+        let material = &self.patch.material;
+        material.with_memory::<P, _>(&material.decays(0.0), Feel { patch: self.patch, tell: self.tell });
+    }
+}
+
+impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
+    type Output = ();
+    #[inline(always)]
+    fn with<M: Remembering<P>>(self, law: M) {
+        let patch = self.patch;
+        let bulk = P::splat(patch.material.bulk);
+        for block in 0..patch.corners.len() {
+            for first in (0..BLOCK).step_by(P::LANES) {
+                let element = patch.gather::<P>(block, first);
+                // Averages over the points, by their shares of the volume.
+                let [mut volume, mut plastic] = [P::zero(); 2];
+                let [mut stress, mut strain] = [Symmetric::diagonal(P::zero()); 2];
+                for point in 0..POINTS {
+                    let constants = Point::<P>::load(&patch.constants[block], first, point);
+                    let at = Kinematics::new(element.gradient(point, &constants));
+                    let mut history = patch.remembered(block * POINTS + point, first);
+                    let history = &mut history[..patch.history_length];
+                    let shape = law.advance(&at, history);
+                    stress = stress.plus(constants.volume, &cauchy(&at, &shape, P::zero()));
+                    strain = strain.plus(constants.volume, &logarithmic(&at));
+                    plastic = plastic.max(law.plastic_strain(history));
+                    volume += constants.volume;
+                }
+                let share = volume.recip();
+                let pressure = bulk * (element.volume() * share - 1.0);
+                let (stress, strain) = (stress.scale(share).plus_diagonal(pressure), strain.scale(share));
+                for which in 0..P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first)) {
+                    let number = patch.first + block * BLOCK + first + which;
+                    (self.tell)(number, &Felt::of([&stress; 2], [&strain; 2], plastic, which));
+                }
+            }
+        }
     }
 }

@@ -85,6 +85,17 @@ impl<P: Pack> Response<P> for Layers<'_, P> {
     }
 
     #[inline(always)]
+    fn sides(&self, _section: &Section<P>, memory: &Memory<P::Real>) -> ([[P; 3]; 2], P) {
+        // Points go from the inner side to the outer.
+        let mut plastic = P::zero();
+        for point in 0..self.points.len() {
+            plastic = plastic.max(state(memory, point).plastic_strain);
+        }
+        let [outer, inner] = [self.points.len() - 1, 0].map(|point| state(memory, point).stress);
+        ([outer, inner], plastic)
+    }
+
+    #[inline(always)]
     fn energy(
         &self,
         section: &Section<P>,

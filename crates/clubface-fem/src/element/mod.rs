@@ -4,6 +4,7 @@ mod arrangement;
 mod field;
 mod full;
 mod full_patch;
+mod gauge;
 mod indexed;
 mod lattice;
 mod layers;
@@ -15,11 +16,14 @@ mod quadrature;
 mod quadrilateral;
 mod section;
 mod shell;
+mod shell_look;
 mod shell_material;
 mod solid;
+mod solid_look;
 
 pub use field::Scratch;
 pub use full_patch::{full_patches, FullPatch};
+pub use gauge::{Felt, Tell};
 pub use quadrature::{Rule, DEFAULT_POINTS, MAX_POINTS};
 pub use section::Isotropic;
 pub use shell::{ShellPatch, ShellRows, SHELL_PATCH};
@@ -84,6 +88,8 @@ pub trait Patch<R: Real>: Send + Sync {
     fn forces(&self) -> &[Row<R>];
     /// Energies at the given positions, and the smallest and largest ratio of current to reference volume; the history stays as it is.
     fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64));
+    /// Tells what every element feels at the given positions; the history stays as it is.
+    fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>);
     /// Energies at the given positions; the history stays as it is.
     fn energy(&mut self, positions: &[Row<R>]) -> Energy {
         self.look(positions).0

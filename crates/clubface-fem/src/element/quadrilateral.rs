@@ -15,8 +15,8 @@
 //! that rigid motion makes no stress.
 
 use super::modes::{inner, less, plus, turned, Flat, Modes};
-use crate::material::{cross, dot};
-use clubface_math::{Pack, Vec3};
+use crate::material::{cross, dot, Symmetric};
+use clubface_math::{Mat3, Pack, Vec3};
 
 /// Nodes of a quadrilateral.
 pub const CORNERS: usize = 4;
@@ -102,6 +102,13 @@ impl<P: Pack> Quadrilateral<P> {
             area: size * 4.0,
             axes: [first, second, third],
         }
+    }
+
+    /// A tensor from the axes of the element (xx, yy, xy, zz) to those of the corners.
+    #[inline(always)]
+    pub fn turned_out(&self, [xx, yy, xy, zz]: [P; 4]) -> Symmetric<P> {
+        let axes = Mat3::from_columns(self.axes[0], self.axes[1], self.axes[2]);
+        Symmetric([xx, yy, zz, xy, P::zero(), P::zero()]).seen_through(&axes)
     }
 
     /// Ratio of the sides, across over along.

@@ -81,6 +81,13 @@ impl<P: Scalar> Section<P> {
         [self.plate * nu.mul_add(e[1], e[0]), self.plate * nu.mul_add(e[0], e[1]), self.shear * e[2]]
     }
 
+    /// Elastic strain of plane stress: xx, yy, xy, zz.
+    #[inline(always)]
+    pub fn strain(&self, &[x, y, xy]: &[P; 3]) -> [P; 4] {
+        let (nu, soft) = (self.elastic.poisson, self.elastic.young.recip());
+        [(x - nu * y) * soft, (y - nu * x) * soft, xy * (nu + 1.0) * soft, -((x + y) * nu) * soft]
+    }
+
     /// Elastic energy of plane stress, J/m3.
     #[inline(always)]
     pub fn energy(&self, s: &[P; 3]) -> P {
@@ -170,6 +177,8 @@ pub trait Response<P: Pack> {
         area: P,
         memory: &mut Memory<P::Real>,
     ) -> Resultants<P>;
+    /// Plane stress on the outer and the inner side, Pa, and the largest equivalent plastic strain.
+    fn sides(&self, section: &Section<P>, memory: &Memory<P::Real>) -> ([[P; 3]; 2], P);
     /// Energies of elements of an area.
     fn energy(
         &self,
@@ -227,6 +236,17 @@ impl<P: Pack> Response<P> for ElasticSection {
         memory.store(ACROSS, membrane);
         memory.store(ACROSS + 3, bending);
         Resultants { membrane, bending, across }
+    }
+    #[inline(always)]
+    fn sides(&self, section: &Section<P>, memory: &Memory<P::Real>) -> ([[P; 3]; 2], P) {
+        let (membrane, bending): ([P; 3], [P; 3]) = (memory.load(ACROSS), memory.load(ACROSS + 3));
+        let (mean, slope) = (section.thickness.recip(), section.thickness * 0.5 / section.moment);
+        let [mut outer, mut inner] = [[P::zero(); 3]; 2];
+        for i in 0..3 {
+            outer[i] = membrane[i].mul_add(mean, bending[i] * slope);
+            inner[i] = membrane[i].mul_add(mean, -(bending[i] * slope));
+        }
+        ([outer, inner], P::zero())
     }
     #[inline(always)]
     fn energy(

@@ -4,10 +4,12 @@
 //! position the rotation vector summed up, which nothing reads. Stresses, or their resultants, are kept in the frame of the element and grow
 //! by the strain of every step.
 
+use super::gauge::Tell;
 use super::layers::Layers;
 use super::quadrature::Rule;
 use super::quadrilateral::{Quadrilateral, CORNERS};
 use super::section::{ElasticSection, Memory, Response, Section};
+use super::shell_look::{Energies, Feel};
 use super::shell_material::ShellMaterial;
 use super::{Energy, Patch, BLOCK};
 use crate::mesh::ShellMesh;
@@ -28,25 +30,27 @@ pub struct ShellRows {
 
 /// Some shells of one material, in blocks of eight.
 pub struct ShellPatch<R> {
-    material: ShellMaterial<R>,
+    pub(super) material: ShellMaterial<R>,
     /// Rows of positions, then rows of rotations.
     nodes: Vec<u32>,
     /// Places in the first half of `nodes`, by block, corner and lane, and rows of positions.
     corners: Vec<[u32; CORNERS * BLOCK]>,
-    rows: Vec<[u32; CORNERS * BLOCK]>,
+    pub(super) rows: Vec<[u32; CORNERS * BLOCK]>,
     /// How far behind its position the rotation of a node stands.
     behind: usize,
     /// Largest row of a position.
     last: u32,
-    thickness: Vec<R>,
+    pub(super) thickness: Vec<R>,
     /// Reference areas, m2.
-    areas: Vec<R>,
+    pub(super) areas: Vec<R>,
     /// Points through the thickness (places from -1 to 1, weights), none for resultants alone.
-    points: Vec<(f64, f64)>,
+    pub(super) points: Vec<(f64, f64)>,
     /// By block, number and lane.
-    history: Vec<R>,
-    history_length: usize,
-    elements: usize,
+    pub(super) history: Vec<R>,
+    pub(super) history_length: usize,
+    /// Number of the first element in the mesh, and how many there are.
+    pub(super) first: usize,
+    pub(super) elements: usize,
     forces: Vec<Row<R>>,
 }
 
@@ -106,6 +110,7 @@ impl<R: Real> ShellPatch<R> {
             history: one.collect::<Vec<_>>().repeat(blocks),
             history_length: start.len(),
             points,
+            first: elements.start,
             elements: elements.len(),
             forces: vec![Row::zero(); nodes.len()],
             nodes,
@@ -140,6 +145,10 @@ impl<R: Real> Patch<R> for ShellPatch<R> {
         self.check(positions);
         R::dispatch(Energies { patch: self, positions })
     }
+    fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>) {
+        self.check(positions);
+        R::dispatch(Feel { patch: self, positions, tell });
+    }
 }
 
 /// Vectors of the corners of `LANES` elements of a block.
@@ -147,7 +156,7 @@ impl<R: Real> Patch<R> for ShellPatch<R> {
 /// # Safety
 /// All of the block's rows exist.
 #[inline(always)]
-unsafe fn gather<P: Pack>(
+pub(super) unsafe fn gather<P: Pack>(
     field: &[Row<P::Real>],
     rows: &[u32; CORNERS * BLOCK],
     first: usize,
@@ -226,58 +235,5 @@ impl<R: Real> Assemble<'_, R> {
                 scatter(moments, &patch.corners[block], first, &moment);
             }
         }
-    }
-}
-
-/// Energies, and smallest and largest ratio of areas.
-type Found = (Energy, (f64, f64));
-
-struct Energies<'a, R> {
-    patch: &'a mut ShellPatch<R>,
-    positions: &'a [Row<R>],
-}
-
-impl<R: Real> PackKernel<R> for Energies<'_, R> {
-    type Output = Found;
-    #[inline(always)]
-    fn run<P: Pack<Real = R>>(mut self) -> Found {
-        if self.patch.points.is_empty() {
-            return self.with::<P>(&ElasticSection);
-        }
-        let points = std::mem::take(&mut self.patch.points);
-        let found = self.with::<P>(&Layers::new(&points, &self.patch.material));
-        self.patch.points = points;
-        found
-    }
-}
-
-impl<R: Real> Energies<'_, R> {
-    #[inline(always)]
-    fn with<P: Pack<Real = R>>(&mut self, law: &impl Response<P>) -> Found {
-        let patch = &mut *self.patch;
-        let elastic = patch.material.elastic.splat::<P>();
-        let (plate, shear) = (elastic.plate(), elastic.shear());
-        let mut energy = Energy::default();
-        let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
-        let histories = patch.history.chunks_exact_mut(patch.history_length * BLOCK);
-        for ((block, rows), history) in patch.rows.iter().enumerate().zip(histories) {
-            for first in (0..BLOCK).step_by(P::LANES) {
-                let at = block * BLOCK + first;
-                // SAFETY: `look` has checked the rows.
-                let shape = Quadrilateral::<P>::new(&unsafe { gather(self.positions, rows, first) });
-                let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
-                let hourglass = section.hourglass(shape.area, shape.aspect());
-                let found = law.energy(&section, &hourglass, shape.area, &Memory::new(history, first));
-                let ratio = shape.area / P::load(&patch.areas[at..]);
-                for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {
-                    energy.strain += found.strain.lane(lane);
-                    energy.hourglass += found.hourglass.lane(lane);
-                    energy.plastic += found.plastic.lane(lane);
-                    ratios.0 = ratios.0.min(ratio.lane(lane));
-                    ratios.1 = ratios.1.max(ratio.lane(lane));
-                }
-            }
-        }
-        (energy, ratios)
     }
 }

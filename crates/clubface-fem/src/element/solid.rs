@@ -2,10 +2,12 @@
 
 use super::arrangement::shape;
 use super::field::Scratch;
+use super::gauge::Tell;
 use super::indexed::Indexed;
 use super::lattice::{Lattice, DEPTH};
 use super::one_point::{constants, CONSTANTS, SHAPES};
-use super::point::{Aging, Block, Elastic, Tally};
+use super::point::{Aging, Block, Elastic};
+use super::solid_look::{Examine, Feel};
 use super::{Aligned, Energy, Patch, BLOCK};
 use crate::material::{Isochoric, Material, Remembering, UseLaw, UseMemory};
 use crate::mesh::{SolidMesh, CORNERS};
@@ -20,22 +22,24 @@ pub const PATCH: usize = 864;
 const LAYERS: usize = 6;
 
 /// How elements find their nodes.
-enum Layout<R> {
+pub(super) enum Layout<R> {
     Lattice(Lattice<R>),
     Indexed(Indexed<R>),
 }
 
 /// Some hexahedra of one material, in blocks of eight.
 pub struct SolidPatch<R> {
-    material: Material<R>,
-    layout: Layout<R>,
+    pub(super) material: Material<R>,
+    pub(super) layout: Layout<R>,
     /// Longer than the list by a block, so that packs may overrun.
-    nodes: Vec<u32>,
+    pub(super) nodes: Vec<u32>,
     /// Largest of them.
     last: u32,
-    constants: Arc<[Block<R>]>,
-    history: Vec<R>,
-    history_length: usize,
+    pub(super) constants: Arc<[Block<R>]>,
+    pub(super) history: Vec<R>,
+    pub(super) history_length: usize,
+    /// Number of the element in every lane of the blocks.
+    pub(super) numbers: Vec<Option<u32>>,
 }
 
 /// Patches of some elements of a mesh, of one material, in their undeformed shape. Where elements follow each other as in a lattice, the patches are
@@ -135,7 +139,8 @@ impl<R: Real> SolidPatch<R> {
         let history = one.repeat(blocks);
         let last = nodes.iter().copied().max().unwrap_or(0);
         let (material, constants) = (material.clone(), stored.into());
-        Self { material, layout, nodes, last, constants, history, history_length }
+        let numbers = lanes.iter().map(|lane| lane.map(|local| elements[local] as u32)).collect();
+        Self { material, layout, nodes, last, constants, history, history_length, numbers }
     }
 
     /// The promise that every node exists, on which unchecked reads rely.
@@ -181,6 +186,10 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
         self.check(positions);
         R::dispatch(Examine { patch: self, positions })
+    }
+    fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>) {
+        self.check(positions);
+        R::dispatch(Feel { patch: self, positions, tell });
     }
 }
 
@@ -260,38 +269,5 @@ impl<P: Pack> UseMemory<P> for Loop<'_, P> {
             },
             Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, points),
         }
-    }
-}
-
-struct Examine<'a, R> {
-    patch: &'a mut SolidPatch<R>,
-    positions: &'a [Row<R>],
-}
-
-impl<R: Real> PackKernel<R> for Examine<'_, R> {
-    type Output = (Energy, (f64, f64));
-    #[inline(always)]
-    fn run<P: Pack<Real = R>>(self) -> Self::Output {
-        let material = self.patch.material.clone();
-        material.with_memory::<P, _>(&material.decays(0.0), self)
-    }
-}
-
-impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Examine<'_, R> {
-    type Output = (Energy, (f64, f64));
-    #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) -> Self::Output {
-        let SolidPatch { material, layout, nodes, constants, history, history_length, .. } = self.patch;
-        let (bulk, ratios) = (P::splat(material.bulk), (f64::INFINITY, f64::NEG_INFINITY));
-        let energy = Energy::default();
-        let mut tally = Tally { law, bulk, history, history_length: *history_length, energy, ratios };
-        match layout {
-            // SAFETY: `look` has checked the nodes.
-            Layout::Lattice(lattice) => unsafe {
-                lattice.visit(self.positions, nodes, constants, &mut tally);
-            },
-            Layout::Indexed(indexed) => indexed.visit(self.positions, nodes, constants, &mut tally),
-        }
-        (tally.energy, tally.ratios)
     }
 }

@@ -24,6 +24,10 @@ pub struct PointEnergy<S> {
 pub trait Remembering<S: Scalar> {
     /// `2 dW/dC̄` (Pa), but for a multiple of `C̄^-1`, at the end of a step; the memory moves on.
     fn advance(&self, at: &Kinematics<S>, memory: &mut [S]) -> Symmetric<S>;
+    /// Equivalent plastic strain.
+    fn plastic_strain(&self, _memory: &[S]) -> S {
+        S::zero()
+    }
     /// Energies at `C̄`.
     fn energy(&self, c: &Symmetric<S>, memory: &[S]) -> PointEnergy<S>;
 }
@@ -66,6 +70,10 @@ impl<S: Scalar> Remembering<S> for VonMises<S> {
         let stress = VonMises::advance(self, &at.c, &mut state);
         memory[..PlasticState::<f64>::LENGTH].copy_from_slice(&state.numbers());
         stress
+    }
+    #[inline(always)]
+    fn plastic_strain(&self, memory: &[S]) -> S {
+        state(memory).plastic_strain
     }
     #[inline(always)]
     fn energy(&self, c: &Symmetric<S>, memory: &[S]) -> PointEnergy<S> {

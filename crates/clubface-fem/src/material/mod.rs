@@ -12,7 +12,7 @@ mod neo_hookean;
 mod ogden;
 mod plane_stress;
 mod registry;
-mod stretch;
+pub(crate) mod stretch;
 mod symmetric;
 mod viscous;
 mod von_mises;

@@ -74,6 +74,14 @@ impl<S: Scalar> Symmetric<S> {
         let rows = times(&product, b).rows;
         Self([rows[0].x, rows[1].y, rows[2].z, rows[0].y, rows[0].z, rows[1].z])
     }
+    /// `F A F^T`.
+    #[inline(always)]
+    #[must_use]
+    pub fn seen_through(&self, f: &Mat3<S>) -> Self {
+        let [r, s, t] = times(f, self).rows;
+        let [x, y, z] = f.rows;
+        Self([dot(r, x), dot(s, y), dot(t, z), dot(r, y), dot(r, z), dot(s, z)])
+    }
     /// Cofactors: the inverse times the determinant.
     #[inline(always)]
     #[must_use]

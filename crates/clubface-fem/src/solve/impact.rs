@@ -122,7 +122,7 @@ impl<R: Real> Impact<R> {
     pub fn run(
         &mut self,
         options: &Options,
-        watch: &mut dyn FnMut(&Progress, &Self) -> bool,
+        watch: &mut dyn FnMut(&Progress, &mut Self) -> bool,
     ) -> Result<Outcome<R>, FemError> {
         options.check()?;
         let dt = rounded(self.structure.stable_step(40) * options.safety);

@@ -5,7 +5,7 @@
 
 use super::shares::{shares, Fields, Forces, Shares};
 use crate::contact::Contact;
-use crate::element::{Energy, Patch, Scratch};
+use crate::element::{Energy, Patch, Scratch, Tell};
 use clubface_math::{Real, Row, Vec3};
 use rayon::prelude::*;
 
@@ -121,6 +121,13 @@ impl<R: Real> Structure<R> {
             sum += *energy;
         }
         (sum, seen.into_iter().map(|(_, ratios)| ratios).collect())
+    }
+
+    /// Tells what every element feels, those of the patches whose first node is in `nodes`, by their numbers in their mesh.
+    pub fn feel(&mut self, nodes: std::ops::Range<usize>, tell: &mut Tell<'_>) {
+        for patch in self.patches.iter_mut().filter(|p| nodes.contains(&(p.nodes()[0] as usize))) {
+            patch.feel(&self.positions, tell);
+        }
     }
 
     /// Energies of the elements, J, at the current positions.

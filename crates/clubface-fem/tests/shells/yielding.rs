@@ -2,7 +2,7 @@
 
 use super::support::{patch_of, plate, rows, titanium, Body, Loads, DENSITY, YOUNG};
 use clubface_fem::element::{Isotropic, Patch, Rule, ShellMaterial, ShellPatch};
-use clubface_fem::material::{Hardening, PlaneState, PlaneStress};
+use clubface_fem::material::{Hardening, PlaneState, PlaneStress, Symmetric};
 use clubface_math::{Row, Vec3};
 
 const YIELD: f64 = 800e6;
@@ -64,6 +64,37 @@ impl Strip {
         let [a, b] = self.sides;
         let corners = [[0.0, 0.0], [a, 0.0], [0.0, b], [a, b]].map(|[x, y]| Vec3::new(x, y, 0.0));
         self.patch.energy(&rows(&corners))
+    }
+}
+
+#[test]
+fn stress_of_the_surfaces_and_its_axes() {
+    // Uniaxial stress E (strain +- half the thickness times the curvature); with the corners turned the tensors turn along. Lobatto's outermost
+    // points are on the surfaces.
+    let elastic = ShellMaterial::elastic(Isotropic { young: YOUNG, poisson: 0.5 }, DENSITY);
+    let (sine, cosine) = 0.7_f64.sin_cos();
+    let turn =
+        clubface_math::Mat3::rotation_z((sine, cosine)) * clubface_math::Mat3::rotation_x((cosine, sine));
+    for points in [None, Some(Rule::Lobatto(3))] {
+        let mut strip = Strip::new(ShellMaterial { points, ..elastic.clone() });
+        strip.step(1e-4, 0.05);
+        let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+        let corners = corners.map(|[i, j]| turn * Vec3::new(strip.sides[0] * i, strip.sides[1] * j, 0.0));
+        let mut told = Vec::new();
+        strip.patch.feel(&rows(&corners), &mut |number, felt| told.push((number, *felt)));
+        let [(0, felt)] = told[..] else { panic!("{told:?}") };
+        for (side, bent) in [(0, 0.5 * THICKNESS * 0.05), (1, -0.5 * THICKNESS * 0.05)] {
+            let strain = 1e-4 + bent;
+            let along = |v: [f64; 3]| Symmetric([v[0], v[1], v[2], 0.0, 0.0, 0.0]).seen_through(&turn).0;
+            let close = |found: [f64; 6], exact: [f64; 6], size: f64| {
+                // A strain increment is the change of squared lengths over the last one, off by a share of its own size.
+                let most = found.iter().zip(exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+                assert!(most < 3e-4 * size, "{found:?} {exact:?}");
+            };
+            close(felt.stress[side], along([YOUNG * strain, 0.0, 0.0]), YOUNG * 1e-4);
+            close(felt.strain[side], along([strain, -0.5 * strain, -0.5 * strain]), 1e-4);
+        }
+        assert_eq!(felt.plastic_strain, 0.0);
     }
 }
 

@@ -4,6 +4,7 @@ mod bars;
 mod bounces;
 mod conservation;
 mod elements;
+mod fields;
 mod flow;
 mod friction;
 mod inputs;

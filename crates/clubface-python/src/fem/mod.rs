@@ -1,5 +1,6 @@
 //! Finite element impacts: a ball and what it meets go in, histories come out.
 
+mod fields;
 mod heads;
 mod run;
 mod values;

@@ -1,5 +1,6 @@
 //! Running an impact and telling Python what came out.
 
+use super::fields::Fields;
 use super::values::{error_of, RunValues};
 use clubface_fem::solve::{Impact, Options, Outcome, Progress};
 use clubface_fem::FemError;
@@ -32,6 +33,7 @@ pub(super) struct Ran {
     times: Vec<f64>,
     positions: Vec<f64>,
     patch: Vec<PatchPoint>,
+    fields: Fields,
 }
 
 /// A node of the ball in contact at some time: its place along the face relative to the mass centre (m), its forces (N).
@@ -74,14 +76,17 @@ pub(super) fn simulate<'py>(
     let frame_gap = if run.frames > 1 { run.duration / (run.frames - 1) as f64 } else { f64::INFINITY };
     let (frames, interval) = (run.frames, run.interval);
     let (mut times, mut positions, mut patch) = (Vec::new(), Vec::new(), Vec::new());
-    let mut raised = None;
+    let (mut fields, mut raised) = (Fields::default(), None);
     let pool = pool_of(run)?;
     let outcome = py.detach(|| {
-        let mut watch = |at: &Progress, now: &Impact<f64>| {
+        let mut watch = |at: &Progress, now: &mut Impact<f64>| {
             if frames > 0 && at.time >= times.len() as f64 * frame_gap - 0.5 * interval {
                 times.push(at.time);
                 let places = &now.structure.positions[..now.structure.translations];
                 positions.extend(places.iter().flat_map(|row| [row.0[0], row.0[1], row.0[2]]));
+                if run.fields {
+                    fields.add(now);
+                }
             }
             patch_points(at.time, now, &mut patch);
             // Signals reach Python's main thread alone, which ends a run through its progress.
@@ -104,7 +109,7 @@ pub(super) fn simulate<'py>(
             return Err(error);
         }
     }
-    Ok(Ran { outcome, times, positions, patch })
+    Ok(Ran { outcome, times, positions, patch, fields })
 }
 
 pub(super) fn to_dict<'py>(
@@ -170,6 +175,7 @@ pub(super) fn to_dict<'py>(
     let nodes = impact.structure.translations;
     let frames: Vec<Vec<Vec<f64>>> =
         ran.positions.chunks(nodes * 3).map(|frame| frame.chunks(3).map(<[f64]>::to_vec).collect()).collect();
+    dict.set_item("fields", ran.fields.to_list(py)?)?;
     dict.set_item("ball_nodes", impact.ball_nodes)?;
     dict.set_item("frame_times", PyArray1::from_slice(py, &ran.times))?;
     dict.set_item("frames", PyArray3::from_vec3(py, &frames)?)?;

@@ -45,6 +45,7 @@ pub struct RunValues {
     pub(super) until_separation: bool,
     pub(super) threads: usize,
     pub(super) frames: usize,
+    pub(super) fields: bool,
 }
 
 pub(super) fn error_of(error: &FemError) -> PyErr {

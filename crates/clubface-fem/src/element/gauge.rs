@@ -1,0 +1,91 @@
+//! Stress and strain in elements, for those who look at them; the forces need neither in these axes.
+
+use super::one_point::{Constants, Hexahedron};
+use super::point::Look;
+use super::BLOCK;
+use crate::material::{stretch::Stretches, Kinematics, Remembering, Symmetric, MEMORY};
+use clubface_math::{Pack, Scalar};
+
+/// What an element feels, in the axes of the positions.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Felt {
+    /// Cauchy stress, Pa, components as of [`Symmetric`]: on the outer and the inner side of a shell, twice that of a solid element.
+    pub stress: [[f64; 6]; 2],
+    /// Logarithmic strain in the same places; of a shell only the elastic part.
+    pub strain: [[f64; 6]; 2],
+    /// Equivalent plastic strain, the largest of the element.
+    pub plastic_strain: f64,
+}
+
+impl Felt {
+    /// One lane, outer and inner side.
+    #[inline(always)]
+    pub fn of<P: Pack>(
+        stress: [&Symmetric<P>; 2],
+        strain: [&Symmetric<P>; 2],
+        plastic_strain: P,
+        lane: usize,
+    ) -> Self {
+        let numbers = |side: &Symmetric<P>| side.0.map(|component| component.lane(lane));
+        Self {
+            stress: stress.map(numbers),
+            strain: strain.map(numbers),
+            plastic_strain: plastic_strain.lane(lane),
+        }
+    }
+}
+
+/// Who is told, by the number of an element in its mesh.
+pub type Tell<'a> = dyn FnMut(usize, &Felt) + 'a;
+
+/// Cauchy stress, Pa, from `2 dW/dC̄` and `dW/dJ`.
+#[inline(always)]
+pub fn cauchy<S: Scalar>(at: &Kinematics<S>, stress: &Symmetric<S>, pressure: S) -> Symmetric<S> {
+    at.second_piola(stress, pressure, at.inverse_volume).seen_through(&at.deformation.f)
+}
+
+/// Logarithm of the left stretch.
+#[inline(always)]
+pub fn logarithmic<S: Scalar>(at: &Kinematics<S>) -> Symmetric<S> {
+    let identity = Symmetric::diagonal(S::one());
+    let left = identity.seen_through(&at.deformation.f).scale(at.shape);
+    let stretches = Stretches::new(left.trace(), left.second());
+    let [one, linear, square] = stretches.factors(&(stretches.logarithm().scale(S::from_f64(0.5))));
+    let volume = at.deformation.volume.ln() * (1.0 / 3.0);
+    identity.sandwich(&left).scale(square).plus(linear, &left).plus_diagonal(one + volume)
+}
+
+/// Looks at one-point elements.
+pub struct Gauge<'a, 'b, P: Pack, M> {
+    /// Law of the change of shape.
+    pub law: M,
+    /// Bulk modulus, Pa.
+    pub bulk: P,
+    /// History of all blocks.
+    pub history: &'a [P::Real],
+    /// Numbers of history an element has.
+    pub history_length: usize,
+    /// Number of the element in every lane of the blocks, if there is one.
+    pub numbers: &'a [Option<u32>],
+    /// Who is told.
+    pub tell: &'a mut Tell<'b>,
+}
+
+impl<P: Pack, M: Remembering<P>> Look<P> for Gauge<'_, '_, P, M> {
+    #[inline(always)]
+    fn see(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
+        let at = Kinematics::new(element.gradient(constants));
+        let mut history = [P::zero(); MEMORY];
+        for i in 0..self.history_length {
+            history[i] = P::load(&self.history[(block * self.history_length + i) * BLOCK + first..]);
+        }
+        let history = &mut history[..self.history_length];
+        let stress = self.law.advance(&at, history);
+        let stress = cauchy(&at, &stress, self.bulk * (at.deformation.volume - 1.0));
+        let (strain, plastic) = (logarithmic(&at), self.law.plastic_strain(history));
+        for which in 0..P::LANES {
+            let Some(number) = self.numbers[block * BLOCK + first + which] else { continue };
+            (self.tell)(number as usize, &Felt::of([&stress; 2], [&strain; 2], plastic, which));
+        }
+    }
+}

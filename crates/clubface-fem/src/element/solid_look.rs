@@ -1,0 +1,92 @@
+//! What can be seen of a patch of hexahedra between steps: energies, stress and strain.
+
+use super::gauge::{Gauge, Tell};
+use super::point::{Block, Look, Tally};
+use super::solid::{Layout, SolidPatch};
+use super::Energy;
+use crate::material::{Remembering, UseMemory};
+use clubface_math::{Pack, PackKernel, Real, Row};
+
+impl<R: Real> SolidPatch<R> {
+    /// Shows every element to `look`.
+    ///
+    /// # Safety
+    /// The nodes exist.
+    #[inline(always)]
+    unsafe fn visit<P: Pack<Real = R>>(
+        layout: &mut Layout<R>,
+        positions: &[Row<R>],
+        nodes: &[u32],
+        constants: &[Block<R>],
+        look: &mut impl Look<P>,
+    ) {
+        match layout {
+            // SAFETY: the caller's promise.
+            Layout::Lattice(lattice) => unsafe { lattice.visit(positions, nodes, constants, look) },
+            Layout::Indexed(indexed) => indexed.visit(positions, nodes, constants, look),
+        }
+    }
+}
+
+/// Adds up energies.
+pub struct Examine<'a, R> {
+    /// What is looked at; the caller has checked that its nodes exist.
+    pub patch: &'a mut SolidPatch<R>,
+    /// Positions of all nodes, m.
+    pub positions: &'a [Row<R>],
+}
+
+impl<R: Real> PackKernel<R> for Examine<'_, R> {
+    type Output = (Energy, (f64, f64));
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) -> Self::Output {
+        let material = self.patch.material.clone();
+        material.with_memory::<P, _>(&material.decays(0.0), self)
+    }
+}
+
+impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Examine<'_, R> {
+    type Output = (Energy, (f64, f64));
+    #[inline(always)]
+    fn with<M: Remembering<P>>(self, law: M) -> Self::Output {
+        let SolidPatch { material, layout, nodes, constants, history, history_length, .. } = self.patch;
+        let (bulk, ratios) = (P::splat(material.bulk), (f64::INFINITY, f64::NEG_INFINITY));
+        let energy = Energy::default();
+        let mut tally = Tally { law, bulk, history, history_length: *history_length, energy, ratios };
+        // SAFETY: the caller has checked the nodes.
+        unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, &mut tally) };
+        (tally.energy, tally.ratios)
+    }
+}
+
+/// Tells stress and strain.
+pub struct Feel<'a, 'b, R> {
+    /// As of [`Examine`].
+    pub patch: &'a mut SolidPatch<R>,
+    /// Positions of all nodes, m.
+    pub positions: &'a [Row<R>],
+    /// Who is told.
+    pub tell: &'a mut Tell<'b>,
+}
+
+impl<R: Real> PackKernel<R> for Feel<'_, '_, R> {
+    type Output = ();
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) {
+        let material = self.patch.material.clone();
+        material.with_memory::<P, _>(&material.decays(0.0), self);
+    }
+}
+
+impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
+    type Output = ();
+    #[inline(always)]
+    fn with<M: Remembering<P>>(self, law: M) {
+        let SolidPatch { material, layout, nodes, constants, history, history_length, numbers, .. } =
+            self.patch;
+        let (bulk, history_length) = (P::splat(material.bulk), *history_length);
+        let mut gauge = Gauge { law, bulk, history, history_length, numbers, tell: self.tell };
+        // SAFETY: as above.
+        unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, &mut gauge) };
+    }
+}
