@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import clubface
+from clubface import launch_monitor
 from clubface.errors import InputError
 from clubface.measured_shots import measured_shots
 from clubface.recorded import RecordedShots
@@ -97,3 +98,22 @@ def test_shots_that_cannot_be_compared_are_refused_with_the_reason():
         measured_shots(recorded(), club="driver", quantities=("sidespin",))
     with pytest.raises(InputError, match="2: nothing of the launch"):
         measured_shots(recorded(launch=[NAN] * 4), club="driver", quantities=("launch",))
+
+
+def test_club_data_of_a_monitor_is_referred_however_the_shots_are_given(tmp_path):
+    """By name of a file, as read with or without its club, and from a table of clubface written of them."""
+    path = tmp_path / "track.csv"
+    head = "Club,Club Speed,Swing Direction,Dyn. Loft,Face Angle,Impact Offset,Impact Height,Ball Speed\n"
+    units = ",[mph],[deg],[deg],[deg],[mm],[mm],[mph]\n"
+    path.write_text(head + units + "Driver,100,1,12,0,10,0,145\n7 Iron,80,1,29,0,10,0,110\n")
+    read = launch_monitor.read(path)
+    read.write(tmp_path / "own.csv")
+    both = [path, read, launch_monitor.read(path, club="driver"), tmp_path / "own.csv"]
+    both.append(launch_monitor.read(tmp_path / "own.csv", club={"Driver": "driver"}))
+    for shots in both:
+        found = measured_shots(shots, club="driver", only="Driver")
+        # A driver's bulge of 305 mm turns the normal by 1.9 degrees over 10 mm, towards the toe.
+        assert found.delivery["face"] == pytest.approx(-np.arcsin(10 / 305), rel=0.03)
+        assert len(set(found.notes)) == len(found.notes)
+    # An iron is flat.
+    assert measured_shots(path, club="7-iron", only="7 Iron").delivery["face"] == pytest.approx(0.0, abs=1e-12)

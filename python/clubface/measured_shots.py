@@ -13,7 +13,8 @@ from clubface import units
 from clubface.clubs import Club, club
 from clubface.delivery import DIMENSIONS
 from clubface.errors import InputError
-from clubface.recorded import RecordedShots, RejectedRow, read_shots
+from clubface.launch_monitor import read, refer
+from clubface.recorded import RecordedShots, RejectedRow
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -83,9 +84,10 @@ def measured_shots(
     Parameters
     ----------
     shots
-        Recorded shots, or a file that :func:`read_shots` reads.
+        Recorded shots, or a file that :func:`clubface.launch_monitor.read` reads.
     club
-        The club they were hit with; left out, the one named in the shots, if that is a built-in one.
+        The club they were hit with; left out, the one named in the shots, if that is a built-in one. Velocities and
+        face angles that were taken elsewhere are referred to its points, see :func:`clubface.launch_monitor.refer`.
     only
         Take only the shots whose club is called so in the file; left out, all, which must then be of one club.
     quantities
@@ -96,10 +98,11 @@ def measured_shots(
     InputError
         No usable shot; shots of several clubs; no speed or no launch among the columns.
     """
-    recorded = shots if isinstance(shots, RecordedShots) else read_shots(shots)
+    recorded = shots if isinstance(shots, RecordedShots) else read(shots)
     places = of_one_club(recorded, only)
     recorded = recorded.select(places)
     head = club_of(recorded, club)
+    recorded = refer(recorded, head)
     if "speed" not in recorded.deliveries:
         measured = ", ".join(recorded.deliveries) or "nothing"
         raise InputError(
@@ -132,7 +135,7 @@ def measured_shots(
         places=places[kept],
         source=recorded.source,
         dropped=tuple(sorted((*recorded.rejected, *dropped), key=lambda each: each.line or 0)),
-        notes=(*recorded.notes, *_assumptions(head, delivery)),
+        notes=tuple(dict.fromkeys((*recorded.notes, *_assumptions(head, delivery)))),
     )
 
 

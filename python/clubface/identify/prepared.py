@@ -13,10 +13,11 @@ from clubface.balls import Ball
 from clubface.clubs import Club
 from clubface.errors import InputError, UnknownNameError
 from clubface.impact import impact
+from clubface.launch_monitor import read
 from clubface.measured_shots import QUANTITIES, measured_shots
 from clubface.parameters import ParameterSet
 from clubface.quantities import input_columns, outputs
-from clubface.recorded import RecordedShots, RejectedRow, read_shots
+from clubface.recorded import RecordedShots, RejectedRow
 from clubface.shots import broadcast, equipment, shots
 
 if TYPE_CHECKING:
@@ -109,7 +110,7 @@ def prepared_shots(
     parameters
         A set of the model.
     """
-    recorded = given if isinstance(given, RecordedShots) else read_shots(given)
+    recorded = given if isinstance(given, RecordedShots) else read(given)
     labels = _groups(groups, len(recorded))
     asked = tuple(QUANTITIES) if quantities is None else _asked(quantities)
     measured = measured_shots(recorded, club=club, only=only, quantities=asked)

@@ -143,7 +143,7 @@ def identify(
     if not 0.5 <= confidence < 1.0:
         raise InputError("confidence", confidence, "from 0.5 to below 1")
     head = equipment(club, ball).club
-    recorded = shots if isinstance(shots, RecordedShots) else read(shots, club=head)
+    recorded = shots if isinstance(shots, RecordedShots) else read(shots)
     fixed = parameter_set(model, head, parameters)
     for name, value in fixed.values.items():
         if not isinstance(value, float):

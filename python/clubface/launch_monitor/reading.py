@@ -83,19 +83,29 @@ def read(
     source = Path(path)
     mapped = mapping_of(mapping) if mapping is not None else None
     if mapped is None and (format == OWN or source.suffix.lower() in PARQUET):
-        return _with_hand(read_shots(path), hand)
+        return _own(path, hand, club)
     rows = CsvRows(source, any_encoding=True, head_lines=HEAD_ROWS, delimiter=mapped.delimiter if mapped else None)
     try:
         every = _rows(rows)
         head = list(islice(every, HEAD_ROWS))
         layout = mapped.layout if mapped else FORMATS[format] if format is not None else detected(str(path), head)
         if layout is None:
-            return _with_hand(read_shots(path), hand)
+            return _own(path, hand, club)
         session = _session(str(path), layout, mapped, hand, given, head, every, rows.delimiter)
     finally:
         rows.close()
     refuse_empty(str(path), len(session.shots), tuple(session.rejected))
     shots = _laid_out(session, str(path), layout, rows.other_encoding)
+    return _referred(shots, club)
+
+
+def _own(path: str | os.PathLike[str], hand: str | None, club: Any) -> RecordedShots:
+    """Return the shots of a table of clubface."""
+    return _referred(_with_hand(read_shots(path), hand), club)
+
+
+def _referred(shots: RecordedShots, club: Any) -> RecordedShots:
+    """Return the shots, referred to the points of a club where one is given."""
     if club is None:
         return shots
     from clubface.launch_monitor.reference_points import refer
