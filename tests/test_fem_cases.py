@@ -119,7 +119,7 @@ def test_a_head_that_moves_away_is_refused_before_the_run():
 
 
 def test_a_head_without_club_and_a_step_above_the_stable_one_are_refused():
-    with pytest.raises(InputError, match="club is None; it must be given"):
+    with pytest.raises(InputError, match="club is not given; it must be given"):
         Case(name="x", ball=coarse(), head="rigid", delivery={"speed": "35 m/s"})
     with pytest.raises(InputError, match="the stable step"):
         fem.Settings(safety=1.2)
@@ -212,7 +212,7 @@ def test_a_ball_as_text_of_one_piece_needs_a_mass_or_a_density(tmp_path):
     path = tmp_path / "one.toml"
     text = BALL[: BALL.index('[[pieces]]\nname = "cover"')].replace('mass = "46 g"\n', "")
     path.write_text(text)
-    with pytest.raises(FileError, match="mass is None; it must be given"):
+    with pytest.raises(FileError, match="mass is not given; it must be given"):
         fem.ball(path)
     path.write_text(text + 'density = "1100 kg/m3"\n')
     assert fem.ball(path).properties()["core_density"] == 1100.0

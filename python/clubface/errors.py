@@ -33,7 +33,8 @@ class InputError(ClubfaceError, ValueError):
         self.allowed = allowed
 
     def __str__(self) -> str:
-        return f"{self.parameter} is {_shown(self.value)}; it must be {self.allowed}"
+        given = "not given" if self.value is None else _shown(self.value)
+        return f"{self.parameter} is {given}; it must be {self.allowed}"
 
 
 class ShotError(InputError):

@@ -80,6 +80,11 @@ class PreparedShots:
         varied = [each for each in self.columns if not isinstance(each, float)]
         return len(np.unique(np.array(varied), axis=1).T) if varied else 1
 
+    def different(self) -> int:
+        """Return the number of shots that differ in anything that was measured."""
+        varied = [each for each in self.columns if not isinstance(each, float)]
+        return len(np.unique(np.array([*varied, *np.nan_to_num(self.launches)]), axis=1).T)
+
     def mean(self, name: str) -> float:
         """Return the mean of one input over the shots [SI]."""
         return float(np.mean(self.columns[input_columns()[name]]))

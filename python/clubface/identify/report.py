@@ -55,7 +55,7 @@ def deviation_rows(of: Identification) -> list[list[str]]:
 def remarks(of: Identification) -> list[str]:
     """Return warnings, weak directions and notes, in this order."""
     weak = [f"weak: {each.words}" for each in of.identifiability.directions if each.strength == "weak"]
-    left = [f"{len(of.dropped)} rows were not used, the first: {_dropped(of)}"] if of.dropped else []
+    left = [f"{_rows(len(of.dropped))} not used, the first: {_dropped(of)}"] if of.dropped else []
     return [*of.warnings, *weak, *left, *of.notes]
 
 
@@ -65,6 +65,10 @@ def text(of: Identification) -> str:
     parts += [*_table(DEVIATION_HEADS, deviation_rows(of))]
     said = remarks(of)
     return "\n".join(parts + ([""] + [f"* {each}" for each in said] if said else []))
+
+
+def _rows(count: int) -> str:
+    return "one row was" if count == 1 else f"{count} rows were"
 
 
 def _dropped(of: Identification) -> str:

@@ -94,26 +94,36 @@ def check_information(simulator: Simulator, point: NDArray[np.float64], noise: N
     ``point`` is one at which the parameters are tried, such as that of the published set.
     """
     shots, free = simulator.shots, simulator.free
-    if len(shots) < 2:
+    different = shots.different()
+    if different < 2:
+        what = "the number of shots" if len(shots) == 1 else f"the number of different ones among {len(shots)} shots"
         advice = "at least two, with different deliveries: one shot leaves nothing to judge the fit by"
-        raise InputError("the number of shots", len(shots), advice)
+        open_ = _open(simulator, point, noise)
+        raise InputError(what, different, advice + (f". It does not determine: {open_}" if open_ else ""))
     kinds = int(np.isfinite(shots.launches).any(axis=1).sum())
     distinct = shots.distinct_deliveries()
     values = min(int(np.isfinite(shots.launches).sum()), kinds * distinct)
     notes = []
     if distinct == 1:
         notes.append(f"all {len(shots)} shots have the same delivery: how the launch depends on it is not tested")
+    if different < len(shots):
+        notes.append(f"only {different} of {len(shots)} shots are different: if the others are copies, take them out")
     if values < len(free):
-        told = identifiability(simulator, point, noise)
-        open_ = "; ".join(each.words for each in told.directions if each.strength in ("none", "unknown"))
         same = f", since all {len(shots)} shots have the same delivery" if distinct == 1 else ""
         raise InputError(
-            "the free parameters", ", ".join(free.names),
-            f"at most {values}, as many as there are different measured values{same}. Not determined: {open_}",
+            "the number of free parameters", len(free),
+            f"at most {values}, as many as there are different measured values{same}. Not determined:"
+            f" {_open(simulator, point, noise)}",
         )  # fmt: skip
     if len(shots) < 5 * len(free):
         notes.append(f"{len(shots)} shots are few for {len(free)} parameters: intervals are rough")
     return notes
+
+
+def _open(simulator: Simulator, point: NDArray[np.float64], noise: NDArray[np.float64]) -> str:
+    """Name the directions that the shots leave open."""
+    told = identifiability(simulator, point, noise)
+    return "; ".join(each.words for each in told.directions if each.strength in ("none", "unknown"))
 
 
 def fit_warnings(

@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from statistics import NormalDist
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -28,6 +29,9 @@ from clubface.models import Parameter
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+FEWEST_GROUPS = 10
+"""Fewer groups of shots than these can be drawn in too few ways for a bootstrap alone."""
 
 Progress = Callable[[str, int, int, float], object]
 """Stage, done, of how much, least cost so far."""
@@ -198,20 +202,22 @@ class Stages:
         samples: NDArray[np.float64],
         profiles: Mapping[str, Profile],
     ) -> dict[str, tuple[float, float]]:
-        """Return an interval a parameter; one that Fisher's information finds unknown takes in its profile or bounds.
+        """Return an interval a parameter.
 
-        A refit begins at the fit and would not leave it along a direction that changes nothing.
+        That of few groups of shots takes in the one without a bootstrap. One that Fisher's information finds unknown
+        takes in its profile or bounds: a refit begins at the fit and would not leave it along a direction that changes
+        nothing.
         """
         free = self.simulator.free
+        confidence, groups = self.settings["confidence"], int(self.simulator.shots.groups.max()) + 1
+        low, high = np.full(len(free), np.inf), np.full(len(free), -np.inf)
         if len(samples):
-            groups = int(self.simulator.shots.groups.max()) + 1
-            low, high = interval_of(samples, self.settings["confidence"], groups)
-        else:
-            from statistics import NormalDist
-
-            reach = NormalDist().inv_cdf(0.5 * (1.0 + self.settings["confidence"]))
+            low, high = interval_of(samples, confidence, groups)
+        if groups < FEWEST_GROUPS or not len(samples):
+            reach = NormalDist().inv_cdf(0.5 * (1.0 + confidence))
             reach = np.minimum(reach * errors_of_minimum(self.simulator, self.cost, point, told), 1.0)
-            low, high = (free.values(np.clip(point + sign * reach, 0.0, 1.0)) for sign in (-1.0, 1.0))
+            ends = [free.values(np.clip(point + sign * reach, 0.0, 1.0)) for sign in (-1.0, 1.0)]
+            low, high = np.minimum(low, ends[0]), np.maximum(high, ends[1])
         found = {name: (float(a), float(b)) for name, a, b in zip(free.names, low, high, strict=True)}
         for name, least, most in zip(free.names, free.lower, free.upper, strict=True):
             if name in told.unknown:
