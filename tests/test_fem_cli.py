@@ -107,6 +107,22 @@ def test_a_mistake_is_one_line(clubface_, arguments, words):
     assert_mistake(clubface_("fem", *arguments), *words)
 
 
+def test_a_run_whose_elements_fail_ends_with_the_element_and_what_it_has(clubface_, tmp_path):
+    pytest.importorskip("matplotlib")
+    path, out = write_case(tmp_path, duration=700, old='speed = "35', new='speed = "145'), tmp_path / "out"
+    ran = clubface_("fem", "run", str(path), "-o", str(out))
+    assert ran.status == 2
+    said = ran.err.splitlines()[-1]
+    assert "clubface: element " in said
+    assert " of c" in said  # core or cover
+    assert " of its volume at " in said
+    assert " us: the material is too soft" in said
+    contact = np.genfromtxt(out / "contact.csv", delimiter=",", names=True)
+    assert contact["normal"].max() > 0.0
+    assert np.isfinite(contact["normal"]).all()
+    assert said.removeprefix("clubface: ") == json.loads((out / "figures.json").read_text())["stopped"]
+
+
 def test_ctrl_c_keeps_what_was_computed(tmp_path):
     pytest.importorskip("matplotlib")
     # Longer than any test waits.

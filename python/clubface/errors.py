@@ -138,6 +138,10 @@ class LinkError(ClubfaceError, ConnectionError):
         return f"{self.address} {self.message}"
 
 
+class RunError(ClubfaceError, RuntimeError):
+    """A run of finite elements that did not come to its end; what it had until then is kept."""
+
+
 class RuleWarning(UserWarning):
     """A club or ball outside the Rules of Golf; it is computed all the same."""
 

@@ -16,8 +16,10 @@ pub enum FemError {
         allowed: String,
     },
     /// An element was squeezed or stretched beyond what its law can follow.
-    #[error("an element of {part} kept {ratio:.2} of its volume at {microseconds:.0} us: the material is too soft for this impact, the mesh too coarse, or the time step too long")]
+    #[error("element {element} of {part} kept {ratio:.2} of its volume at {microseconds:.0} us: the material is too soft for this impact, the mesh too coarse, or the time step too long")]
     ElementLost {
+        /// Number of the most strained element in the mesh of the body.
+        element: usize,
         /// Piece of the ball, or part of the head.
         part: String,
         /// Current over reference volume.
@@ -26,8 +28,12 @@ pub enum FemError {
         microseconds: f64,
     },
     /// The energies no longer add up.
-    #[error("the energies were off by {percent:.1}% at {microseconds:.0} us (1% is allowed): the time step is too long, or an element is failing")]
+    #[error("the energies were off by {percent:.1}% at {microseconds:.0} us (1% is allowed): the time step is too long, or an element is failing; the most strained is element {element} of {part}")]
     Energy {
+        /// Number of the most strained element in the mesh of the body.
+        element: usize,
+        /// Its piece of the ball, or part of the head.
+        part: String,
         /// Error over the initial kinetic energy, per cent.
         percent: f64,
         /// Time, us.

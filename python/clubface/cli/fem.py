@@ -12,6 +12,7 @@ from clubface.cli.fem_parts import ball as report_ball
 from clubface.cli.fem_parts import head as report_head
 from clubface.cli.fem_progress import progress_bar, run_with_progress
 from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RPM, RUN_ROWS
+from clubface.errors import RunError
 
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Finite elements: impacts of meshed balls.")
 app.command("ball")(report_ball)
@@ -221,9 +222,11 @@ def _rows_of(found: Any) -> list[list[str]]:
 
 
 def _end(found: Any) -> None:
-    """After Ctrl-C, when everything until then is printed and written, end as an interrupted program does."""
+    """When all that a run has is printed and written: tell if it did not come to its end, after Ctrl-C or by itself."""
     if found.interrupted:
         raise Interrupted(f"interrupted at {found.contact['time'][-1:].sum() * 1e6:.0f} us of the impact")
+    if found.stopped:
+        raise RunError(found.stopped)
 
 
 def _tell(files: list[Any]) -> None:

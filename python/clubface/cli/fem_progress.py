@@ -7,8 +7,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from clubface.cli.failures import say
-
 
 @contextmanager
 def progress_bar() -> Iterator[Callable[[float, float, str], object] | None]:
@@ -26,9 +24,6 @@ def progress_bar() -> Iterator[Callable[[float, float, str], object] | None]:
 
 
 def run_with_progress(run: Callable[[Callable[[float, float], object] | None], Any]) -> Any:
-    """Run an impact under a bar; tell of one that stopped early."""
+    """Run an impact under a bar."""
     with progress_bar() as update:
-        found = run(update and (lambda time, whole: update(time, whole, f"{time * 1e6:.0f} us")))
-    if found.stopped and not found.interrupted:
-        say(f"note: {found.stopped}; what follows is what there was until then")
-    return found
+        return run(update and (lambda time, whole: update(time, whole, f"{time * 1e6:.0f} us")))

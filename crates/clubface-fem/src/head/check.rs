@@ -1,6 +1,6 @@
 //! What no head can be made of.
 
-use super::ShellHead;
+use super::{DeformableHead, ShellHead};
 use crate::error::FemError;
 use clubface_math::{Real, Vec3};
 use std::collections::HashMap;
@@ -37,6 +37,7 @@ impl<R: Real> ShellHead<R> {
         }
         self.check_size()?;
         self.check_sides()?;
+        self.check_face()?;
         self.check_connected()
     }
 

@@ -28,6 +28,24 @@ pub trait DeformableHead<R: Real> {
     /// Quadrilaterals that the ball may touch, counterclockwise seen from outside, and the thickness of which half lies outside them.
     fn face(&self) -> (Vec<[u32; 4]>, Vec<R>);
 
+    /// Checks that the face looks at the ball.
+    ///
+    /// # Errors
+    /// [`FemError::Input`] where it looks away.
+    fn check_face(&self) -> Result<(), FemError> {
+        let nodes = self.nodes();
+        let mut out = Vec3::zero();
+        for quad in self.face().0 {
+            let [a, b, c, d] = quad.map(|n| nodes[n as usize]);
+            out += (c - a).cross(d - b);
+        }
+        if out.dot(face_axes(self.loft())[0]) > 0.5 * out.norm() {
+            return Ok(());
+        }
+        let allowed = "it must look at the ball, within 60 degrees of the loft: corners go counterclockwise seen from outside, x is towards the target";
+        Err(FemError::input("face", "looks away from the ball", allowed))
+    }
+
     /// Mass, mass centre and inertia.
     fn mass_properties(&self) -> MassProperties {
         let masses: Vec<f64> = self.masses().translation.iter().map(|m| m.re()).collect();

@@ -42,7 +42,7 @@ impl<R: Real> DeformableHead<R> for SolidHead<R> {
                 "at least one side must be the ball's to touch",
             ));
         }
-        Ok(())
+        self.check_face()
     }
     fn loft(&self) -> f64 {
         self.loft

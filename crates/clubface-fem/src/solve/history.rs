@@ -96,6 +96,13 @@ pub struct Figures {
 }
 
 impl History {
+    /// Drops what came after the last closed balance of energies: a run that failed failed somewhere there.
+    pub fn cut(&mut self) {
+        let last = self.energy.last().map_or(0.0, |frame| frame.time);
+        self.contact.retain(|frame| frame.time <= last);
+        self.motion.retain(|frame| frame.time <= last);
+    }
+
     /// Figures, for a ball of the given radius (m).
     #[must_use]
     pub fn figures(&self, radius: f64) -> Figures {

@@ -147,6 +147,9 @@ impl<R: Real> Impact<R> {
                 run.march(self, every - run.step % every, options);
             }
         };
+        if matches!(stopped, Some(FemError::ElementLost { .. } | FemError::Energy { .. })) {
+            run.history.cut();
+        }
         let missed =
             run.touched.is_none().then_some(FemError::Missed { microseconds: run.step as f64 * dt * 1e6 });
         Ok(Outcome {
@@ -244,10 +247,12 @@ impl Run {
         let radius = impact.contact.nearest(centre).0.re();
         self.history.motion.push(MotionFrame { radius, ..frame });
         let (elements, ratios) = impact.structure.look();
-        for (&ratios, part) in ratios.iter().zip(&impact.parts) {
+        for (patch, &ratios) in ratios.iter().enumerate() {
             for ratio in [ratios.0, ratios.1] {
                 if !(RATIOS.0..=RATIOS.1).contains(&ratio) {
-                    return Err(FemError::ElementLost { part: part.clone(), ratio, microseconds });
+                    let element = impact.structure.most_strained(patch).0;
+                    let part = impact.parts[patch].clone();
+                    return Err(FemError::ElementLost { element, part, ratio, microseconds });
                 }
             }
         }
@@ -263,12 +268,21 @@ impl Run {
             friction: contact.friction,
             damping: contact.damping,
         };
-        self.history.energy.push(frame);
-        let first = &self.history.energy[0];
+        let first = *self.history.energy.first().unwrap_or(&frame);
         let error = (frame.total() - first.total()).abs() / first.kinetic;
         if error > BALANCE || error.is_nan() {
-            return Err(FemError::Energy { percent: error * 100.0, microseconds });
+            let mut worst = (0, (0, -1.0));
+            for patch in 0..impact.parts.len() {
+                let found = impact.structure.most_strained(patch);
+                if found.1 > worst.1 .1 {
+                    worst = (patch, found);
+                }
+            }
+            let (patch, (element, _)) = worst;
+            let part = impact.parts[patch].clone();
+            return Err(FemError::Energy { element, part, percent: error * 100.0, microseconds });
         }
+        self.history.energy.push(frame);
         Ok(())
     }
 }

@@ -130,6 +130,19 @@ impl<R: Real> Structure<R> {
         }
     }
 
+    /// The most strained element of a patch by its number in the mesh, and the size of its strain; one whose strain is no number is the worst.
+    pub fn most_strained(&mut self, patch: usize) -> (usize, f64) {
+        let mut worst = (0, -1.0);
+        self.patches[patch].feel(&self.positions, &mut |number, felt| {
+            let size = felt.strain.as_flattened().iter().map(|e| e * e).sum::<f64>();
+            let size = if size.is_nan() { f64::INFINITY } else { size };
+            if size > worst.1 {
+                worst = (number, size);
+            }
+        });
+        worst
+    }
+
     /// Energies of the elements, J, at the current positions.
     pub fn energy(&mut self) -> Energy {
         self.look().0

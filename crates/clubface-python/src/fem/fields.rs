@@ -52,6 +52,15 @@ impl Fields {
         }
     }
 
+    /// Keeps the first of all frames.
+    pub(super) fn keep(&mut self, kept: usize, all: usize) {
+        for Body { stress, strain, plastic_strain } in &mut self.0 {
+            for numbers in [stress, strain, plastic_strain] {
+                numbers.truncate(numbers.len() / all.max(1) * kept);
+            }
+        }
+    }
+
     /// Both bodies.
     pub(super) fn to_list<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         self.0.iter().map(|body| body.to_dict(py)).collect()

@@ -34,6 +34,8 @@ pub(super) struct Ran {
     positions: Vec<f64>,
     patch: Vec<PatchPoint>,
     fields: Fields,
+    /// Whether elements failed; then all that is kept is from before.
+    failed: bool,
 }
 
 /// A node of the ball in contact at some time: its place along the face relative to the mass centre (m), its forces (N).
@@ -109,7 +111,16 @@ pub(super) fn simulate<'py>(
             return Err(error);
         }
     }
-    Ok(Ran { outcome, times, positions, patch, fields })
+    let failed = matches!(outcome.stopped, Some(FemError::ElementLost { .. } | FemError::Energy { .. }));
+    if failed {
+        let last = outcome.history.energy.last().map_or(0.0, |frame| frame.time);
+        let (all, kept) = (times.len(), times.partition_point(|&time| time <= last));
+        times.truncate(kept);
+        positions.truncate(positions.len() / all.max(1) * kept);
+        patch.retain(|point: &PatchPoint| point.time <= last);
+        fields.keep(kept, all);
+    }
+    Ok(Ran { outcome, times, positions, patch, fields, failed })
 }
 
 pub(super) fn to_dict<'py>(
@@ -142,7 +153,9 @@ pub(super) fn to_dict<'py>(
         let mut launch = touch.launch(outcome.ball, outcome.head);
         launch.contact_time = figures.contact_time;
         launch.peak_force = figures.peak_force;
-        dict.set_item("launch", PyArray1::from_slice(py, &launch.outputs()))?;
+        let known = if ran.failed { f64::NAN } else { 1.0 };
+        let outputs = launch.outputs().map(|output| output * known);
+        dict.set_item("launch", PyArray1::from_slice(py, &outputs))?;
     }
     let contact = PyDict::new(py);
     macro_rules! columns {
