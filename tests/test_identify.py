@@ -118,8 +118,12 @@ def test_a_checkpoint_of_something_else_is_refused(tmp_path):
         clubface.identify(recorded(25, "slip", noise=1.0, seed=9), checkpoint=path, resume=True, **SMALL)
     for content in ("", "{}", '{"format": 1, "settings": 1, "seconds": 1, "parts": {"a": 1}}', "[1]"):
         path.write_text(content)
-        with pytest.raises(FileError, match="cannot be read as a checkpoint"):
-            small(checkpoint=path, resume=True)
+        for resume in (True, False):
+            with pytest.raises(FileError, match="cannot be read as a checkpoint"):
+                small(checkpoint=path, resume=resume)
+        assert path.read_text() == content
+    with pytest.raises(FileError, match="its folder is not there"):
+        small(checkpoint=tmp_path / "none" / "fit.json")
     assert small(checkpoint=tmp_path / "none.json", resume=True).cost > 0.0
 
 

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -81,6 +82,13 @@ def test_options_reach_the_fit(clubface_, drives):
         (("drives.csv", "--model", "slip", "--cost", "mean"), ("mean", "published")),
         (("drives.csv", "--model", "slip", "-o", "fit.json"), ("--output", ".toml")),
         (("drives.csv", "--model", "slip", "--plot", "fit.doc"), ("--plot", "fit.doc", ".png, .svg, .pdf")),
+        (("drives.csv", "--model", "slip", "-o", "none/fit.toml"), ("--output", "none/fit.toml", "folder that exists")),
+        (("drives.csv", "--model", "slip", "--plot", "none/a.png"), ("--plot", "none/a.png", "folder that exists")),
+        (("drives.csv", "--model", "slip", "--checkpoint", "drives.csv"), ("drives.csv", "checkpoint", "name another")),
+        (
+            ("drives.csv", "--club", "own.toml", "-o", "./own.toml"),
+            ("--output", "another file than those that are read"),
+        ),
         (("drives.csv", "--model", "fem"), ("fem", "volumetric")),
         (("empty.csv",), ("empty.csv",)),
         (("header.csv",), ("header.csv", "no shots")),
@@ -89,12 +97,16 @@ def test_options_reach_the_fit(clubface_, drives):
 )
 def test_a_mistake_is_one_message(clubface_, drives, arguments, words):
     open("empty.csv", "w").close()
+    with open("own.toml", "w") as file:
+        file.write(clubface.Club.template())
     with open("header.csv", "w") as file:
         file.write("club_speed_mph,ball_speed_mph\n")
     with open("words.csv", "w") as file:
         file.write("club_speed_mph,ball_speed_mph\nfast,very fast\n")
     club = () if "--club" in arguments else ("--club", "driver")
+    before = {each.name: each.read_bytes() for each in Path().iterdir()}
     assert_mistake(clubface_("identify", *arguments, *club, *FAST), *words)
+    assert {each.name: each.read_bytes() for each in Path().iterdir()} == before
 
 
 def test_ctrl_c_keeps_what_is_finished_and_resume_goes_on(clubface_, drives):

@@ -106,12 +106,15 @@ def identify(
     """Identify parameters of a model from shots whose delivery and launch were measured."""
     model = given.one_model(texts["model"])
     ties = {name: value.strip() for name, value in given.pairs(tie or (), "--tie").items()}
-    if target is not None and not target.endswith(".toml"):
-        raise InputError("--output", target, "a file that ends in .toml")
+    read = [shots, *(texts[name] for name in ("club", "ball", "parameters", "mapping"))]
+    if target is not None:
+        if not target.endswith(".toml"):
+            raise InputError("--output", target, "a file that ends in .toml")
+        output.check_target("--output", target, read)
     if plot is not None:
         from clubface.plots.style import check_ending
 
-        check_ending(plot, name="--plot")
+        output.check_target("--plot", str(check_ending(plot, name="--plot")), read)
 
     from clubface.identify.run import identify as fit
 
@@ -128,6 +131,16 @@ def identify(
             profiles=None if profiles else (), confidence=confidence, seed=seed, accuracy=texts["accuracy"],
             threads=threads, checkpoint=kept, resume=resume, progress=progress,
         )  # fmt: skip
+    try:
+        _write(found, target, plot)
+    finally:  # what took long is shown even where a disk is full
+        if as_json:
+            output.print_json(found.to_dict())
+        else:
+            _print(found)
+
+
+def _write(found: Any, target: str | None, plot: str | None) -> None:
     if target is not None:
         Path(target).write_text(found.to_toml(), encoding="utf-8")
     if plot is not None:
@@ -135,10 +148,6 @@ def identify(
         from clubface.plots.style import save
 
         save(identification_figure(found), plot)
-    if as_json:
-        output.print_json(found.to_dict())
-    else:
-        _print(found)
 
 
 def _print(found: Any) -> None:

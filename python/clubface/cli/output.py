@@ -7,9 +7,23 @@ import math
 import os
 import sys
 from collections.abc import Iterable
+from pathlib import Path
 from typing import Any
 
+from clubface.errors import InputError
 from clubface.plain_json import plain
+
+
+def check_target(name: str, target: str, inputs: Iterable[str | None] = ()) -> None:
+    """Refuse a file to write whose folder is not there or that is one of the ``inputs``, before work begins."""
+    path = Path(target)
+    if not path.parent.is_dir():
+        raise InputError(name, target, "a file in a folder that exists")
+    if path.is_dir():
+        raise InputError(name, target, "a file, not a folder")
+    for given in inputs:
+        if given is not None and path.exists() and os.path.exists(given) and path.samefile(given):
+            raise InputError(name, target, "another file than those that are read")
 
 
 def print_json(document: Any) -> None:

@@ -31,7 +31,7 @@ class Checkpoint:
     effort
         Counts what is computed.
     resume
-        Whether to go on from the file, if there is one.
+        Whether to go on from the file, if there is one; otherwise a checkpoint that is there is begun anew.
 
     Attributes
     ----------
@@ -51,8 +51,8 @@ class Checkpoint:
         self._journal = None if self.path is None else Journal(self.path)
         self._before = 0.0
         self._began = time.monotonic()
-        if resume and self.path is not None:
-            self._read(self.path)
+        if self.path is not None:
+            self._find(self.path, resume)
         self.resumed = bool(self.parts)
 
     @property
@@ -89,18 +89,24 @@ class Checkpoint:
         if self._journal is not None:
             self._journal.remove()
 
-    def _read(self, path: Path) -> None:
+    def _find(self, path: Path, resume: bool) -> None:
+        """Take what an earlier run finished; refuse a file that is no checkpoint: it would be written over."""
+        if not path.parent.is_dir():
+            raise FileError(str(path), None, "its folder is not there: name a checkpoint in one that is")
         try:
             state = json.loads(path.read_text())
             version, settings, seconds, parts = (state[key] for key in ("format", "settings", "seconds", "parts"))
             if version != FORMAT or any(set(part) != {"value", "evaluations", "impacts"} for part in parts.values()):
                 raise ValueError
-            self._before = float(seconds)
+            before = float(seconds)
         except FileNotFoundError:
             return
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
-            raise FileError(str(path), None, "cannot be read as a checkpoint: start again without resume") from None
+            message = "cannot be read as a checkpoint: remove it or name another"
+            raise FileError(str(path), None, message) from None
+        if not resume:
+            return
         if settings != self.settings:
             message = "was begun from other shots or with other settings: start again without resume"
             raise FileError(str(path), None, message)
-        self.parts = parts
+        self.parts, self._before = parts, before
