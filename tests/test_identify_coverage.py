@@ -63,6 +63,8 @@ STUDIES = [
     ("adjusted", "driver", "least-squares", 40, 0, None),
     ("adjusted", "driver", "robust", 40, 0, None),
     ("slip", "driver", "published", 40, 0, None),
+    ("volumetric", "7-iron", "published", 25, 0, ["damping", "friction", "layer_damping"]),
+    ("volumetric", "7-iron", "least-squares", 25, 0, ["damping", "friction", "layer_damping"]),
     ("volumetric", "7-iron", "published", 25, 60, ["damping", "friction", "layer_damping"]),
 ]
 

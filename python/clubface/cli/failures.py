@@ -84,7 +84,7 @@ def _misused(error: Any) -> int:
     if type(error).__name__ == "NoArgsIsHelpError":
         print(message)
         return 2
-    hint = f" (clubface {context.info_name} --help lists the options)" if context and context.parent else ""
+    hint = f" ({context.command_path} --help lists the options)" if context and context.parent else ""
     say(message[:1].lower() + message[1:].rstrip(".") + hint)
     return 2
 

@@ -82,6 +82,7 @@ def read(
         raise UnknownNameError("format", format, (*FORMATS, OWN))
     source = Path(path)
     mapped = mapping_of(mapping) if mapping is not None else None
+    _refuse_no_table(source)
     if mapped is None and (format == OWN or source.suffix.lower() in PARQUET):
         return _own(path, hand, club)
     rows = CsvRows(source, any_encoding=True, head_lines=HEAD_ROWS, delimiter=mapped.delimiter if mapped else None)
@@ -97,6 +98,15 @@ def read(
     refuse_empty(str(path), len(session.shots), tuple(session.rejected))
     shots = _laid_out(session, str(path), layout, rows.other_encoding)
     return _referred(shots, club)
+
+
+def _refuse_no_table(path: Path) -> None:
+    """Say of files that people have, and that are no tables, what to do with them."""
+    ending = path.suffix.lower()
+    if ending == ".c3d":
+        raise FileError(str(path), None, "is motion capture: clubface capture read makes a table of deliveries of it")
+    if ending in (".xlsx", ".xls", ".ods", ".numbers"):
+        raise FileError(str(path), None, "is a spreadsheet: save it as CSV, which is read")
 
 
 def _own(path: str | os.PathLike[str], hand: str | None, club: Any) -> RecordedShots:
