@@ -11,7 +11,15 @@ author = "The clubface authors"
 copyright = author
 version = release = installed_version("clubface")
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "sphinx.ext.napoleon", "core_tables"]
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx.ext.napoleon",
+    "core_tables",
+    "findings_tables",
+    "findings_tour",
+]
 exclude_patterns = ["_build"]
 html_theme = "furo"
 html_title = f"clubface {release}"

@@ -1,0 +1,35 @@
+"""The results of the study of the benchmark shots, and how its tables write them."""
+
+from __future__ import annotations
+
+import json
+import math
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from clubface import units
+from clubface.evaluation.tables import TITLES
+from clubface.measured_shots import QUANTITIES
+
+RESULTS = Path(__file__).parent.parent / "findings.json"
+DIGITS = {"ball_speed": 2, "launch": 2, "azimuth": 2, "backspin": 0, "sidespin": 0, "spin": 0, "carry": 1}
+UNITS = {**QUANTITIES, "spin": "rpm", "carry": "yd"}
+
+
+@cache
+def results() -> dict[str, Any]:
+    """Return the results of the study."""
+    return json.loads(RESULTS.read_text(encoding="utf-8"))
+
+
+def shown(value: float | None, quantity: str, sign: str = "") -> str:
+    """Write an SI value in the unit it is read in; None and NaN stay empty."""
+    if value is None or math.isnan(value):
+        return ""
+    return f"{float(units.from_si(value, UNITS[quantity])):{sign}.{DIGITS[quantity]}f}"
+
+
+def heads(first: str) -> list[str]:
+    """Return the headings of a table over the launch quantities."""
+    return [first, *(f"{TITLES[name].lower()}, {unit}" for name, unit in QUANTITIES.items())]
