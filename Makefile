@@ -61,7 +61,7 @@ study: build ## the tests that take minutes
 benchmark-data: build ## make the benchmark shots again from their recipe, bit for bit
 	$(PYTHON) -m clubface.benchmark_data.generate
 
-benchmark-identification: build ## identify every model on the benchmark shots: the tables of docs/findings.md; hours, resumed
+benchmark-identification: build ## identify every model on the benchmark shots: the tables of docs/findings.md; some 20 minutes, resumed
 	@mkdir -p out
 	$(PYTHON) -m clubface.findings out/benchmark-identification docs/findings.json
 
