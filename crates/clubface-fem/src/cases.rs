@@ -66,5 +66,6 @@ fn against_rigid<R: Real, T: RigidSurface<R> + 'static>(
         axes: axes.map(|v| Vec3::new(v.x.re(), v.y.re(), v.z.re())),
         head_velocity: Vec3::zero(),
         parts,
+        ball_limit: None,
     })
 }

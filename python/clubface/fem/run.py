@@ -45,7 +45,7 @@ class Settings:
     """
 
     duration: float = 1e-3
-    safety: float = 0.8
+    safety: float = 0.9
     interval: float = 5e-6
     until_separation: bool = False
     frames: int = 0

@@ -18,7 +18,7 @@ impl Default for Springs {
     /// About the stiffness with which the surface elements hold their nodes. A stiffer spring lets every ring of nodes that arrives ring the
     /// force (peak 5% higher at 0.25), a softer one delays the contact (reversal of the tangential force 2% later at 0.05).
     fn default() -> Self {
-        Self { stiffness: 0.1, damping: 0.4, step: None }
+        Self { stiffness: 0.127, damping: 0.4, step: None }
     }
 }
 

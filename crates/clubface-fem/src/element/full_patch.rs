@@ -3,7 +3,7 @@
 use super::full::{constants, Forces, Hexahedron, Point, CONSTANTS, POINTS};
 use super::gauge::{cauchy, logarithmic, Felt, Tell};
 use super::{Energy, Patch, BLOCK};
-use crate::material::{Kinematics, Material, Remembering, Symmetric, UseMemory, MEMORY};
+use crate::material::{Kinematics, Material, Memory, Remembering, Symmetric, UseMemory};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 use std::collections::HashMap;
@@ -98,14 +98,10 @@ impl<R: Real> FullPatch<R> {
         }
     }
 
-    /// What a point of a block remembers, from lane `first` on.
-    #[inline(always)]
-    fn remembered<P: Pack<Real = R>>(&self, point: usize, first: usize) -> [P; MEMORY] {
-        let mut history = [P::zero(); MEMORY];
-        for i in 0..self.history_length {
-            history[i] = P::load(&self.history[(point * self.history_length + i) * BLOCK + first..]);
-        }
-        history
+    /// What the points of that number of eight elements remember.
+    fn remembered(&mut self, point: usize) -> &mut [R] {
+        let length = self.history_length * BLOCK;
+        &mut self.history[point * length..(point + 1) * length]
     }
 
     /// Elements of a block, from lane `first` on.
@@ -128,6 +124,9 @@ impl<R: Real> Patch<R> for FullPatch<R> {
         self.load(positions);
         self.forces.fill(Row::zero());
         R::dispatch(Assemble { patch: self, dt });
+    }
+    fn cost(&self) -> usize {
+        self.elements * 400
     }
     fn forces(&self) -> &[Row<R>] {
         &self.forces[..self.real_nodes]
@@ -162,7 +161,6 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
     fn with<M: Remembering<P>>(self, law: M) {
         let patch = self.patch;
         let bulk = P::splat(patch.material.bulk);
-        let length = patch.history_length;
         for block in 0..patch.corners.len() {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let element = patch.gather::<P>(block, first);
@@ -171,15 +169,8 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let at = Kinematics::new(element.gradient(point, &constants));
-                    let mut history = [P::zero(); MEMORY];
-                    let stored = &mut patch.history[(block * POINTS + point) * length * BLOCK..];
-                    for i in 0..length {
-                        history[i] = P::load(&stored[i * BLOCK + first..]);
-                    }
-                    let stress = law.advance(&at, &mut history[..length]);
-                    for i in 0..length {
-                        history[i].store(&mut stored[i * BLOCK + first..]);
-                    }
+                    let stored = patch.remembered(block * POINTS + point);
+                    let stress = law.advance(&at, &mut Memory::new(stored, first, BLOCK));
                     forces.add_stress(point, &constants, &at.first_piola(&stress, P::zero()));
                     volume += constants.volume;
                 }
@@ -196,15 +187,15 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
 }
 
 struct Energies<'a, R> {
-    patch: &'a FullPatch<R>,
+    patch: &'a mut FullPatch<R>,
 }
 
 impl<R: Real> PackKernel<R> for Energies<'_, R> {
     type Output = (Energy, (f64, f64));
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) -> Self::Output {
-        let material = &self.patch.material;
-        material.with_memory::<P, _>(&material.decays(0.0), Energies { patch: self.patch })
+        let material = self.patch.material.clone();
+        material.with_memory::<P, _>(&material.decays(0.0), self)
     }
 }
 
@@ -224,8 +215,8 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let at = Kinematics::new(element.gradient(point, &constants));
-                    let history = patch.remembered(block * POINTS + point, first);
-                    let found = law.energy(&at.c, &history[..patch.history_length]);
+                    let stored = patch.remembered(block * POINTS + point);
+                    let found = law.energy(&at.c, &Memory::new(stored, first, BLOCK));
                     strain += found.strain * constants.volume;
                     viscous += found.viscous * constants.volume;
                     plastic += found.plastic * constants.volume;
@@ -249,7 +240,7 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
 }
 
 struct Feel<'a, 'b, R> {
-    patch: &'a FullPatch<R>,
+    patch: &'a mut FullPatch<R>,
     tell: &'a mut Tell<'b>,
 }
 
@@ -257,8 +248,8 @@ impl<R: Real> PackKernel<R> for Feel<'_, '_, R> {
     type Output = ();
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
-        let material = &self.patch.material;
-        material.with_memory::<P, _>(&material.decays(0.0), Feel { patch: self.patch, tell: self.tell });
+        let material = self.patch.material.clone();
+        material.with_memory::<P, _>(&material.decays(0.0), self);
     }
 }
 
@@ -277,12 +268,13 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let at = Kinematics::new(element.gradient(point, &constants));
-                    let mut history = patch.remembered(block * POINTS + point, first);
-                    let history = &mut history[..patch.history_length];
-                    let shape = law.advance(&at, history);
+                    // A copy: who looks changes nothing.
+                    let mut history = patch.remembered(block * POINTS + point).to_vec();
+                    let mut history = Memory::new(&mut history, first, BLOCK);
+                    let shape = law.advance(&at, &mut history);
                     stress = stress.plus(constants.volume, &cauchy(&at, &shape, P::zero()));
                     strain = strain.plus(constants.volume, &logarithmic(&at));
-                    plastic = plastic.max(law.plastic_strain(history));
+                    plastic = plastic.max(law.plastic_strain(&history));
                     volume += constants.volume;
                 }
                 let share = volume.recip();

@@ -3,7 +3,7 @@
 use super::one_point::{Constants, Hexahedron};
 use super::point::Look;
 use super::BLOCK;
-use crate::material::{stretch::Stretches, Kinematics, Remembering, Symmetric, MEMORY};
+use crate::material::{stretch::Stretches, Kinematics, Memory, Remembering, Symmetric};
 use clubface_math::{Pack, Scalar};
 
 /// What an element feels, in the axes of the positions.
@@ -75,14 +75,13 @@ impl<P: Pack, M: Remembering<P>> Look<P> for Gauge<'_, '_, P, M> {
     #[inline(always)]
     fn see(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
         let at = Kinematics::new(element.gradient(constants));
-        let mut history = [P::zero(); MEMORY];
-        for i in 0..self.history_length {
-            history[i] = P::load(&self.history[(block * self.history_length + i) * BLOCK + first..]);
-        }
-        let history = &mut history[..self.history_length];
-        let stress = self.law.advance(&at, history);
+        // A copy: who looks changes nothing.
+        let length = self.history_length * BLOCK;
+        let mut history = self.history[block * length..(block + 1) * length].to_vec();
+        let mut history = Memory::new(&mut history, first, BLOCK);
+        let stress = self.law.advance(&at, &mut history);
         let stress = cauchy(&at, &stress, self.bulk * (at.deformation.volume - 1.0));
-        let (strain, plastic) = (logarithmic(&at), self.law.plastic_strain(history));
+        let (strain, plastic) = (logarithmic(&at), self.law.plastic_strain(&history));
         for which in 0..P::LANES {
             let Some(number) = self.numbers[block * BLOCK + first + which] else { continue };
             (self.tell)(number as usize, &Felt::of([&stress; 2], [&strain; 2], plastic, which));

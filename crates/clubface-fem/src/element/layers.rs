@@ -1,9 +1,9 @@
 //! The section of a shell as points through its thickness, each in plane stress.
 
 use super::quadrilateral::{Across, Increment, Resultants, HOURGLASS};
-use super::section::{Memory, Response, Section, SectionEnergy, ACROSS};
+use super::section::{Response, Section, SectionEnergy, ACROSS};
 use super::shell_material::ShellMaterial;
-use crate::material::{Hardening, PlaneState, PlaneStress};
+use crate::material::{Hardening, Memory, PlaneState, PlaneStress};
 use clubface_math::{Pack, Real};
 
 /// Where the work that became heat stands, J, and where the points begin.

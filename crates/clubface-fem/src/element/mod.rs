@@ -84,6 +84,8 @@ pub trait Patch<R: Real>: Send + Sync {
     fn probe(&mut self, positions: &[Row<R>], displacements: &[Row<R>]) {
         self.assemble(positions, displacements, 0.0);
     }
+    /// Rough time that the forces take, ns: to give threads as much to do.
+    fn cost(&self) -> usize;
     /// Forces on [`Patch::nodes`], N.
     fn forces(&self) -> &[Row<R>];
     /// Energies at the given positions, and the smallest and largest ratio of current to reference volume; the history stays as it is.

@@ -2,7 +2,7 @@
 
 use super::one_point::{Constants, Hexahedron, CONSTANTS};
 use super::{Aligned, Energy, BLOCK};
-use crate::material::{Deformation, Isochoric, Kinematics, Remembering, Symmetric, MEMORY};
+use crate::material::{Deformation, Isochoric, Kinematics, Memory, Remembering, Symmetric};
 use clubface_math::Pack;
 
 /// Constants of the elements of a block.
@@ -52,15 +52,8 @@ impl<P: Pack, M: Remembering<P>> Points<P> for Aging<'_, P, M> {
     fn stress(&mut self, block: usize, first: usize, volume: P, at: &Deformation<P>) -> Symmetric<P> {
         let length = self.history_length;
         let stored = &mut self.history[block * length * BLOCK..(block + 1) * length * BLOCK];
-        let mut history = [P::zero(); MEMORY];
-        for i in 0..length {
-            history[i] = P::load(&stored[i * BLOCK + first..]);
-        }
         let kinematics = Kinematics::of(*at);
-        let stress = self.law.advance(&kinematics, &mut history[..length]);
-        for i in 0..length {
-            history[i].store(&mut stored[i * BLOCK + first..]);
-        }
+        let stress = self.law.advance(&kinematics, &mut Memory::new(stored, first, BLOCK));
         kinematics.second_piola(&stress, self.bulk * (at.volume - 1.0), -volume)
     }
 }
@@ -72,7 +65,7 @@ pub struct Tally<'a, P: Pack, M> {
     /// Bulk modulus, Pa.
     pub bulk: P,
     /// History of all blocks.
-    pub history: &'a [P::Real],
+    pub history: &'a mut [P::Real],
     /// Numbers of history an element has.
     pub history_length: usize,
     /// Energies, J.
@@ -87,11 +80,8 @@ impl<P: Pack, M: Remembering<P>> Look<P> for Tally<'_, P, M> {
         let kinematics = Kinematics::new(element.gradient(constants));
         let (reference, ratio) = (constants.volume(), kinematics.deformation.volume);
         let dilation = ratio - 1.0;
-        let mut history = [P::zero(); MEMORY];
-        for i in 0..self.history_length {
-            history[i] = P::load(&self.history[(block * self.history_length + i) * BLOCK + first..]);
-        }
-        let found = self.law.energy(&kinematics.c, &history[..self.history_length]);
+        let stored = &mut self.history[block * self.history_length * BLOCK..];
+        let found = self.law.energy(&kinematics.c, &Memory::new(stored, first, BLOCK));
         let strain = (found.strain + self.bulk * dilation * dilation * 0.5) * reference;
         let (viscous, plastic) = (found.viscous * reference, found.plastic * reference);
         let hourglass = element.hourglass_energy(constants);

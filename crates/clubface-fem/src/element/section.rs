@@ -1,7 +1,7 @@
 //! The section of a shell: from strain increments to stress resultants through the thickness.
 
 use super::quadrilateral::{Across, Increment, Resultants, HOURGLASS};
-use super::BLOCK;
+use crate::material::Memory;
 use clubface_math::{Pack, Scalar};
 
 /// Share of the section that carries transverse shear.
@@ -123,36 +123,6 @@ impl<P: Scalar> Section<P> {
             stabilising += across.hourglass[i] * across.hourglass[i] / hourglass[i] * 0.5;
         }
         (shear * area, stabilising)
-    }
-}
-
-/// What elements of a block, from some lane on, remember: eight lanes a number.
-pub struct Memory<'a, R> {
-    numbers: &'a mut [R],
-    first: usize,
-}
-
-impl<'a, R> Memory<'a, R> {
-    /// From the numbers of a block.
-    #[inline(always)]
-    pub fn new(numbers: &'a mut [R], first: usize) -> Self {
-        Self { numbers, first }
-    }
-    /// Some consecutive numbers.
-    #[inline(always)]
-    pub fn load<P: Pack<Real = R>, const N: usize>(&self, from: usize) -> [P; N] {
-        let mut values = [P::zero(); N];
-        for i in 0..N {
-            values[i] = P::load(&self.numbers[(from + i) * BLOCK + self.first..]);
-        }
-        values
-    }
-    /// Writes them.
-    #[inline(always)]
-    pub fn store<P: Pack<Real = R>, const N: usize>(&mut self, from: usize, values: [P; N]) {
-        for i in 0..N {
-            values[i].store(&mut self.numbers[(from + i) * BLOCK + self.first..]);
-        }
     }
 }
 

@@ -8,10 +8,11 @@ use super::gauge::Tell;
 use super::layers::Layers;
 use super::quadrature::Rule;
 use super::quadrilateral::{Quadrilateral, CORNERS};
-use super::section::{ElasticSection, Memory, Response, Section};
+use super::section::{ElasticSection, Response, Section};
 use super::shell_look::{Energies, Feel};
 use super::shell_material::ShellMaterial;
 use super::{Energy, Patch, BLOCK};
+use crate::material::Memory;
 use crate::mesh::ShellMesh;
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 use std::collections::HashMap;
@@ -138,6 +139,9 @@ impl<R: Real> Patch<R> for ShellPatch<R> {
         self.assemble(positions, displacements, 1.0);
         self.history = history;
     }
+    fn cost(&self) -> usize {
+        self.elements * (35 + 15 * self.points.len())
+    }
     fn forces(&self) -> &[Row<R>] {
         &self.forces
     }
@@ -228,7 +232,7 @@ impl<R: Real> Assemble<'_, R> {
                 let thickness = P::load(&patch.thickness[block * BLOCK + first..]);
                 let section = Section::new(elastic, plate, shear, thickness);
                 let hourglass = section.hourglass(shape.area, shape.aspect());
-                let mut memory = Memory::new(history, first);
+                let mut memory = Memory::new(history, first, BLOCK);
                 let resultants = law.respond(&section, &increment, &hourglass, shape.area, &mut memory);
                 let (force, moment) = shape.forces(&resultants);
                 scatter(forces, &patch.corners[block], first, &force);

@@ -3,9 +3,10 @@
 use super::gauge::{Felt, Tell};
 use super::layers::Layers;
 use super::quadrilateral::Quadrilateral;
-use super::section::{ElasticSection, Memory, Response, Section};
+use super::section::{ElasticSection, Response, Section};
 use super::shell::{gather, ShellPatch};
 use super::{Energy, BLOCK};
+use crate::material::Memory;
 use clubface_math::{Pack, PackKernel, Real, Row};
 
 /// Energies, and smallest and largest ratio of areas.
@@ -49,7 +50,7 @@ impl<R: Real> Energies<'_, R> {
                 let shape = Quadrilateral::<P>::new(&unsafe { gather(self.positions, rows, first) });
                 let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
                 let hourglass = section.hourglass(shape.area, shape.aspect());
-                let found = law.energy(&section, &hourglass, shape.area, &Memory::new(history, first));
+                let found = law.energy(&section, &hourglass, shape.area, &Memory::new(history, first, BLOCK));
                 let ratio = shape.area / P::load(&patch.areas[at..]);
                 for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {
                     energy.strain += found.strain.lane(lane);
@@ -100,7 +101,7 @@ impl<R: Real> Feel<'_, '_, R> {
                 // SAFETY: the caller has checked the rows.
                 let shape = Quadrilateral::<P>::new(&unsafe { gather(self.positions, rows, first) });
                 let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
-                let (sides, plastic) = law.sides(&section, &Memory::new(history, first));
+                let (sides, plastic) = law.sides(&section, &Memory::new(history, first, BLOCK));
                 let stress = sides.map(|[x, y, xy]| shape.turned_out([x, y, xy, P::zero()]));
                 let strain = sides.map(|side| shape.turned_out(section.strain(&side)));
                 for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {

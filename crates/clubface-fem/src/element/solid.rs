@@ -177,6 +177,9 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
             motion.hand_back(positions, velocities, &self.nodes);
         }
     }
+    fn cost(&self) -> usize {
+        self.constants.len() * BLOCK * if self.history_length == 0 { 30 } else { 38 }
+    }
     fn forces(&self) -> &[Row<R>] {
         match &self.layout {
             Layout::Lattice(lattice) => lattice.forces(),

@@ -82,8 +82,8 @@ pub fn against_ball<R: Real>(
     let mut masses = meshed.masses.clone();
     // The springs are those of the ball against a rigid face, though the head may need shorter steps.
     let mut alone = Structure::new(positions.clone(), meshed.masses, meshed.patches, &[]);
-    let springs =
-        Springs { step: Some(alone.stable_step(40) * Options::default().safety), ..Springs::default() };
+    let limit = alone.stable_step(40);
+    let springs = Springs { step: Some(limit * Options::default().safety), ..Springs::default() };
     let (mut patches, mut parts) = (alone.into_patches(), meshed.parts);
     let frame = face_axes(head.loft());
     let along = |p: &Vec3<f64>| Vec3::from_f64(frame.map(|axis| p.dot(axis))) + touch.lever;
@@ -133,6 +133,7 @@ pub fn against_ball<R: Real>(
         axes: axes.map(|v| Vec3::new(v.x.re(), v.y.re(), v.z.re())),
         head_velocity: touch.club_velocity,
         parts,
+        ball_limit: Some(limit),
     })
 }
 

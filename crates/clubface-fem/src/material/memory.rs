@@ -1,13 +1,42 @@
 //! Laws with what they remember at a point: viscoelastic branches, plastic flow.
 
+use super::viscous::{undeformed, work};
 use super::{
     add_branches, Decay, Isochoric, Kinematics, Material, PlasticState, Shape, Symmetric, UseLaw, VonMises,
     MAX_TERMS,
 };
-use clubface_math::{Pack, Real, Scalar};
+use clubface_math::{Pack, Real};
 
-/// Most numbers a point remembers: stress and deformation of the last step, work done on the branches, six stresses a branch.
-pub const MEMORY: usize = 13 + 6 * MAX_TERMS;
+/// What some points of a group remember, a number after the other: `stride` of them, of which a pack begins with the one at `first`.
+pub struct Memory<'a, R> {
+    numbers: &'a mut [R],
+    first: usize,
+    stride: usize,
+}
+
+impl<'a, R> Memory<'a, R> {
+    /// From the numbers of a group.
+    #[inline(always)]
+    pub fn new(numbers: &'a mut [R], first: usize, stride: usize) -> Self {
+        Self { numbers, first, stride }
+    }
+    /// Some consecutive numbers.
+    #[inline(always)]
+    pub fn load<P: Pack<Real = R>, const N: usize>(&self, from: usize) -> [P; N] {
+        let mut values = [P::zero(); N];
+        for i in 0..N {
+            values[i] = P::load(&self.numbers[(from + i) * self.stride + self.first..]);
+        }
+        values
+    }
+    /// Writes them.
+    #[inline(always)]
+    pub fn store<P: Pack<Real = R>, const N: usize>(&mut self, from: usize, values: [P; N]) {
+        for i in 0..N {
+            values[i].store(&mut self.numbers[(from + i) * self.stride + self.first..]);
+        }
+    }
+}
 
 /// Energies at a point without that of the change of volume, J/m3.
 #[derive(Clone, Copy, Debug)]
@@ -21,15 +50,15 @@ pub struct PointEnergy<S> {
 }
 
 /// A law for the change of shape with a memory, some numbers a point.
-pub trait Remembering<S: Scalar> {
+pub trait Remembering<S: Pack> {
     /// `2 dW/dC̄` (Pa), but for a multiple of `C̄^-1`, at the end of a step; the memory moves on.
-    fn advance(&self, at: &Kinematics<S>, memory: &mut [S]) -> Symmetric<S>;
+    fn advance(&self, at: &Kinematics<S>, memory: &mut Memory<S::Real>) -> Symmetric<S>;
     /// Equivalent plastic strain.
-    fn plastic_strain(&self, _memory: &[S]) -> S {
+    fn plastic_strain(&self, _memory: &Memory<S::Real>) -> S {
         S::zero()
     }
     /// Energies at `C̄`.
-    fn energy(&self, c: &Symmetric<S>, memory: &[S]) -> PointEnergy<S>;
+    fn energy(&self, c: &Symmetric<S>, memory: &Memory<S::Real>) -> PointEnergy<S>;
 }
 
 /// An elastic law with viscoelastic branches, or none.
@@ -39,9 +68,9 @@ pub struct Branched<'a, S, L> {
     decays: &'a [Decay<S>],
 }
 
-impl<S: Scalar, L: Isochoric<S>> Remembering<S> for Branched<'_, S, L> {
+impl<S: Pack, L: Isochoric<S>> Remembering<S> for Branched<'_, S, L> {
     #[inline(always)]
-    fn advance(&self, at: &Kinematics<S>, memory: &mut [S]) -> Symmetric<S> {
+    fn advance(&self, at: &Kinematics<S>, memory: &mut Memory<S::Real>) -> Symmetric<S> {
         let stress = self.law.stress(&at.c);
         if self.decays.is_empty() {
             return stress;
@@ -49,41 +78,33 @@ impl<S: Scalar, L: Isochoric<S>> Remembering<S> for Branched<'_, S, L> {
         add_branches(at, stress, self.decays, memory)
     }
     #[inline(always)]
-    fn energy(&self, c: &Symmetric<S>, memory: &[S]) -> PointEnergy<S> {
-        let viscous = if memory.is_empty() { S::zero() } else { memory[12] };
+    fn energy(&self, c: &Symmetric<S>, memory: &Memory<S::Real>) -> PointEnergy<S> {
+        let viscous = if self.decays.is_empty() { S::zero() } else { work(memory) };
         PointEnergy { strain: self.law.energy(c), viscous, plastic: S::zero() }
     }
 }
 
-/// The state in a point's memory.
-#[inline(always)]
-fn state<S: Scalar>(memory: &[S]) -> PlasticState<S> {
-    let mut numbers = [S::zero(); PlasticState::<f64>::LENGTH];
-    numbers.copy_from_slice(&memory[..PlasticState::<f64>::LENGTH]);
-    PlasticState::from_numbers(numbers)
-}
-
-impl<S: Scalar> Remembering<S> for VonMises<S> {
+impl<S: Pack> Remembering<S> for VonMises<S> {
     #[inline(always)]
-    fn advance(&self, at: &Kinematics<S>, memory: &mut [S]) -> Symmetric<S> {
-        let mut state = state(memory);
+    fn advance(&self, at: &Kinematics<S>, memory: &mut Memory<S::Real>) -> Symmetric<S> {
+        let mut state = PlasticState::from_numbers(memory.load(0));
         let stress = VonMises::advance(self, &at.c, &mut state);
-        memory[..PlasticState::<f64>::LENGTH].copy_from_slice(&state.numbers());
+        memory.store(0, state.numbers());
         stress
     }
     #[inline(always)]
-    fn plastic_strain(&self, memory: &[S]) -> S {
-        state(memory).plastic_strain
+    fn plastic_strain(&self, memory: &Memory<S::Real>) -> S {
+        PlasticState::from_numbers(memory.load(0)).plastic_strain
     }
     #[inline(always)]
-    fn energy(&self, c: &Symmetric<S>, memory: &[S]) -> PointEnergy<S> {
-        let state = state(memory);
+    fn energy(&self, c: &Symmetric<S>, memory: &Memory<S::Real>) -> PointEnergy<S> {
+        let state = PlasticState::from_numbers(memory.load(0));
         PointEnergy { strain: self.stored(c, &state), viscous: S::zero(), plastic: state.heat }
     }
 }
 
 /// A computation for [`Material::with_memory`].
-pub trait UseMemory<S: Scalar> {
+pub trait UseMemory<S: Pack> {
     /// What it returns.
     type Output;
     /// Runs it; implement with `#[inline(always)]`.
@@ -96,7 +117,7 @@ struct Branching<'a, S, U> {
     computation: U,
 }
 
-impl<S: Scalar, U: UseMemory<S>> UseLaw<S> for Branching<'_, S, U> {
+impl<S: Pack, U: UseMemory<S>> UseLaw<S> for Branching<'_, S, U> {
     type Output = U::Output;
     #[inline(always)]
     fn with<L: Isochoric<S>>(self, law: L) -> U::Output {
@@ -116,10 +137,7 @@ impl<R: Real> Material<R> {
         if terms == 0 {
             return vec![];
         }
-        let mut numbers = vec![R::zero(); 13 + 6 * terms];
-        // The undeformed C̄ is the identity; its driving stress has no deviator.
-        numbers[6..9].fill(R::one());
-        numbers
+        undeformed(terms)
     }
 
     /// Decay of the branches over a step of `dt` seconds, the first of as many as there are.

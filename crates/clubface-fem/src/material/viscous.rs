@@ -1,8 +1,8 @@
 //! Finite-strain viscoelasticity over any law of shape: Maxwell branches whose stress follows that of the law and relaxes
 //! (Simo, Comput. Methods Appl. Mech. Eng. 60, 1987; Simo and Hughes, Computational Inelasticity, section 10.3).
 
-use super::{Kinematics, Symmetric};
-use clubface_math::Scalar;
+use super::{Kinematics, Memory, Symmetric};
+use clubface_math::{Pack, Scalar};
 
 /// Most terms a material may have.
 pub const MAX_TERMS: usize = 4;
@@ -33,30 +33,49 @@ impl<S: Scalar> Maxwell<S> {
     }
 }
 
-/// Stress of the branches added to that of the law; the history moves on by one step.
+/// Where things stand in a point's memory: driving stress and `C̄` of the last step, work done on the branches, six stresses a branch.
+const DEFORMATION: usize = 6;
+const WORK: usize = 12;
+const BRANCHES: usize = 13;
+
+/// Memory of a point before any deformation.
+pub(super) fn undeformed<S: Scalar>(terms: usize) -> Vec<S> {
+    let mut numbers = vec![S::zero(); BRANCHES + 6 * terms];
+    // The undeformed C̄ is the identity; its driving stress has no deviator.
+    numbers[DEFORMATION..DEFORMATION + 3].fill(S::one());
+    numbers
+}
+
+/// Work done on the branches so far, J/m3.
 #[inline(always)]
-pub fn add_branches<S: Scalar>(
-    at: &Kinematics<S>,
-    stress: Symmetric<S>,
-    decays: &[Decay<S>],
-    history: &mut [S],
-) -> Symmetric<S> {
-    let (last, branches) = history.split_at_mut(13);
+pub fn work<P: Pack>(memory: &Memory<P::Real>) -> P {
+    let [work] = memory.load(WORK);
+    work
+}
+
+/// Stress of the branches added to that of the law; the memory moves on by one step.
+#[inline(always)]
+pub fn add_branches<P: Pack>(
+    at: &Kinematics<P>,
+    stress: Symmetric<P>,
+    decays: &[Decay<P>],
+    memory: &mut Memory<P::Real>,
+) -> Symmetric<P> {
     let driving = at.deviator(&stress);
+    let growth = driving.minus(&Symmetric(memory.load(0)));
+    let strain = at.c.minus(&Symmetric(memory.load(DEFORMATION)));
     let mut total = stress;
-    let mut power = S::zero();
-    for (decay, branch) in decays.iter().zip(branches.chunks_exact_mut(6)) {
-        for i in 0..6 {
-            let before = branch[i];
-            let after = decay.whole.mul_add(before, decay.half * (driving.0[i] - last[i]));
-            branch[i] = after;
-            total.0[i] += after;
-            let weight = if i < 3 { 0.25 } else { 0.5 };
-            power += (before + after) * (at.c.0[i] - last[6 + i]) * weight;
-        }
+    let mut power = P::zero();
+    for (term, decay) in decays.iter().enumerate() {
+        let before = Symmetric(memory.load(BRANCHES + 6 * term));
+        let after = growth.scale(decay.half).plus(decay.whole, &before);
+        memory.store(BRANCHES + 6 * term, after.0);
+        total = total.plus(P::one(), &after);
+        power += before.plus(P::one(), &after).contract(&strain);
     }
-    last[..6].copy_from_slice(&driving.0);
-    last[6..12].copy_from_slice(&at.c.0);
-    last[12] += power;
+    memory.store(0, driving.0);
+    memory.store(DEFORMATION, at.c.0);
+    let done: P = work(memory);
+    memory.store(WORK, [power.mul_add(P::from_f64(0.25), done)]);
     total
 }

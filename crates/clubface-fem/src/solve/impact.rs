@@ -24,7 +24,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { duration: 1e-3, safety: 0.8, interval: 5e-6, energy_every: 4, until_separation: false }
+        Self { duration: 1e-3, safety: 0.9, interval: 5e-6, energy_every: 4, until_separation: false }
     }
 }
 
@@ -84,6 +84,8 @@ pub struct Impact<R> {
     pub head_velocity: Vec3<R>,
     /// Name of the part that each patch belongs to.
     pub parts: Vec<String>,
+    /// Bound of the stable step of the ball alone, s, if there are elements beside it.
+    pub ball_limit: Option<f64>,
 }
 
 /// What came out.
@@ -126,7 +128,8 @@ impl<R: Real> Impact<R> {
     ) -> Result<Outcome<R>, FemError> {
         options.check()?;
         let dt = rounded(self.structure.stable_step(40) * options.safety);
-        let every = (options.interval / dt).round().max(1.0) as usize;
+        let stride = if self.let_rest(dt, options.safety) { 2 } else { 1 };
+        let every = (options.interval / (dt * stride as f64)).round().max(1.0) as usize * stride;
         let start = std::time::Instant::now();
         let mut run = Run { history: History::default(), touched: None, dt, step: 0 };
         let stopped = loop {

@@ -1,4 +1,4 @@
-//! Many steps at a time: the threads stay together from step to step, and patches move the nodes inside them by themselves.
+//! Many steps at a time: the threads stay together from step to step, and patches move the nodes inside them as they go.
 
 use super::shares::{Fields, Forces};
 use super::team::{Round, Team};
@@ -6,7 +6,9 @@ use super::Structure;
 use crate::contact::Contact;
 use crate::element::Scratch;
 use clubface_math::Real;
-use std::ops::Range;
+
+/// Rough time of the contact, ns a node.
+const CONTACT: usize = 8;
 
 /// Things of which each task uses one.
 struct Shared<T> {
@@ -21,6 +23,9 @@ impl<T> Shared<T> {
     fn of(values: &mut [T]) -> Self {
         Self { start: values.as_mut_ptr(), count: values.len() }
     }
+    fn base(&self) -> *const T {
+        self.start
+    }
     /// # Safety
     /// Nobody else uses this part, and it is still there.
     #[allow(clippy::mut_from_ref)]
@@ -28,12 +33,6 @@ impl<T> Shared<T> {
         assert!(index < self.count);
         // SAFETY: the caller's promise.
         unsafe { &mut *self.start.add(index) }
-    }
-    /// # Safety
-    /// Nobody writes to any part, and they are still there.
-    unsafe fn all(&self) -> &[T] {
-        // SAFETY: the caller's promise.
-        unsafe { std::slice::from_raw_parts(self.start, self.count) }
     }
 }
 
@@ -52,48 +51,61 @@ impl<R: Real> Structure<R> {
         }
         let members = rayon::current_num_threads();
         self.scratches.resize_with(members, Scratch::new);
-        // The contact first: it is one task, however long it takes.
-        let (patches, contact_cost) = (self.patches.len(), self.lengths[self.patches.len()]);
-        let costs: Vec<usize> =
-            std::iter::once(contact_cost).chain(self.lengths[..patches].iter().copied()).collect();
-        let portions = [portions(&costs, members), portions(&vec![1; self.outer.len()], members)];
+        let held: Vec<f64> = (0..self.patches.len()).map(|patch| self.held(patch, dt)).collect();
+        let [whole, awake] = self.rosters(members);
+        let mut pause = self.pause;
         let fields = Fields::new(&mut self.positions, &mut self.velocities, &self.inverse_masses);
-        let mut forces = vec![Forces::none(); costs.len()];
+        let mut forces = vec![Forces::none(); held.len() + 1];
         let (mut contacts, shared_forces) = ([contact], Shared::of(&mut forces));
         let (scratches, patches) = (Shared::of(&mut self.scratches), Shared::of(&mut self.patches));
-        let (contact, outer, lengths) = (Shared::of(&mut contacts), &self.outer, &self.lengths);
+        let (contact, inner, outer) = (Shared::of(&mut contacts), &self.inner, &self.outer);
+        let lengths = &self.lengths;
         let step = R::from_f64(dt);
-        // SAFETY of both rounds: each patch, the contact and each chunk of nodes is one task, each member has a scratch of its own, and the first round
-        // reads the fields and writes forces, the second the other way round.
+        // SAFETY of all rounds: each patch, the contact and each chunk of nodes is one task, each member has a scratch of its own, and rounds of one
+        // kind read the fields and write forces, those of the other kind the other way round. Only nodes of one patch alone, which no other task
+        // reads, move as soon as it has made its forces.
         let assemble = |task: usize, member: usize| unsafe {
             let (positions, velocities) = fields.read();
-            let (place, rows) = if task == 0 {
+            let rows = if task == patches.count {
                 let contact = contact.part(0);
                 contact.assemble(positions, velocities, dt);
-                (patches.count, contact.forces())
+                contact.forces()
             } else {
-                let patch = patches.part(task - 1);
-                patch.step(positions, velocities, dt, scratches.part(member));
-                (task - 1, patch.forces())
+                let patch = patches.part(task);
+                patch.step(positions, velocities, held[task], scratches.part(member));
+                patch.forces()
             };
-            *shared_forces.part(place) = Forces::new(rows, lengths[place]);
+            *shared_forces.part(task) = Forces::new(rows, lengths[task]);
+            if let Some(inner) = inner.get(task) {
+                inner.advance(fields, shared_forces.base(), step, true);
+            }
         };
-        let advance = |task: usize, _: usize| unsafe {
-            outer[task].advance(fields, shared_forces.all(), step);
+        let advance = |task: usize, whole: bool| unsafe {
+            outer[task].advance(fields, shared_forces.base(), step, whole);
         };
-        let rounds =
-            [Round { task: &assemble, shares: &portions[0] }, Round { task: &advance, shares: &portions[1] }];
+        let (advance_all, advance_awake) =
+            (|task: usize, _: usize| advance(task, true), |task: usize, _: usize| advance(task, false));
+        let rounds = [
+            Round { task: &assemble, shares: &whole.tasks },
+            Round { task: &advance_all, shares: &whole.chunks },
+            Round { task: &assemble, shares: &awake.tasks },
+            Round { task: &advance_awake, shares: &awake.chunks },
+        ];
+        let rests = self.resting.contains(&true);
         let mut done = 0;
         Team::with(&rounds, |team| {
             let mut go = true;
             while go && done < count {
-                team.run(0);
+                let first = if pause { 2 } else { 0 };
+                team.run(first);
                 // SAFETY: between rounds.
                 go = watch(*unsafe { contact.part(0) });
-                team.run(1);
+                team.run(first + 1);
+                pause = rests && !pause;
                 done += 1;
             }
         });
+        self.pause = pause;
         for patch in &mut self.patches {
             patch.hand_back(&mut self.positions, &mut self.velocities);
         }
@@ -101,20 +113,56 @@ impl<R: Real> Structure<R> {
     }
 }
 
+/// Who does what in one kind of step, by member.
+struct Roster {
+    /// Patches, and the contact under the number after the last.
+    tasks: Vec<Vec<usize>>,
+    chunks: Vec<Vec<usize>>,
+}
+
+impl<R: Real> Structure<R> {
+    /// Of a step of everything, and of one in which some rest. Each member has the same patches in both, and moves their nodes: its caches keep their data.
+    fn rosters(&self, members: usize) -> [Roster; 2] {
+        let count = self.patches.len();
+        let costs: Vec<usize> = self.patches.iter().map(|patch| patch.cost()).collect();
+        let (asleep, mut awake): (Vec<usize>, Vec<usize>) =
+            (0..count).partition(|&patch| self.resting[patch]);
+        // The contact first: it is one task, however long it takes.
+        awake.insert(0, count);
+        let cost = |task: usize| costs.get(task).copied().unwrap_or(CONTACT * self.touching.len());
+        let awake = portions(&awake, cost, members);
+        let all = awake.iter().zip(portions(&asleep, cost, members)).map(|(a, b)| [&a[..], &b].concat());
+        let all: Vec<Vec<usize>> = all.collect();
+        let chunks = |rested: bool| -> Vec<Vec<usize>> {
+            let of = |tasks: &Vec<usize>| {
+                let mine = |&chunk: &usize| {
+                    tasks.contains(&self.outer[chunk].owner) && (rested || !self.outer[chunk].rest())
+                };
+                (0..self.outer.len()).filter(mine).collect()
+            };
+            all.iter().map(of).collect()
+        };
+        let (of_all, of_awake) = (chunks(true), chunks(false));
+        [Roster { tasks: all, chunks: of_all }, Roster { tasks: awake, chunks: of_awake }]
+    }
+}
+
 /// Tasks in the order given, in portions of about the same cost.
-fn portions(costs: &[usize], count: usize) -> Vec<Range<usize>> {
-    let all: usize = costs.iter().sum();
+fn portions(tasks: &[usize], cost: impl Fn(usize) -> usize, count: usize) -> Vec<Vec<usize>> {
+    let all: usize = tasks.iter().map(|&task| cost(task)).sum();
     let (mut start, mut sum) = (0, 0);
     (1..=count)
         .map(|portion| {
             let mut end = start;
-            while end < costs.len() && (portion == count || (sum + costs[end] / 2) * count < all * portion) {
-                sum += costs[end];
+            while end < tasks.len()
+                && (portion == count || (sum + cost(tasks[end]) / 2) * count < all * portion)
+            {
+                sum += cost(tasks[end]);
                 end += 1;
             }
-            let tasks = start..end;
+            let part = tasks[start..end].to_vec();
             start = end;
-            tasks
+            part
         })
         .collect()
 }
@@ -125,8 +173,9 @@ mod tests {
 
     #[test]
     fn portions_hold_every_task_once_and_cost_about_the_same() {
-        assert_eq!(portions(&[1, 4, 4, 4, 4, 1], 2), [0..3, 3..6]);
-        assert_eq!(portions(&[9, 1], 3), [0..0, 0..1, 1..2]);
-        assert_eq!(portions(&[], 2), [0..0, 0..0]);
+        let costs = [1, 4, 4, 4, 4, 1];
+        assert_eq!(portions(&[0, 1, 2, 3, 4, 5], |task| costs[task], 2), [[0, 1, 2], [3, 4, 5]]);
+        assert_eq!(portions(&[7, 8], |task| if task == 7 { 9 } else { 1 }, 3), [vec![], vec![7], vec![8]]);
+        assert_eq!(portions(&[], |_| 1, 2), [vec![], vec![]]);
     }
 }

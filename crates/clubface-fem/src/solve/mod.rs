@@ -3,6 +3,7 @@
 mod history;
 mod impact;
 mod march;
+mod rest;
 mod shares;
 mod stable_step;
 mod structure;

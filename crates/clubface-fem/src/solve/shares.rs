@@ -5,44 +5,100 @@ use clubface_math::{Pack, PackKernel, Real, Row, Scalar};
 /// Nodes a task.
 const CHUNK: usize = 512;
 
-/// Where the forces on some nodes stand. Nodes with the same number of forces follow each other, so that a CPU guesses right how often to
-/// add.
+/// Steps a resting list's forces hold for.
+pub(super) const PERIOD: f64 = 2.0;
+
+/// Nodes that follow each other and have as many forces, so that a CPU guesses right how often to add.
+struct Alike {
+    nodes: usize,
+    /// Forces of lists that rest in every second step, and of the others.
+    slow: usize,
+    fast: usize,
+}
+
+impl Alike {
+    /// Whether these nodes rest in every second step.
+    fn rest(&self) -> bool {
+        self.slow > 0 && self.fast == 0
+    }
+}
+
+/// Where the forces on some nodes stand.
 pub(super) struct Shares {
-    /// Number of nodes with no force, one, two, ...
-    counts: Vec<usize>,
+    /// List that the first forces stand in.
+    pub(super) owner: usize,
+    groups: Vec<Alike>,
     nodes: Vec<u32>,
-    /// List of each force, and place in it, node by node in the order of the lists.
+    /// List of each force, and place in it, node by node: those of resting lists first, in the order of the lists.
     slots: Vec<(u32, u32)>,
 }
 
-/// All nodes but those that `skip` names, by the lists of nodes that forces act on.
-pub(super) fn shares<'a>(
+/// Nodes apart.
+pub(super) struct Split {
+    /// Those that forces of one list alone act on, by list.
+    pub(super) inner: Vec<Shares>,
+    /// The others.
+    pub(super) outer: Vec<Shares>,
+}
+
+/// All nodes but those that `skip` names, by the lists of nodes that forces act on, of which some rest in every second step. The first `alone` lists have
+/// inner nodes.
+pub(super) fn split<'a>(
     count: usize,
     lists: impl Iterator<Item = &'a [u32]>,
+    alone: usize,
+    rests: impl Fn(usize) -> bool,
     skip: impl Fn(usize) -> bool,
-) -> Vec<Shares> {
-    let mut on_node: Vec<Vec<(u32, u32)>> = vec![Vec::new(); count];
+) -> Split {
+    let mut on_node: Vec<[Vec<(u32, u32)>; 2]> = vec![[Vec::new(), Vec::new()]; count];
     for (list, nodes) in lists.enumerate() {
         for (place, &node) in nodes.iter().enumerate() {
-            on_node[node as usize].push((list as u32, place as u32));
+            on_node[node as usize][usize::from(!rests(list))].push((list as u32, place as u32));
         }
     }
-    let nodes: Vec<usize> = (0..count).filter(|&node| !skip(node)).collect();
-    nodes.chunks(CHUNK).map(|chunk| Shares::new(chunk, &on_node)).collect()
+    // Nodes that rest together come first: whole chunks of them have nothing to do. Then list by list: who has made the forces has them at hand.
+    let rest = |node: &usize| on_node[*node][1].is_empty() && !on_node[*node][0].is_empty();
+    let first = |node: usize| on_node[node].iter().flatten().min().copied();
+    let mut inner = vec![Vec::new(); alone];
+    let mut nodes = Vec::new();
+    for node in (0..count).filter(|&node| !skip(node)) {
+        let mut slots = on_node[node].iter().flatten();
+        match (slots.next(), slots.next()) {
+            (Some(&(list, _)), None) if (list as usize) < alone => inner[list as usize].push(node),
+            _ => nodes.push(node),
+        }
+    }
+    nodes.sort_by_key(|&node| first(node));
+    let (resting, others): (Vec<usize>, Vec<usize>) = nodes.into_iter().partition(rest);
+    let chunks = resting.chunks(CHUNK).chain(others.chunks(CHUNK));
+    Split {
+        inner: inner.iter().map(|nodes| Shares::new(nodes, &on_node)).collect(),
+        outer: chunks.map(|chunk| Shares::new(chunk, &on_node)).collect(),
+    }
 }
 
 impl Shares {
-    fn new(chunk: &[usize], on_node: &[Vec<(u32, u32)>]) -> Self {
-        let most = chunk.iter().map(|&node| on_node[node].len()).max().unwrap_or(0);
-        let mut shares = Self { counts: vec![0; most + 1], nodes: Vec::new(), slots: Vec::new() };
-        for count in 0..=most {
-            for &node in chunk.iter().filter(|&&node| on_node[node].len() == count) {
-                shares.counts[count] += 1;
+    fn new(chunk: &[usize], on_node: &[[Vec<(u32, u32)>; 2]]) -> Self {
+        let key = |node: usize| on_node[node].each_ref().map(Vec::len);
+        let mut order = chunk.to_vec();
+        order.sort_by_key(|&node| key(node));
+        let slot = chunk.first().and_then(|&node| on_node[node].iter().flatten().min());
+        let owner = slot.map_or(0, |slot| slot.0 as usize);
+        let mut shares = Self { owner, groups: Vec::new(), nodes: Vec::new(), slots: Vec::new() };
+        for group in order.chunk_by(|&a, &b| key(a) == key(b)) {
+            let [slow, fast] = key(group[0]);
+            shares.groups.push(Alike { nodes: group.len(), slow, fast });
+            for &node in group {
                 shares.nodes.push(node as u32);
-                shares.slots.extend(&on_node[node]);
+                shares.slots.extend(on_node[node].iter().flatten());
             }
         }
         shares
+    }
+
+    /// Whether all of its nodes rest in every second step.
+    pub(super) fn rest(&self) -> bool {
+        self.groups.iter().all(Alike::rest)
     }
 }
 
@@ -106,46 +162,68 @@ impl<R: Real> Fields<R> {
 }
 
 impl Shares {
-    /// Moves the nodes by a step.
+    /// Moves the nodes by a step; in a `whole` one the forces of resting lists act, for as many steps as they hold.
     ///
     /// # Safety
-    /// Fields and forces are still there, of the nodes and lists that the shares were made for, and nobody else uses these nodes of the fields.
-    pub(super) unsafe fn advance<R: Real>(&self, fields: Fields<R>, forces: &[Forces<R>], step: R) {
-        R::dispatch(Advance { shares: self, fields, forces, step });
+    /// Fields and the forces of all lists are still there, of the nodes and lists that the shares were made for, and nobody else uses these nodes of the
+    /// fields or writes forces on them.
+    pub(super) unsafe fn advance<R: Real>(
+        &self,
+        fields: Fields<R>,
+        forces: *const Forces<R>,
+        step: R,
+        whole: bool,
+    ) {
+        R::dispatch(Advance { shares: self, fields, forces, step, whole });
     }
 }
 
 struct Advance<'a, R> {
     shares: &'a Shares,
     fields: Fields<R>,
-    forces: &'a [Forces<R>],
+    forces: *const Forces<R>,
     step: R,
+    whole: bool,
 }
 
 impl<R: Real> PackKernel<R> for Advance<'_, R> {
     type Output = ();
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
-        let Advance { shares, fields, forces, step } = self;
+        let Advance { shares, fields, forces, step, whole } = self;
         let (mut node, mut slot) = (0, 0);
-        for (count, &nodes) in shares.counts.iter().enumerate() {
+        for group in &shares.groups {
+            let Alike { nodes, slow, fast } = *group;
+            if group.rest() && !whole {
+                (node, slot) = (node + nodes, slot + nodes * slow);
+                continue;
+            }
+            let step = if group.rest() { step * PERIOD } else { step };
             for _ in 0..nodes {
                 // SAFETY: the promise of `Shares::advance`.
                 unsafe {
                     let n = *shares.nodes.get_unchecked(node) as usize;
                     debug_assert!(n < fields.count);
                     let mut sum = Row::zero();
-                    for i in slot..slot + count {
-                        let (list, place) = *shares.slots.get_unchecked(i);
-                        let force = &*forces.get_unchecked(list as usize).0.add(place as usize);
-                        add(&mut sum, force, R::one());
+                    let take = |from: usize, to: usize, sum: &mut Row<R>| {
+                        for i in from..to {
+                            let (list, place) = *shares.slots.get_unchecked(i);
+                            add(sum, &*(*forces.add(list as usize)).0.add(place as usize), R::one());
+                        }
+                    };
+                    if slow > 0 && whole {
+                        take(slot, slot + slow, &mut sum);
+                        if fast > 0 {
+                            sum = Row(sum.0.map(|force| force * PERIOD));
+                        }
                     }
+                    take(slot + slow, slot + slow + fast, &mut sum);
                     let (x, v) = (&mut *fields.positions.add(n), &mut *fields.velocities.add(n));
                     add(v, &sum, *fields.inverse_masses.add(n) * step);
                     add(x, v, step);
                 }
                 node += 1;
-                slot += count;
+                slot += slow + fast;
             }
         }
     }

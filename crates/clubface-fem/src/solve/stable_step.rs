@@ -14,6 +14,11 @@ impl<R: Real> Structure<R> {
     /// 10.1). Its largest value approaches the true one from below; the residual is added to it, which puts it on the safe side once
     /// the highest mode has been found. Histories return to what they were with the positions.
     pub fn stable_step(&mut self, iterations: usize) -> f64 {
+        self.stable_step_of(&vec![true; self.patches.len()], iterations)
+    }
+
+    /// The same of some patches alone, between all of the mass.
+    pub(super) fn stable_step_of(&mut self, chosen: &[bool], iterations: usize) -> f64 {
         let rest = self.positions.clone();
         let mut displacements = vec![Row::zero(); rest.len()];
         let masses: Vec<f64> = self.masses.iter().map(|m| m.re()).collect();
@@ -41,13 +46,14 @@ impl<R: Real> Structure<R> {
                 }
             }
             let positions = &self.positions;
-            self.patches.par_iter_mut().for_each(|patch| patch.probe(positions, &displacements));
+            let probed = self.patches.par_iter_mut().zip(chosen).filter(|(_, chosen)| **chosen);
+            probed.for_each(|(patch, _)| patch.probe(positions, &displacements));
             // The next vector: accelerations, without what lies along the last two.
             let last = beside.last().copied().unwrap_or(0.0);
             for v in before.iter_mut().flatten() {
                 *v *= -last;
             }
-            for patch in &self.patches {
+            for (patch, _) in self.patches.iter().zip(chosen).filter(|(_, chosen)| **chosen) {
                 for (&node, force) in patch.nodes().iter().zip(patch.forces()) {
                     let factor = -1.0 / (masses[node as usize] * scale);
                     for c in 0..3 {

@@ -3,7 +3,7 @@
 //! Every step has two phases: patches and contact compute forces from positions (each into an array of its own), then every node sums the forces
 //! on it and moves.
 
-use super::shares::{shares, Fields, Forces, Shares};
+use super::shares::{split, Fields, Forces, Shares, PERIOD};
 use crate::contact::Contact;
 use crate::element::{Energy, Patch, Scratch, Tell};
 use clubface_math::{Real, Row, Vec3};
@@ -36,11 +36,19 @@ pub struct Structure<R> {
     pub translations: usize,
     pub(super) inverse_masses: Vec<R>,
     pub(super) patches: Vec<Box<dyn Patch<R>>>,
-    /// Where the forces on the nodes stand: on all nodes, and on those that no patch moves by itself.
+    /// Where the forces on the nodes stand: on all nodes, on those of one patch alone, and on the others; the last two without those that a
+    /// patch moves by itself.
     shares: Vec<Shares>,
+    pub(super) inner: Vec<Shares>,
     pub(super) outer: Vec<Shares>,
     /// Number of forces of each patch, and of the contact.
     pub(super) lengths: Vec<usize>,
+    /// Which patches rest in every second step, and whether they do in the next.
+    pub(super) resting: Vec<bool>,
+    pub(super) pause: bool,
+    /// Nodes that a patch moves by itself, and nodes of the contact.
+    adopted: Vec<bool>,
+    pub(super) touching: Vec<u32>,
     /// Memory to work in, one a thread.
     pub(super) scratches: Vec<Scratch<R>>,
 }
@@ -68,29 +76,70 @@ impl<R: Real> Structure<R> {
                 adopted[nodes[place as usize] as usize] = true;
             }
         }
-        let lists = || patches.iter().map(|p| p.nodes()).chain([contact]);
-        let lengths = lists().map(<[u32]>::len).collect();
-        let (all, outer) = (shares(count, lists(), |_| false), shares(count, lists(), |n| adopted[n]));
-        Self {
+        let lengths = patches.iter().map(|p| p.nodes().len()).chain([contact.len()]).collect();
+        let mut structure = Self {
+            resting: vec![false; patches.len()],
+            pause: false,
+            adopted,
+            touching: contact.to_vec(),
             translations: positions.len(),
             velocities: vec![Row::zero(); positions.len()],
             positions,
             masses,
             inverse_masses,
             patches,
-            shares: all,
-            outer,
+            shares: Vec::new(),
+            inner: Vec::new(),
+            outer: Vec::new(),
             lengths,
             scratches: Vec::new(),
+        };
+        structure.share();
+        structure
+    }
+
+    /// Lets some patches rest in every second step: their forces, and those of the nodes that nothing else acts on, are taken for two steps at
+    /// once, as impulses (Tuckerman, Berne and Martyna, J. Chem. Phys. 97, 1992). Momentum and angular momentum stay exact. Two steps must be well
+    /// below the stable step of what rests, and what it hangs on must have no vibration whose half period is as short as two steps.
+    pub fn rest(&mut self, resting: Vec<bool>) {
+        assert_eq!(resting.len(), self.patches.len());
+        (self.resting, self.pause) = (resting, false);
+        self.share();
+    }
+
+    /// Finds where the forces on the nodes stand.
+    fn share(&mut self) {
+        let lists = || self.patches.iter().map(|p| p.nodes()).chain([&self.touching[..]]);
+        let rests = |list: usize| self.resting.get(list).copied().unwrap_or(false);
+        let count = self.positions.len();
+        let all = split(count, lists(), 0, rests, |_| false);
+        let parts = split(count, lists(), self.patches.len(), rests, |node| self.adopted[node]);
+        (self.shares, self.inner, self.outer) = (all.outer, parts.inner, parts.outer);
+    }
+
+    /// Time for which the forces of a patch hold, s.
+    pub(super) fn held(&self, patch: usize, dt: f64) -> f64 {
+        if self.resting[patch] {
+            dt * PERIOD
+        } else {
+            dt
         }
     }
 
-    /// Forces of all patches, and of the contact, at the current positions.
+    /// Forces of all patches that do not rest, and of the contact, at the current positions.
     pub fn assemble(&mut self, contact: &mut dyn Contact<R>, dt: f64) {
+        let held: Vec<f64> = (0..self.patches.len()).map(|patch| self.held(patch, dt)).collect();
         let (positions, velocities, patches) = (&self.positions, &self.velocities, &mut self.patches);
+        let awake: Vec<_> = patches
+            .iter_mut()
+            .zip(&held)
+            .zip(&self.resting)
+            .filter(|(_, rests)| !(**rests && self.pause))
+            .map(|(patch, _)| patch)
+            .collect();
         rayon::join(
             || contact.assemble(positions, velocities, dt),
-            || patches.par_iter_mut().for_each(|patch| patch.assemble(positions, velocities, dt)),
+            || awake.into_par_iter().for_each(|(patch, &held)| patch.assemble(positions, velocities, held)),
         );
     }
 
@@ -103,7 +152,16 @@ impl<R: Real> Structure<R> {
         let fields = Fields::new(&mut self.positions, &mut self.velocities, &self.inverse_masses);
         let step = R::from_f64(dt);
         // SAFETY: the shares were made for these lists, and no node is in two of them.
-        self.shares.par_iter().for_each(|shares| unsafe { shares.advance(fields, &forces, step) });
+        let whole = !self.pause;
+        self.shares
+            .par_iter()
+            .for_each(|shares| unsafe { shares.advance(fields, forces.as_ptr(), step, whole) });
+        self.turn();
+    }
+
+    /// Goes on to the next step.
+    pub(super) fn turn(&mut self) {
+        self.pause = !self.pause && self.resting.contains(&true);
     }
 
     /// The patches, to build a larger structure of.

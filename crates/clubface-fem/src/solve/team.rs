@@ -4,7 +4,6 @@
 //! awake from round to round. Each has a queue of its own, the same tasks every time, whose data its caches keep; whoever is done early
 //! takes from the others. The leader needs nobody: members that the machine has no time for just do not take part.
 
-use std::ops::Range;
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 
 /// Tries before a waiting thread offers its core to others.
@@ -12,17 +11,17 @@ const PATIENCE: usize = 500;
 /// The round after the last.
 const OVER: u32 = u32::MAX;
 
-/// Round in the upper half, next task in the lower, on cache lines of its own.
+/// Round in the upper half, place of the next task in the lower, on cache lines of its own.
 #[derive(Debug)]
 #[repr(align(128))]
 struct Queue(AtomicU64);
 
-/// A round of tasks: what to do with each, and the tasks of each member.
+/// A round of tasks: what to do with each, and the tasks of each member, in their order.
 pub struct Round<'a> {
     /// Does a task, for the member of that number.
     pub task: &'a (dyn Fn(usize, usize) + Sync),
     /// Tasks of each member.
-    pub shares: &'a [Range<usize>],
+    pub shares: &'a [Vec<usize>],
 }
 
 /// The members' meeting place.
@@ -58,12 +57,12 @@ impl<'a> Team<'a> {
         let number = (last / rounds + 1) * rounds + which;
         let shares = self.rounds[which].shares;
         self.done.store(0, Ordering::Relaxed);
-        for (queue, share) in self.queues.iter().zip(shares) {
-            queue.0.store((number as u64) << 32 | share.start as u64, Ordering::Release);
+        for queue in &self.queues {
+            queue.0.store((number as u64) << 32, Ordering::Release);
         }
         self.round.store(number as u32, Ordering::Release);
         self.take(0);
-        let all: usize = shares.iter().map(Range::len).sum();
+        let all: usize = shares.iter().map(Vec::len).sum();
         let mut tries = 0;
         while self.done.load(Ordering::Acquire) < all {
             wait(&mut tries);
@@ -76,11 +75,9 @@ impl<'a> Team<'a> {
             let owner = (member + turn) % self.queues.len();
             loop {
                 let ticket = self.queues[owner].0.fetch_add(1, Ordering::AcqRel);
-                let (number, task) = ((ticket >> 32) as usize, (ticket & u64::from(u32::MAX)) as usize);
+                let (number, place) = ((ticket >> 32) as usize, (ticket & u64::from(u32::MAX)) as usize);
                 let round = &self.rounds[number % self.rounds.len()];
-                if number == 0 || task >= round.shares[owner].end {
-                    break;
-                }
+                let Some(&task) = round.shares[owner].get(place).filter(|_| number > 0) else { break };
                 let _done = Done(&self.done);
                 (round.task)(task, member);
             }

@@ -2,7 +2,7 @@
 
 use super::support::Random;
 use clubface_fem::material::{
-    add_branches, Decay, Isochoric, Kinematics, Material, Maxwell, NeoHookean, Shape,
+    add_branches, work, Decay, Isochoric, Kinematics, Material, Maxwell, Memory, NeoHookean, Shape,
 };
 use clubface_math::{Mat3, Vec3};
 
@@ -25,13 +25,13 @@ impl Point {
     /// First Piola-Kirchhoff stress at the end of a step to the gradient `f`, Pa.
     fn step(&mut self, f: Mat3<f64>) -> Mat3<f64> {
         let at = Kinematics::new(f);
-        let stress =
-            add_branches(&at, NeoHookean { shear: SHEAR }.stress(&at.c), &self.decays, &mut self.history);
+        let slow = NeoHookean { shear: SHEAR }.stress(&at.c);
+        let stress = add_branches(&at, slow, &self.decays, &mut Memory::new(&mut self.history, 0, 1));
         at.first_piola(&stress, BULK * (at.deformation.volume - 1.0))
     }
     /// Work done on the branches so far, J/m3.
-    fn work(&self) -> f64 {
-        self.history[12]
+    fn work(&mut self) -> f64 {
+        work(&Memory::new(&mut self.history, 0, 1))
     }
 }
 
