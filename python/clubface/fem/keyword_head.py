@@ -65,6 +65,8 @@ def _shells(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: i
 
 def _solid(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
     """Write mesh and part of a solid head; return its part, and the last element."""
+    if head.grooves is not None:
+        deck.comment("the grooves of the face are felt by the contact alone in clubface; this deck has a plain face")
     # Section and hourglass control are those of the ball.
     _part(deck, HEAD_PART, head.name, head.metal, 1, 1)
     _nodes(deck, head, hit, nodes)

@@ -1,12 +1,12 @@
 //! Nodes of the ball against the shells of a face: penalty with Coulomb friction that sticks, both sides deforming.
 //!
 //! The force on a ball node acts at that node on both sides: the corners of the quadrilateral below it take its opposite by their bilinear
-//! weights, with the moment of the distance between the middle surface and the node, so that impulse and angular momentum balance to
-//! rounding.
+//! weights, with the moment of the distance between the middle surface and the node (forces along the normal where nodes do not turn), so
+//! that impulse and angular momentum balance to rounding.
 
 use super::surface::{Foot, Surface};
-use super::{Contact, ContactEnergy, Resultant, Springs, Touch};
-use crate::material::cross;
+use super::{Contact, ContactEnergy, Grooves, Resultant, Springs, Touch};
+use crate::material::{cross, dot};
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
 
@@ -46,6 +46,8 @@ pub struct FaceSide<'a, R> {
     pub rotations: Option<u32>,
     /// Masses of all rows, kg or kg m2.
     pub masses: &'a [R],
+    /// Grooves, and the height of all rows up the undeformed face, m.
+    pub grooves: Option<(Grooves, Vec<f64>)>,
 }
 
 /// Contact of ball nodes with a deformable face.
@@ -82,6 +84,8 @@ impl<R: Real> FaceContact<R> {
             face.quads.iter().map(|quad| quad.map(|n| rows.partition_point(|&r| r < n) as u32)).collect();
         let mut surface = Surface::new(quads, &face.thickness, rows.len());
         surface.update(positions, &rows);
+        surface.grooves = (face.grooves.as_ref())
+            .map(|(grooves, heights)| (*grooves, rows.iter().map(|&row| heights[row as usize]).collect()));
         let candidates: Vec<_> = ball
             .nodes
             .iter()
@@ -167,6 +171,10 @@ impl<R: Real> Contact<R> for FaceContact<R> {
                 continue;
             };
             (candidate.quad, candidate.at) = (foot.quad, foot.at);
+            // Sideways the floor of a groove may rise as far as the lands at once.
+            let clear = foot.gap.re();
+            let land = foot;
+            let foot = self.surface.in_grooves(land);
             let corners = self.surface.quads[foot.quad as usize].map(|n| n as usize);
             let mut velocity = velocities[node as usize].vec();
             let (mut mobility, mut spin, mut arm) = (R::zero(), Vec3::zero(), x);
@@ -179,11 +187,17 @@ impl<R: Real> Contact<R> for FaceContact<R> {
                 arm += self.surface.positions[corner] * -weight;
             }
             velocity += cross(arm, spin);
-            let gap = foot.gap.re();
-            if gap >= 0.0 {
+            // Where nodes do not turn, the surface does: the tip of its normal moves with the slope of the velocity along the normal.
+            let height = dot(arm, land.normal);
+            let slopes = rotations.is_empty().then(|| self.surface.slopes(&land));
+            for (slope, &corner) in slopes.iter().flatten().zip(&corners) {
+                let along = dot(velocities[face[corner] as usize].vec(), land.normal);
+                velocity += *slope * (along * height);
+            }
+            if foot.gap.re() >= 0.0 {
                 candidate.friction = Vec3::zero();
                 self.fastest = self.fastest.max(velocity.norm_squared().re());
-                candidate.rest = (gap / (CAUTION * self.fastest.sqrt() * dt)).min(REST) as u32;
+                candidate.rest = (clear.max(0.0) / (CAUTION * self.fastest.sqrt() * dt)).min(REST) as u32;
                 continue;
             }
             // The reduced mass of node and face gives the stability that the node's mass gives against a rigid face.
@@ -199,8 +213,13 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             );
             *force = Row::from_vec(total);
             spread(&foot, &corners, total, on_nodes);
-            if !moments.is_empty() {
-                spread(&foot, &corners, cross(arm, total), moments);
+            match slopes {
+                None => spread(&foot, &corners, cross(arm, total), moments),
+                Some(slopes) => {
+                    for (slope, &corner) in slopes.iter().zip(&corners) {
+                        on_nodes[corner].add(land.normal * (dot(*slope, total) * height));
+                    }
+                }
             }
         }
     }

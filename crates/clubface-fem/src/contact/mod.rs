@@ -1,12 +1,14 @@
 //! Contact of the ball with a face.
 
 mod face;
+mod grooves;
 mod head;
 mod rigid;
 mod spring;
 mod surface;
 
 pub use face::{BallSide, FaceContact, FaceSide};
+pub use grooves::Grooves;
 pub use head::RigidHead;
 pub use rigid::{Plane, RigidContact, RigidSurface};
 pub use spring::{Springs, Touch, TANGENTIAL_STIFFNESS};

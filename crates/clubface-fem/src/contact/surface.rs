@@ -1,5 +1,6 @@
 //! A deforming surface of quadrilaterals with a normal that is continuous across their edges.
 
+use super::Grooves;
 use crate::material::{cross, dot};
 use clubface_math::{Real, Row, Vec3};
 
@@ -41,6 +42,8 @@ pub struct Surface<R> {
     offsets: Vec<R>,
     /// Positions of the nodes, m.
     pub positions: Vec<Vec3<R>>,
+    /// Grooves, and the height of each node up the undeformed face, m.
+    pub grooves: Option<(Grooves, Vec<f64>)>,
     normals: Vec<Vec3<R>>,
     /// Step at which each normal was made.
     made: Vec<u32>,
@@ -85,6 +88,7 @@ impl<R: Real> Surface<R> {
             round,
             offsets,
             positions: zeros.clone(),
+            grooves: None,
             normals: zeros,
             made: vec![0; nodes],
             step: 0,
@@ -154,6 +158,39 @@ impl<R: Real> Surface<R> {
             at = [R::zero(); 2];
         }
         None
+    }
+
+    /// Gradients of the weights along the surface at a foot on its lands, 1/m.
+    pub fn slopes(&self, foot: &Foot<R>) -> [Vec3<R>; 4] {
+        let nodes = self.quads[foot.quad as usize];
+        let [_, x1, x2, x3] = modes(&nodes.map(|n| self.positions[n as usize]));
+        let ([xi, eta], n) = (foot.at, foot.normal);
+        let (a, b) = (x1 + x3 * eta, x2 + x3 * xi);
+        let scale = dot(cross(a, b), n).recip() * 0.25;
+        let (along_xi, along_eta) = (cross(b, n) * scale, cross(n, a) * scale);
+        SIGNS.map(|[s, t]| along_xi * ((eta * t + 1.0) * s) + along_eta * ((xi * s + 1.0) * t))
+    }
+
+    /// The foot in the grooves of the face, if it has any: distance and normal of their walls and floors.
+    pub fn in_grooves(&self, foot: Foot<R>) -> Foot<R> {
+        let Some((grooves, heights)) = &self.grooves else { return foot };
+        let nodes = self.quads[foot.quad as usize];
+        let h = nodes.map(|n| heights[n as usize]);
+        let mut height = R::zero();
+        for k in 0..4 {
+            height += foot.weights[k] * h[k];
+        }
+        let (depth, slope) = grooves.relief(height);
+        if depth.re() <= 0.0 {
+            return foot;
+        }
+        // The distance is n . (x - foot) + depth(height): its gradient has a part up the face.
+        let mut gradient = foot.normal;
+        for (rise, at) in self.slopes(&foot).into_iter().zip(h) {
+            gradient += rise * (slope * at);
+        }
+        let steep = dot(gradient, gradient).sqrt().recip();
+        Foot { gap: (foot.gap + depth) * steep, normal: gradient * steep, ..foot }
     }
 
     /// The same from the middle of a quadrilateral, without keeping the normals.

@@ -1,7 +1,7 @@
 //! A ball met by a head that deforms.
 
 use crate::ball::Ball;
-use crate::contact::{BallSide, Contact, FaceContact, FaceSide, Springs};
+use crate::contact::{BallSide, Contact, FaceContact, FaceSide, Grooves, Springs};
 use crate::element::Patch;
 use crate::error::FemError;
 use crate::mesh::{mass_properties, MassProperties, ShellMasses};
@@ -28,6 +28,10 @@ pub trait DeformableHead<R: Real> {
     /// Quadrilaterals that the ball may touch, counterclockwise seen from outside, and the thickness of which half lies outside them.
     fn face(&self) -> (Vec<[u32; 4]>, Vec<R>);
 
+    /// Grooves of the face.
+    fn grooves(&self) -> Option<Grooves> {
+        None
+    }
     /// Checks that the face looks at the ball.
     ///
     /// # Errors
@@ -109,7 +113,14 @@ pub fn against_ball<R: Real>(
         thickness,
         rotations: (turning > 0).then_some(count as u32),
         masses: &masses,
+        grooves: head.grooves().map(|grooves| {
+            let heights = head.nodes().iter().map(|place| place.dot(frame[1]));
+            (grooves, std::iter::repeat_n(0.0, balls).chain(heights).collect())
+        }),
     };
+    if let Some(grooves) = head.grooves() {
+        grooves.check(meshed.areas.iter().fold(0.0, |most: f64, area| most.max(area.sqrt())))?;
+    }
     let sides = BallSide { nodes: &meshed.surface, masses: &masses, areas: &meshed.areas };
     let contact = FaceContact::new(&sides, &face, friction, springs, &positions);
     // Both sides are polyhedra: bring them to touch.

@@ -1,6 +1,7 @@
 //! Heads of hexahedra, such as irons.
 
 use super::{add, DeformableHead};
+use crate::contact::Grooves;
 use crate::element::{Element, Patch};
 use crate::error::FemError;
 use crate::material::Material;
@@ -16,6 +17,8 @@ pub struct SolidHead<R> {
     pub face: Vec<[u32; 4]>,
     /// What it is made of.
     pub material: Material<R>,
+    /// Grooves of the face, if it has any: felt by the contact, no part of the mesh.
+    pub grooves: Option<Grooves>,
     /// Kind of elements.
     pub element: Element,
     /// Mass added to each node, kg.
@@ -46,6 +49,9 @@ impl<R: Real> DeformableHead<R> for SolidHead<R> {
     }
     fn loft(&self) -> f64 {
         self.loft
+    }
+    fn grooves(&self) -> Option<Grooves> {
+        self.grooves
     }
     fn nodes(&self) -> &[Vec3<f64>] {
         &self.solid.nodes

@@ -7,6 +7,7 @@ mod elements;
 mod fields;
 mod flow;
 mod friction;
+mod grooves;
 mod inputs;
 mod laws;
 mod spheres;

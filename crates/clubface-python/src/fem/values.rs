@@ -1,6 +1,7 @@
 //! What Python says about balls, heads and runs.
 
 use clubface_fem::ball::{Ball, Piece};
+use clubface_fem::contact::Grooves;
 use clubface_fem::element::{Element, Isotropic, Rule, ShellMaterial, DEFAULT_POINTS};
 use clubface_fem::head::{DeformableHead, ShellHead, ShellPart, SolidHead};
 use clubface_fem::material::{Hardening, Hencky, Material, Maxwell, Shape, VonMises};
@@ -121,6 +122,8 @@ pub struct SolidValues<'py> {
     plastic: Option<PlasticValues>,
     element: String,
     loft: f64,
+    /// Width, depth, pitch, width of a wall.
+    grooves: Option<[f64; 4]>,
 }
 
 /// A head that deforms.
@@ -183,7 +186,8 @@ fn solid_of(values: &SolidValues<'_>) -> PyResult<SolidHead<f64>> {
     let element = Element::from_name(&values.element).map_err(|e| error_of(&e))?;
     let layer = vec![0; elements.len()];
     let solid = SolidMesh { nodes, elements, layer };
-    Ok(SolidHead { solid, face, material, element, added, loft: values.loft })
+    let grooves = values.grooves.map(|[width, depth, pitch, wall]| Grooves { width, depth, pitch, wall });
+    Ok(SolidHead { solid, face, material, grooves, element, added, loft: values.loft })
 }
 
 pub(super) fn head_of(values: &HeadValues<'_>) -> PyResult<ShellHead<f64>> {

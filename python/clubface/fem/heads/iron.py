@@ -21,6 +21,8 @@ LENGTHS = {
 """Dimensions and their limits [m]."""
 SHAPE = ("loft", "length", "heel_height", "toe_height", "face", "sole", "top", "rim", "rounding")
 """In the order of the core."""
+GROOVES = {"width": (1e-4, 0.02), "depth": (0.0, 2e-3), "pitch": (1e-3, 0.05), "wall": (5e-5, 0.01)}
+"""Dimensions of grooves and their limits [m], in the order of the core."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,6 +41,10 @@ class IronHead:
         Left out, a stainless steel.
     masses
         Added masses, such as the hosel's, by name: (x, y, z, mass), the place from the face centre.
+    grooves
+        None for a plain face; else "width" of the grooves from edge to edge, "depth", "pitch" from the middle of one to
+        that of the next, and "wall", the width of each side wall. They run from heel to toe with a land through the face
+        centre, are felt by the contact and are no part of the mesh.
     elements
         From heel to toe, from sole to top line, through the blade.
     element
@@ -49,6 +55,7 @@ class IronHead:
     shape: Mapping[str, Any]
     metal: Metal = field(default_factory=lambda: Metal(youngs=193e9, poisson=0.29, density=7800.0))
     masses: Mapping[str, Place] = field(default_factory=dict)
+    grooves: Mapping[str, Any] | None = None
     elements: tuple[int, int, int] = (40, 24, 2)
     element: str = "one-point"
     description: str = ""
@@ -78,6 +85,7 @@ class IronHead:
         for value, least in zip(self.elements, (8, 8, 1), strict=True):
             if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= 400:
                 raise InputError("elements", self.elements, "three whole numbers from 8, 8 and 1 to 400")
+        object.__setattr__(self, "grooves", _grooves(self.grooves))
         object.__setattr__(self, "shape", shape)
         object.__setattr__(self, "masses", parsed(self.masses, "mass"))
         object.__setattr__(self, "elements", tuple(self.elements))
@@ -95,8 +103,30 @@ class IronHead:
             hexahedra=found["elements"].reshape(-1, 8)[:, ROUND],
             face=found["face"].reshape(-1, 4),
             metal=self.metal,
+            grooves=self.grooves,
             added=spread(self.masses, nodes),
             loft=self.shape["loft"],
             element=self.element,
             report={name: place[3] for name, place in self.masses.items()},
         )
+
+
+def _grooves(given: Mapping[str, Any] | None) -> dict[str, float] | None:
+    """Return the dimensions of grooves, checked."""
+    if given is None:
+        return None
+    for key in given:
+        if key not in GROOVES:
+            raise UnknownNameError("value of the grooves", key, tuple(GROOVES))
+    for key in GROOVES:
+        if key not in given:
+            raise InputError(key, None, "given, as all dimensions of the grooves")
+    found = {key: units.parse(given[key], "length", name=key) for key in GROOVES}
+    for key, (least, most) in GROOVES.items():
+        if not least <= found[key] <= most:
+            raise InputError(key, units.show(found[key], "mm"), f"{least * 1e3:g} to {most * 1e3:g} mm")
+    if 2.0 * found["wall"] > found["width"]:
+        raise InputError("wall", units.show(found["wall"], "mm"), "at most half of the grooves' width")
+    if found["width"] >= found["pitch"]:
+        raise InputError("width", units.show(found["width"], "mm"), "below the pitch, so that lands are left between")
+    return found

@@ -10,8 +10,8 @@ from typing import Any, TypeVar
 from clubface.equipment import builtin_names, builtin_path, is_path
 from clubface.errors import ClubfaceError, FileError, UnknownNameError
 from clubface.fem.heads.driver import SHAPE, TARGETS, WALLS, DriverHead
+from clubface.fem.heads.iron import GROOVES, IronHead
 from clubface.fem.heads.iron import SHAPE as IRON_SHAPE
-from clubface.fem.heads.iron import IronHead
 from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.user_mesh import Group, MeshHead
@@ -26,7 +26,7 @@ METAL_KEYS = (*SOLID_METAL_KEYS, "points", "rule")
 COMMON = ("name", "description", "kind")
 KEYS = {
     DRIVER: (*COMMON, "elements", "scales", "shape", "thickness", "target", "metal", "trims"),
-    IRON: (*COMMON, "elements", "element", "shape", "metal", "masses"),
+    IRON: (*COMMON, "elements", "element", "shape", "grooves", "metal", "masses"),
     MESH: (*COMMON, "file", "unit", "loft", "bulge", "roll", "face_centre", "groups", "masses"),
 }
 
@@ -107,11 +107,15 @@ def _made(document: Document, design: Callable[..., T], data: dict[str, Any], ta
 
 
 def _iron(document: Document, data: dict[str, Any]) -> IronHead:
-    tables = _tables_of(document, data, (("shape", IRON_SHAPE, IRON_SHAPE), ("metal", SOLID_METAL_KEYS, ())))
+    known = [("shape", IRON_SHAPE, IRON_SHAPE), ("metal", SOLID_METAL_KEYS, ())]
+    if "grooves" in data:
+        known.append(("grooves", tuple(GROOVES), tuple(GROOVES)))
+    tables = _tables_of(document, data, known)
     if tables["metal"]:
         data["metal"] = _metal(document, tables["metal"], "metal")
     data["masses"] = _places(document, data.pop("masses", []), "masses", "mass")
-    return _made(document, IronHead, data, {"shape": tables["shape"]})
+    del tables["metal"]
+    return _made(document, IronHead, data, tables)
 
 
 def _mesh(document: Document, data: dict[str, Any], folder: Path) -> MeshHead:

@@ -38,6 +38,8 @@ class SolidHead(MeshedHead):
         Mass added to each node [kg].
     loft
         Elevation of the face normal at the face centre [rad].
+    grooves
+        "width", "depth", "pitch" and "wall" of the grooves [m], or None.
     element
         "one-point" or "full".
     report
@@ -51,6 +53,7 @@ class SolidHead(MeshedHead):
     added: NDArray[Any]
     loft: float
     metal: Metal = field(default_factory=Metal)
+    grooves: Mapping[str, float] | None = None
     element: str = "one-point"
     description: str = ""
     report: Mapping[str, float] = field(default_factory=dict)
@@ -84,4 +87,5 @@ class SolidHead(MeshedHead):
             "plastic": self.metal.plastic(),
             "element": self.element,
             "loft": self.loft,
+            "grooves": None if self.grooves is None else list(self.grooves.values()),
         }

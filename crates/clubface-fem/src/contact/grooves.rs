@@ -1,0 +1,53 @@
+//! Grooves of a face: how far its surface lies below its lands.
+
+use crate::error::FemError;
+use clubface_math::Real;
+
+/// Straight grooves from heel to toe all over a face, with a land through its centre, m.
+#[derive(Clone, Copy, Debug)]
+pub struct Grooves {
+    /// From edge to edge.
+    pub width: f64,
+    /// Below the lands.
+    pub depth: f64,
+    /// From the middle of one to that of the next.
+    pub pitch: f64,
+    /// Width of each side wall, across which it falls smoothly.
+    pub wall: f64,
+}
+
+impl Grooves {
+    /// Depth below the lands (m) at a height up the face from its centre, and the depth's slope.
+    pub fn relief<R: Real>(&self, height: R) -> (R, R) {
+        let number = (height.re() / self.pitch).floor();
+        let off = height - self.pitch * (number + 0.5);
+        let (away, side) = if off.re() < 0.0 { (-off, 1.0) } else { (off, -1.0) };
+        let into = -(away - 0.5 * self.width) * (1.0 / self.wall);
+        if into.re() <= 0.0 {
+            (R::zero(), R::zero())
+        } else if into.re() >= 1.0 {
+            (R::from_f64(self.depth), R::zero())
+        } else {
+            let depth = into * into * (-(into * 2.0) + 3.0) * self.depth;
+            let slope = into * (-into + 1.0) * (6.0 * side * self.depth / self.wall);
+            (depth, slope)
+        }
+    }
+
+    /// Checks that the nodes of a ball, this far apart (m), can feel the grooves.
+    ///
+    /// # Errors
+    /// [`FemError::Input`] for a mesh that is too coarse.
+    pub fn check(&self, apart: f64) -> Result<(), FemError> {
+        if apart <= self.width {
+            return Ok(());
+        }
+        let value =
+            format!("{:.2} mm wide; nodes of the ball are {:.2} mm apart", self.width * 1e3, apart * 1e3);
+        let allowed = format!(
+            "nodes must be no farther apart than grooves are wide: make the ball's cube {:.1} times as large",
+            apart / self.width
+        );
+        Err(FemError::input("grooves", value, allowed))
+    }
+}
