@@ -53,6 +53,8 @@ pub fn prefetch<T>(from: *const T, ahead: usize) {
 pub trait Real: Scalar + Send + Sync {
     /// Runs a kernel with the widest packs of this number that the CPU has.
     fn dispatch<K: PackKernel<Self>>(kernel: K) -> K::Output;
+    /// Runs a kernel on single numbers: for what is seldom done and would take long to compile in every width.
+    fn singly<K: PackKernel<Self>>(kernel: K) -> K::Output;
 }
 
 /// A computation on packs of `R`.
@@ -115,11 +117,17 @@ impl Real for f64 {
         }
         dispatch(Plain(kernel))
     }
+    fn singly<K: PackKernel<Self>>(kernel: K) -> K::Output {
+        kernel.run::<Self>()
+    }
 }
 
 impl<const N: usize> Real for Dual<f64, N> {
     #[inline(always)]
     fn dispatch<K: PackKernel<Self>>(kernel: K) -> K::Output {
+        kernel.run::<Self>()
+    }
+    fn singly<K: PackKernel<Self>>(kernel: K) -> K::Output {
         kernel.run::<Self>()
     }
 }

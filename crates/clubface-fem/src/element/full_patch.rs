@@ -137,7 +137,7 @@ impl<R: Real> Patch<R> for FullPatch<R> {
     }
     fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>) {
         self.load(positions);
-        R::dispatch(Feel { patch: self, tell });
+        R::singly(Feel { patch: self, tell });
     }
 }
 

@@ -151,7 +151,7 @@ impl<R: Real> Patch<R> for ShellPatch<R> {
     }
     fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>) {
         self.check(positions);
-        R::dispatch(Feel { patch: self, positions, tell });
+        R::singly(Feel { patch: self, positions, tell });
     }
 }
 

@@ -192,7 +192,7 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     }
     fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>) {
         self.check(positions);
-        R::dispatch(Feel { patch: self, positions, tell });
+        R::singly(Feel { patch: self, positions, tell });
     }
 }
 
