@@ -265,7 +265,8 @@ def test_grooves_hold_a_ball_without_friction():
     )
     assert grooved.stopped is None
     assert grooved.energy_error < 0.01
-    # The head turns back, so that its normal is no longer that of first touch: 2.5% of the force. Walls make several times that.
+    # The head turns back, so that its normal is no longer that of first touch: 2.5% of the force. Walls make several
+    # times that.
     along = [abs(found.contact["tangential"]).max() / found.peak_force for found in (plain, grooved)]
     assert along[0] < 0.03
     assert along[1] > 0.06, along

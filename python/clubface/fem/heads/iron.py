@@ -43,8 +43,8 @@ class IronHead:
         Added masses, such as the hosel's, by name: (x, y, z, mass), the place from the face centre.
     grooves
         None for a plain face; else "width" of the grooves from edge to edge, "depth", "pitch" from the middle of one to
-        that of the next, and "wall", the width of each side wall. They run from heel to toe with a land through the face
-        centre, are felt by the contact and are no part of the mesh.
+        that of the next, and "wall", the width of each side wall. They run from heel to toe with a land through the
+        face centre, are felt by the contact and are no part of the mesh.
     elements
         From heel to toe, from sole to top line, through the blade.
     element
