@@ -5,7 +5,7 @@
 //! and with them it is a rational function of its square (Hoger and Carlson, Q. Appl. Math. 42, 1984). Roots bring the stretches near one, where
 //! series converge.
 
-use clubface_math::Scalar;
+use clubface_math::{Computation, Scalar};
 
 /// Newton steps for the invariants: enough for stretches from 0.13 to 7.6, and one more for derivatives.
 const NEWTON: usize = 7;
@@ -134,14 +134,17 @@ impl<S: Scalar> Stretches<S> {
     /// By the first two invariants.
     #[inline(always)]
     pub fn new(first: S, second: S) -> Self {
-        let whole = Ring { first, second };
-        let root = whole.root();
-        Self { whole, root, fourth: root.root() }
+        S::outline(Roots { whole: Ring { first, second } })
     }
 
     /// Natural logarithm.
     #[inline(always)]
     pub fn logarithm(&self) -> Function<S> {
+        S::outline(Logarithm(self))
+    }
+
+    #[inline(always)]
+    fn series_of_logarithm(&self) -> Function<S> {
         let Ring { first: p, second: q } = self.fourth;
         // With v the fourth root, z = (v - 1) (v + 1)^-1: log = 4 log v = 8 artanh z, a series of odd powers. Invariants of z, and of its square.
         let scale = (p + q + 2.0).recip();
@@ -163,6 +166,11 @@ impl<S: Scalar> Stretches<S> {
     /// `exp(s x)` of a function x without trace whose exponential has stretches up to [`STRETCH`] squared.
     #[inline(always)]
     pub fn exponential(&self, x: &Function<S>, s: S) -> Function<S> {
+        S::outline(Exponential { of: self, x, s })
+    }
+
+    #[inline(always)]
+    fn series_of_exponential(&self, x: &Function<S>, s: S) -> Function<S> {
         // Halved until no principal value exceeds 1/2.
         let largest = 2.0 * STRETCH.ln() * s.re().abs();
         let mut halvings = 0;
@@ -201,54 +209,63 @@ impl<S: Scalar> Stretches<S> {
     /// Factors of the identity, the tensor and its square.
     #[inline(always)]
     pub fn factors(&self, of: &Function<S>) -> [S; 3] {
-        self.whole.of_root(&self.root, &self.root.of_root(&self.fourth, &of.0))
+        S::outline(WholeFactors { of: self, function: of })
+    }
+}
+
+// Functions of their own: every law has several of these computations, and takes minutes to compile with copies of them.
+
+struct Roots<S> {
+    whole: Ring<S>,
+}
+
+impl<S: Scalar> Computation for Roots<S> {
+    type Output = Stretches<S>;
+    #[inline(always)]
+    fn run(self) -> Stretches<S> {
+        let root = self.whole.root();
+        Stretches { whole: self.whole, root, fourth: root.root() }
+    }
+}
+
+struct Logarithm<'a, S>(&'a Stretches<S>);
+
+impl<S: Scalar> Computation for Logarithm<'_, S> {
+    type Output = Function<S>;
+    #[inline(always)]
+    fn run(self) -> Function<S> {
+        self.0.series_of_logarithm()
+    }
+}
+
+struct Exponential<'a, S> {
+    of: &'a Stretches<S>,
+    x: &'a Function<S>,
+    s: S,
+}
+
+impl<S: Scalar> Computation for Exponential<'_, S> {
+    type Output = Function<S>;
+    #[inline(always)]
+    fn run(self) -> Function<S> {
+        self.of.series_of_exponential(self.x, self.s)
+    }
+}
+
+struct WholeFactors<'a, S> {
+    of: &'a Stretches<S>,
+    function: &'a Function<S>,
+}
+
+impl<S: Scalar> Computation for WholeFactors<'_, S> {
+    type Output = [S; 3];
+    #[inline(always)]
+    fn run(self) -> [S; 3] {
+        let Stretches { whole, root, fourth } = self.of;
+        whole.of_root(root, &root.of_root(fourth, &self.function.0))
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::Stretches;
-    use crate::material::Symmetric;
-
-    /// A function of the tensor of determinant one that has two given stretches, about oblique axes.
-    fn tensor(first: f64, second: f64, function: fn(f64) -> f64) -> Symmetric<f64> {
-        let axes = [[2.0, -3.0, 6.0], [6.0, -2.0, -3.0], [3.0, 6.0, 2.0]].map(|v| v.map(|x: f64| x / 7.0));
-        let mut sum = Symmetric::diagonal(0.0);
-        for ([x, y, z], square) in
-            axes.iter().zip([first * first, second * second, (first * second).powi(-2)])
-        {
-            sum = sum.plus(function(square), &Symmetric([x * x, y * y, z * z, x * y, x * z, y * z]));
-        }
-        sum
-    }
-
-    fn apart(a: &Symmetric<f64>, b: &Symmetric<f64>) -> f64 {
-        a.0.iter().zip(b.0).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
-    }
-
-    #[test]
-    fn logarithm_and_powers_of_stretches() {
-        for (a, b) in
-            [(1.0, 1.0), (1.0 + 1e-9, 1.0), (1.3, 1.3), (0.8, 1.1), (2.0, 0.4), (5.0, 1.0), (0.2, 2.2)]
-        {
-            let c = tensor(a, b, |v| v);
-            let stretches = Stretches::new(c.trace(), c.second());
-            let log = stretches.logarithm();
-            let identity = Symmetric::diagonal(1.0);
-            let of = |function| {
-                let [one, linear, square] = stretches.factors(&function);
-                identity.sandwich(&c).scale(square).plus(linear, &c).plus(one, &identity)
-            };
-            // Rounding, of the largest stretch.
-            let size = a.max(b).max(1.0 / (a * b)).powi(2);
-            let log_error = apart(&of(log), &tensor(a, b, f64::ln));
-            let error = |s, exact| apart(&of(stretches.exponential(&log, s)), &tensor(a, b, exact));
-            let (inverse, square) = (error(-1.0, f64::recip), error(2.0, |v| v * v));
-            assert!(log_error < 1e-14 * size, "{a} {b}: {log_error}");
-            assert!(
-                inverse < 2e-14 * size * size && square < 2e-14 * size * size,
-                "{a} {b}: {inverse} {square}"
-            );
-        }
-    }
-}
+#[path = "stretch_tests.rs"]
+mod tests;
