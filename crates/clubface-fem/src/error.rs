@@ -58,4 +58,10 @@ impl FemError {
     pub fn input(name: impl Into<String>, value: impl std::fmt::Display, allowed: impl Into<String>) -> Self {
         Self::Input { name: name.into(), value: value.to_string(), allowed: allowed.into() }
     }
+
+    /// Whether the model broke down: what it found last is worth nothing.
+    #[must_use]
+    pub fn failed(&self) -> bool {
+        matches!(self, Self::ElementLost { .. } | Self::Energy { .. })
+    }
 }

@@ -123,7 +123,8 @@ impl Real for f64 {
 }
 
 impl<const N: usize> Real for Dual<f64, N> {
-    #[inline(always)]
+    // Large kernels are compiled once, however many places call them.
+    #[inline(never)]
     fn dispatch<K: PackKernel<Self>>(kernel: K) -> K::Output {
         kernel.run::<Self>()
     }

@@ -1,4 +1,4 @@
-//! Nodes of the ball against the shells of a face: penalty with Coulomb friction that sticks, both sides deforming.
+//! Nodes of the ball against a face of shells or hexahedra: penalty with Coulomb friction that sticks, both sides deforming.
 //!
 //! The force on a ball node acts at that node on both sides: the corners of the quadrilateral below it take its opposite by their bilinear
 //! weights, with the moment of the distance between the middle surface and the node (forces along the normal where nodes do not turn), so
@@ -172,7 +172,6 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             };
             (candidate.quad, candidate.at) = (foot.quad, foot.at);
             // Sideways the floor of a groove may rise as far as the lands at once.
-            let clear = foot.gap.re();
             let land = foot;
             let foot = self.surface.in_grooves(land);
             let corners = self.surface.quads[foot.quad as usize].map(|n| n as usize);
@@ -187,18 +186,19 @@ impl<R: Real> Contact<R> for FaceContact<R> {
                 arm += self.surface.positions[corner] * -weight;
             }
             velocity += cross(arm, spin);
+            if foot.gap.re() >= 0.0 {
+                candidate.friction = Vec3::zero();
+                self.fastest = self.fastest.max(velocity.norm_squared().re());
+                candidate.rest =
+                    (land.gap.re().max(0.0) / (CAUTION * self.fastest.sqrt() * dt)).min(REST) as u32;
+                continue;
+            }
             // Where nodes do not turn, the surface does: the tip of its normal moves with the slope of the velocity along the normal.
             let height = dot(arm, land.normal);
             let slopes = rotations.is_empty().then(|| self.surface.slopes(&land));
             for (slope, &corner) in slopes.iter().flatten().zip(&corners) {
                 let along = dot(velocities[face[corner] as usize].vec(), land.normal);
                 velocity += *slope * (along * height);
-            }
-            if foot.gap.re() >= 0.0 {
-                candidate.friction = Vec3::zero();
-                self.fastest = self.fastest.max(velocity.norm_squared().re());
-                candidate.rest = (clear.max(0.0) / (CAUTION * self.fastest.sqrt() * dt)).min(REST) as u32;
-                continue;
             }
             // The reduced mass of node and face gives the stability that the node's mass gives against a rigid face.
             let mass = (candidate.mass.recip() + mobility).recip();

@@ -1,7 +1,7 @@
 //! The section of a shell as points through its thickness, each in plane stress.
 
-use super::quadrilateral::{Across, Increment, Resultants, HOURGLASS};
-use super::section::{Response, Section, SectionEnergy, ACROSS};
+use super::quadrilateral::Increment;
+use super::section::{Response, Section, ACROSS};
 use super::shell_material::ShellMaterial;
 use crate::material::{Hardening, Memory, PlaneState, PlaneStress};
 use clubface_math::{Pack, Real};
@@ -53,13 +53,9 @@ impl<P: Pack> Response<P> for Layers<'_, P> {
         &self,
         section: &Section<P>,
         increment: &Increment<P>,
-        hourglass: &[P; HOURGLASS],
         area: P,
         memory: &mut Memory<P::Real>,
-    ) -> Resultants<P> {
-        let mut across = Across::load(memory);
-        section.respond_across(increment, hourglass, &mut across);
-        across.store(memory);
+    ) -> [[P; 3]; 2] {
         let half = section.thickness * 0.5;
         let (mut membrane, mut bending) = ([P::zero(); 3], [P::zero(); 3]);
         let mut heat = P::zero();
@@ -81,7 +77,7 @@ impl<P: Pack> Response<P> for Layers<'_, P> {
         }
         let [before]: [P; 1] = memory.load(HEAT);
         memory.store(HEAT, [before + heat * area]);
-        Resultants { membrane, bending, across }
+        [membrane, bending]
     }
 
     #[inline(always)]
@@ -96,19 +92,12 @@ impl<P: Pack> Response<P> for Layers<'_, P> {
     }
 
     #[inline(always)]
-    fn energy(
-        &self,
-        section: &Section<P>,
-        hourglass: &[P; HOURGLASS],
-        area: P,
-        memory: &Memory<P::Real>,
-    ) -> SectionEnergy<P> {
-        let (shear, hourglass) = section.energy_across(&Across::load(memory), area, hourglass);
+    fn energy(&self, section: &Section<P>, area: P, memory: &Memory<P::Real>) -> (P, P) {
         let mut density = P::zero();
         for (point, &(_, weight)) in self.points.iter().enumerate() {
             density += section.energy(&state(memory, point).stress) * P::from_f64(0.5 * weight);
         }
         let [plastic] = memory.load(HEAT);
-        SectionEnergy { strain: density * section.thickness * area + shear, hourglass, plastic }
+        (density * section.thickness * area, plastic)
     }
 }

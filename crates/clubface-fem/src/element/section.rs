@@ -1,6 +1,6 @@
 //! The section of a shell: from strain increments to stress resultants through the thickness.
 
-use super::quadrilateral::{Across, Increment, Resultants, HOURGLASS};
+use super::quadrilateral::{Across, Increment, HOURGLASS};
 use crate::material::Memory;
 use clubface_math::{Pack, Scalar};
 
@@ -126,37 +126,20 @@ impl<P: Scalar> Section<P> {
     }
 }
 
-/// Energies of elements, J.
-pub struct SectionEnergy<P> {
-    /// Elastic.
-    pub strain: P,
-    /// Of the hourglass modes.
-    pub hourglass: P,
-    /// Turned into heat by plastic flow.
-    pub plastic: P,
-}
-
-/// How a section answers to strain: what it remembers, and the resultants that follow.
+/// How a section answers to strain in its layers: what it remembers, and the resultants that follow.
 pub trait Response<P: Pack> {
-    /// Resultants after a strain increment, for the area of the elements; the memory moves on.
+    /// Membrane forces and bending moments over width after a strain increment, for the area of the elements; the memory moves on.
     fn respond(
         &self,
         section: &Section<P>,
         increment: &Increment<P>,
-        hourglass: &[P; HOURGLASS],
         area: P,
         memory: &mut Memory<P::Real>,
-    ) -> Resultants<P>;
+    ) -> [[P; 3]; 2];
     /// Plane stress on the outer and the inner side, Pa, and the largest equivalent plastic strain.
     fn sides(&self, section: &Section<P>, memory: &Memory<P::Real>) -> ([[P; 3]; 2], P);
-    /// Energies of elements of an area.
-    fn energy(
-        &self,
-        section: &Section<P>,
-        hourglass: &[P; HOURGLASS],
-        area: P,
-        memory: &Memory<P::Real>,
-    ) -> SectionEnergy<P>;
+    /// Elastic energy of membrane and bending over an area, and the work that plastic flow has turned into heat, J.
+    fn energy(&self, section: &Section<P>, area: P, memory: &Memory<P::Real>) -> (P, P);
 }
 
 /// Numbers that transverse shear and hourglass modes take.
@@ -190,13 +173,9 @@ impl<P: Pack> Response<P> for ElasticSection {
         &self,
         section: &Section<P>,
         increment: &Increment<P>,
-        hourglass: &[P; HOURGLASS],
         _area: P,
         memory: &mut Memory<P::Real>,
-    ) -> Resultants<P> {
-        let mut across = Across::load(memory);
-        section.respond_across(increment, hourglass, &mut across);
-        across.store(memory);
+    ) -> [[P; 3]; 2] {
         let (n, m) = (section.stress(&increment.membrane), section.stress(&increment.curvature));
         let (mut membrane, mut bending): ([P; 3], [P; 3]) = (memory.load(ACROSS), memory.load(ACROSS + 3));
         for i in 0..3 {
@@ -205,7 +184,7 @@ impl<P: Pack> Response<P> for ElasticSection {
         }
         memory.store(ACROSS, membrane);
         memory.store(ACROSS + 3, bending);
-        Resultants { membrane, bending, across }
+        [membrane, bending]
     }
     #[inline(always)]
     fn sides(&self, section: &Section<P>, memory: &Memory<P::Real>) -> ([[P; 3]; 2], P) {
@@ -219,16 +198,9 @@ impl<P: Pack> Response<P> for ElasticSection {
         ([outer, inner], P::zero())
     }
     #[inline(always)]
-    fn energy(
-        &self,
-        section: &Section<P>,
-        hourglass: &[P; HOURGLASS],
-        area: P,
-        memory: &Memory<P::Real>,
-    ) -> SectionEnergy<P> {
-        let (shear, hourglass) = section.energy_across(&Across::load(memory), area, hourglass);
+    fn energy(&self, section: &Section<P>, area: P, memory: &Memory<P::Real>) -> (P, P) {
         let membrane = section.energy(&memory.load(ACROSS)) / section.thickness;
         let bending = section.energy(&memory.load(ACROSS + 3)) / section.moment;
-        SectionEnergy { strain: (membrane + bending) * area + shear, hourglass, plastic: P::zero() }
+        ((membrane + bending) * area, P::zero())
     }
 }

@@ -7,7 +7,7 @@
 use super::gauge::Tell;
 use super::layers::Layers;
 use super::quadrature::Rule;
-use super::quadrilateral::{Quadrilateral, CORNERS};
+use super::quadrilateral::{Across, Quadrilateral, Resultants, CORNERS};
 use super::section::{ElasticSection, Response, Section};
 use super::shell_look::{Energies, Feel};
 use super::shell_material::ShellMaterial;
@@ -233,8 +233,11 @@ impl<R: Real> Assemble<'_, R> {
                 let section = Section::new(elastic, plate, shear, thickness);
                 let hourglass = section.hourglass(shape.area, shape.aspect());
                 let mut memory = Memory::new(history, first, BLOCK);
-                let resultants = law.respond(&section, &increment, &hourglass, shape.area, &mut memory);
-                let (force, moment) = shape.forces(&resultants);
+                let mut across = Across::load(&memory);
+                section.respond_across(&increment, &hourglass, &mut across);
+                across.store(&mut memory);
+                let [membrane, bending] = law.respond(&section, &increment, shape.area, &mut memory);
+                let (force, moment) = shape.forces(&Resultants { membrane, bending, across });
                 scatter(forces, &patch.corners[block], first, &force);
                 scatter(moments, &patch.corners[block], first, &moment);
             }

@@ -2,7 +2,7 @@
 
 use super::gauge::{Felt, Tell};
 use super::layers::Layers;
-use super::quadrilateral::Quadrilateral;
+use super::quadrilateral::{Across, Quadrilateral};
 use super::section::{ElasticSection, Response, Section};
 use super::shell::{gather, ShellPatch};
 use super::{Energy, BLOCK};
@@ -50,12 +50,15 @@ impl<R: Real> Energies<'_, R> {
                 let shape = Quadrilateral::<P>::new(&unsafe { gather(self.positions, rows, first) });
                 let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
                 let hourglass = section.hourglass(shape.area, shape.aspect());
-                let found = law.energy(&section, &hourglass, shape.area, &Memory::new(history, first, BLOCK));
+                let memory = Memory::new(history, first, BLOCK);
+                let (strain, plastic) = law.energy(&section, shape.area, &memory);
+                let (shear, hourglass) =
+                    section.energy_across(&Across::load(&memory), shape.area, &hourglass);
                 let ratio = shape.area / P::load(&patch.areas[at..]);
                 for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {
-                    energy.strain += found.strain.lane(lane);
-                    energy.hourglass += found.hourglass.lane(lane);
-                    energy.plastic += found.plastic.lane(lane);
+                    energy.strain += (strain + shear).lane(lane);
+                    energy.hourglass += hourglass.lane(lane);
+                    energy.plastic += plastic.lane(lane);
                     ratios.0 = ratios.0.min(ratio.lane(lane));
                     ratios.1 = ratios.1.max(ratio.lane(lane));
                 }

@@ -5,7 +5,7 @@ use super::{
     add_branches, Decay, Isochoric, Kinematics, Material, PlasticState, Shape, Symmetric, UseLaw, VonMises,
     MAX_TERMS,
 };
-use clubface_math::{Pack, Real};
+use clubface_math::{Computation, Pack, Real};
 
 /// What some points of a group remember, a number after the other: `stride` of them, of which a pack begins with the one at `first`.
 pub struct Memory<'a, R> {
@@ -125,6 +125,20 @@ impl<S: Pack, U: UseMemory<S>> UseLaw<S> for Branching<'_, S, U> {
     }
 }
 
+/// A computation for a metal that yields, as a function of its own.
+struct Yielding<P, U> {
+    computation: U,
+    metal: VonMises<P>,
+}
+
+impl<P: Pack, U: UseMemory<P>> Computation for Yielding<P, U> {
+    type Output = U::Output;
+    #[inline(always)]
+    fn run(self) -> U::Output {
+        self.computation.with(self.metal)
+    }
+}
+
 impl<R: Real> Material<R> {
     /// What a point remembers before any deformation: nothing in an elastic material.
     #[must_use]
@@ -159,7 +173,7 @@ impl<R: Real> Material<R> {
         computation: U,
     ) -> U::Output {
         if let Shape::VonMises(law) = &self.shape {
-            return computation.with(law.splat::<P>());
+            return P::outline(Yielding { computation, metal: law.splat::<P>() });
         }
         self.with_law::<P, _>(Branching { decays: &decays[..self.maxwell.len()], computation })
     }

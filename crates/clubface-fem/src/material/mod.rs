@@ -29,7 +29,8 @@ pub use symmetric::{times, Symmetric};
 pub use viscous::{add_branches, work, Decay, Maxwell, MAX_TERMS};
 pub use von_mises::{PlasticState, VonMises};
 
-use clubface_math::{Mat3, Pack, Real, Scalar, Vec3};
+use clubface_math::{Computation, Mat3, Pack, Real, Scalar, Vec3};
+use std::marker::PhantomData;
 
 /// A law for the change of shape: an energy of the modified right Cauchy-Green tensor `C̄` (determinant one).
 pub trait Isochoric<S: Scalar>: Copy {
@@ -243,11 +244,13 @@ impl<R: Real> Material<R> {
     #[inline(always)]
     pub fn with_law<P: Pack<Real = R>, U: UseLaw<P>>(&self, computation: U) -> U::Output {
         match &self.shape {
-            Shape::MooneyRivlin(law) => computation.with(law.splat::<P>()),
-            Shape::NeoHookean(law) => computation.with(law.splat::<P>()),
-            Shape::Hencky(law) => computation.with(law.splat::<P>()),
-            Shape::Ogden(law) => computation.with(law.splat::<P>()),
-            Shape::VonMises(law) => computation.with(Hencky { shear: law.shear }.splat::<P>()),
+            Shape::MooneyRivlin(law) => P::outline(Under::law(computation, law.splat::<P>())),
+            Shape::NeoHookean(law) => P::outline(Under::law(computation, law.splat::<P>())),
+            Shape::Hencky(law) => P::outline(Under::law(computation, law.splat::<P>())),
+            Shape::Ogden(law) => P::outline(Under::law(computation, law.splat::<P>())),
+            Shape::VonMises(law) => {
+                P::outline(Under::law(computation, Hencky { shear: law.shear }.splat::<P>()))
+            }
         }
     }
 }
@@ -258,4 +261,26 @@ pub trait UseLaw<P: Scalar> {
     type Output;
     /// Runs it; implement with `#[inline(always)]`.
     fn with<L: Isochoric<P>>(self, law: L) -> Self::Output;
+}
+
+/// A computation under a law, as a function of its own: one of all laws would be too large to compile in reasonable time.
+struct Under<P, U, L> {
+    computation: U,
+    law: L,
+    pack: PhantomData<P>,
+}
+
+impl<P, U, L> Under<P, U, L> {
+    #[inline(always)]
+    fn law(computation: U, law: L) -> Self {
+        Self { computation, law, pack: PhantomData }
+    }
+}
+
+impl<P: Scalar, U: UseLaw<P>, L: Isochoric<P>> Computation for Under<P, U, L> {
+    type Output = U::Output;
+    #[inline(always)]
+    fn run(self) -> U::Output {
+        self.computation.with(self.law)
+    }
 }

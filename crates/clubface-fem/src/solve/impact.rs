@@ -150,7 +150,7 @@ impl<R: Real> Impact<R> {
                 run.march(self, every - run.step % every, options);
             }
         };
-        if matches!(stopped, Some(FemError::ElementLost { .. } | FemError::Energy { .. })) {
+        if stopped.as_ref().is_some_and(FemError::failed) {
             run.history.cut();
         }
         let missed =
@@ -274,15 +274,14 @@ impl Run {
         let first = *self.history.energy.first().unwrap_or(&frame);
         let error = (frame.total() - first.total()).abs() / first.kinetic;
         if error > BALANCE || error.is_nan() {
-            let mut worst = (0, (0, -1.0));
-            for patch in 0..impact.parts.len() {
-                let found = impact.structure.most_strained(patch);
-                if found.1 > worst.1 .1 {
-                    worst = (patch, found);
-                }
-            }
-            let (patch, (element, _)) = worst;
-            let part = impact.parts[patch].clone();
+            let found = impact
+                .parts
+                .iter()
+                .enumerate()
+                .map(|(patch, part)| (impact.structure.most_strained(patch), part));
+            let worst = found.max_by(|((_, one), _), ((_, other), _)| one.total_cmp(other));
+            let (element, part) =
+                worst.map_or((0, String::new()), |((element, _), part)| (element, part.clone()));
             return Err(FemError::Energy { element, part, percent: error * 100.0, microseconds });
         }
         self.history.energy.push(frame);

@@ -111,7 +111,7 @@ pub(super) fn simulate<'py>(
             return Err(error);
         }
     }
-    let failed = matches!(outcome.stopped, Some(FemError::ElementLost { .. } | FemError::Energy { .. }));
+    let failed = outcome.stopped.as_ref().is_some_and(FemError::failed);
     if failed {
         let last = outcome.history.energy.last().map_or(0.0, |frame| frame.time);
         let (all, kept) = (times.len(), times.partition_point(|&time| time <= last));
