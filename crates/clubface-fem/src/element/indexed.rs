@@ -1,7 +1,8 @@
 //! Elements in any arrangement: the corners of a pack are gathered from the nodes one by one.
 
-use super::one_point::{empty, spread, sums, Constants, Face, Hexahedron};
+use super::one_point::{Constants, Hexahedron};
 use super::point::{Block, Look, Points};
+use super::side::{empty, spread, sums, Face};
 use super::BLOCK;
 use crate::material::Deformation;
 use crate::mesh::CORNERS;

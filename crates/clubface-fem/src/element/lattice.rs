@@ -7,8 +7,9 @@
 use super::arrangement::order;
 use super::field::{Field, Layout, Scratch};
 use super::motion::Motion;
-use super::one_point::{empty, spread, sums, Constants, Face, Hexahedron};
+use super::one_point::{Constants, Hexahedron};
 use super::point::{Block, Look, Points};
+use super::side::{empty, spread, sums, Face};
 use super::BLOCK;
 use crate::material::{Deformation, Symmetric};
 use crate::mesh::CORNERS;

@@ -18,6 +18,7 @@ mod section;
 mod shell;
 mod shell_look;
 mod shell_material;
+mod side;
 mod solid;
 mod solid_look;
 
