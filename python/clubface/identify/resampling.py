@@ -61,13 +61,14 @@ def interval_of(samples: NDArray[np.float64], confidence: float, groups: int) ->
 
     Percentiles, further out by as much as Student's t with its degrees of freedom is wider than the normal
     distribution: plain percentiles are too narrow for few groups. T. C. Hesterberg, What teachers should know about the
-    bootstrap, The American Statistician 69 (2015) 371-386.
+    bootstrap, The American Statistician 69 (2015) 371-386. Of B sorted samples the k-th stands for the part k / (B + 1)
+    (Weibull's rule): numpy's own, (k - 1) / (B - 1), would be narrower by two points in a hundred with 60 samples.
     """
     from scipy.special import ndtr, stdtrit
 
     degrees = max(groups - samples.shape[1], 1)
     part = float(ndtr(np.sqrt(groups / degrees) * stdtrit(degrees, 0.5 * (1.0 + confidence))))
-    return np.quantile(samples, [1.0 - part, part], axis=0)
+    return np.quantile(samples, [1.0 - part, part], axis=0, method="weibull")
 
 
 def held_out(
