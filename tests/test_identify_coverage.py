@@ -52,16 +52,15 @@ def test_intervals_hold_the_truth_about_as_often_as_they_say(monkeypatch, model,
     assert all(part >= least for part in found.values()), found
 
 
-def test_an_interval_ends_where_a_further_fit_would_lie_beyond_as_often_as_it_says():
-    # Of 99 sorted fits the k-th is exceeded by a further one with the probability 1 - k / 100, whatever they follow.
+def test_an_interval_ends_at_median_unbiased_quantiles_widened_for_few_groups():
+    # Of 99 sorted fits the k-th stands for (k - 1/3) / (99 + 1/3): the parts 2.5% and 97.5% are k = 2.817 and 97.183.
     fits = np.arange(1.0, 100.0)[:, None]
     # So many groups that Student's t is the normal distribution to four digits.
-    assert interval_of(fits, 0.95, groups=100_000)[:, 0] == pytest.approx([2.5, 97.5], abs=0.01)
+    assert interval_of(fits, 0.95, groups=100_000)[:, 0] == pytest.approx([2.817, 97.183], abs=0.01)
     # Ten groups and one parameter: t(9) at 97.5% is 2.262, times sqrt(10/9) 2.384, which the normal distribution
-    # exceeds with 0.855% on either side.
-    assert interval_of(fits, 0.95, groups=10)[:, 0] == pytest.approx([1.0, 99.0], abs=1e-9)
+    # exceeds with 0.855% on either side: k = 0.00855 (999 + 1/3) + 1/3.
     fits = np.arange(1.0, 1000.0)[:, None]
-    assert interval_of(fits, 0.95, groups=10)[:, 0] == pytest.approx([8.55, 991.45], abs=0.02)
+    assert interval_of(fits, 0.95, groups=10)[:, 0] == pytest.approx([8.88, 991.12], abs=0.02)
 
 
 # Model, club, cost, shots, bootstrap samples (0: intervals without a bootstrap), free parameters. A volumetric shot
