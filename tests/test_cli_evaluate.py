@@ -4,7 +4,9 @@ from pathlib import Path
 
 import pytest
 
+import clubface
 from clubface.benchmark_data.recipe import FOLDER
+from clubface.errors import FileError
 from command_line import assert_mistake
 
 pytest.importorskip("typer")
@@ -59,6 +61,15 @@ def test_the_report_is_written(clubface_, tmp_path, monkeypatch):
     ran = clubface_("evaluate", SHOTS, "--models", "slip", "-o", str(tmp_path / "out"))
     assert ran.err == f"clubface: wrote {tmp_path / 'out'}: 120\n"
     assert (tmp_path / "out").is_dir()
+
+
+def test_the_report_does_not_take_the_place_of_the_shots(clubface_, write):
+    path = write("club,club_speed_mph,loft_deg,ball_speed_mph\ndriver,100,12,148\n", "evaluation.csv")
+    before = path.read_text()
+    assert_mistake(clubface_("evaluate", str(path), "-o", str(path.parent)), "would overwrite this file")
+    assert path.read_text() == before
+    with pytest.raises(FileError, match="would overwrite"):
+        clubface.evaluate(path, models=["slip"]).write(path.parent)
 
 
 def test_mistakes_are_one_message(clubface_, write):

@@ -230,12 +230,12 @@ def test_the_report_is_written_with_its_pictures(result, tmp_path):
     pytest.importorskip("matplotlib")
     files = {each.name: each for each in result.write(tmp_path / "new" / "out")}
     assert set(files) == {
-        "evaluation.md", "evaluation.html", "evaluation.json", "shots.csv", "errors.png", "errors.svg", "trends.png",
-        "trends.svg", "agreement.png", "agreement.svg",
+        "evaluation.md", "evaluation.html", "evaluation.json", "evaluation.csv", "errors.png", "errors.svg",
+        "trends.png", "trends.svg", "agreement.png", "agreement.svg",
     }  # fmt: skip
     document = json.loads(files["evaluation.json"].read_text())
     assert document["errors"]["launch"]["slip"]["mae"] == result.sizes["launch"]["slip"].mae
-    assert len(files["shots.csv"].read_text().splitlines()) == 201
+    assert len(files["evaluation.csv"].read_text().splitlines()) == 201
     assert all(each.stat().st_size > 1000 for each in files.values())
 
 

@@ -63,6 +63,17 @@ def test_a_shot_without_a_launch_says_so(tmp_path):
     assert rows_of(tmp_path / "out.csv")[0]["remark"] == "nothing of the launch was measured"
 
 
+def test_a_shot_out_of_reach_says_so_and_the_others_are_inferred(tmp_path):
+    shots = launches()
+    shots.launches["ball_speed"][1] = 2.0  # m/s
+    report = files.infer_shots(shots, tmp_path / "out.csv", **OPTIONS)
+    assert (report.shots, report.without) == (3, 1)
+    rows = rows_of(tmp_path / "out.csv")
+    assert "within reach of the prior" in rows[1]["remark"]
+    assert rows[1]["loft_deg"] == ""
+    assert rows[2]["loft_deg"] != ""
+
+
 def test_an_interrupted_file_is_resumed_to_the_same_bytes(tmp_path):
     whole, again = tmp_path / "whole.csv", tmp_path / "again.csv"
     files.infer_shots(launches(), whole, **OPTIONS)
@@ -136,4 +147,8 @@ def test_mistakes_are_one_message(clubface_, write, tmp_path):
     assert_mistake(clubface_("infer", "--club", "driver", *LAUNCH, "--prior", "elit"), "did you mean elite")
     assert_mistake(clubface_("infer", "--club", "driver", *LAUNCH, "--plot", "x.bmp"), "x.bmp")
     assert_mistake(clubface_("infer", source, "--club", "driver"), "-o is missing")
+    assert_mistake(clubface_("infer", source, "--club", "driver", "-o", source), "must not be the file read")
+    fast = clubface_("infer", "--club", "driver", "--ball-speed", "159")
+    assert_mistake(fast, "within reach of the prior")
+    assert "note: --ball-speed 159 has no unit and is taken in m/s" in fast.err
     assert_mistake(clubface_("infer", source, *LAUNCH, "--club", "driver"), "--ball-speed is of one launch")

@@ -8,7 +8,7 @@ import pytest
 import clubface
 from clubface import Prior, infer
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.inference import words
+from clubface.inference import UnreachableLaunchError, words
 from clubface.inference.infer import NOISE
 from clubface.inference.prior import prior_of
 from clubface.measured_shots import QUANTITIES
@@ -137,6 +137,14 @@ def test_a_launch_that_contradicts_the_prior_is_warned_of(found):
     wide = infer({**DRIVE, "ball_speed": "120 mph"}, club="driver", model="slip", samples=300, prior="wide")
     assert not any("contradicts" in each for each in wide.warnings)
     assert found.warnings == []
+
+
+def test_a_launch_out_of_reach_is_refused_with_what_the_prior_expects():
+    """All weight would lie on the one draw that is nearest, with deviations of zero."""
+    with pytest.raises(
+        UnreachableLaunchError, match=r"launch is 'ball_speed 159 mph, launch 80 deg'.*expects ball_speed 15\d mph"
+    ):
+        infer({"ball_speed": "159 mph", "launch": "80 deg"}, club="driver")
 
 
 def test_priors_are_elite_tour_or_wide_and_know_their_clubs():

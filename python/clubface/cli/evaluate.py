@@ -59,6 +59,9 @@ def evaluate(
     from clubface.evaluation import evaluate as compute
     from clubface.evaluation import report, tables
 
+    if folder is not None:
+        report.refuse_input(folder, shots)
+
     recorded, head = recorded_shots(shots, texts)
     sets = given.parameter_sets(names, head.parameters, parameters, setting)
     result = compute(

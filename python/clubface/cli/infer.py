@@ -29,7 +29,7 @@ _OUTPUT = typer.Option(
 
 
 @app.command()
-@options.takes(options.LAUNCH, RECORDED, options.ONE_MODEL)
+@options.takes(options.MEASURED_LAUNCH, RECORDED, options.ONE_MODEL)
 def infer(
     shots: Annotated[
         str | None, typer.Argument(metavar="[SHOTS]", help="A file of launches, in place of the options of one launch.")
@@ -47,7 +47,10 @@ def infer(
     **texts: Any,
 ) -> None:
     """Sample the deliveries that can have made a launch: what it tells, and what it cannot."""
-    launch = {name: texts[name] for name in options.LAUNCH if texts[name] is not None}
+    from clubface.quantities import outputs
+
+    dimensions = {name: outputs()[name].dimension for name in options.MEASURED_LAUNCH}
+    launch = given.quantities(texts, dimensions, {})
     settings: dict[str, Any] = {
         "model": given.one_model(texts["model"]), "ball": texts["ball"], "prior": prior, "samples": samples,
         "seed": seed, "accuracy": texts["accuracy"], "noise": given.pairs(noise or (), "--noise"),

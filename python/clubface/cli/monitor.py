@@ -10,7 +10,7 @@ import typer
 from clubface.cli import options, output
 from clubface.cli.monitor_live import listen, send
 from clubface.cli.tables import print_numbers, print_words
-from clubface.errors import FileError, InputError
+from clubface.errors import InputError
 from clubface.units import display_unit, from_si
 
 if TYPE_CHECKING:
@@ -61,12 +61,15 @@ def read(
     """Read a launch monitor's file; write its shots in the units and signs of clubface."""
     from clubface import launch_monitor
 
+    for name, written in (("--output", target), ("--rejects", rejects)):
+        if written is not None:
+            output.check_target(name, written, [file, mapping])
+    if target is not None and rejects is not None and Path(target).resolve() == Path(rejects).resolve():
+        raise InputError("--rejects", rejects, "another file than the output")
     shots = launch_monitor.read(
         file, format=format_, hand=hand, mapping=mapping, units=dict(map(_pair, unit or ())), club=_clubs(club or [])
     )
     if target is not None:
-        if Path(target).resolve() == Path(file).resolve():
-            raise FileError(target, None, "the output must not be the file read")
         shots.write(target)
     if rejects is not None:
         _write_rejects(shots, Path(rejects))

@@ -46,15 +46,24 @@ DELIVERY: Group = _quantities(
     pitch_rate=("500 deg/s", "Rate at which the loft grows."),
     lie_rate=("100 deg/s", "Rate at which the toe rises."),
 )
+_DIRECTION_AND_SPIN = {
+    "azimuth": ("1 deg", "To the right is positive."),
+    "backspin": ("2700 rpm", "Or the total spin and its axis."),
+    "sidespin": ("-200 rpm", "Curves right is positive."),
+    "total_spin": ("2700 rpm", "In place of back- and sidespin."),
+    "spin_axis": ("3 deg", "Tilted to the right is positive."),
+}
 LAUNCH: Group = _quantities(
     "Launch",
     ball_speed=("167 mph", "Required."),
     launch=("10.9 deg", "Launch angle. Required."),
-    azimuth=("1 deg", "To the right is positive."),
-    backspin=("2700 rpm", "Or the total spin and its axis."),
-    sidespin=("-200 rpm", "Curves right is positive."),
-    total_spin=("2700 rpm", "In place of back- and sidespin."),
-    spin_axis=("3 deg", "Tilted to the right is positive."),
+    **_DIRECTION_AND_SPIN,
+)
+MEASURED_LAUNCH: Group = _quantities(
+    "Launch, as much of it as was measured",
+    ball_speed=("159 mph", "Of the ball."),
+    launch=("14.5 deg", "Launch angle: up is positive."),
+    **_DIRECTION_AND_SPIN,
 )
 
 _EQUIPMENT, _MODEL, _AIR = "Club and ball", "Model", "Air"

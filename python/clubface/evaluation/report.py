@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from clubface import units
+from clubface.errors import FileError
 from clubface.evaluation import tables
 from clubface.evaluation.evaluate import Evaluation
 from clubface.evaluation.tables import Table
@@ -27,6 +28,8 @@ PICTURES = {
     "agreement": "Model over measured; on the line they agree.",
 }
 """The pictures of a report and what they show."""
+TABLE = "evaluation.csv"
+"""Every shot with what each model makes of it."""
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; max-width: 70em; margin: 2em auto; padding: 0 1em; color: #222; }
@@ -191,12 +194,26 @@ def _cell(value: Any) -> str:
     return "" if math.isnan(number) else f"{number:.9g}"
 
 
+def refuse_input(folder: str | os.PathLike[str], source: str) -> None:
+    """Refuse a folder in which the table of the report would take the place of the file of the shots."""
+    table = Path(folder) / TABLE
+    if table.exists() and os.path.exists(source) and table.samefile(source):
+        raise FileError(source, None, "the report would overwrite this file: name another folder")
+
+
 def write(of: Evaluation, folder: str | os.PathLike[str]) -> list[Path]:
-    """Write the report and its pictures into ``folder``, which is made if need be; return the files."""
+    """Write the report and its pictures into ``folder``, which is made if need be; return the files.
+
+    Raises
+    ------
+    FileError
+        One of the files is that of the shots.
+    """
     from clubface import plots
     from clubface.plots import evaluation as draw
 
     target = Path(folder)
+    refuse_input(target, of.shots.source)
     target.mkdir(parents=True, exist_ok=True)
     files, pictures = [], {}
     figures = {"errors": draw.error_figure, "trends": draw.trend_figure, "agreement": draw.agreement_figure}
@@ -208,7 +225,7 @@ def write(of: Evaluation, folder: str | os.PathLike[str]) -> list[Path]:
         "evaluation.md": as_markdown(of, pictures=".png"),
         "evaluation.html": as_html(of, pictures),
         "evaluation.json": json.dumps(plain(document(of)), indent=2, allow_nan=False) + "\n",
-        "shots.csv": as_csv(of),
+        TABLE: as_csv(of),
     }
     for name, text in texts.items():
         (target / name).write_text(text, encoding="utf-8")

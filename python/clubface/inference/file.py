@@ -15,6 +15,7 @@ import numpy as np
 from clubface import units
 from clubface.clubs import club
 from clubface.errors import FileError, InputError
+from clubface.inference.expectation import UnreachableLaunchError
 from clubface.inference.infer import infer
 from clubface.inference.prior import prior_of
 from clubface.inference.words import unit_of
@@ -83,6 +84,8 @@ def infer_shots(
     target = Path(output)
     if target.suffix.lower() != ".csv":
         raise InputError("output", str(output), "a file ending in .csv")
+    if target.exists() and os.path.exists(shots.source) and target.samefile(shots.source):
+        raise FileError(str(target), None, "the output must not be the file read")
     if not target.parent.is_dir():
         raise FileError(str(target), None, f"there is no folder {str(target.parent)!r}")
     wanted = [name for name in QUANTITIES if name in shots.launches]
@@ -146,7 +149,10 @@ def _row(shots: RecordedShots, place: int, wanted: list[str], options: Mapping[s
     measured = {name: value for name, value in launch.items() if np.isfinite(value)}
     if not measured:
         return [*cells, *[""] * (4 * len(names)), "", "nothing of the launch was measured"]
-    found = infer(measured, **options)
+    try:
+        found = infer(measured, **options)
+    except UnreachableLaunchError as error:
+        return [*cells, *[""] * (4 * len(names)), "", str(error)]
     for name in names:
         values = (found.mean[name], found.deviation[name], *found.interval(name))
         cells += [_cell(value, unit_of(name)) for value in values]

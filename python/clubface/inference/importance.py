@@ -31,6 +31,8 @@ REFINEMENTS = 4
 """Proposals made at power one."""
 MOST_DRAWS = 400_000
 """Draws after which a sample is given up to be as large as wanted."""
+HOPELESS_DRAWS, HOPELESS = 40_000, 5.0
+"""Draws after which a sample is given up that has no more effective ones than this."""
 RIDGE = 1e-9
 """Added to the variances, so that a sample without spread in a direction still has a proposal."""
 
@@ -179,12 +181,13 @@ def _collected(
         logs = np.where(np.isfinite(likelihood), likelihood + base, -np.inf)
         all_points, all_logs = np.concatenate([all_points, points]), np.concatenate([all_logs, logs])
         weights = normalised(all_logs)
-        if effective(weights) >= 2 * size or all_logs.size >= MOST_DRAWS:
+        reached = effective(weights)
+        if reached >= 2 * size or all_logs.size >= (HOPELESS_DRAWS if reached <= HOPELESS else MOST_DRAWS):
             break
     top = float(all_logs.max())
     return Sample(
         points=all_points[systematic(weights, size, random)],
-        effective=effective(weights),
+        effective=reached,
         draws=all_logs.size,
         evaluations=evaluations + all_logs.size,
         stages=stages,

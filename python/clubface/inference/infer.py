@@ -16,6 +16,7 @@ from clubface.clubs import club as club_named
 from clubface.errors import InputError, UnknownNameError
 from clubface.evaluation.noise import MONITOR, standard_deviations
 from clubface.impact import Parameters, impact
+from clubface.inference.expectation import expected_launches, surprise, unreachable
 from clubface.inference.importance import Sample, sample
 from clubface.inference.prior import Prior, Values, prior_of
 from clubface.measured_shots import QUANTITIES
@@ -34,6 +35,8 @@ NOISE = {"ball_speed": 0.25, **MONITOR}
 """Standard deviations of the measured launch [SI] unless others are given: P1's of its monitor, 0.25 m/s of speed."""
 FEWEST_EFFECTIVE = 400
 """Effective draws below which a sample should not be trusted."""
+FEWEST_AT_ALL = 50
+"""Effective draws below which there is no sample to speak of: all weight lies on a few draws nearest to the launch."""
 SURPRISING = 0.001
 """Probability under the prior below which a launch contradicts it."""
 _POLAR = {"total_spin": "angular rate", "spin_axis": "angle"}
@@ -197,7 +200,9 @@ def infer(
     Raises
     ------
     InputError
-        A launch without a single known quantity, or one that no delivery of the prior can make.
+        A launch without a single known quantity; an option out of its range.
+    UnreachableLaunchError
+        A launch that no delivery anywhere near the prior makes; most often a wrong unit or club.
     """
     if isinstance(samples, bool) or not isinstance(samples, int) or not 1 <= samples <= 100_000:
         raise InputError("samples", samples, "a whole number from 1 to 100000")
@@ -232,6 +237,9 @@ def infer(
         drawn = sample(log_likelihood, len(before.names), size=samples, seed=seed, progress=progress)
     except FloatingPointError:
         raise InputError("prior", before.name, f"one whose deliveries {head.name} and {model} can compute") from None
+    expected = expected_launches(predict, len(before.names), seed)
+    if drawn.effective < FEWEST_AT_ALL:
+        raise unreachable(measured, expected, f"the prior ({before.name}), which by {model}")
     return Posterior(
         deliveries=before.deliveries(drawn.points),
         launch=measured,
@@ -241,7 +249,7 @@ def infer(
         model=model,
         parameters=chosen,
         sample=drawn,
-        surprise=_surprise(predict, len(before.names), target, scale, seed),
+        surprise=surprise(expected, target, scale, seed),
         seed=seed,
     )
 
@@ -266,19 +274,3 @@ def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
     if not given:
         raise InputError("launch", dict(launch), f"at least one of {', '.join(QUANTITIES)}")
     return {name: given[name] for name in QUANTITIES if name in given}
-
-
-def _surprise(predict: Callable[[Values], Values], size: int, target: Values, scale: Values, seed: int) -> float:
-    """Return the probability of launches further from the prior's mean than ``target``, by their covariance.
-
-    The distance of a normal launch has a chi-squared distribution; what is measured adds its noise.
-    """
-    random = np.random.default_rng([seed, 1])
-    found = predict(random.standard_normal((4000, size)))
-    found = found[np.isfinite(found).all(axis=1)]
-    covariance = np.atleast_2d(np.cov(found.T)) + np.diag(scale**2)
-    away = target - found.mean(axis=0)
-    distance = float(away @ np.linalg.solve(covariance, away))
-    others = found + scale * random.standard_normal(found.shape) - found.mean(axis=0)
-    further = np.sum(others * np.linalg.solve(covariance, others.T).T, axis=1) >= distance
-    return float((1.0 + further.sum()) / (1.0 + len(found)))
