@@ -138,7 +138,10 @@ def test_one_shot_and_shots_all_alike_are_reported_without_what_they_cannot_tell
 
 def test_shots_that_look_like_another_clubs_are_told_before_the_tables():
     pytest.importorskip("pyarrow")
-    found = evaluate(benchmark_data.load("7-iron").measured, club="driver", models="standard", resamples=100)
+    shots = benchmark_data.load("7-iron").measured
+    with pytest.raises(InputError, match="the shots name 7-iron, not driver"):
+        evaluate(shots, club="driver", models="standard", resamples=100)
+    found = evaluate(shots, club="driver", models="standard", resamples=100, mismatch="note")
     text = report.as_markdown(found)
     assert "is this the right club?" in text[: text.index("## ")]
 
@@ -244,4 +247,4 @@ def test_pictures_are_drawn_of_few_quantities_and_shots(tmp_path):
     shots = made(1)
     for name in ("backspin", "sidespin", "azimuth", "total_spin", "spin_axis"):
         del shots.launches[name]
-    assert len(evaluate(shots, club="7-iron", models="standard").write(tmp_path)) == 10
+    assert len(evaluate(shots, club="driver", models="standard").write(tmp_path)) == 10

@@ -32,7 +32,7 @@ def recorded(n=4, clubs=None, **changes):
 
 
 def test_complete_shots_of_a_named_club_are_taken_as_they_are():
-    shots = measured_shots(recorded(clubs=["7 Iron"] * 4), quantities=("launch", "backspin"))
+    shots = measured_shots(recorded(clubs=["7 Iron"] * 4, loft=[0.4] * 4), quantities=("launch", "backspin"))
     assert shots.club.name == "7-iron"
     assert list(shots.launch) == ["launch", "backspin"]
     assert (len(shots), shots.dropped) == (4, ())
@@ -63,14 +63,21 @@ def test_what_was_not_measured_is_said():
     assert measured_shots(recorded(loft=[NAN] * 4), club="driver").notes == notes
 
 
-def test_the_wrong_club_is_suspected():
+def test_the_wrong_club_is_refused_or_noted():
     # 0.25 rad are 14.3 degrees; the 7-iron has 30.5.
-    assert "right club" in measured_shots(recorded(), club="7-iron").notes[-1]
+    with pytest.raises(InputError, match=r"club is '7-iron'.*median dynamic loft is 14.3 deg.*--mismatch note"):
+        measured_shots(recorded(), club="7-iron")
+    assert "right club" in measured_shots(recorded(), club="7-iron", mismatch="note").notes[-1]
     assert "right club" not in measured_shots(recorded(), club="driver").notes[-1]
+    with pytest.raises(InputError, match="the shots name 7i, not driver"):
+        measured_shots(recorded(clubs=["7i"] * 4), club="driver")
+    # Chosen by its name, it is meant; so is one whose name says nothing of its kind.
+    assert len(measured_shots(recorded(clubs=["7i"] * 4), club="driver", only="7i")) > 0
+    assert len(measured_shots(recorded(clubs=["G425"] * 4), club="driver")) > 0
 
 
 def test_shots_of_several_clubs_are_not_mixed():
-    several = recorded(clubs=["Driver", "Driver", "7i", "7i"])
+    several = recorded(clubs=["Driver", "Driver", "7i", "7i"], loft=[0.25, 0.25, 0.4, 0.4])
     with pytest.raises(InputError, match=r"several clubs: Driver \(2\), 7i \(2\)"):
         measured_shots(several, club="driver")
     assert len(measured_shots(several, club="7-iron", only="7I")) == 2

@@ -14,6 +14,7 @@ from clubface.clubs import Club, club
 from clubface.delivery import DIMENSIONS
 from clubface.errors import InputError
 from clubface.launch_monitor import read, refer
+from clubface.other_club import check_club
 from clubface.recorded import RecordedShots, RejectedRow
 
 if TYPE_CHECKING:
@@ -21,8 +22,6 @@ if TYPE_CHECKING:
 
 QUANTITIES = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
 """The launch quantities that models are compared on, in the order of P1's tables, and the unit each is read in."""
-LOFT_DIFFERENCE = float(np.radians(12.0))
-"""Median dynamic loft further than this [rad] from the static loft is most likely another club's."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -77,6 +76,7 @@ def measured_shots(
     *,
     club: str | os.PathLike[str] | Club | None = None,
     only: str | None = None,
+    mismatch: str = "refuse",
     quantities: Iterable[str] = tuple(QUANTITIES),
 ) -> MeasuredShots:
     """Make recorded shots ready to be set beside models.
@@ -90,13 +90,16 @@ def measured_shots(
         face angles that were taken elsewhere are referred to its points, see :func:`clubface.launch_monitor.refer`.
     only
         Take only the shots whose club is called so in the file; left out, all, which must then be of one club.
+    mismatch
+        What shots do that look like another club's, by their names or their dynamic loft: "refuse", or "note".
     quantities
         The launch quantities wanted, of ``QUANTITIES``.
 
     Raises
     ------
     InputError
-        No usable shot; shots of several clubs; no speed or no launch among the columns.
+        No usable shot; shots of several clubs, or of another than the one given; no speed or no launch among the
+        columns.
     """
     recorded = shots if isinstance(shots, RecordedShots) else read(shots)
     places = of_one_club(recorded, only)
@@ -127,6 +130,8 @@ def measured_shots(
         told = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
         raise InputError("shots", recorded.source, f"at least one shot with a complete delivery and a launch ({told})")
     delivery = {name: values[kept] for name, values in delivery.items()}
+    names = recorded.clubs if only is None else None
+    notes = check_club(head, names, delivery.get("loft"), mismatch)
     return MeasuredShots(
         club=head,
         delivery=delivery,
@@ -135,7 +140,7 @@ def measured_shots(
         places=places[kept],
         source=recorded.source,
         dropped=tuple(sorted((*recorded.rejected, *dropped), key=lambda each: each.line or 0)),
-        notes=tuple(dict.fromkeys((*recorded.notes, *_assumptions(head, delivery)))),
+        notes=tuple(dict.fromkeys((*recorded.notes, *_assumptions(head, delivery), *notes))),
     )
 
 
@@ -174,7 +179,7 @@ def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None
 
 
 def _assumptions(head: Club, delivery: dict[str, Any]) -> list[str]:
-    """Return what was not measured and how it is taken, and what looks like another club."""
+    """Return what was not measured and how it is taken."""
     found = []
     missing = [name for name in DIMENSIONS if name not in delivery]
     zero = [name for name in missing if name != "loft"]
@@ -185,11 +190,4 @@ def _assumptions(head: Club, delivery: dict[str, Any]) -> list[str]:
         found.append(
             f"dynamic loft was not measured; the static loft of {head.name}, {loft}, stands for it in every shot"
         )
-    else:
-        median = float(np.median(delivery["loft"]))
-        if abs(median - head.loft) > LOFT_DIFFERENCE:
-            found.append(
-                f"the median dynamic loft is {units.show(median, 'deg', 3)}, the static loft of {head.name}"
-                f" {units.show(head.loft, 'deg', 3)}: is this the right club?"
-            )
     return found

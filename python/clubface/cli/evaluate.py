@@ -65,7 +65,7 @@ def evaluate(
     recorded, head = recorded_shots(shots, texts)
     sets = given.parameter_sets(names, head.parameters, parameters, setting)
     result = compute(
-        recorded, club=head, models=names, parameters=sets, ball=texts["ball"],
+        recorded, club=head, models=names, parameters=sets, ball=texts["ball"], mismatch=texts["mismatch"],
         noise=given.pairs(noise or (), "--noise"),
         delivery_noise=given.pairs(delivery_noise or (), "--delivery-noise"),
         resamples=resamples, seed=seed, progress=_progress(),

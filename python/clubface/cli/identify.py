@@ -17,7 +17,7 @@ from clubface.errors import InputError
 
 app = typer.Typer(add_completion=False)
 
-_FIT, _SEARCH, _SHOTS = "What is fitted", "Search and intervals", "Shots"
+_FIT, _SEARCH = "What is fitted", "Search and intervals"
 
 
 def _option(*names: str, panel: str, metavar: str | None = None, text: str) -> Any:
@@ -30,9 +30,6 @@ def identify(
     shots: Annotated[
         str, typer.Argument(metavar="SHOTS", help="Recorded shots: a launch monitor's file, CSV, Parquet.")
     ],
-    mismatch: Annotated[
-        str, _option("--mismatch", panel=_SHOTS, text="What shots of another club do: refuse, or note.")
-    ] = "refuse",
     free: Annotated[
         list[str] | None,
         _option(
@@ -124,7 +121,7 @@ def identify(
     with _progress() as progress:
         found = fit(
             recorded, club=head, model=model, parameters=sets[model], free=_names(free), tied=ties or None,
-            bounds=_bounds(bounds), ball=texts["ball"], only=texts["only"], mismatch=mismatch,
+            bounds=_bounds(bounds), ball=texts["ball"], only=texts["only"], mismatch=texts["mismatch"],
             quantities=_names(quantities), cost=cost, normaliser=normaliser,
             noise=given.pairs(noise or (), "--noise"), population=population,
             generations=generations, refined=refined, folds=folds, bootstrap=bootstrap,

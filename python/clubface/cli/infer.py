@@ -59,7 +59,12 @@ def infer(
         if launch or picture:
             option = "plot" if picture else next(iter(launch)).replace("_", "-")
             raise ClubfaceError(f"--{option} is of one launch, not of a file")
+        from clubface.other_club import check_club
+
         recorded, head = recorded_shots(shots, texts)
+        names = recorded.clubs if texts["only"] is None else None
+        for note in check_club(head, names, None, texts["mismatch"]):
+            say(f"note: {note}")
         _whole_file(
             recorded, {**settings, "club": head, **_parameters(settings["model"], head, texts)}, target, resume, as_json
         )

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Annotated, Any
+
+import typer
 
 from clubface.cli import options
 from clubface.cli.options import Group, text_option
 
 _SHOTS = "Shots"
+_MISMATCH = typer.Option(
+    "--mismatch", rich_help_panel=_SHOTS, help="What shots that look like another club's do: refuse, or note."
+)
 RECORDED: Group = {
     "club": text_option(
         "--club", "Club and ball", "CLUB", "Name or TOML file; the club that the shots name unless given."
@@ -16,6 +21,7 @@ RECORDED: Group = {
     "only": text_option("--only", _SHOTS, "NAME", "Take the shots of the club called so in the file."),
     "format": text_option("--format", _SHOTS, "NAME", "Layout of the file; recognised unless given."),
     "mapping": text_option("--mapping", _SHOTS, "FILE", "TOML file that names the columns of any other CSV."),
+    "mismatch": (Annotated[str, _MISMATCH], "refuse"),
     **options.EQUIPMENT,
 }
 """Options of a command that reads recorded shots."""

@@ -126,6 +126,7 @@ def evaluate(
     *,
     club: str | os.PathLike[str] | Club | None = None,
     only: str | None = None,
+    mismatch: str = "refuse",
     models: str | Iterable[str] = "all",
     parameters: Mapping[str, Any] | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
@@ -143,10 +144,12 @@ def evaluate(
     Parameters
     ----------
     shots
-        Recorded shots, or a file that :func:`read_shots` reads.
+        Recorded shots, or a file that :func:`clubface.launch_monitor.read` reads.
     club, only
         The club they were hit with, and the club's name in the file where it holds several; see
         :func:`clubface.measured_shots.measured_shots`.
+    mismatch
+        What shots do that look like another club's, by their names or their dynamic loft: "refuse", or "note".
     models
         A name, a list of names, or "all".
     parameters
@@ -170,12 +173,12 @@ def evaluate(
     Raises
     ------
     InputError
-        No usable shot, shots of several clubs, a missing speed; an unknown name.
+        No usable shot, shots of several clubs or of another club, a missing speed; an unknown name.
     """
     if isinstance(resamples, bool) or not isinstance(resamples, int) or resamples < FEWEST_RESAMPLES:
         raise InputError("resamples", resamples, f"a whole number from {FEWEST_RESAMPLES} on")
     monitor, disturbance = noises.monitor_noise(noise), noises.delivery_noise(delivery_noise)
-    taken = measured_shots(shots, club=club, only=only)
+    taken = measured_shots(shots, club=club, only=only, mismatch=mismatch)
     belonging = _groups_of(groups, shots, taken)
     names = model_names(models)
     given = parameters or {}

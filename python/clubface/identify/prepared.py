@@ -96,6 +96,7 @@ def prepared_shots(
     club: str | os.PathLike[str] | Club,
     ball: str | os.PathLike[str] | Ball | None = None,
     only: str | None = None,
+    mismatch: str = "refuse",
     quantities: Iterable[str] | None = None,
     groups: Any = None,
     parameters: ParameterSet,
@@ -104,7 +105,7 @@ def prepared_shots(
 
     Parameters
     ----------
-    given, club, only
+    given, club, only, mismatch
         As of :func:`measured_shots`.
     ball
         As of :func:`impact`.
@@ -118,7 +119,7 @@ def prepared_shots(
     recorded = given if isinstance(given, RecordedShots) else read(given)
     labels = _groups(groups, len(recorded))
     asked = tuple(QUANTITIES) if quantities is None else _asked(quantities)
-    measured = measured_shots(recorded, club=club, only=only, quantities=asked)
+    measured = measured_shots(recorded, club=club, only=only, mismatch=mismatch, quantities=asked)
     with_ = equipment(measured.club, ball)
     there = tuple(name for name, values in measured.launch.items() if np.isfinite(values).any())
     missing = [name for name in asked if name not in there]

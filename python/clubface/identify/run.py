@@ -18,7 +18,7 @@ from clubface.identify.free_parameters import free_parameters
 from clubface.identify.prepared import prepared_shots
 from clubface.identify.resampling import BOOTSTRAP, FOLDS
 from clubface.identify.result import Identification
-from clubface.identify.sanity import check_club, check_information
+from clubface.identify.sanity import check_information
 from clubface.identify.simulator import Effort, Simulator
 from clubface.identify.stages import Progress, Stages, fingerprint
 from clubface.impact import Parameters
@@ -154,10 +154,10 @@ def identify(
         if name not in chosen.names:
             raise InputError("profiles", name, "free parameters: " + ", ".join(chosen.names))
     prepared = prepared_shots(
-        recorded, club=head, ball=ball, only=only, quantities=quantities, groups=groups, parameters=fixed
-    )
-    named = recorded.clubs if only is None else None
-    notes = [*prepared.notes, *check_club(prepared, named, mismatch)]
+        recorded, club=head, ball=ball, only=only, mismatch=mismatch, quantities=quantities, groups=groups,
+        parameters=fixed,
+    )  # fmt: skip
+    notes = list(prepared.notes)
     deviations = noise_of(prepared.quantities, noise)
     cores, tight = thread_count(threads), tolerance(accuracy)
     effort = Effort()

@@ -1,28 +1,22 @@
-"""Whether shots and fit make sense: the right club, enough information, bounds, contact times and forces."""
+"""Whether shots and fit make sense: enough information, bounds, contact times and forces."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from clubface import units
-from clubface.clubs import Club
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.identify.free_parameters import FreeParameters
 from clubface.identify.identifiability import Identifiability, identifiability
-from clubface.identify.prepared import PreparedShots
 from clubface.identify.profile import Profile
 from clubface.identify.simulator import Simulator
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-MISMATCH = ("refuse", "note")
-LOFT_DIFFERENCE = float(np.radians(12.0))
-"""Mean dynamic loft further than this [rad] from the static loft belongs to another club."""
 AT_BOUND = 1e-4
 """A parameter within this part of its range of a bound meets it."""
 CONTACT_TIME = (350e-6, 600e-6)
@@ -31,61 +25,6 @@ PEAK_FORCE = (8e3, 17e3)
 """Mean peak forces [N] outside this, at 50 m/s, are unphysical: measured drives reach 10 to 14 kN."""
 REFERENCE_SPEED, SPEED_POWER = 50.0, 1.2
 """Hertz: the peak force grows with the speed [m/s] to the power 6/5."""
-
-_SHORT = {
-    "d": "driver", "dr": "driver", "1w": "driver", "1-wood": "driver", "pw": "pitching-wedge", "gw": "gap-wedge",
-    "aw": "gap-wedge", "sw": "sand-wedge", "lw": "lob-wedge",
-}  # fmt: skip
-_WORDS = {"w": "wood", "i": "iron", "h": "hybrid", "hy": "hybrid", "wood": "wood", "iron": "iron", "hybrid": "hybrid"}
-
-
-def club_kind(name: str) -> str | None:
-    """Return what a club is from its name: "driver", "7-iron", "pitching-wedge"; None if the name does not tell."""
-    plain = "-".join(re.findall(r"[a-z]+|\d+", name.lower()))
-    if plain.replace("-", "") in _SHORT:
-        return _SHORT[plain.replace("-", "")]
-    if plain in _SHORT:
-        return _SHORT[plain]
-    for whole in ("driver", "pitching-wedge", "gap-wedge", "sand-wedge", "lob-wedge"):
-        if whole in plain:
-            return whole
-    number = re.search(r"(?<![a-z\d])(\d)-(wood|iron|hybrid|w|i|hy|h)(?![a-z])", plain)
-    if number:
-        return f"{number[1]}-{_WORDS[number[2]]}"
-    turned = re.search(r"(?<![a-z])(wood|iron|hybrid|w|i|hy|h)-(\d)(?!\d)", plain)
-    return f"{turned[2]}-{_WORDS[turned[1]]}" if turned else None
-
-
-def check_club(shots: PreparedShots, recorded_clubs: NDArray[np.object_] | None, mismatch: str) -> list[str]:
-    """Refuse shots of another club than the one given, by their names for it and by their loft, or return a note."""
-    if mismatch not in MISMATCH:
-        raise UnknownNameError("mismatch", mismatch, MISMATCH)
-    club = shots.club
-    found = _other_name(club, recorded_clubs) or _other_loft(shots)
-    if found is None:
-        return []
-    if mismatch == "refuse":
-        raise InputError(
-            "club", club.name, f'the club of these shots: {found} (mismatch="note" takes them all the same)'
-        )
-    return [found]
-
-
-def _other_name(club: Club, recorded: NDArray[np.object_] | None) -> str | None:
-    wanted = club_kind(club.name)
-    if recorded is None or wanted is None:
-        return None
-    kinds = {name: club_kind(str(name)) for name in dict.fromkeys(recorded)}
-    others = [str(name) for name, kind in kinds.items() if kind not in (None, wanted)]
-    return f"they name {', '.join(others)}" if others else None
-
-
-def _other_loft(shots: PreparedShots) -> str | None:
-    mean = shots.mean("loft")
-    if abs(mean - shots.club.loft) <= LOFT_DIFFERENCE:
-        return None
-    delivered, static = units.show(mean, "deg", 3), units.show(shots.club.loft, "deg", 3)
-    return f"their dynamic loft is {delivered} on average, the static loft of {shots.club.name} {static}"
 
 
 def check_information(simulator: Simulator, point: NDArray[np.float64], noise: NDArray[np.float64]) -> list[str]:
