@@ -1,10 +1,13 @@
 """P2's case with its head of shells: its figures, within what was asked of them."""
 
+import math
 from functools import cache
 
 import pytest
 
 from clubface.fem import paper
+from clubface.fem.case import case
+from clubface.fem.sweep import sweep
 
 # P2's figures are read off pictures: 2% of speeds, 5% of spin and force, 25 us; its contraction has no reference.
 TOLERANCES = {
@@ -31,6 +34,34 @@ def found():
 def test_a_figure_of_the_paper(figure):
     value = paper.table(found())[figure]
     assert value == pytest.approx(paper.PUBLISHED[figure], abs=TOLERANCES[figure])
+
+
+def test_trends_over_speed_and_loft():
+    # P2's Fig. 8. Its text has the ball speed rise with loft too, and the launch angle with speed: neither is so here.
+    speeds, lofts = (30.0, 45.0, 60.0), tuple(math.radians(loft) for loft in (8.0, 10.0, 12.0))
+    base = case("paper").replace(settings={"until_separation": True})
+    rows = sweep(base, speeds=(speeds[0], speeds[2]), lofts=(lofts[0], lofts[2]))
+    rows += sweep(base, speeds=speeds[1:2], lofts=lofts)
+    at = {(round(row["speed_mps"]), round(row["loft_deg"])): row for row in rows}
+    for loft in (8, 12):
+        slow, fast = at[30, loft], at[60, loft]
+        assert fast["ball_speed_mps"] > 1.8 * slow["ball_speed_mps"]
+        assert fast["spin_rpm"] > 1.8 * slow["spin_rpm"]
+        assert fast["f"] < slow["f"] - 0.02
+        # Halfway, on the straight line: within 2% of the rise.
+        for figure in ("ball_speed_mps", "spin_rpm"):
+            rise = fast[figure] - slow[figure]
+            assert at[45, loft][figure] == pytest.approx(slow[figure] + 0.5 * rise, abs=0.02 * rise)
+    for speed in (30, 45, 60):
+        low, high = at[speed, 8], at[speed, 12]
+        assert high["launch_deg"] - low["launch_deg"] == pytest.approx(4 * 0.84, abs=0.1)
+        assert high["spin_rpm"] > 1.4 * low["spin_rpm"]
+        assert high["f"] > low["f"]
+    for figure in ("launch_deg", "spin_rpm"):
+        rise = at[45, 12][figure] - at[45, 8][figure]
+        assert at[45, 10][figure] == pytest.approx(at[45, 8][figure] + 0.5 * rise, abs=0.02 * rise)
+    # P2: at least 0.92.
+    assert min(row["f"] for row in rows) == pytest.approx(0.92, abs=0.01)
 
 
 def test_the_case_of_the_paper_is_whole():

@@ -1,5 +1,6 @@
 //! A ball met by a head of shells.
 
+use super::delivered::delivered;
 use clubface_fem::ball::{Ball, Piece};
 use clubface_fem::cases::against_head;
 use clubface_fem::element::Element;
@@ -7,8 +8,6 @@ use clubface_fem::head::{against_ball, DeformableHead, Driver, ShellHead};
 use clubface_fem::material::{Hencky, Material, Maxwell, NeoHookean, Shape};
 use clubface_fem::mesh::DriverFineness;
 use clubface_fem::solve::{Impact, Options, Structure};
-use clubface_impact::first_touch::FirstTouch;
-use clubface_impact::shot::{Shot, INPUTS};
 use clubface_math::Vec3;
 
 /// Momentum, and angular momentum about the origin with the spins of the shells' nodes.
@@ -40,35 +39,6 @@ fn rubber_ball() -> Ball<f64> {
         element: Element::OnePoint,
         mass: Some(0.046),
     }
-}
-
-/// A head delivered at 35 m/s and its loft, `toe` metres from the face centre, turning about the vertical at `closure` (rad/s).
-fn delivered(head: &ShellHead<f64>, toe: f64, closure: f64) -> FirstTouch<f64> {
-    let is = head.mass_properties();
-    let at = is.centre * -1.0;
-    let [x, y, z] = is.inertia.rows;
-    let values = [
-        ("speed", 35.0),
-        ("loft", head.loft),
-        ("toe", toe),
-        ("closure", closure),
-        ("club_mass", is.mass),
-        ("cg_x", at.x),
-        ("cg_y", at.y),
-        ("cg_z", at.z),
-        ("ixx", x.x),
-        ("iyy", y.y),
-        ("izz", z.z),
-        ("ixy", x.y),
-        ("ixz", x.z),
-        ("iyz", y.z),
-        ("static_loft", head.loft),
-        ("bulge", 0.305),
-        ("roll", 0.305),
-        ("hand", 1.0),
-    ];
-    let inputs = INPUTS.map(|input| values.iter().find(|v| v.0 == input.name).map_or(0.0, |v| v.1));
-    FirstTouch::of(&Shot::from_inputs(&inputs))
 }
 
 /// The same in a stiff, thin cover.

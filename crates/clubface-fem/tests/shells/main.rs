@@ -1,6 +1,7 @@
 //! Checks of shells against closed forms and published solutions.
 
 mod benchmarks;
+mod delivered;
 mod heads;
 mod patches;
 mod plates;
