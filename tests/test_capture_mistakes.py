@@ -108,6 +108,11 @@ def test_a_head_lost_before_impact_is_extended_across_the_gap_with_less_certaint
     assert np.abs(errors(found, SWING) / deviations(found)).max() < 4.0
 
 
+def test_a_head_lost_for_long_before_impact_is_refused_with_the_frames():
+    with pytest.raises(FileError, match=rf"not seen in frames {IMPACT - 10} to \d+, right before the ball leaves"):
+        read(changed(slice(IMPACT - 11, IMPACT + 2), HEAD, np.nan))
+
+
 def test_a_ball_carried_about_before_is_met_where_it_lies_at_last():
     def carried(positions):
         elsewhere = np.linspace([0.3, 0.5, 0.2], [0.0, 0.0, 0.0], 30)

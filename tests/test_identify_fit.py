@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -17,6 +20,7 @@ from clubface.identify.least_absolute import least_absolute
 from clubface.identify.profile import Profiler
 from clubface.identify.refine import refine
 from clubface.identify.search import Population, search
+from clubface.identify.stages import Stages
 from clubface.models import models
 from synthetic_shots import fitted, published, recorded
 
@@ -202,6 +206,20 @@ def test_what_changes_no_launch_is_proven_and_named():
     # Along it G / (1 - nu) stays: dG / G = -d nu / (1 - nu), in coordinates ln G / ln 1000 and nu / 0.499.
     step = told.directions[0].vector / told.directions[0].vector[1]
     assert step[0] == pytest.approx(-0.499 / (1.0 - 0.398) / np.log(1000.0), rel=1e-6)
+
+
+def test_the_interval_of_what_is_not_known_holds_the_fit():
+    """Profiles are of least squares, samples lead anywhere: both may miss a fit that is as good as any."""
+    simulator, cost, point = fitted(recorded(20, "area"), "area", free=["shear_modulus", "poisson", "damping"])
+    told = identifiability(simulator, point, noise_of(simulator.shots.quantities))
+    fit = simulator.free.values(point)
+    stages: Any = SimpleNamespace(simulator=simulator, cost=cost, settings={"confidence": 0.95})
+    samples = np.repeat([1.2 * fit], 20, axis=0)
+    profile: Any = SimpleNamespace(interval=(2.0 * fit[0], 3.0 * fit[0]))
+    found = Stages._intervals(stages, point, told, samples, {"shear_modulus": profile})
+    assert found["shear_modulus"] == pytest.approx((fit[0], 3.0 * fit[0]), rel=1e-12)
+    assert found["poisson"] == pytest.approx((simulator.free.lower[1], simulator.free.upper[1]), abs=1e-12)
+    assert found["damping"] == pytest.approx((1.2 * fit[2], 1.2 * fit[2]), rel=1e-12)
 
 
 def test_standard_errors_are_those_of_linear_least_squares():

@@ -99,6 +99,13 @@ def test_copies_of_one_shot_are_one_shot():
     shots = recorded(1, "slip", noise=1.0).select(np.zeros(20, dtype=int))
     with pytest.raises(InputError, match="number of different ones among 20 shots is 1; it must be at least two"):
         clubface.identify(shots, **SMALL)
+    single = recorded(1, "volumetric")
+    open_ = []
+    for shots in (single, single.select(np.zeros(20, dtype=int))):
+        with pytest.raises(InputError, match=r"does not determine: .*transition_speed") as refused:
+            clubface.identify(shots, club="driver", model="volumetric", **QUICK)
+        open_.append(str(refused.value).partition("does not determine")[2])
+    assert open_[0] == open_[1]
     doubled = recorded(12, "slip", noise=1.0).select(np.repeat(np.arange(12), 2))
     assert "only 12 of 24 shots are different" in " ".join(clubface.identify(doubled, **SMALL).notes)
     assert "different" not in " ".join(clubface.identify(recorded(12, "slip"), **SMALL).notes)

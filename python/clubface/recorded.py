@@ -112,11 +112,11 @@ class RecordedShots:
         return len(self.rows)
 
     def __repr__(self) -> str:
-        told = [f"{len(self)} shots of {self.source} ({self.format})"]
+        told = [f"{len(self)} shot{'s' * (len(self) != 1)} of {self.source} ({self.format})"]
         for kind in ("deliveries", "launches"):
             told.append(f"  {kind}: {', '.join(getattr(self, kind)) or 'none'}")
         if self.rejected:
-            told.append(f"  {len(self.rejected)} rows rejected")
+            told.append(f"  {len(self.rejected)} row{'s' * (len(self.rejected) != 1)} rejected")
         return "\n".join(told)
 
     def select(self, which: Any) -> Self:

@@ -77,9 +77,11 @@ def read(
         output.print_json(_described(shots) | {"output": target, "rejects": rejects})
         return
     _print(shots)
-    print(f"{len(shots)} shots" + (f": {target}" if target is not None else ""))
+    print(output.counted(len(shots), "shot") + (f": {target}" if target is not None else ""))
     if shots.rejected:
-        print(f"{len(shots.rejected)} rows rejected" + (f": {rejects}" if rejects is not None else ""))
+        print(
+            output.counted(len(shots.rejected), "row") + " rejected" + (f": {rejects}" if rejects is not None else "")
+        )
         for each in shots.rejected[:SHOWN]:
             print(f"  line {each.line}: {each.reason}")
         if len(shots.rejected) > SHOWN:

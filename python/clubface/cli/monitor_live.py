@@ -115,7 +115,7 @@ def _tell_shot(message: Message, as_json: bool) -> None:
 
 
 def _kept(count: int, target: str | None) -> str:
-    return f"{count} shots" + (f" in {target}" if target is not None and count else "")
+    return output.counted(count, "shot") + (f" in {target}" if target is not None and count else "")
 
 
 def _range(text: str | None, count: int) -> tuple[int, int]:

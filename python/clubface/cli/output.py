@@ -39,6 +39,11 @@ def number(value: float | None, digits: int = 1) -> str:
     return text[1:] if text.startswith("-") and not text.strip("-0.") else text
 
 
+def counted(count: int, what: str) -> str:
+    """Return "1 shot" or "3 shots"."""
+    return f"{count} {what}{'s' * (count != 1)}"
+
+
 def terminal_width() -> int | None:
     """Return the columns of the terminal, or None where the output goes to a file or pipe."""
     if "COLUMNS" in os.environ and os.environ["COLUMNS"].isdigit():

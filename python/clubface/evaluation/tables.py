@@ -117,7 +117,8 @@ def published_form(of: Evaluation) -> list[Table]:
         if what == "mae":
             costs = {model: known[model].cost for model in models}
             times = {model: known[model].cpu for model in models}
-            rows.append(["Cost (Eq. 22)", "", *("" if each is None else f"{each:.2f}" for each in costs.values())])
+            if any(each is not None for each in costs.values()):
+                rows.append(["Cost (Eq. 22)", "", *("" if each is None else f"{each:.2f}" for each in costs.values())])
             rows.append(
                 ["Processor time, 10 shots", "", *("" if each is None else duration(each) for each in times.values())]
             )

@@ -141,9 +141,9 @@ def _direction(names: tuple[str, ...], vector: NDArray[np.float64], error: float
         what += f" ({shares} of their ranges)"
     width = NORMAL_95 * error
     if not np.isfinite(width):
-        told = "no launch changes at all: not identifiable from launches"
+        told = "no launch changes at all"
     elif width > UNKNOWN:
-        told = "launches change by less than their scatter over the whole range: not identified by these shots"
+        told = "launches change by less than their scatter over the whole range"
     else:
         told = f"known to {100.0 * width:.2g}% of the range (95%)"
     return Direction(vector, error, f"{what}: {told}")

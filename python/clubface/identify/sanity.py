@@ -37,7 +37,7 @@ def check_information(simulator: Simulator, point: NDArray[np.float64], noise: N
     if different < 2:
         what = "the number of shots" if len(shots) == 1 else f"the number of different ones among {len(shots)} shots"
         advice = "at least two, with different deliveries: one shot leaves nothing to judge the fit by"
-        open_ = _open(simulator, point, noise)
+        open_ = _open(simulator.of(shots.select(np.array([0]))), point, noise)  # copies tell no more than one
         raise InputError(what, different, advice + (f". It does not determine: {open_}" if open_ else ""))
     kinds = int(np.isfinite(shots.launches).any(axis=1).sum())
     distinct = shots.distinct_deliveries()

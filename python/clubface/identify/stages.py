@@ -205,8 +205,8 @@ class Stages:
         """Return an interval a parameter.
 
         That of few groups of shots takes in the one without a bootstrap. One that Fisher's information finds unknown
-        takes in its profile or bounds: a refit begins at the fit and would not leave it along a direction that changes
-        nothing.
+        takes in its profile or bounds, and the fit itself: a refit begins at the fit and would not leave it along a
+        direction that changes nothing, or leaves it to wherever the next shots lead.
         """
         free = self.simulator.free
         confidence, groups = self.settings["confidence"], int(self.simulator.shots.groups.max()) + 1
@@ -219,10 +219,11 @@ class Stages:
             ends = [free.values(np.clip(point + sign * reach, 0.0, 1.0)) for sign in (-1.0, 1.0)]
             low, high = np.minimum(low, ends[0]), np.maximum(high, ends[1])
         found = {name: (float(a), float(b)) for name, a, b in zip(free.names, low, high, strict=True)}
-        for name, least, most in zip(free.names, free.lower, free.upper, strict=True):
+        fit = free.values(point)
+        for name, value, least, most in zip(free.names, fit, free.lower, free.upper, strict=True):
             if name in told.unknown:
                 a, b = profiles[name].interval if name in profiles else (float(least), float(most))
-                found[name] = (min(found[name][0], a), max(found[name][1], b))
+                found[name] = (min(found[name][0], a, float(value)), max(found[name][1], b, float(value)))
         return found
 
     def _telling(self, stage: str, total: int) -> Callable[[str, Callable[[], Any]], Any]:

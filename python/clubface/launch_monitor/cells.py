@@ -54,7 +54,7 @@ _UNITS = {
     "yards": "yd", "yds": "yd", "yd": "yd", "feet": "ft", "inches": "in", "inch": "in", "meters": "m", "metres": "m",
     "meter": "m", "metre": "m", "deg/sec": "deg/s", "degrees/s": "deg/s", "dps": "deg/s", "°/sec": "deg/s",
     "degs": "deg", "grad": "deg", "graden": "deg", "grados": "deg", "km/u": "km/h", "km/hr": "km/h", "kmph": "km/h",
-    "u/min": "rpm", "tpm": "rpm", "omw/min": "rpm", "sek": "s", "sec.": "s",
+    "u/min": "rpm", "1/min": "rpm", "tpm": "rpm", "omw/min": "rpm", "sek": "s", "sec.": "s",
 }  # fmt: skip
 """Further spellings of units in the files of launch monitors."""
 

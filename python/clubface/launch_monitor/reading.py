@@ -201,9 +201,9 @@ def _notes(session: Session, layout: Format, other_encoding: bool) -> Iterator[s
     for name, counts in session.told.items():
         yield f"{name}: " + ", ".join(f"{count} {value}" for value, count in counts.items())
     if session.summaries:
-        yield f"{session.summaries} rows of averages and deviations were passed over"
+        yield f"rows of averages and deviations that were passed over: {session.summaries}"
     if session.without_club:
-        yield f"{session.without_club} shots without club data, for which the file holds zeros or no number"
+        yield f"shots without club data, for which the file holds zeros or no number: {session.without_club}"
     if other_encoding:
         yield "the file is not UTF-8: read as Windows-1252"
 

@@ -81,6 +81,13 @@ def find_impact(
         if found is not None:
             notes = _make_sure(position, seen_ball, ball, found, rate, where)
             return found._replace(notes=found.notes + notes), ball
+    hidden = _hidden(position, places[0])
+    if hidden is not None:
+        raise FileError(
+            where, None,
+            f"no impact can be read: the clubhead is not seen in frames {hidden[0] + 1} to {hidden[1] + 1}, right"
+            " before the ball leaves: too many to go on from where it was last",
+        )  # fmt: skip
     away = np.linalg.norm(gap(position, rotation, places[0].centre, club, radius)[1], axis=-1)
     nearest = int(np.nanargmin(away))
     stays = "the ball stays" if places[0].departure is None else "the ball leaves"
@@ -89,6 +96,18 @@ def find_impact(
         f"no impact: the face does not pass the ball; its centre comes no nearer than {away[nearest] * 1e3:.0f} mm"
         f" (frame {nearest + 1} of {len(away)}), and {stays}",
     )  # fmt: skip
+
+
+def _hidden(position: Array, ball: RestingBall) -> tuple[int, int] | None:
+    """Return the first and last frame in which the head is lost from sight before the ball leaves, None if it is not.
+
+    Frames across which its way can be extended do not count.
+    """
+    if ball.departure is None:
+        return None
+    seen = np.flatnonzero(np.isfinite(position[: ball.departure, 0]))
+    first = int(seen[-1]) + 1 if len(seen) else 0
+    return (first, ball.departure - 1) if ball.departure - first >= WIDEST - 1 else None
 
 
 def _pass(ahead: Array, aside: Array, ball: RestingBall, rate: float) -> Interval | None:
