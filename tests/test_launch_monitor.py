@@ -367,6 +367,27 @@ def test_a_file_that_cannot_be_used_is_refused_with_the_reason(write, content, s
         launch_monitor.read(write(content))
 
 
+FEW = "Club,Club Speed,Ball Speed,Launch Angle,Spin Axis\n,[mph],[mph],[deg],[deg]\nDriver,100,147.5,10.5,-8\n"
+
+
+@pytest.mark.parametrize("first", ["", "sep=,\n"])
+def test_a_file_of_few_columns_is_read_as_the_format_that_is_asked_for(write, first):
+    path = write(first + FEW)
+    with pytest.raises(FileError, match=r"none of trackman.*columns they are, perhaps trackman or garmin or rapsodo"):
+        launch_monitor.read(path)
+    shots = launch_monitor.read(path, "trackman")
+    assert_values(shots, speed=[100 * MPH], ball_speed=[147.5 * MPH], launch=[10.5 * DEG], spin_axis=[-8 * DEG])
+    assert (shots.format, shots.rejected, shots.clubs.tolist()) == ("trackman", (), ["Driver"])
+    assert not any("as asked" in note for note in shots.notes)
+
+
+def test_a_format_that_is_asked_for_wins_over_the_one_the_columns_tell():
+    shots = launch_monitor.read(DATA / "trackman.csv", "rapsodo")
+    assert shots.format == "rapsodo"
+    assert shots.notes[0] == "read as rapsodo, as asked, though the columns are those of trackman"
+    assert shots.deliveries["speed"][0] == pytest.approx(100 * MPH, rel=1e-14)
+
+
 def test_the_hand_of_each_shot_is_read_where_the_file_tells_it(write):
     content = "Push/Pull (deg L-/R+),Handed,Club Speed (mph),Club Path (deg out-in-/in-out+)\n1,RH,100,2\n1,lh,100,2\n"
     shots = launch_monitor.read(write(content))
@@ -382,7 +403,7 @@ def test_what_is_asked_for_must_exist():
     with pytest.raises(UnknownNameError, match="right, left"):
         launch_monitor.read(path, hand="Left")
     with pytest.raises(FileError, match=r"this is no Garmin.*no row names the columns Carry Deviation Distance"):
-        launch_monitor.read(path, format="garmin")
+        launch_monitor.read(DATA / "other.csv", format="garmin")
     with pytest.raises(InputError, match="left out where a mapping"):
         launch_monitor.read(path, format="garmin", mapping=DATA / "other.toml")
     with pytest.raises(FileError, match="no row names the columns Tempo, Bahn"):

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from clubface.csv_rows import Row
 from clubface.errors import FileError
 from clubface.launch_monitor.cells import heading
+from clubface.launch_monitor.columns import is_units_row
 from clubface.launch_monitor.formats import Format
 from clubface.launch_monitor.registry import FORMATS
 from clubface.table_columns import layout, listed, shot_words
@@ -14,6 +16,8 @@ from clubface.table_reader import Reject
 
 OWN = "clubface"
 """The name of the layout of clubface's own tables."""
+FEWEST_KNOWN = 2
+"""Headings of a layout that make a row its header where the layout was asked for by its name."""
 
 
 def detected(path: str, head: Sequence[Row | Reject]) -> Format | None:
@@ -43,11 +47,49 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format | None:
         return FORMATS[fitting[0]]
     headings, line, _ = rows[0]
     used = {each.quantity for each in layout(list(dict.fromkeys(headings)), path, line, shot_words()).used}
-    if used & {"speed", "ball_speed", "launch"}:
+    has_units_row = len(rows) > 1 and is_units_row(rows[1][0])
+    if used & {"speed", "ball_speed", "launch"} and not has_units_row:
         return None
     widest = max(rows, key=lambda row: sum(bool(cell.strip()) for cell in row[0]))
+    counts = {name: _known(each, widest[0]) for name, each in FORMATS.items()}
+    alike = [name for name, count in counts.items() if count == max(counts.values()) >= FEWEST_KNOWN]
     message = (
         f"the layout is none of {', '.join(FORMATS)}; {listed([each.strip() for each in widest[0]])}. "
         "Name the columns in a mapping file"
     )
+    if alike:
+        message += f", or the format whose columns they are, perhaps {' or '.join(alike)}"
     raise FileError(path, widest[1], message)
+
+
+def asked_for(layout: Format, head: Sequence[Row | Reject]) -> Format:
+    """Return a layout that was asked for, with the header known by whichever of its columns the file has.
+
+    The header is the row that has most of them; a file in which no row has two stays unknown to the layout.
+    """
+    rows = [row[0] for row in head if not isinstance(row, Reject)]
+    if not rows or _marked(layout, rows):
+        return layout
+    header = max(rows, key=lambda cells: _known(layout, cells))
+    if _known(layout, header) < FEWEST_KNOWN:
+        return layout
+    columns = tuple(name for each in header if (name := heading(each).name) in layout.names)
+    return replace(layout, marks=(*layout.marks, columns))
+
+
+def others(layout: Format, head: Sequence[Row | Reject]) -> list[str]:
+    """Return the names of the layouts whose header is among the first rows, where that of ``layout`` is not."""
+    rows = [row[0] for row in head if not isinstance(row, Reject)]
+    if _marked(FORMATS[layout.name], rows):
+        return []
+    return [name for name, each in FORMATS.items() if _marked(each, rows)]
+
+
+def _marked(layout: Format, rows: Sequence[Sequence[str]]) -> bool:
+    """Tell whether one of the rows is the header of a layout."""
+    return any(layout.is_marked({heading(each).name for each in cells}) for cells in rows)
+
+
+def _known(layout: Format, cells: Sequence[str]) -> int:
+    """Return how many cells of a row are headings of a layout."""
+    return len({heading(each).name for each in cells} & set(layout.names))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import chain, islice
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,7 @@ from clubface.csv_rows import CsvRows, Row
 from clubface.equipment import HANDS, check_choice
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.launch_monitor.cells import FACE_TO_PATH, uses_decimal_comma
-from clubface.launch_monitor.detection import OWN, detected
+from clubface.launch_monitor.detection import OWN, asked_for, detected, others
 from clubface.launch_monitor.formats import POINTS, Format
 from clubface.launch_monitor.mapping import Mapped, mapping_of
 from clubface.launch_monitor.registry import FORMATS
@@ -75,7 +76,7 @@ def read(
     """
     if hand is not None:
         check_choice("hand", hand, SIDES.values())
-    given = _units(units or {})
+    told_units = _units(units or {})
     if format is not None and mapping is not None:
         raise InputError("format", format, "left out where a mapping is given")
     if format is not None and format not in (*FORMATS, OWN):
@@ -89,14 +90,17 @@ def read(
     try:
         every = _rows(rows)
         head = list(islice(every, HEAD_ROWS))
-        layout = mapped.layout if mapped else FORMATS[format] if format is not None else detected(str(path), head)
+        layout = mapped.layout if mapped else asked_for(FORMATS[format], head) if format else detected(str(path), head)
         if layout is None:
             return _own(path, hand, club)
-        session = _session(str(path), layout, mapped, hand, given, head, every, rows.delimiter)
+        session = _session(str(path), layout, mapped, hand, told_units, head, every, rows.delimiter)
     finally:
         rows.close()
     refuse_empty(str(path), len(session.shots), tuple(session.rejected))
     shots = _laid_out(session, str(path), layout, rows.other_encoding)
+    if format is not None and (other := others(layout, head)):
+        note = f"read as {format}, as asked, though the columns are those of {' and '.join(other)}"
+        shots = replace(shots, notes=(note, *shots.notes))
     return _referred(shots, club)
 
 
@@ -209,8 +213,6 @@ def _notes(session: Session, layout: Format, other_encoding: bool) -> Iterator[s
 
 
 def _with_hand(shots: RecordedShots, hand: str | None) -> RecordedShots:
-    from dataclasses import replace
-
     return shots if hand is None else replace(shots, hand=np.array([hand] * len(shots), dtype=object))
 
 
