@@ -17,7 +17,7 @@ from clubface.identify.cost import noise_of
 from clubface.identify.free_parameters import free_parameters
 from clubface.identify.identifiability import identifiability, scatter
 from clubface.identify.least_absolute import least_absolute
-from clubface.identify.profile import Profiler
+from clubface.identify.profile import CHI_SQUARE_95, Profiler, _crossing
 from clubface.identify.refine import refine
 from clubface.identify.search import Population, search
 from clubface.identify.stages import Stages
@@ -246,6 +246,18 @@ def test_the_profile_of_a_nearly_linear_model_is_its_normal_interval():
     assert profile.closed == (True, True)
     assert profile.verdict == "yes"
     assert profile.rise.min() == 0.0
+
+
+def test_a_profile_that_falls_again_holds_all_that_is_likely():
+    """Between two valleys the likelihood may be low; neither of them is excluded by the other."""
+    where = np.array([0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
+    level = CHI_SQUARE_95
+    two_valleys = np.array([0.0, 2.0, 1.5, 0.25, 0.5, 1.5, 4.0]) ** 2 * level
+    assert _crossing(where, two_valleys, -1) == (0.0, False)
+    # The root of the rise goes from 0.5 at 0.4 to 1.5 at 0.5 and so is 1 in the middle.
+    assert _crossing(where, two_valleys, 1) == (pytest.approx(0.45, rel=1e-12), True)
+    assert _crossing(where, two_valleys[::-1], -1) == (pytest.approx(0.15, rel=1e-12), True)
+    assert _crossing(where, two_valleys[::-1], 1) == (0.6, False)
 
 
 def test_without_a_bootstrap_the_errors_are_those_of_the_cost_that_is_minimised():

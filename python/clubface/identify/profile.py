@@ -41,7 +41,7 @@ class Profile:
     rise
         Of minus twice the logarithm of the likelihood over its least value, shape (places,).
     interval
-        The values between which the rise stays below 3.84 [SI].
+        The least and greatest value at which the rise is below 3.84 [SI].
     closed
         Whether it does so between two values inside the bounds; where one is a bound, the data do not tell.
     """
@@ -128,13 +128,15 @@ class Profiler:
 
 
 def _crossing(where: NDArray[np.float64], rise: NDArray[np.float64], side: int) -> tuple[float, bool]:
-    """Return where the rise passes 3.84 on one side of its least value, and whether it does."""
-    start = int(np.argmin(rise))
-    stop = -1 if side < 0 else len(rise)
-    for place in range(start + side, stop, side):
-        if rise[place] > CHI_SQUARE_95:
-            # Linear in the root of the rise: exact for normal deviations and a linear model.
-            inner, outer = np.sqrt(rise[place - side]), np.sqrt(rise[place])
-            part = (np.sqrt(CHI_SQUARE_95) - inner) / (outer - inner)
-            return float(where[place - side] + part * (where[place] - where[place - side])), True
-    return float(where[0] if side < 0 else where[-1]), False
+    """Return where the rise passes 3.84 for the last time on one side, and whether it does.
+
+    A profile may pass it, and fall below it again further out: what lies there is as likely.
+    """
+    likely = np.flatnonzero(rise <= CHI_SQUARE_95)
+    place = int(likely[0 if side < 0 else -1])
+    if not 0 <= place + side < len(rise):
+        return float(where[place]), False
+    # Linear in the root of the rise: exact for normal deviations and a linear model.
+    inner, outer = np.sqrt(rise[place]), np.sqrt(rise[place + side])
+    part = (np.sqrt(CHI_SQUARE_95) - inner) / (outer - inner)
+    return float(where[place] + part * (where[place + side] - where[place])), True
