@@ -4,7 +4,7 @@
 
 #![allow(missing_docs)]
 
-use clubface_fem::contact::{Contact, ContactEnergy, Resultant};
+use clubface_fem::contact::{Contact, ContactEnergy, Method, Resultant};
 use clubface_fem::element::{Patch, Rule, ShellMaterial};
 use clubface_fem::head::{DeformableHead, Driver, ShellHead};
 use clubface_fem::material::Hardening;
@@ -26,6 +26,7 @@ impl Contact<f64> for Free {
     fn nodes(&self) -> &[u32] {
         &[]
     }
+    fn keep_out(&mut self, _: Method) {}
     fn assemble(&mut self, _: &[Row<f64>], _: &[Row<f64>], _: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &[]

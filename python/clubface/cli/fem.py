@@ -36,13 +36,20 @@ def reference(
         str, typer.Option("--element", metavar="one-point|full", help="Kind of elements.")
     ] = "one-point",
     ball: BallOption = "reference",
+    contact: Annotated[
+        str,
+        typer.Option("--contact", metavar="penalty|augmented-lagrange", help="How nodes are kept out of the plane."),
+    ] = "penalty",
     as_json: options.Json = False,
 ) -> None:
     """Throw P2's ball at a rigid plane: the case by which solvers are compared."""
     from clubface import fem
 
+    settings = fem.Settings(contact=contact)
     found = run_with_progress(
-        lambda progress: fem.reference(which=ball, friction=friction, refine=refine, element=element, progress=progress)
+        lambda progress: fem.reference(
+            which=ball, friction=friction, refine=refine, element=element, settings=settings, progress=progress
+        )
     )
     document = {
         "normal_mps": found.normal_velocity,

@@ -12,6 +12,7 @@ from clubface import units
 from clubface.balls import Ball as RigidBall
 from clubface.clubs import Club
 from clubface.delivery import Delivery
+from clubface.equipment import check_choice
 from clubface.errors import InputError, RuleWarning
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress, core_call
@@ -20,6 +21,10 @@ from clubface.fem.result import Impact
 
 if TYPE_CHECKING:
     from clubface.shots import Shots
+
+
+METHODS = ("penalty", "augmented-lagrange")
+"""How nodes are kept out of the face."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,6 +41,9 @@ class Settings:
         Time between the records of motion [s]; contact is recorded at every step.
     until_separation
         Whether to end soon after the last touch.
+    contact
+        How nodes are kept out of the face: "penalty", springs that give way by what they carry, or
+        "augmented-lagrange", springs with multipliers that take the load over from them.
     frames
         Number of deformed shapes to keep, evenly over the simulated time.
     fields
@@ -48,6 +56,7 @@ class Settings:
     safety: float = 0.9
     interval: float = 5e-6
     until_separation: bool = False
+    contact: str = "penalty"
     frames: int = 0
     fields: bool = False
     threads: int = 0
@@ -66,6 +75,7 @@ class Settings:
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
                 raise InputError(name, value, f"a whole number from 0 to {most}")
+        check_choice("contact", self.contact, METHODS)
         for name in ("until_separation", "fields"):
             if not isinstance(getattr(self, name), bool):
                 raise InputError(name, getattr(self, name), "true or false")

@@ -5,7 +5,7 @@
 //! that impulse and angular momentum balance to rounding.
 
 use super::surface::{Foot, Surface};
-use super::{Contact, ContactEnergy, Grooves, Resultant, Springs, Touch};
+use super::{Contact, ContactEnergy, Grooves, Held, Method, Resultant, Springs, Touch};
 use crate::material::{cross, dot};
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
@@ -19,7 +19,7 @@ const REST: f64 = 100.0;
 struct Candidate<R> {
     mass: R,
     area: f64,
-    friction: Vec3<R>,
+    held: Held<R>,
     quad: u32,
     at: [R; 2],
     /// Steps for which it cannot touch.
@@ -92,7 +92,7 @@ impl<R: Real> FaceContact<R> {
             .map(|&n| Candidate {
                 mass: ball.masses[n as usize],
                 area: ball.areas[n as usize],
-                friction: Vec3::zero(),
+                held: Held::free(),
                 quad: surface.closest(positions[n as usize].vec()),
                 at: [R::zero(); 2],
                 rest: 0,
@@ -148,6 +148,9 @@ impl<R: Real> Contact<R> for FaceContact<R> {
     fn nodes(&self) -> &[u32] {
         &self.nodes
     }
+    fn keep_out(&mut self, method: Method) {
+        self.springs.multiplier = method.multiplier();
+    }
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64) {
         let balls = self.candidates.len();
         let count = self.mobilities.len();
@@ -166,7 +169,7 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             }
             let x = positions[node as usize].vec();
             let Some(foot) = self.surface.foot(x, candidate.quad, candidate.at) else {
-                candidate.friction = Vec3::zero();
+                candidate.held = Held::free();
                 candidate.rest = 4;
                 continue;
             };
@@ -187,7 +190,7 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             }
             velocity += cross(arm, spin);
             if foot.gap.re() >= 0.0 {
-                candidate.friction = Vec3::zero();
+                candidate.held = Held::free();
                 self.fastest = self.fastest.max(velocity.norm_squared().re());
                 candidate.rest =
                     (land.gap.re().max(0.0) / (CAUTION * self.fastest.sqrt() * dt)).min(REST) as u32;
@@ -206,7 +209,7 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             let total = touch.force(
                 self.springs,
                 self.coefficient,
-                &mut candidate.friction,
+                &mut candidate.held,
                 dt,
                 &mut self.resultant,
                 &mut self.energy,

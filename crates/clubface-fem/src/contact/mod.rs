@@ -11,7 +11,7 @@ pub use face::{BallSide, FaceContact, FaceSide};
 pub use grooves::Grooves;
 pub use head::RigidHead;
 pub use rigid::{Plane, RigidContact, RigidSurface};
-pub use spring::{Springs, Touch, TANGENTIAL_STIFFNESS};
+pub use spring::{Held, Method, Springs, Touch, TANGENTIAL_STIFFNESS};
 
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
@@ -50,6 +50,8 @@ impl<R: Real> Default for Resultant<R> {
 pub trait Contact<R: Real>: Send {
     /// Nodes it may exert forces on.
     fn nodes(&self) -> &[u32];
+    /// Keeps nodes out of the other side by another method than springs alone.
+    fn keep_out(&mut self, method: Method);
     /// Computes the forces for positions (m) at a step and velocities (m/s) half a step before it; moves its bodies on by `dt` seconds.
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64);
     /// Forces on [`Contact::nodes`], N.

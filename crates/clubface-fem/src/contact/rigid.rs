@@ -1,6 +1,6 @@
 //! Nodes of the ball against a rigid surface: penalty with Coulomb friction that sticks.
 
-use super::{Contact, ContactEnergy, Resultant, Springs, Touch};
+use super::{Contact, ContactEnergy, Held, Method, Resultant, Springs, Touch};
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
 
@@ -41,11 +41,11 @@ impl<R: Real> RigidSurface<R> for Plane {
     }
 }
 
-/// A node that may touch: its mass, its share of the surface, the friction force on it.
+/// A node that may touch: its mass, its share of the surface, what it remembers of its contact.
 struct Candidate<R> {
     mass: R,
     area: f64,
-    friction: Vec3<R>,
+    held: Held<R>,
 }
 
 /// Contact of some nodes with a rigid surface.
@@ -66,7 +66,7 @@ impl<R: Real, T: RigidSurface<R>> RigidContact<R, T> {
     pub fn new(surface: T, coefficient: R, nodes: Vec<u32>, masses: &[R], areas: &[f64]) -> Self {
         let candidates = nodes
             .iter()
-            .map(|&n| Candidate { mass: masses[n as usize], area: areas[n as usize], friction: Vec3::zero() })
+            .map(|&n| Candidate { mass: masses[n as usize], area: areas[n as usize], held: Held::free() })
             .collect();
         Self {
             surface,
@@ -92,6 +92,9 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
     fn nodes(&self) -> &[u32] {
         &self.nodes
     }
+    fn keep_out(&mut self, method: Method) {
+        self.springs.multiplier = method.multiplier();
+    }
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64) {
         self.resultant = Resultant::default();
         self.energy.stored = 0.0;
@@ -99,7 +102,7 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
             let x = positions[node as usize].vec();
             let (gap, normal) = self.surface.nearest(x);
             if gap.re() >= 0.0 {
-                candidate.friction = Vec3::zero();
+                candidate.held = Held::free();
                 *force = Row::zero();
                 continue;
             }
@@ -108,7 +111,7 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
             let total = touch.force(
                 self.springs,
                 self.coefficient,
-                &mut candidate.friction,
+                &mut candidate.held,
                 dt,
                 &mut self.resultant,
                 &mut self.energy,

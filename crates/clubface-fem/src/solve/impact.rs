@@ -1,59 +1,11 @@
 //! One impact from first touch to launch.
 
 use super::history::{ContactFrame, EnergyFrame, History, MotionFrame};
-use super::Structure;
+use super::{Options, Structure};
 use crate::contact::Contact;
 use crate::error::FemError;
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Vec3};
-
-/// How to run.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Simulated time, s.
-    pub duration: f64,
-    /// Time step over the stable step of the undeformed structure.
-    pub safety: f64,
-    /// Interval of the motion frames, s.
-    pub interval: f64,
-    /// Motion frames an energy frame.
-    pub energy_every: usize,
-    /// Whether to end soon after the last touch instead of at the end of the simulated time.
-    pub until_separation: bool,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { duration: 1e-3, safety: 0.9, interval: 5e-6, energy_every: 4, until_separation: false }
-    }
-}
-
-impl Options {
-    /// Checks the values.
-    ///
-    /// # Errors
-    /// [`FemError::Input`] that names the first value that is not allowed.
-    pub fn check(&self) -> Result<(), FemError> {
-        if !(self.duration > 0.0 && self.duration <= 0.1) {
-            return Err(FemError::input(
-                "duration",
-                format!("{} us", self.duration * 1e6),
-                "above 0, at most 100000 us is allowed",
-            ));
-        }
-        if !(self.safety > 0.0 && self.safety <= 1.0) {
-            return Err(FemError::input(
-                "safety",
-                self.safety,
-                "above 0, at most 1 (the stable step) is allowed",
-            ));
-        }
-        if self.interval.is_nan() || self.interval <= 0.0 || self.energy_every == 0 {
-            return Err(FemError::input("interval", self.interval, "above 0 s is allowed"));
-        }
-        Ok(())
-    }
-}
 
 /// What a run has reached.
 #[derive(Clone, Copy, Debug)]
@@ -127,6 +79,7 @@ impl<R: Real> Impact<R> {
         watch: &mut dyn FnMut(&Progress, &mut Self) -> bool,
     ) -> Result<Outcome<R>, FemError> {
         options.check()?;
+        self.contact.keep_out(options.contact);
         let dt = rounded(self.structure.stable_step(40) * options.safety);
         let stride = if self.let_rest(dt, options.safety) { 2 } else { 1 };
         let every = (options.interval / (dt * stride as f64)).round().max(1.0) as usize * stride;

@@ -3,6 +3,7 @@
 mod history;
 mod impact;
 mod march;
+mod options;
 mod rest;
 mod shares;
 mod stable_step;
@@ -10,5 +11,6 @@ mod structure;
 mod team;
 
 pub use history::{ContactFrame, EnergyFrame, Figures, History, MotionFrame};
-pub use impact::{Impact, Options, Outcome, Progress};
+pub use impact::{Impact, Outcome, Progress};
+pub use options::Options;
 pub use structure::{Kinetics, Structure};

@@ -1,6 +1,6 @@
 //! Plates of shells, and what the checks do with them.
 
-use clubface_fem::contact::{Contact, ContactEnergy, Resultant};
+use clubface_fem::contact::{Contact, ContactEnergy, Method, Resultant};
 use clubface_fem::element::{Isotropic, Patch, ShellMaterial, ShellPatch, ShellRows, SHELL_PATCH};
 use clubface_fem::mesh::ShellMesh;
 use clubface_fem::solve::Structure;
@@ -89,6 +89,7 @@ impl Contact<f64> for Loads {
     fn nodes(&self) -> &[u32] {
         &self.nodes
     }
+    fn keep_out(&mut self, _: Method) {}
     fn assemble(&mut self, _: &[Row<f64>], _: &[Row<f64>], _: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &self.forces

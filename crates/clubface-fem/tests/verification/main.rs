@@ -10,6 +10,7 @@ mod friction;
 mod grooves;
 mod inputs;
 mod laws;
+mod multipliers;
 mod spheres;
 mod support;
 mod viscosity;

@@ -1,6 +1,6 @@
 //! Bodies of one material, and what the checks measure on them.
 
-use clubface_fem::contact::{Contact, ContactEnergy, Plane, Resultant, RigidContact, Springs};
+use clubface_fem::contact::{Contact, ContactEnergy, Method, Plane, Resultant, RigidContact, Springs};
 use clubface_fem::element::{Element, Patch};
 use clubface_fem::material::{Hencky, Material, Shape};
 use clubface_fem::mesh::{SolidMesh, CORNERS};
@@ -137,6 +137,7 @@ impl Contact<f64> for Free {
     fn nodes(&self) -> &[u32] {
         &[]
     }
+    fn keep_out(&mut self, _: Method) {}
     fn assemble(&mut self, _positions: &[Row<f64>], _velocities: &[Row<f64>], _dt: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &[]
@@ -216,7 +217,7 @@ pub struct Bounce {
 }
 
 /// Stiff, undamped contact springs, for comparison with closed forms that have none.
-pub const SPRING: Springs = Springs { stiffness: 0.25, damping: 0.0, step: None };
+pub const SPRING: Springs = Springs { stiffness: 0.25, damping: 0.0, step: None, multiplier: None };
 
 /// Throws a body at a plane: `surface` its outer nodes with their areas (m2), friction, velocity (m/s), duration (s), contact
 /// springs.

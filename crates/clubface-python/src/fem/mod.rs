@@ -180,7 +180,7 @@ pub fn fem_sensitivity<'py>(
     let setting = setting_of(&ball, head.as_ref(), &inputs, friction)?;
     clubface_impact::check::check(&setting.inputs)
         .map_err(|e| PyValueError::new_err((e.input, "", e.message)))?;
-    let pool = pool_of(&run)?;
+    let (pool, options) = (pool_of(&run)?, options_of(&run)?);
     let mut raised = None;
     let found = py.detach(|| {
         let mut watch = |which: usize, at: &Progress| {
@@ -190,7 +190,7 @@ pub fn fem_sensitivity<'py>(
             });
             looked.map_err(|error| raised = Some(error)).is_ok()
         };
-        pool.install(|| setting.sensitivity(&variables, &options_of(&run), &mut watch))
+        pool.install(|| setting.sensitivity(&variables, &options, &mut watch))
     });
     if let Some(error) = raised {
         return Err(error);

@@ -2,6 +2,7 @@
 
 use super::fields::Fields;
 use super::values::{error_of, RunValues};
+use clubface_fem::contact::Method;
 use clubface_fem::solve::{Impact, Options, Outcome, Progress};
 use clubface_fem::FemError;
 use clubface_impact::first_touch::FirstTouch;
@@ -10,14 +11,15 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-pub(super) fn options_of(run: &RunValues) -> Options {
-    Options {
+pub(super) fn options_of(run: &RunValues) -> PyResult<Options> {
+    Ok(Options {
         duration: run.duration,
         safety: run.safety,
         interval: run.interval,
         until_separation: run.until_separation,
+        contact: Method::from_name(&run.contact).map_err(|e| error_of(&e))?,
         ..Options::default()
-    }
+    })
 }
 
 pub(super) fn pool_of(run: &RunValues) -> PyResult<rayon::ThreadPool> {
@@ -73,7 +75,7 @@ pub(super) fn simulate<'py>(
     run: &RunValues,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Ran> {
-    let options = options_of(run);
+    let options = options_of(run)?;
     let progress = progress.map(Bound::unbind);
     let frame_gap = if run.frames > 1 { run.duration / (run.frames - 1) as f64 } else { f64::INFINITY };
     let (frames, interval) = (run.frames, run.interval);

@@ -44,6 +44,7 @@ pub struct RunValues {
     pub(super) safety: f64,
     pub(super) interval: f64,
     pub(super) until_separation: bool,
+    pub(super) contact: String,
     pub(super) threads: usize,
     pub(super) frames: usize,
     pub(super) fields: bool,

@@ -1,0 +1,61 @@
+//! How to run an impact.
+
+use crate::contact::Method;
+use crate::error::FemError;
+
+/// How to run.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Simulated time, s.
+    pub duration: f64,
+    /// Time step over the stable step of the undeformed structure.
+    pub safety: f64,
+    /// Interval of the motion frames, s.
+    pub interval: f64,
+    /// Motion frames an energy frame.
+    pub energy_every: usize,
+    /// Whether to end soon after the last touch instead of at the end of the simulated time.
+    pub until_separation: bool,
+    /// How nodes are kept out of the other side.
+    pub contact: Method,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            duration: 1e-3,
+            safety: 0.9,
+            interval: 5e-6,
+            energy_every: 4,
+            until_separation: false,
+            contact: Method::Penalty,
+        }
+    }
+}
+
+impl Options {
+    /// Checks the values.
+    ///
+    /// # Errors
+    /// [`FemError::Input`] that names the first value that is not allowed.
+    pub fn check(&self) -> Result<(), FemError> {
+        if !(self.duration > 0.0 && self.duration <= 0.1) {
+            return Err(FemError::input(
+                "duration",
+                format!("{} us", self.duration * 1e6),
+                "above 0, at most 100000 us is allowed",
+            ));
+        }
+        if !(self.safety > 0.0 && self.safety <= 1.0) {
+            return Err(FemError::input(
+                "safety",
+                self.safety,
+                "above 0, at most 1 (the stable step) is allowed",
+            ));
+        }
+        if self.interval.is_nan() || self.interval <= 0.0 || self.energy_every == 0 {
+            return Err(FemError::input("interval", self.interval, "above 0 s is allowed"));
+        }
+        Ok(())
+    }
+}
