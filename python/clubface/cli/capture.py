@@ -7,9 +7,11 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output
+from clubface.cli.capture_join import join
 from clubface.cli.failures import Interrupted, say
 
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Motion capture: C3D files to deliveries.")
+app.command("join")(join)
 
 Club = Annotated[str, typer.Option("--club", metavar="CLUB", help="Name of a built-in club, or a TOML file.")]
 Hand = Annotated[str | None, typer.Option("--hand", metavar="right|left", help="Of the club.", show_default=False)]

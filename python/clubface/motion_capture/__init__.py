@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from clubface.motion_capture.captured import CapturedDelivery
 from clubface.motion_capture.estimators import ESTIMATORS
+from clubface.motion_capture.joined import join
 from clubface.motion_capture.mapping import FacePoint, MarkerMap
 from clubface.motion_capture.mapping_file import template
 from clubface.motion_capture.recording import Recording, read_c3d, write_c3d
@@ -21,6 +22,7 @@ __all__ = [
     "FacePoint",
     "MarkerMap",
     "Recording",
+    "join",
     "read_c3d",
     "read_swing",
     "read_swings",
