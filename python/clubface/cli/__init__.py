@@ -8,7 +8,8 @@ import sys
 
 def main() -> None:
     """Run the command line and leave with its exit status."""
-    # No command does linear algebra in NumPy, and starting OpenBLAS's threads costs more than a shot.
+    # The matrices of the commands are small. Starting OpenBLAS's threads costs more than a shot, and on a busy machine
+    # they wait for each other: motion capture then takes ten times as long.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         from clubface.cli.app import run
