@@ -7,8 +7,8 @@ import signal
 
 import pytest
 
-# Before NumPy is loaded, as the command line does: on a busy machine OpenBLAS's threads wait for each other over matrices
-# of a few rows, and motion capture takes ten times as long.
+# Before NumPy is loaded, as the command line does: on a busy machine OpenBLAS's threads wait for each other over
+# matrices of a few rows, and motion capture takes ten times as long.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 # A test run started in the background inherits an ignored interrupt, and passes that on to the commands it starts: then
