@@ -163,8 +163,9 @@ def require_speed(found: Layout, path: str, line: int | None) -> None:
 
 
 def listed(headings: Sequence[str]) -> str:
-    """Name the columns there are, the first dozen of them."""
-    return "there are: " + ", ".join(headings[:12]) + (", ..." if len(headings) > 12 else "")
+    """Name the columns there are, the first dozen of them; what no terminal should be sent becomes a question mark."""
+    shown = ["".join(each if each.isprintable() else "?" for each in heading) for heading in headings[:12]]
+    return "there are: " + ", ".join(shown) + (", ..." if len(headings) > 12 else "")
 
 
 def _split(heading: str, path: str, line: int | None, words: Vocabulary) -> tuple[str, str | None]:
