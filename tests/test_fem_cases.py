@@ -94,6 +94,12 @@ MISTAKES = [
     ("friction = 0.3", "friction = -1", "case.toml:3: friction is -1.0; it must be 0 to 10"),
     ('ball = "./ball.toml"', 'ball = "papr"', "case.toml:2: unknown ball of finite elements 'papr'"),
     ('ball = "./ball.toml"', 'ball = "./none.toml"', "none.toml: cannot be read"),
+    ("[run]", "[run]\nbulk_viscosity = -1", "case.toml:13: bulk_viscosity is -1.0; it must be 0 to 1; 0.06 is usual"),
+    (
+        "[run]",
+        '[run]\ncontact = "glue"',
+        "case.toml:13: unknown contact 'glue'; it must be one of penalty, augmented-lagrange",
+    ),
     ("[run]", "[run]\nsafety = 2", "case.toml:13: safety is 2.0; it must be 0.05 to 1, the stable step"),
     ("[run]", "[run]\nuntil_separation = 3", "case.toml:13: until_separation is 3; it must be true or false"),
     ('duration = "100 us"', 'duration = "100 mm"', "case.toml:13: duration"),

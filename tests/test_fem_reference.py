@@ -37,6 +37,17 @@ def test_multipliers_keep_nodes_out_and_the_reference_case_as_it_is():
     assert found.energy["contact"].max() < 0.5 * reference().energy["contact"].max()
 
 
+@pytest.mark.parametrize("run", [throw_case, drive_case])
+def test_bulk_viscosity_damps_what_rings_and_little_else(run):
+    free, damped = (run(bulk_viscosity=share, until_separation=True).run() for share in (0.0, 0.06))
+    assert damped.step < free.step
+    assert damped.energy_error < 0.01
+    lost = damped.energy["viscous"][-1] - free.energy["viscous"][-1]
+    assert 0.0 < lost < 0.02 * free.energy["kinetic"][0]
+    assert damped.peak_force == pytest.approx(free.peak_force, rel=0.02)
+    assert damped.backspin == pytest.approx(free.backspin, rel=0.1)
+
+
 def test_the_force_rises_to_a_peak_near_that_of_other_solvers():
     # The momentum given to the ball pins its mean; single steps ring with the rows of nodes that touch down.
     found = reference()

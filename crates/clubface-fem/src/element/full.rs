@@ -13,7 +13,7 @@ use clubface_math::{Mat3, Pack, Scalar, Vec3};
 /// Points of integration.
 pub const POINTS: usize = 8;
 /// Constants of a point: gradients of the three reference coordinates (9), share of the reference volume (1).
-const POINT: usize = 10;
+pub const POINT: usize = 10;
 /// Constants an element keeps.
 pub const CONSTANTS: usize = POINT * POINTS;
 

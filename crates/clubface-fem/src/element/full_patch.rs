@@ -1,28 +1,31 @@
 //! Patches of fully integrated hexahedra of one material.
 
-use super::full::{constants, Forces, Hexahedron, Point, CONSTANTS, POINTS};
-use super::gauge::{cauchy, logarithmic, Felt, Tell};
+use super::bulk_viscosity::BulkViscosity;
+use super::full::{constants, Forces, Hexahedron, Point, CONSTANTS, POINT, POINTS};
+use super::full_look::{Energies, Feel};
+use super::gauge::Tell;
 use super::{Energy, Patch, BLOCK};
-use crate::material::{Kinematics, Material, Memory, Remembering, Symmetric, UseMemory};
+use crate::material::{Kinematics, Material, Memory, Remembering, UseMemory};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 use std::collections::HashMap;
 
 /// Some fully integrated hexahedra of one material, in blocks of eight.
 pub struct FullPatch<R> {
-    material: Material<R>,
+    pub(super) material: Material<R>,
     /// Nodes of the elements, then once more those of the copies that fill up the last block: nobody reads the forces on these.
     nodes: Vec<u32>,
     real_nodes: usize,
     /// Places in `nodes`, by block, corner and lane.
-    corners: Vec<[u32; CORNERS * BLOCK]>,
-    constants: Vec<[R; CONSTANTS * BLOCK]>,
+    pub(super) corners: Vec<[u32; CORNERS * BLOCK]>,
+    pub(super) constants: Vec<[R; CONSTANTS * BLOCK]>,
     /// By block, point, number and lane.
     history: Vec<R>,
     history_length: usize,
+    pub(super) viscosity: Option<BulkViscosity<R>>,
     /// Number of the first element in the mesh, and how many there are.
-    first: usize,
-    elements: usize,
+    pub(super) first: usize,
+    pub(super) elements: usize,
     positions: Vec<Row<R>>,
     forces: Vec<Row<R>>,
 }
@@ -84,6 +87,7 @@ impl<R: Real> FullPatch<R> {
             constants: stored,
             history,
             history_length,
+            viscosity: None,
             first: elements.start,
             elements: elements.len(),
             positions: rows.clone(),
@@ -99,14 +103,14 @@ impl<R: Real> FullPatch<R> {
     }
 
     /// What the points of that number of eight elements remember.
-    fn remembered(&mut self, point: usize) -> &mut [R] {
+    pub(super) fn remembered(&mut self, point: usize) -> &mut [R] {
         let length = self.history_length * BLOCK;
         &mut self.history[point * length..(point + 1) * length]
     }
 
     /// Elements of a block, from lane `first` on.
     #[inline(always)]
-    fn gather<P: Pack<Real = R>>(&self, block: usize, first: usize) -> Hexahedron<P> {
+    pub(super) fn gather<P: Pack<Real = R>>(&self, block: usize, first: usize) -> Hexahedron<P> {
         let mut x = [Vec3::zero(); CORNERS];
         for corner in 0..CORNERS {
             // SAFETY: `new` makes every entry a place in `nodes`, as long as `positions`; a block holds eight lanes.
@@ -124,6 +128,17 @@ impl<R: Real> Patch<R> for FullPatch<R> {
         self.load(positions);
         self.forces.fill(Row::zero());
         R::dispatch(Assemble { patch: self, dt });
+    }
+    fn damp(&mut self, coefficient: f64) {
+        let element = |at: usize| -> f64 {
+            (0..POINTS)
+                .map(|point| {
+                    self.constants[at / BLOCK][(point * POINT + POINT - 1) * BLOCK + at % BLOCK].re()
+                })
+                .sum()
+        };
+        let size = f64::cbrt((0..self.elements).map(element).sum::<f64>() / self.elements as f64);
+        self.viscosity = Some(BulkViscosity::new(coefficient, &self.material, size, self.corners.len()));
     }
     fn cost(&self) -> usize {
         self.elements * 400
@@ -174,115 +189,17 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
                     forces.add_stress(point, &constants, &at.first_piola(&stress, P::zero()));
                     volume += constants.volume;
                 }
-                forces.add_pressure(&element, bulk * (element.volume() / volume - 1.0));
+                let ratio = element.volume() / volume;
+                let mut pressure = bulk * (ratio - 1.0);
+                if let Some(viscosity) = &mut patch.viscosity {
+                    pressure += viscosity.pressure(block, first, ratio, self.dt);
+                }
+                forces.add_pressure(&element, pressure);
                 let forces = forces.corners();
                 for corner in 0..CORNERS {
                     let places = &patch.corners[block][corner * BLOCK + first..];
                     // SAFETY: as in `gather`; `forces` is as long as `positions`.
                     unsafe { P::scatter_add(&mut patch.forces, places, forces[corner]) };
-                }
-            }
-        }
-    }
-}
-
-struct Energies<'a, R> {
-    patch: &'a mut FullPatch<R>,
-}
-
-impl<R: Real> PackKernel<R> for Energies<'_, R> {
-    type Output = (Energy, (f64, f64));
-    #[inline(always)]
-    fn run<P: Pack<Real = R>>(self) -> Self::Output {
-        let material = self.patch.material.clone();
-        material.with_memory::<P, _>(&material.decays(0.0), self)
-    }
-}
-
-impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
-    type Output = (Energy, (f64, f64));
-    #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) -> Self::Output {
-        let patch = self.patch;
-        let bulk = P::splat(patch.material.bulk);
-        let mut energy = Energy::default();
-        let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
-        for block in 0..patch.corners.len() {
-            for first in (0..BLOCK).step_by(P::LANES) {
-                let lanes = P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first));
-                let element = patch.gather::<P>(block, first);
-                let [mut strain, mut viscous, mut plastic, mut volume] = [P::zero(); 4];
-                for point in 0..POINTS {
-                    let constants = Point::<P>::load(&patch.constants[block], first, point);
-                    let at = Kinematics::new(element.gradient(point, &constants));
-                    let stored = patch.remembered(block * POINTS + point);
-                    let found = law.energy(&at.c, &Memory::new(stored, first, BLOCK));
-                    strain += found.strain * constants.volume;
-                    viscous += found.viscous * constants.volume;
-                    plastic += found.plastic * constants.volume;
-                    volume += constants.volume;
-                    for lane in 0..lanes {
-                        ratios.0 = ratios.0.min(at.deformation.volume.lane(lane));
-                        ratios.1 = ratios.1.max(at.deformation.volume.lane(lane));
-                    }
-                }
-                let dilation = element.volume() / volume - 1.0;
-                strain += bulk * dilation * dilation * volume * 0.5;
-                for lane in 0..lanes {
-                    energy.strain += strain.lane(lane);
-                    energy.viscous += viscous.lane(lane);
-                    energy.plastic += plastic.lane(lane);
-                }
-            }
-        }
-        (energy, ratios)
-    }
-}
-
-struct Feel<'a, 'b, R> {
-    patch: &'a mut FullPatch<R>,
-    tell: &'a mut Tell<'b>,
-}
-
-impl<R: Real> PackKernel<R> for Feel<'_, '_, R> {
-    type Output = ();
-    #[inline(always)]
-    fn run<P: Pack<Real = R>>(self) {
-        let material = self.patch.material.clone();
-        material.with_memory::<P, _>(&material.decays(0.0), self);
-    }
-}
-
-impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
-    type Output = ();
-    #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) {
-        let patch = self.patch;
-        let bulk = P::splat(patch.material.bulk);
-        for block in 0..patch.corners.len() {
-            for first in (0..BLOCK).step_by(P::LANES) {
-                let element = patch.gather::<P>(block, first);
-                // Averages over the points, by their shares of the volume.
-                let [mut volume, mut plastic] = [P::zero(); 2];
-                let [mut stress, mut strain] = [Symmetric::diagonal(P::zero()); 2];
-                for point in 0..POINTS {
-                    let constants = Point::<P>::load(&patch.constants[block], first, point);
-                    let at = Kinematics::new(element.gradient(point, &constants));
-                    // A copy: who looks changes nothing.
-                    let mut history = patch.remembered(block * POINTS + point).to_vec();
-                    let mut history = Memory::new(&mut history, first, BLOCK);
-                    let shape = law.advance(&at, &mut history);
-                    stress = stress.plus(constants.volume, &cauchy(&at, &shape, P::zero()));
-                    strain = strain.plus(constants.volume, &logarithmic(&at));
-                    plastic = plastic.max(law.plastic_strain(&history));
-                    volume += constants.volume;
-                }
-                let share = volume.recip();
-                let pressure = bulk * (element.volume() * share - 1.0);
-                let (stress, strain) = (stress.scale(share).plus_diagonal(pressure), strain.scale(share));
-                for which in 0..P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first)) {
-                    let number = patch.first + block * BLOCK + first + which;
-                    (self.tell)(number, &Felt::of([&stress; 2], [&strain; 2], plastic, which));
                 }
             }
         }

@@ -1,8 +1,10 @@
 //! Elements: how forces at nodes follow from their positions.
 
 mod arrangement;
+mod bulk_viscosity;
 mod field;
 mod full;
+mod full_look;
 mod full_patch;
 mod gauge;
 mod indexed;
@@ -22,6 +24,7 @@ mod side;
 mod solid;
 mod solid_look;
 
+pub use bulk_viscosity::stable_share;
 pub use field::Scratch;
 pub use full_patch::{full_patches, FullPatch};
 pub use gauge::{Felt, Tell};
@@ -97,6 +100,8 @@ pub trait Patch<R: Real>: Send + Sync {
     fn energy(&mut self, positions: &[Row<R>]) -> Energy {
         self.look(positions).0
     }
+    /// Gives its undeformed elements a linear bulk viscosity, if it has volumes: a pressure of `coefficient` times density, speed of waves, size and rate of volume.
+    fn damp(&mut self, _coefficient: f64) {}
     /// Takes charge of the motion of some nodes in [`Patch::step`], and returns their places in [`Patch::nodes`]. Given for each of them whether nothing but
     /// this patch acts on it, and its inverse mass, 1/kg.
     fn adopt(&mut self, _alone: &[bool], _inverse_masses: &[R]) -> Vec<u32> {

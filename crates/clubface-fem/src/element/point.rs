@@ -1,5 +1,6 @@
 //! What happens at the integration points of a pack of one-point hexahedra, however the elements find their nodes.
 
+use super::bulk_viscosity::{BulkViscosity, Drag};
 use super::one_point::{Constants, Hexahedron, CONSTANTS};
 use super::{Aligned, Energy, BLOCK};
 use crate::material::{Deformation, Isochoric, Kinematics, Memory, Remembering, Symmetric};
@@ -21,17 +22,23 @@ pub trait Look<P: Pack> {
 }
 
 /// Elements without memory.
-pub struct Elastic<P, L> {
+pub struct Elastic<'a, P: Pack, L> {
     /// Law of the change of shape.
     pub law: L,
     /// Bulk modulus, Pa.
     pub bulk: P,
+    /// Bulk viscosity, if there is any.
+    pub drag: Option<Drag<'a, P::Real>>,
 }
 
-impl<P: Pack, L: Isochoric<P>> Points<P> for Elastic<P, L> {
+impl<P: Pack, L: Isochoric<P>> Points<P> for Elastic<'_, P, L> {
     #[inline(always)]
-    fn stress(&mut self, _block: usize, _first: usize, volume: P, at: &Deformation<P>) -> Symmetric<P> {
-        self.law.second_piola(at, self.bulk * (at.volume - 1.0), -volume)
+    fn stress(&mut self, block: usize, first: usize, volume: P, at: &Deformation<P>) -> Symmetric<P> {
+        let mut pressure = self.bulk * (at.volume - 1.0);
+        if let Some(drag) = &mut self.drag {
+            pressure += drag.pressure(block, first, at.volume);
+        }
+        self.law.second_piola(at, pressure, -volume)
     }
 }
 
@@ -45,6 +52,8 @@ pub struct Aging<'a, P: Pack, M> {
     pub history: &'a mut [P::Real],
     /// Numbers of history an element has.
     pub history_length: usize,
+    /// Bulk viscosity, if there is any.
+    pub drag: Option<Drag<'a, P::Real>>,
 }
 
 impl<P: Pack, M: Remembering<P>> Points<P> for Aging<'_, P, M> {
@@ -54,7 +63,11 @@ impl<P: Pack, M: Remembering<P>> Points<P> for Aging<'_, P, M> {
         let stored = &mut self.history[block * length * BLOCK..(block + 1) * length * BLOCK];
         let kinematics = Kinematics::of(*at);
         let stress = self.law.advance(&kinematics, &mut Memory::new(stored, first, BLOCK));
-        kinematics.second_piola(&stress, self.bulk * (at.volume - 1.0), -volume)
+        let mut pressure = self.bulk * (at.volume - 1.0);
+        if let Some(drag) = &mut self.drag {
+            pressure += drag.pressure(block, first, at.volume);
+        }
+        kinematics.second_piola(&stress, pressure, -volume)
     }
 }
 
@@ -68,6 +81,8 @@ pub struct Tally<'a, P: Pack, M> {
     pub history: &'a mut [P::Real],
     /// Numbers of history an element has.
     pub history_length: usize,
+    /// Bulk viscosity, if there is any.
+    pub viscosity: Option<&'a BulkViscosity<P::Real>>,
     /// Energies, J.
     pub energy: Energy,
     /// Smallest and largest ratio of current to reference volume.
@@ -83,7 +98,8 @@ impl<P: Pack, M: Remembering<P>> Look<P> for Tally<'_, P, M> {
         let stored = &mut self.history[block * self.history_length * BLOCK..];
         let found = self.law.energy(&kinematics.c, &Memory::new(stored, first, BLOCK));
         let strain = (found.strain + self.bulk * dilation * dilation * 0.5) * reference;
-        let (viscous, plastic) = (found.viscous * reference, found.plastic * reference);
+        let damped = self.viscosity.map_or(P::zero(), |viscosity| viscosity.work(block, first));
+        let (viscous, plastic) = ((found.viscous + damped) * reference, found.plastic * reference);
         let hourglass = element.hourglass_energy(constants);
         for lane in 0..P::LANES {
             if reference.lane(lane) > 0.0 {

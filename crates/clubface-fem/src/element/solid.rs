@@ -1,11 +1,12 @@
 //! Patches of hexahedra of one material.
 
 use super::arrangement::shape;
+use super::bulk_viscosity::{BulkViscosity, Drag};
 use super::field::Scratch;
 use super::gauge::Tell;
 use super::indexed::Indexed;
 use super::lattice::{Lattice, DEPTH};
-use super::one_point::{constants, CONSTANTS, SHAPES};
+use super::one_point::{constants, CONSTANTS, SHAPES, VOLUME};
 use super::point::{Aging, Block, Elastic};
 use super::solid_look::{Examine, Feel};
 use super::{Aligned, Energy, Patch, BLOCK};
@@ -38,6 +39,7 @@ pub struct SolidPatch<R> {
     pub(super) constants: Arc<[Block<R>]>,
     pub(super) history: Vec<R>,
     pub(super) history_length: usize,
+    pub(super) viscosity: Option<BulkViscosity<R>>,
     /// Number of the element in every lane of the blocks.
     pub(super) numbers: Vec<Option<u32>>,
 }
@@ -140,7 +142,7 @@ impl<R: Real> SolidPatch<R> {
         let last = nodes.iter().copied().max().unwrap_or(0);
         let (material, constants) = (material.clone(), stored.into());
         let numbers = lanes.iter().map(|lane| lane.map(|local| elements[local] as u32)).collect();
-        Self { material, layout, nodes, last, constants, history, history_length, numbers }
+        Self { material, layout, nodes, last, constants, history, history_length, viscosity: None, numbers }
     }
 
     /// The promise that every node exists, on which unchecked reads rely.
@@ -156,6 +158,12 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     fn assemble(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64) {
         self.check(positions);
         R::dispatch(Assemble { patch: self, positions, dt, scratch: &mut Scratch::new(), moving: false });
+    }
+    fn damp(&mut self, coefficient: f64) {
+        let volumes = self.constants.iter().flat_map(|block| &block.0[VOLUME * BLOCK..]).map(|v| v.re());
+        let (sum, count) = volumes.filter(|v| *v > 0.0).fold((0.0, 0.0), |(sum, n), v| (sum + v, n + 1.0));
+        let size = f64::cbrt(sum / count);
+        self.viscosity = Some(BulkViscosity::new(coefficient, &self.material, size, self.constants.len()));
     }
     fn adopt(&mut self, alone: &[bool], inverse_masses: &[R]) -> Vec<u32> {
         match &mut self.layout {
@@ -209,8 +217,11 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
     type Output = ();
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
-        let SolidPatch { material, layout, nodes, constants, history, history_length, .. } = self.patch;
+        let SolidPatch { material, layout, nodes, constants, history, history_length, viscosity, .. } =
+            self.patch;
+        let dt = self.dt;
         let rest = Loop {
+            drag: viscosity.as_mut().map(|viscosity| Drag { viscosity, dt }),
             layout,
             scratch: self.scratch,
             step: self.moving.then(|| R::from_f64(self.dt)),
@@ -232,6 +243,7 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
 
 /// All that the elements of a patch need, before the law is known.
 struct Loop<'a, P: Pack> {
+    drag: Option<Drag<'a, P::Real>>,
     layout: &'a mut Layout<P::Real>,
     scratch: &'a mut Scratch<P::Real>,
     step: Option<P::Real>,
@@ -247,8 +259,8 @@ impl<P: Pack> UseLaw<P> for Loop<'_, P> {
     type Output = ();
     #[inline(always)]
     fn with<L: Isochoric<P>>(self, law: L) {
-        let Loop { layout, scratch, step, positions, nodes, constants, bulk, .. } = self;
-        let points = Elastic { law, bulk };
+        let Loop { drag, layout, scratch, step, positions, nodes, constants, bulk, .. } = self;
+        let points = Elastic { law, bulk, drag };
         match layout {
             // SAFETY: `assemble` has checked the nodes.
             Layout::Lattice(lattice) => unsafe {
@@ -263,8 +275,9 @@ impl<P: Pack> UseMemory<P> for Loop<'_, P> {
     type Output = ();
     #[inline(always)]
     fn with<M: Remembering<P>>(self, law: M) {
-        let Loop { layout, scratch, step, positions, nodes, constants, history, history_length, bulk } = self;
-        let points = Aging { law, bulk, history, history_length };
+        let Loop { drag, layout, scratch, step, positions, nodes, constants, history, history_length, bulk } =
+            self;
+        let points = Aging { law, bulk, history, history_length, drag };
         match layout {
             // SAFETY: `assemble` has checked the nodes.
             Layout::Lattice(lattice) => unsafe {

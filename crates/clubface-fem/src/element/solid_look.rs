@@ -49,10 +49,12 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Examine<'_, R> {
     type Output = (Energy, (f64, f64));
     #[inline(always)]
     fn with<M: Remembering<P>>(self, law: M) -> Self::Output {
-        let SolidPatch { material, layout, nodes, constants, history, history_length, .. } = self.patch;
+        let SolidPatch { material, layout, nodes, constants, history, history_length, viscosity, .. } =
+            self.patch;
         let (bulk, ratios) = (P::splat(material.bulk), (f64::INFINITY, f64::NEG_INFINITY));
         let energy = Energy::default();
-        let mut tally = Tally { law, bulk, history, history_length: *history_length, energy, ratios };
+        let (history_length, viscosity) = (*history_length, viscosity.as_ref());
+        let mut tally = Tally { law, bulk, history, history_length, viscosity, energy, ratios };
         // SAFETY: the caller has checked the nodes.
         unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, &mut tally) };
         (tally.energy, tally.ratios)

@@ -3,6 +3,7 @@
 use super::history::{ContactFrame, EnergyFrame, History, MotionFrame};
 use super::{Options, Structure};
 use crate::contact::Contact;
+use crate::element::stable_share;
 use crate::error::FemError;
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Vec3};
@@ -80,8 +81,12 @@ impl<R: Real> Impact<R> {
     ) -> Result<Outcome<R>, FemError> {
         options.check()?;
         self.contact.keep_out(options.contact);
-        let dt = rounded(self.structure.stable_step(40) * options.safety);
-        let stride = if self.let_rest(dt, options.safety) { 2 } else { 1 };
+        let safety = options.safety * stable_share(options.bulk_viscosity);
+        let dt = rounded(self.structure.stable_step(40) * safety);
+        let stride = if self.let_rest(dt, safety) { 2 } else { 1 };
+        if options.bulk_viscosity > 0.0 {
+            self.structure.damp(options.bulk_viscosity);
+        }
         let every = (options.interval / (dt * stride as f64)).round().max(1.0) as usize * stride;
         let start = std::time::Instant::now();
         let mut run = Run { history: History::default(), touched: None, dt, step: 0 };

@@ -18,6 +18,8 @@ pub struct Options {
     pub until_separation: bool,
     /// How nodes are kept out of the other side.
     pub contact: Method,
+    /// Linear bulk viscosity of solid elements over density, speed of waves and their size; 0 for none.
+    pub bulk_viscosity: f64,
 }
 
 impl Default for Options {
@@ -29,6 +31,7 @@ impl Default for Options {
             energy_every: 4,
             until_separation: false,
             contact: Method::Penalty,
+            bulk_viscosity: 0.0,
         }
     }
 }
@@ -55,6 +58,9 @@ impl Options {
         }
         if self.interval.is_nan() || self.interval <= 0.0 || self.energy_every == 0 {
             return Err(FemError::input("interval", self.interval, "above 0 s is allowed"));
+        }
+        if !(0.0..=1.0).contains(&self.bulk_viscosity) {
+            return Err(FemError::input("bulk_viscosity", self.bulk_viscosity, "0 to 1 is allowed"));
         }
         Ok(())
     }

@@ -107,6 +107,13 @@ impl<R: Real> Structure<R> {
         self.share();
     }
 
+    /// Gives undeformed solid elements a linear bulk viscosity: a pressure of `coefficient` times density, speed of waves, size and rate of volume.
+    pub fn damp(&mut self, coefficient: f64) {
+        for patch in &mut self.patches {
+            patch.damp(coefficient);
+        }
+    }
+
     /// Finds where the forces on the nodes stand.
     fn share(&mut self) {
         let lists = || self.patches.iter().map(|p| p.nodes()).chain([&self.touching[..]]);

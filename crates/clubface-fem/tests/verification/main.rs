@@ -2,6 +2,7 @@
 
 mod bars;
 mod bounces;
+mod bulk;
 mod conservation;
 mod elements;
 mod fields;

@@ -18,6 +18,7 @@ pub(super) fn options_of(run: &RunValues) -> PyResult<Options> {
         interval: run.interval,
         until_separation: run.until_separation,
         contact: Method::from_name(&run.contact).map_err(|e| error_of(&e))?,
+        bulk_viscosity: run.bulk_viscosity,
         ..Options::default()
     })
 }

@@ -45,6 +45,7 @@ pub struct RunValues {
     pub(super) interval: f64,
     pub(super) until_separation: bool,
     pub(super) contact: String,
+    pub(super) bulk_viscosity: f64,
     pub(super) threads: usize,
     pub(super) frames: usize,
     pub(super) fields: bool,
