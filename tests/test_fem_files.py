@@ -97,7 +97,7 @@ def fields(line, width=10):
 @pytest.fixture(scope="module")
 def reference_deck(tmp_path_factory):
     ball = fem.ball("reference")
-    given = throw_case().replace(ball=ball, settings={"duration": "1000 us"})
+    given = throw_case().replace(ball=ball, settings={"duration": "1000 us", "bulk_viscosity": 0.06})
     return given, Deck(keyword.write(given, tmp_path_factory.mktemp("deck") / "reference.k"))
 
 
@@ -125,6 +125,7 @@ def test_the_reference_deck_holds_laws_velocity_and_wall(reference_deck):
     assert velocity[3:] == pytest.approx([-35 * np.cos(np.radians(11.5)), 35 * np.sin(np.radians(11.5)), 0], rel=1e-7)
     assert fields(deck.one("RIGIDWALL_PLANAR")[1]) == [0, 0, 0, 1, 0, 0, 0.35]
     assert fields(deck.one("CONTROL_TERMINATION")[0]) == [1e-3]
+    assert fields(deck.one("CONTROL_BULK_VISCOSITY")[0])[1] == 0.06
     assert [fields(cards[1])[:5] for cards in deck.all("PART")] == [[1, 1, 1, 0, 1], [2, 1, 2, 0, 1]]
     assert fields(deck.one("SECTION_SOLID")[0]) == [1, 1]
     assert fields(deck.one("HOURGLASS")[0])[1] == 6

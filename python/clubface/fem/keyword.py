@@ -35,7 +35,7 @@ HEADER = (
     "moderate strain.",
     "- Friction of clubface sticks by tangential springs; a rigid wall has none.",
     "- Shells of clubface have one point in their plane and physical hourglass stiffness; type 2 is near.",
-    "- Bulk viscosity, which clubface does without, is all but switched off.",
+    "- Bulk viscosity is linear, and without a value in the case all but switched off; contact is by penalty.",
 )
 
 
@@ -88,7 +88,8 @@ def _control(deck: Cards, how: Settings, head: str) -> None:
     deck.keyword("CONTROL_TERMINATION", [how.duration], names="endtim")
     deck.keyword("CONTROL_TIMESTEP", [0.0, how.safety], names="dtinit tssfac")
     deck.keyword("CONTROL_ENERGY", [2, 2, 2, 2], names="hgen rwen slnten rylen")
-    deck.keyword("CONTROL_BULK_VISCOSITY", [1e-6, 1e-6, 1], names="q1 q2 type")
+    # A zero would mean the default.
+    deck.keyword("CONTROL_BULK_VISCOSITY", [1e-6, max(how.bulk_viscosity, 1e-6), 1], names="q1 q2 type")
     of_head = {PLANE: ("RWFORC",), RIGID: ("RCFORC", "RBDOUT"), MESHED: ("RCFORC",)}[head]
     outputs = ("GLSTAT", "MATSUM", *of_head)
     for name in outputs:
