@@ -219,16 +219,17 @@ def test_what_cannot_be_known_is_what_the_identification_says():
     assert says(r"the interval goes from ([\d.]+) to (\d+)\.") == pytest.approx(
         [each / unit for each in irons], abs=0.5
     )
-    times, forces = [], []
+    times, forces, known = [], [], []
     for found in clubs.values():
         own, fit = found["own"]["volumetric"], found["fits"]["volumetric"]
         times.append(fit["parameters"]["stiffness"] / own["true"]["stiffness"])
         forces += [each for each in fit["warnings"] if "contact lasts" in each]
         assert fit["identified"]["damping"] == "yes"
         low, high = fit["intervals"]["damping"]
-        assert high - low < 0.16 * fit["parameters"]["damping"]
+        known.append(50.0 * (high - low) / fit["parameters"]["damping"])
         # In every fit to all shots something of the grip meets a bound.
         assert any(re.match("(layer|cover|transition|friction).* meets its", each) for each in fit["warnings"])
+    assert known == pytest.approx(says(r"known to (\d+)% from the drives and (\d+)% from"), abs=0.5)
     assert times == pytest.approx([4, 10], rel=0.06)
     assert [int(re.search(r"(\d+) us on average", each)[1]) for each in forces] == says(r"lasts (\d+) and (\d+) µs")
     driver = clubs["driver"]
