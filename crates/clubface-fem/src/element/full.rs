@@ -13,7 +13,7 @@ use clubface_math::{Mat3, Pack, Scalar, Vec3};
 /// Points of integration.
 pub const POINTS: usize = 8;
 /// Constants of a point: gradients of the three reference coordinates (9), share of the reference volume (1).
-pub const POINT: usize = 10;
+const POINT: usize = 10;
 /// Constants an element keeps.
 pub const CONSTANTS: usize = POINT * POINTS;
 
@@ -35,6 +35,11 @@ pub fn constants<R: Scalar>(corners: &[Vec3<R>; CORNERS]) -> [R; CONSTANTS] {
         values[9] = u.dot(v.cross(w));
     }
     c
+}
+
+/// Reference volume, m3, of the element in a lane of a block.
+pub fn reference_volume<R: Scalar>(block: &[R; CONSTANTS * BLOCK], lane: usize) -> f64 {
+    (1..=POINTS).map(|point| block[(point * POINT - 1) * BLOCK + lane].re()).sum()
 }
 
 /// Base vectors along one reference coordinate: four, since they vary with the other two alone.

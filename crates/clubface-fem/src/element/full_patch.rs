@@ -1,7 +1,7 @@
 //! Patches of fully integrated hexahedra of one material.
 
 use super::bulk_viscosity::BulkViscosity;
-use super::full::{constants, Forces, Hexahedron, Point, CONSTANTS, POINT, POINTS};
+use super::full::{constants, reference_volume, Forces, Hexahedron, Point, CONSTANTS, POINTS};
 use super::full_look::{Energies, Feel};
 use super::gauge::Tell;
 use super::{Energy, Patch, BLOCK};
@@ -130,14 +130,8 @@ impl<R: Real> Patch<R> for FullPatch<R> {
         R::dispatch(Assemble { patch: self, dt });
     }
     fn damp(&mut self, coefficient: f64) {
-        let element = |at: usize| -> f64 {
-            (0..POINTS)
-                .map(|point| {
-                    self.constants[at / BLOCK][(point * POINT + POINT - 1) * BLOCK + at % BLOCK].re()
-                })
-                .sum()
-        };
-        let size = f64::cbrt((0..self.elements).map(element).sum::<f64>() / self.elements as f64);
+        let volume = |at: usize| reference_volume(&self.constants[at / BLOCK], at % BLOCK);
+        let size = f64::cbrt((0..self.elements).map(volume).sum::<f64>() / self.elements as f64);
         self.viscosity = Some(BulkViscosity::new(coefficient, &self.material, size, self.corners.len()));
     }
     fn cost(&self) -> usize {

@@ -43,7 +43,7 @@ fn a_cube_breathes_as_a_damped_oscillator() {
             step(&mut cube, &mut Free, whole / f64::from(count));
         }
         let after = energy(&cube);
-        // Velocities are half a step early, of 667 a period; the pressure too: 1% of the exponent.
+        // Velocities are half a step early, of 667 a period; the pressure too: half a per cent of the exponent, which is 4.
         let expected = (-2.0 * decay * whole).exp();
         assert!(
             (after / before - expected).abs() < 0.02 * expected,
