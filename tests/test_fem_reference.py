@@ -31,7 +31,8 @@ def test_multipliers_keep_nodes_out_and_the_reference_case_as_it_is():
     for name, (one, other, tolerance) in TABLE.items():
         low, high = sorted((one, other))
         assert low * (1.0 - tolerance) <= getattr(found, name) <= high * (1.0 + tolerance), name
-    assert found.peak_force == pytest.approx(8670.0, rel=0.03)
+    assert found.peak_force == pytest.approx(8670.0, rel=0.03)  # the mean of both solvers, as asked of the default
+    # What multipliers do is counted a step at a time, to the first order; 8e-4 measured.
     assert found.energy_error < 2e-3
     # Stored energy goes with the square of what the springs give way by: 0.27 J and 0.74 J measured.
     assert found.energy["contact"].max() < 0.5 * reference().energy["contact"].max()
@@ -40,6 +41,8 @@ def test_multipliers_keep_nodes_out_and_the_reference_case_as_it_is():
 @pytest.mark.parametrize("run", [throw_case, drive_case])
 def test_bulk_viscosity_damps_what_rings_and_little_else(run):
     free, damped = (run(bulk_viscosity=share, until_separation=True).run() for share in (0.0, 0.06))
+    # A twentieth of the critical damping of what is as short as an element: of what decides a launch a per cent or two,
+    # of the spin, a difference of two rotations, several.
     assert damped.step < free.step
     assert damped.energy_error < 0.01
     lost = damped.energy["viscous"][-1] - free.energy["viscous"][-1]
