@@ -16,7 +16,7 @@ pub enum FemError {
         allowed: String,
     },
     /// An element was squeezed or stretched beyond what its law can follow.
-    #[error("element {element} of {part} kept {ratio:.2} of its volume at {microseconds:.0} us: the material is too soft for this impact, the mesh too coarse, or the time step too long")]
+    #[error("element {element} of {part} kept {} of its volume at {microseconds:.0} us: the time step is too long (a smaller `safety` helps), the mesh too coarse, or the material too soft for this impact", share(*ratio))]
     ElementLost {
         /// Number of the most strained element in the mesh of the body.
         element: usize,
@@ -28,7 +28,7 @@ pub enum FemError {
         microseconds: f64,
     },
     /// The energies no longer add up.
-    #[error("the energies were off by {percent:.1}% at {microseconds:.0} us (1% is allowed): the time step is too long, or an element is failing; the most strained is element {element} of {part}")]
+    #[error("the energies were off by {percent:.1}% at {microseconds:.0} us (1% is allowed): the time step is too long (a smaller `safety` helps), or an element is failing; the most strained is element {element} of {part}")]
     Energy {
         /// Number of the most strained element in the mesh of the body.
         element: usize,
@@ -63,5 +63,14 @@ impl FemError {
     #[must_use]
     pub fn failed(&self) -> bool {
         matches!(self, Self::ElementLost { .. } | Self::Energy { .. })
+    }
+}
+
+/// A share of the volume in few digits, also where nothing is left of an element.
+fn share(ratio: f64) -> String {
+    if ratio.abs() < 100.0 {
+        format!("{ratio:.2}")
+    } else {
+        format!("{ratio:.0e}")
     }
 }

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 from clubface.balls import Ball as RigidBall
 from clubface.errors import InputError
 from clubface.fem.balls import Ball, ball
-from clubface.fem.core import core_call
 from clubface.fem.result import Impact
-from clubface.fem.run import Settings, rigid_ball
+from clubface.fem.run import Settings, rigid_ball, simulate
 from clubface.shots import DEFAULT_BALL as PUBLISHED
 
 if TYPE_CHECKING:
@@ -52,11 +51,11 @@ def launches(
 
     found = np.full((len(outputs()), n), np.nan)
     problems: list[tuple[int, str, str]] = []
-    settings = Settings(until_separation=True).values()
+    how = Settings(until_separation=True)
     for row in range(n):
         inputs = [float(_at(each, row)) for each in columns]
         try:
-            result = core_call(_core.fem_head, made.values(), inputs, float(_at(friction, row)), settings)
+            result, _ = simulate(_core.fem_head, made.values(), inputs, float(_at(friction, row)), how=how)
         except InputError as error:
             problems.append((row, error.parameter, error.allowed))
             continue

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 METHODS = ("penalty", "augmented-lagrange")
 """How nodes are kept out of the face."""
 
+SAFETIES = (0.9, 0.75, 0.6)
+"""Time steps over the stable one that are tried in turn where none is asked for."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
@@ -36,7 +39,8 @@ class Settings:
     duration
         Simulated time [s].
     safety
-        Time step over the stable step.
+        Time step over the stable step of the undeformed bodies. Left out, it is 0.9; hard impacts squeeze elements thin,
+        which then need shorter steps, so that a run whose elements fail is done again with 0.75, and then with 0.6.
     interval
         Time between the records of motion [s]; contact is recorded at every step.
     until_separation
@@ -56,7 +60,7 @@ class Settings:
     """
 
     duration: float = 1e-3
-    safety: float = 0.9
+    safety: float | None = None
     interval: float = 5e-6
     until_separation: bool = False
     contact: str = "penalty"
@@ -73,8 +77,9 @@ class Settings:
         if not 1e-8 <= self.interval <= self.duration:
             raise InputError("interval", units.show(self.interval, "us"), "0.01 us to the duration")
         for name in ("safety", "bulk_viscosity"):
-            object.__setattr__(self, name, units.parse(getattr(self, name), units.DIMENSIONLESS, name=name))
-        if not 0.05 <= self.safety <= 1.0:
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, units.parse(getattr(self, name), units.DIMENSIONLESS, name=name))
+        if self.safety is not None and not 0.05 <= self.safety <= 1.0:
             raise InputError("safety", self.safety, "0.05 to 1, the stable step")
         if not 0.0 <= self.bulk_viscosity <= 1.0:
             raise InputError("bulk_viscosity", self.bulk_viscosity, "0 to 1; 0.06 is usual")
@@ -88,8 +93,24 @@ class Settings:
                 raise InputError(name, getattr(self, name), "true or false")
 
     def values(self) -> dict[str, Any]:
-        """Return what the core takes."""
-        return {name: getattr(self, name) for name in self.__dataclass_fields__}
+        """Return what the core takes, with the first safety where none is asked for."""
+        values = {name: getattr(self, name) for name in self.__dataclass_fields__}
+        return {**values, "safety": SAFETIES[0] if self.safety is None else self.safety}
+
+
+def simulate(
+    function: Callable[..., Any], *arguments: Any, how: Settings, progress: Progress | None = None
+) -> tuple[dict[str, Any], Settings]:
+    """Run the core, again with shorter steps as long as elements fail and the settings leave the step open.
+
+    Returns what was found, and the settings it was found with.
+    """
+    used, found = how, {"failed": True}
+    for safety in SAFETIES if how.safety is None else (how.safety,):
+        if found["failed"]:
+            used = replace(how, safety=safety)
+            found = core_call(function, *arguments, used.values(), progress=progress)
+    return found, used
 
 
 def throw(
@@ -122,8 +143,8 @@ def throw(
     mu, how = friction_value(friction), settings or Settings()
     from clubface import _core
 
-    found = core_call(_core.fem_plane, made.values(), v, incidence, mu, how.values(), progress=progress)
-    return Impact(found, made, {"speed": v, "angle": incidence}, mu, how)
+    found, used = simulate(_core.fem_plane, made.values(), v, incidence, mu, how=how, progress=progress)
+    return Impact(found, made, {"speed": v, "angle": incidence}, mu, used)
 
 
 def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
@@ -169,8 +190,8 @@ def strike(
     else:
         hit = one_shot(club, given, made)
         arguments = (_core.fem_head, made.values(), inputs_of(hit))
-    found = core_call(*arguments, mu, how.values(), progress=progress)
-    return Impact(found, made, given, mu, how, hit, club if isinstance(club, MeshedHead) else None)
+    found, used = simulate(*arguments, mu, how=how, progress=progress)
+    return Impact(found, made, given, mu, used, hit, club if isinstance(club, MeshedHead) else None)
 
 
 def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], made: Ball) -> Shots:

@@ -146,11 +146,11 @@ impl<R: Real> Field<'_, R> {
         }
     }
 
-    /// Writes the nodes of plane `k` as rows. There is room for all nodes and a block.
+    /// Writes the nodes of plane `k` as rows. There is room for them and a block.
     #[inline(always)]
     pub fn store<P: Pack<Real = R>>(&mut self, k: usize, rows: &mut [Row<R>]) {
         let Layout { plane, planes, .. } = self.layout;
-        assert!(k < planes && rows.len() >= plane * planes + BLOCK);
+        assert!(k < planes && rows.len() >= plane + BLOCK);
         for at in (0..plane).step_by(P::LANES) {
             // SAFETY: a component has room for a whole pack at the end of its plane.
             let value = unsafe {
@@ -160,7 +160,7 @@ impl<R: Real> Field<'_, R> {
                     P::read(self.at(k, 2).add(at)),
                 )
             };
-            P::put_rows(&mut rows[k * plane + at..], value);
+            P::put_rows(&mut rows[at..], value);
         }
     }
 }

@@ -13,6 +13,7 @@ use super::side::{empty, spread, sums, Face};
 use super::BLOCK;
 use crate::material::{Deformation, Symmetric};
 use crate::mesh::CORNERS;
+use clubface_math::pack::prefetch;
 use clubface_math::{Mat3, Pack, Real, Row};
 
 /// Most layers.
@@ -90,7 +91,7 @@ impl<R: Real> Lattice<R> {
             motion.advance::<P>(&mut forces, P::splat(step));
         } else {
             for k in 0..layout.planes {
-                forces.store::<P>(k, rows);
+                forces.store::<P>(k, &mut rows[k * layout.plane..]);
             }
         }
     }
@@ -185,6 +186,8 @@ unsafe fn walk<P: Pack, W: Points<P>>(
                     stresses[layer] = points.stress(number, first, volume, &deformations[layer]);
                 }
                 for (layer, block) in run.iter().enumerate() {
+                    // This loop computes more than it loads: time to fetch what the next ones need.
+                    prefetch(block, RUN);
                     let stress = deformations[layer].first_piola(&stresses[layer]);
                     let (force, above) =
                         elements[layer].forces(&Constants::new(&block.0, first), &stress, &below);

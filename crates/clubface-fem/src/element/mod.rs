@@ -109,12 +109,13 @@ pub trait Patch<R: Real>: Send + Sync {
     }
     /// Takes the motion of adopted nodes from the fields of all nodes, m and m/s.
     fn take_over(&mut self, _positions: &[Row<R>], _velocities: &[Row<R>]) {}
-    /// As [`Patch::assemble`], with forces only on nodes that are not adopted; those move on by `dt` seconds, unseen in the fields of all nodes.
+    /// As [`Patch::assemble`], with forces on the nodes that are not adopted alone, in their order; the others move on by `dt` seconds, unseen in the
+    /// fields of all nodes.
     fn step(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64, _scratch: &mut Scratch<R>) {
         self.assemble(positions, velocities, dt);
     }
-    /// Writes the motion of adopted nodes to the fields of all nodes.
-    fn hand_back(&mut self, _positions: &mut [Row<R>], _velocities: &mut [Row<R>]) {}
+    /// Gives the motion of adopted nodes back: tells each node's number, its position and its velocity.
+    fn hand_back(&mut self, _give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {}
 }
 
 /// Kinds of solid elements.

@@ -64,14 +64,14 @@ impl<R: Real> Motion<R> {
         }
     }
 
-    /// Gives it back.
-    pub fn hand_back(&mut self, positions: &mut [Row<R>], velocities: &mut [Row<R>], nodes: &[u32]) {
+    /// Gives it back: tells each node's number, its position and its velocity.
+    pub fn hand_back(&mut self, nodes: &[u32], give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {
         let x = self.positions.field(self.layout);
         let v = self.velocities.field(self.layout);
         for &(place, at) in &self.inside {
-            let node = nodes[place as usize] as usize;
             // SAFETY: every place inside is a node of the lattice.
-            (positions[node], velocities[node]) = unsafe { (x.get_at(at as usize), v.get_at(at as usize)) };
+            let (x, v) = unsafe { (x.get_at(at as usize), v.get_at(at as usize)) };
+            give(nodes[place as usize], x, v);
         }
     }
 
@@ -95,16 +95,18 @@ impl<R: Real> Motion<R> {
         field
     }
 
-    /// Writes the forces on the nodes that are not inside. There is room for all nodes and a block.
+    /// Writes the forces on the nodes that are not inside, one after the other in the order of all. There is room for all nodes and a block.
     #[inline(always)]
     pub fn part<P: Pack<Real = R>>(&self, forces: &mut Field<R>, rows: &mut [Row<R>]) {
-        // A plane overruns into the next.
+        let Layout { plane, planes, .. } = self.layout;
+        // A plane overruns into what follows.
         forces.store::<P>(0, rows);
-        for &(place, at) in &self.rim {
-            // SAFETY: every place of the rim is a node of the lattice.
-            unsafe { *rows.get_unchecked_mut(place as usize) = forces.get_at(at as usize) };
+        let (rim, last) = rows[plane..].split_at_mut(self.rim.len());
+        for (row, &(_, at)) in rim.iter_mut().zip(&self.rim) {
+            // SAFETY: the place of a node of the lattice.
+            *row = unsafe { forces.get_at(at as usize) };
         }
-        forces.store::<P>(self.layout.planes - 1, rows);
+        forces.store::<P>(planes - 1, last);
     }
 
     /// Moves the nodes inside by a step, s.

@@ -180,9 +180,9 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
         self.check(positions);
         R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: true });
     }
-    fn hand_back(&mut self, positions: &mut [Row<R>], velocities: &mut [Row<R>]) {
+    fn hand_back(&mut self, give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {
         if let Layout::Lattice(Lattice { motion: Some(motion), .. }) = &mut self.layout {
-            motion.hand_back(positions, velocities, &self.nodes);
+            motion.hand_back(&self.nodes, give);
         }
     }
     fn cost(&self) -> usize {

@@ -44,16 +44,6 @@ impl<S: Scalar> Symmetric<S> {
         }
         Self(sum)
     }
-    /// `A - B`.
-    #[inline(always)]
-    #[must_use]
-    pub fn minus(&self, o: &Self) -> Self {
-        let mut difference = self.0;
-        for i in 0..6 {
-            difference[i] -= o.0[i];
-        }
-        Self(difference)
-    }
     /// `A + s I`.
     #[inline(always)]
     #[must_use]

@@ -62,20 +62,58 @@ pub fn add_branches<P: Pack>(
     memory: &mut Memory<P::Real>,
 ) -> Symmetric<P> {
     let driving = at.deviator(&stress);
-    let growth = driving.minus(&Symmetric(memory.load(0)));
-    let strain = at.c.minus(&Symmetric(memory.load(DEFORMATION)));
-    let mut total = stress;
-    let mut power = P::zero();
-    for (term, decay) in decays.iter().enumerate() {
-        let before = Symmetric(memory.load(BRANCHES + 6 * term));
-        let after = growth.scale(decay.half).plus(decay.whole, &before);
-        memory.store(BRANCHES + 6 * term, after.0);
-        total = total.plus(P::one(), &after);
-        power += before.plus(P::one(), &after).contract(&strain);
-    }
-    memory.store(0, driving.0);
-    memory.store(DEFORMATION, at.c.0);
+    // One branch is the usual case, and then nothing needs counting.
+    let (relaxed, power) = if let [only] = decays {
+        relax(&driving, &at.c, &[*only], memory)
+    } else {
+        relax(&driving, &at.c, decays, memory)
+    };
     let done: P = work(memory);
     memory.store(WORK, [power.mul_add(P::from_f64(0.25), done)]);
-    total
+    stress.plus(P::one(), &relaxed)
+}
+
+/// Stress of the branches at the end of a step, and four times its mean over the step times the strain; the memory moves on.
+#[inline(always)]
+fn relax<P: Pack>(
+    driving: &Symmetric<P>,
+    deformation: &Symmetric<P>,
+    decays: &[Decay<P>],
+    memory: &mut Memory<P::Real>,
+) -> (Symmetric<P>, P) {
+    // Component by component, since there are not registers enough for whole tensors; spelt out, since no compiler unrolls so much by itself.
+    let (d, c) = (&driving.0, &deformation.0);
+    let (xx, a) = relax_component(0, d[0], c[0], decays, memory);
+    let (yy, b) = relax_component(1, d[1], c[1], decays, memory);
+    let (zz, c0) = relax_component(2, d[2], c[2], decays, memory);
+    let (xy, d0) = relax_component(3, d[3], c[3], decays, memory);
+    let (xz, e) = relax_component(4, d[4], c[4], decays, memory);
+    let (yz, f) = relax_component(5, d[5], c[5], decays, memory);
+    let shear = d0 + e + f;
+    (Symmetric([xx, yy, zz, xy, xz, yz]), a + b + c0 + (shear + shear))
+}
+
+/// The same of one component.
+#[inline(always)]
+fn relax_component<P: Pack>(
+    component: usize,
+    driving: P,
+    deformation: P,
+    decays: &[Decay<P>],
+    memory: &mut Memory<P::Real>,
+) -> (P, P) {
+    let [[last], [before]]: [[P; 1]; 2] = [memory.load(component), memory.load(DEFORMATION + component)];
+    let growth = driving - last;
+    memory.store(component, [driving]);
+    memory.store(DEFORMATION + component, [deformation]);
+    let (mut stress, mut both) = (P::zero(), P::zero());
+    for (term, decay) in decays.iter().enumerate() {
+        let place = BRANCHES + 6 * term + component;
+        let [old]: [P; 1] = memory.load(place);
+        let new = old.mul_add(decay.whole, growth * decay.half);
+        memory.store(place, [new]);
+        stress += new;
+        both += old + new;
+    }
+    (stress, both * (deformation - before))
 }

@@ -100,12 +100,13 @@ impl<R: Real> Impact<R> {
             {
                 break Some(FemError::Interrupted { microseconds: time * 1e6 });
             }
-            if (run.step).is_multiple_of(every * options.energy_every) {
-                if let Err(error) = run.ledger(self) {
+            let motion = run.motion(self);
+            if (run.step).is_multiple_of(every * options.energy_every) || run.runs_away(&motion) {
+                if let Err(error) = run.ledger(self, motion) {
                     break Some(error);
                 }
             } else {
-                run.march(self, every - run.step % every, options);
+                run.march(self, motion, every - run.step % every, options);
             }
         };
         if stopped.as_ref().is_some_and(FemError::failed) {
@@ -143,6 +144,13 @@ fn rounded(step: f64) -> f64 {
     ((step.log2() * 64.0).floor() / 64.0).exp2()
 }
 
+/// Motion of the ball, its mass centre (m) and its kinetic energy (J).
+struct BallMotion<R> {
+    frame: MotionFrame,
+    centre: Vec3<R>,
+    energy: f64,
+}
+
 /// State of a run.
 struct Run {
     history: History,
@@ -175,16 +183,29 @@ impl Run {
     }
 
     /// Motion of the ball at the current step; its distance from the face comes with the contact.
-    fn motion<R: Real>(&self, impact: &Impact<R>) -> (MotionFrame, Vec3<R>) {
+    fn motion<R: Real>(&self, impact: &Impact<R>) -> BallMotion<R> {
         let kinetics = impact.structure.kinetics(0..impact.ball_nodes);
         let velocity = along(&impact.axes, kinetics.velocity - impact.head_velocity);
         let spin = along(&impact.axes, kinetics.spin);
-        (MotionFrame { time: self.time(), velocity, spin, radius: f64::NAN }, kinetics.centre)
+        let frame = MotionFrame { time: self.time(), velocity, spin, radius: f64::NAN };
+        BallMotion { frame, centre: kinetics.centre, energy: kinetics.energy.re() }
+    }
+
+    /// Whether the ball has more energy than everything had at first: time to look closer, while it can still be seen which element fails.
+    fn runs_away<R>(&self, motion: &BallMotion<R>) -> bool {
+        let all = self.history.energy.first().map_or(f64::INFINITY, EnergyFrame::total);
+        motion.energy > all * (1.0 + BALANCE) || motion.energy.is_nan()
     }
 
     /// Steps, as many as given, the first with a motion frame.
-    fn march<R: Real>(&mut self, impact: &mut Impact<R>, count: usize, options: &Options) {
-        let (frame, centre) = self.motion(impact);
+    fn march<R: Real>(
+        &mut self,
+        impact: &mut Impact<R>,
+        motion: BallMotion<R>,
+        count: usize,
+        options: &Options,
+    ) {
+        let BallMotion { frame, centre, .. } = motion;
         let mut frame = Some(frame);
         let Impact { structure, contact, axes, .. } = impact;
         let dt = self.dt;
@@ -200,13 +221,12 @@ impl Run {
     }
 
     /// A step with a motion frame and its energies.
-    fn ledger<R: Real>(&mut self, impact: &mut Impact<R>) -> Result<(), FemError> {
+    fn ledger<R: Real>(&mut self, impact: &mut Impact<R>, motion: BallMotion<R>) -> Result<(), FemError> {
         let (time, microseconds) = (self.time(), self.time() * 1e6);
         impact.structure.assemble(impact.contact.as_mut(), self.dt);
         self.record(impact.contact.as_ref(), &impact.axes);
-        let (frame, centre) = self.motion(impact);
-        let radius = impact.contact.nearest(centre).0.re();
-        self.history.motion.push(MotionFrame { radius, ..frame });
+        let radius = impact.contact.nearest(motion.centre).0.re();
+        self.history.motion.push(MotionFrame { radius, ..motion.frame });
         let (elements, ratios) = impact.structure.look();
         for (patch, &ratios) in ratios.iter().enumerate() {
             for ratio in [ratios.0, ratios.1] {

@@ -46,9 +46,6 @@ impl<R: Real> Structure<R> {
         count: usize,
         watch: &mut dyn FnMut(&dyn Contact<R>) -> bool,
     ) -> usize {
-        for patch in &mut self.patches {
-            patch.take_over(&self.positions, &self.velocities);
-        }
         let members = rayon::current_num_threads();
         self.scratches.resize_with(members, Scratch::new);
         let held: Vec<f64> = (0..self.patches.len()).map(|patch| self.held(patch, dt)).collect();
@@ -63,7 +60,7 @@ impl<R: Real> Structure<R> {
         let step = R::from_f64(dt);
         // SAFETY of all rounds: each patch, the contact and each chunk of nodes is one task, each member has a scratch of its own, and rounds of one
         // kind read the fields and write forces, those of the other kind the other way round. Only nodes of one patch alone, which no other task
-        // reads, move as soon as it has made its forces.
+        // reads, move as soon as it has made its forces; those that a patch has adopted are its own.
         let assemble = |task: usize, member: usize| unsafe {
             let (positions, velocities) = fields.read();
             let rows = if task == patches.count {
@@ -85,16 +82,33 @@ impl<R: Real> Structure<R> {
         };
         let (advance_all, advance_awake) =
             (|task: usize, _: usize| advance(task, true), |task: usize, _: usize| advance(task, false));
+        // Each member for its own patches, so that what they take with them is near.
+        let take_over = |task: usize, _: usize| unsafe {
+            let (positions, velocities) = fields.read();
+            if task < patches.count {
+                patches.part(task).take_over(positions, velocities);
+            }
+        };
+        let hand_back = |task: usize, _: usize| unsafe {
+            if task < patches.count {
+                patches
+                    .part(task)
+                    .hand_back(&mut |node, position, velocity| fields.set(node, position, velocity));
+            }
+        };
         let rounds = [
             Round { task: &assemble, shares: &whole.tasks },
             Round { task: &advance_all, shares: &whole.chunks },
             Round { task: &assemble, shares: &awake.tasks },
             Round { task: &advance_awake, shares: &awake.chunks },
+            Round { task: &take_over, shares: &whole.tasks },
+            Round { task: &hand_back, shares: &whole.tasks },
         ];
         let rests = self.resting.contains(&true);
         let mut done = 0;
         Team::with(&rounds, |team| {
             let mut go = true;
+            team.run(4);
             while go && done < count {
                 let first = if pause { 2 } else { 0 };
                 team.run(first);
@@ -104,11 +118,9 @@ impl<R: Real> Structure<R> {
                 pause = rests && !pause;
                 done += 1;
             }
+            team.run(5);
         });
         self.pause = pause;
-        for patch in &mut self.patches {
-            patch.hand_back(&mut self.positions, &mut self.velocities);
-        }
         done
     }
 }
@@ -127,7 +139,7 @@ impl<R: Real> Structure<R> {
         let costs: Vec<usize> = self.patches.iter().map(|patch| patch.cost()).collect();
         let (asleep, mut awake): (Vec<usize>, Vec<usize>) =
             (0..count).partition(|&patch| self.resting[patch]);
-        // The contact first: it is one task, however long it takes.
+        // The contact first: it is one task, however long it takes. Patches in their order: those of a piece have constants in common.
         awake.insert(0, count);
         let cost = |task: usize| costs.get(task).copied().unwrap_or(CONTACT * self.touching.len());
         let awake = portions(&awake, cost, members);

@@ -2,6 +2,7 @@
 
 mod history;
 mod impact;
+mod kinetics;
 mod march;
 mod options;
 mod rest;
@@ -12,5 +13,6 @@ mod team;
 
 pub use history::{ContactFrame, EnergyFrame, Figures, History, MotionFrame};
 pub use impact::{Impact, Outcome, Progress};
+pub use kinetics::Kinetics;
 pub use options::Options;
-pub use structure::{Kinetics, Structure};
+pub use structure::Structure;

@@ -28,7 +28,7 @@ impl Default for Options {
             duration: 1e-3,
             safety: 0.9,
             interval: 5e-6,
-            energy_every: 4,
+            energy_every: 8,
             until_separation: false,
             contact: Method::Penalty,
             bulk_viscosity: 0.0,

@@ -59,6 +59,7 @@ pub(super) fn split<'a>(
     // Nodes that rest together come first: whole chunks of them have nothing to do. Then list by list: who has made the forces has them at hand.
     let rest = |node: &usize| on_node[*node][1].is_empty() && !on_node[*node][0].is_empty();
     let first = |node: usize| on_node[node].iter().flatten().min().copied();
+    let list_of = |slot: Option<(u32, u32)>| slot.map(|(list, _)| list);
     let mut inner = vec![Vec::new(); alone];
     let mut nodes = Vec::new();
     for node in (0..count).filter(|&node| !skip(node)) {
@@ -70,10 +71,16 @@ pub(super) fn split<'a>(
     }
     nodes.sort_by_key(|&node| first(node));
     let (resting, others): (Vec<usize>, Vec<usize>) = nodes.into_iter().partition(rest);
-    let chunks = resting.chunks(CHUNK).chain(others.chunks(CHUNK));
+    // Those of one list in each chunk: whoever moves them has made the first forces on all of them.
+    let lists = [resting, others];
+    let lists =
+        lists.iter().flat_map(|nodes| nodes.chunk_by(|&a, &b| list_of(first(a)) == list_of(first(b))));
     Split {
         inner: inner.iter().map(|nodes| Shares::new(nodes, &on_node)).collect(),
-        outer: chunks.map(|chunk| Shares::new(chunk, &on_node)).collect(),
+        outer: lists
+            .flat_map(|nodes| nodes.chunks(CHUNK))
+            .map(|chunk| Shares::new(chunk, &on_node))
+            .collect(),
     }
 }
 
@@ -136,6 +143,18 @@ unsafe impl<R: Send> Sync for Fields<R> {}
 unsafe impl<R: Send> Send for Fields<R> {}
 
 impl<R: Real> Fields<R> {
+    /// Sets the position and velocity of a node.
+    ///
+    /// # Safety
+    /// The fields are still there, and nobody else uses this node.
+    pub(super) unsafe fn set(&self, node: u32, position: Row<R>, velocity: Row<R>) {
+        assert!((node as usize) < self.count);
+        // SAFETY: the caller's promise, and the node exists.
+        unsafe {
+            *self.positions.add(node as usize) = position;
+            *self.velocities.add(node as usize) = velocity;
+        }
+    }
     pub(super) fn new(positions: &mut [Row<R>], velocities: &mut [Row<R>], inverse_masses: &[R]) -> Self {
         let count = positions.len();
         assert!(count == velocities.len() && count == inverse_masses.len());

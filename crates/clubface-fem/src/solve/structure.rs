@@ -3,26 +3,12 @@
 //! Every step has two phases: patches and contact compute forces from positions (each into an array of its own), then every node sums the forces
 //! on it and moves.
 
+use super::kinetics::Kinetics;
 use super::shares::{split, Fields, Forces, Shares, PERIOD};
 use crate::contact::Contact;
 use crate::element::{Energy, Patch, Scratch, Tell};
-use clubface_math::{Real, Row, Vec3};
+use clubface_math::{Real, Row};
 use rayon::prelude::*;
-
-/// Mass, momentum and the like of some nodes.
-#[derive(Clone, Copy, Debug)]
-pub struct Kinetics<R> {
-    /// Mass, kg.
-    pub mass: R,
-    /// Mass centre, m.
-    pub centre: Vec3<R>,
-    /// Velocity of the mass centre, m/s.
-    pub velocity: Vec3<R>,
-    /// Angular velocity of the rigid rotation that fits the velocities best, weighted by mass, rad/s.
-    pub spin: Vec3<R>,
-    /// Angular momentum about the mass centre, kg m2/s.
-    pub angular_momentum: Vec3<R>,
-}
 
 /// Nodes with mass, and patches of elements between them.
 pub struct Structure<R> {
@@ -117,10 +103,15 @@ impl<R: Real> Structure<R> {
     /// Finds where the forces on the nodes stand.
     fn share(&mut self) {
         let lists = || self.patches.iter().map(|p| p.nodes()).chain([&self.touching[..]]);
+        // Lists of the nodes that their patches do not move.
+        let free = |list: &[u32]| list.iter().copied().filter(|&node| !self.adopted[node as usize]).collect();
+        let parts: Vec<Vec<u32>> = lists().map(free).collect();
         let rests = |list: usize| self.resting.get(list).copied().unwrap_or(false);
         let count = self.positions.len();
         let all = split(count, lists(), 0, rests, |_| false);
-        let parts = split(count, lists(), self.patches.len(), rests, |node| self.adopted[node]);
+        let parts = split(count, parts.iter().map(Vec::as_slice), self.patches.len(), rests, |node| {
+            self.adopted[node]
+        });
         (self.shares, self.inner, self.outer) = (all.outer, parts.inner, parts.outer);
     }
 
@@ -215,27 +206,7 @@ impl<R: Real> Structure<R> {
 
     /// Mass, mass centre, velocity and spin of some nodes.
     pub fn kinetics(&self, nodes: std::ops::Range<usize>) -> Kinetics<R> {
-        let (mut mass, mut first, mut momentum) = (R::zero(), Vec3::zero(), Vec3::zero());
-        for n in nodes.clone() {
-            mass += self.masses[n];
-            first += self.positions[n].vec() * self.masses[n];
-            momentum += self.velocities[n].vec() * self.masses[n];
-        }
-        let (centre, velocity) = (first * mass.recip(), momentum * mass.recip());
-        let mut angular = Vec3::zero();
-        let mut moments = [R::zero(); 6];
-        for n in nodes {
-            let m = self.masses[n];
-            let r = self.positions[n].vec() - centre;
-            angular += r.cross(self.velocities[n].vec() - velocity) * m;
-            let (xx, yy, zz) = (r.x * r.x, r.y * r.y, r.z * r.z);
-            let terms = [yy + zz, xx + zz, xx + yy, -(r.x * r.y), -(r.x * r.z), -(r.y * r.z)];
-            for (moment, term) in moments.iter_mut().zip(terms) {
-                *moment += term * m;
-            }
-        }
-        let spin = clubface_math::Mat3::symmetric(moments).inverse() * angular;
-        Kinetics { mass, centre, velocity, spin, angular_momentum: angular }
+        Kinetics::of(nodes, &self.positions, &self.velocities, &self.masses)
     }
 
     /// Kinetic energy, J, between two fields of velocities: with those before and after a step it is the one that central differences conserve.

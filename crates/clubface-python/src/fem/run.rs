@@ -151,6 +151,7 @@ pub(super) fn to_dict<'py>(
     dict.set_item("step", outcome.step)?;
     dict.set_item("wall", outcome.wall)?;
     dict.set_item("stopped", outcome.stopped.as_ref().map(ToString::to_string))?;
+    dict.set_item("failed", ran.failed)?;
     dict.set_item("interrupted", matches!(outcome.stopped, Some(FemError::Interrupted { .. })))?;
     if let Some(touch) = touch {
         let mut launch = touch.launch(outcome.ball, outcome.head);
