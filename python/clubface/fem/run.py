@@ -39,7 +39,7 @@ class Settings:
     duration
         Simulated time [s].
     safety
-        Time step over the stable step of the undeformed bodies. Left out, it is 0.9; hard impacts squeeze elements thin,
+        Time step over the stable step of the undeformed bodies. Left out, it is 0.9; hard impacts squeeze elements,
         which then need shorter steps, so that a run whose elements fail is done again with 0.75, and then with 0.6.
     interval
         Time between the records of motion [s]; contact is recorded at every step.
