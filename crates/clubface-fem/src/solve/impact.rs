@@ -145,6 +145,7 @@ fn rounded(step: f64) -> f64 {
 }
 
 /// Motion of the ball, its mass centre (m) and its kinetic energy (J).
+#[derive(Clone, Copy)]
 struct BallMotion<R> {
     frame: MotionFrame,
     centre: Vec3<R>,
