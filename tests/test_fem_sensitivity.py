@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from clubface import fem
-from clubface.errors import UnknownNameError
+from clubface.errors import ShotError, UnknownNameError
 from fem_runs import coarse, coarse_head
 
 SETTINGS = fem.Settings(until_separation=True)
@@ -65,6 +65,17 @@ def test_derivatives_by_thickness_and_modulus_of_a_face():
     check(found, names[2], differences(lambda value: launch(head, friction=value), 0.2, 2e-7))
     # A thicker face gives less, so the ball leaves slower.
     assert found.by("ball_speed", names[0]) < 0.0
+
+
+def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
+    hit = {"speed": 80.0, "loft": 0.2, "which": BALL, "friction": 0.2, "settings": SETTINGS}
+    run = fem.strike("driver", **hit)
+    assert run.settings.safety < fem.strike("driver", **hit | {"speed": 45.0}).settings.safety
+    found = fem.sensitivity("driver", by="speed", **hit)
+    # The same operations, but on numbers with derivatives.
+    assert found.values["ball_speed"] == pytest.approx(run.launch["ball_speed"], rel=1e-9)
+    with pytest.raises(ShotError, match="a smaller `safety` helps"):
+        fem.sensitivity("driver", by="speed", **hit | {"settings": replace(SETTINGS, safety=0.9)})
 
 
 def test_an_unknown_variable_is_told():

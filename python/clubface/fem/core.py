@@ -10,6 +10,9 @@ from typing import Any
 
 from clubface.errors import InputError, ShotError
 
+THE_RUN = "the run"
+"""What is at fault where no input is."""
+
 Progress = Callable[[float, float], object]
 """Called with simulated time and duration [s]."""
 
@@ -54,4 +57,4 @@ def told() -> Iterator[None]:
 
 def core_error(name: str, value: str, allowed: str) -> InputError:
     """Return the error the core told as name, value and what is allowed, the first two of which may be empty."""
-    return ShotError(name or "the run", value or None, f"{value}: {allowed}" if value else allowed)
+    return ShotError(name or THE_RUN, value or None, f"{value}: {allowed}" if value else allowed)

@@ -93,9 +93,12 @@ class Settings:
                 raise InputError(name, getattr(self, name), "true or false")
 
     def values(self) -> dict[str, Any]:
-        """Return what the core takes, with the first safety where none is asked for."""
-        values = {name: getattr(self, name) for name in self.__dataclass_fields__}
-        return {**values, "safety": SAFETIES[0] if self.safety is None else self.safety}
+        """Return what the core takes, with the first of the safeties."""
+        return {name: getattr(self, name) for name in self.__dataclass_fields__} | {"safety": self.safeties()[0]}
+
+    def safeties(self) -> tuple[float, ...]:
+        """Return the safety, or those to be tried in turn where none is asked for."""
+        return SAFETIES if self.safety is None else (self.safety,)
 
 
 def simulate(
@@ -106,7 +109,7 @@ def simulate(
     Returns what was found, and the settings it was found with.
     """
     used, found = how, {"failed": True}
-    for safety in SAFETIES if how.safety is None else (how.safety,):
+    for safety in how.safeties():
         if found["failed"]:
             used = replace(how, safety=safety)
             found = core_call(function, *arguments, used.values(), progress=progress)

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from clubface.clubs import Club
 from clubface.delivery import Delivery
-from clubface.errors import UnknownNameError
+from clubface.errors import ShotError, UnknownNameError
 from clubface.fem.balls import Ball, ball
-from clubface.fem.core import Progress, core_call
+from clubface.fem.core import THE_RUN, Progress, core_call
 from clubface.fem.heads import ShellHead
 from clubface.fem.run import Settings, friction_value, inputs_of, one_shot
 from clubface.quantities import outputs
@@ -104,7 +104,8 @@ def sensitivity(
             raise UnknownNameError("variable", name, known)
     head, rigid = _head_of(club)
     inputs = inputs_of(one_shot(rigid, dict(as_values(delivery, values)), made))
-    run, runs = replace(how, frames=0).values(), -(-len(names) // VARIABLES_A_RUN)
+    runs = -(-len(names) // VARIABLES_A_RUN)
+    run = replace(how, frames=0).values()
 
     def all_runs(watch: Progress) -> Any:
         def step(which: int, time: float, whole: float) -> None:
@@ -112,5 +113,21 @@ def sensitivity(
 
         return _core.fem_sensitivity(made.values(), head, inputs, mu, run, list(names), step)
 
-    found, jacobian = cast("tuple[Any, Any]", core_call(all_runs, progress=progress))
+    def at(safety: float) -> tuple[Any, Any]:
+        run["safety"] = safety
+        return cast("tuple[Any, Any]", core_call(all_runs, progress=progress))
+
+    found, jacobian = _first_stable(at, how)
     return Derivatives(dict(zip(outputs(), map(float, found), strict=True)), names, jacobian)
+
+
+def _first_stable(run: Callable[[float], tuple[Any, Any]], how: Settings) -> tuple[Any, Any]:
+    """Return what a run gives with the first safety with which no element fails."""
+    *others, last = how.safeties()
+    for safety in others:
+        try:
+            return run(safety)
+        except ShotError as error:
+            if error.parameter != THE_RUN:
+                raise
+    return run(last)
