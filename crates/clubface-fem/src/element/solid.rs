@@ -10,7 +10,7 @@ use super::one_point::{constants, CONSTANTS, SHAPES, VOLUME};
 use super::point::{Aging, Block, Elastic};
 use super::solid_look::{Examine, Feel};
 use super::{Aligned, Energy, Patch, BLOCK};
-use crate::material::{Isochoric, Material, Remembering, UseLaw, UseMemory};
+use crate::material::{Isochoric, Material, Remembering, Shape, UseLaw, UseMemory};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, PackKernel, Real, Row};
 use std::sync::Arc;
@@ -186,7 +186,12 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
         }
     }
     fn cost(&self) -> usize {
-        self.constants.len() * BLOCK * if self.history_length == 0 { 30 } else { 38 }
+        let each = match self.material.shape {
+            _ if self.history_length > 0 => 39,
+            Shape::MooneyRivlin(_) | Shape::NeoHookean(_) => 30,
+            _ => 36,
+        };
+        self.constants.len() * BLOCK * each
     }
     fn forces(&self) -> &[Row<R>] {
         match &self.layout {

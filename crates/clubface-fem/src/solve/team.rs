@@ -1,13 +1,16 @@
 //! Threads that go through the rounds of a time loop together.
 //!
 //! A step is about a tenth of a millisecond in two rounds of tasks, too short to put threads to sleep in between: the members of a team stay
-//! awake from round to round. Each has a queue of its own, the same tasks every time, whose data its caches keep; whoever is done early
-//! takes from the others. The leader needs nobody: members that the machine has no time for just do not take part.
+//! awake from round to round. Each has a queue of its own, the same tasks every time, whose data its caches keep; whoever has
+//! waited for a while takes from the others. The leader needs nobody: members that the machine has no time for just do not take part.
 
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 
 /// Tries before a waiting thread offers its core to others.
 const PATIENCE: usize = 500;
+/// Tries before a waiting thread does what others have not begun: they are held up, by other programs or by their tasks. Not at once, since what
+/// moves from core to core takes longer.
+const LENIENCE: usize = 150;
 /// The round after the last.
 const OVER: u32 = u32::MAX;
 
@@ -61,27 +64,33 @@ impl<'a> Team<'a> {
             queue.0.store((number as u64) << 32, Ordering::Release);
         }
         self.round.store(number as u32, Ordering::Release);
-        self.take(0);
+        self.take(0, 0);
         let all: usize = shares.iter().map(Vec::len).sum();
         let mut tries = 0;
         while self.done.load(Ordering::Acquire) < all {
             wait(&mut tries);
+            if tries == LENIENCE {
+                self.help_out(0);
+            }
         }
     }
 
-    /// Takes tasks, a member's own first, until there are none.
-    fn take(&self, member: usize) {
-        for turn in 0..self.queues.len() {
-            let owner = (member + turn) % self.queues.len();
-            loop {
-                let ticket = self.queues[owner].0.fetch_add(1, Ordering::AcqRel);
-                let (number, place) = ((ticket >> 32) as usize, (ticket & u64::from(u32::MAX)) as usize);
-                let round = &self.rounds[number % self.rounds.len()];
-                let Some(&task) = round.shares[owner].get(place).filter(|_| number > 0) else { break };
-                let _done = Done(&self.done);
-                (round.task)(task, member);
-            }
+    /// Does the tasks of `owner` as `member`, until there are none.
+    fn take(&self, owner: usize, member: usize) {
+        loop {
+            let ticket = self.queues[owner].0.fetch_add(1, Ordering::AcqRel);
+            let (number, place) = ((ticket >> 32) as usize, (ticket & u64::from(u32::MAX)) as usize);
+            let round = &self.rounds[number % self.rounds.len()];
+            let Some(&task) = round.shares[owner].get(place).filter(|_| number > 0) else { break };
+            let _done = Done(&self.done);
+            (round.task)(task, member);
         }
+    }
+
+    /// Takes from the others, who must have been held up.
+    fn help_out(&self, member: usize) {
+        let members = self.queues.len();
+        (1..members).for_each(|turn| self.take((member + turn) % members, member));
     }
 
     fn help(&self, member: usize) {
@@ -94,9 +103,12 @@ impl<'a> Team<'a> {
             }
             if round == seen {
                 wait(&mut tries);
+                if tries == LENIENCE {
+                    self.help_out(member);
+                }
             } else {
                 (seen, tries) = (round, 0);
-                self.take(member);
+                self.take(member, member);
             }
         }
     }
