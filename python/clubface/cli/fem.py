@@ -209,7 +209,8 @@ def export(
 
 
 def _cost(found: Any) -> str:
-    counts = f"{found.elements} elements, {found.steps} steps, {found.wall:.2f} s"
+    steps = f"{found.steps} steps of {found.settings.safety:g} of the stable one"
+    counts = f"{found.elements} elements, {steps}, {found.wall:.2f} s"
     return f"{counts}; energies close to {found.energy_error:.2%}"
 
 
