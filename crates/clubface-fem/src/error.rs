@@ -74,3 +74,13 @@ fn share(ratio: f64) -> String {
         format!("{ratio:.0e}")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::share;
+
+    #[test]
+    fn a_share_is_short_whatever_is_left() {
+        assert_eq!([0.294, -573.41, 2e283, f64::INFINITY].map(share), ["0.29", "-6e2", "2e283", "inf"]);
+    }
+}

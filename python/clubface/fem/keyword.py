@@ -86,7 +86,7 @@ def _delivered(case: Case) -> str:
 
 def _control(deck: Cards, how: Settings, head: str) -> None:
     deck.keyword("CONTROL_TERMINATION", [how.duration], names="endtim")
-    deck.keyword("CONTROL_TIMESTEP", [0.0, how.values()["safety"]], names="dtinit tssfac")
+    deck.keyword("CONTROL_TIMESTEP", [0.0, how.safeties()[0]], names="dtinit tssfac")
     deck.keyword("CONTROL_ENERGY", [2, 2, 2, 2], names="hgen rwen slnten rylen")
     # A zero would mean the default.
     deck.keyword("CONTROL_BULK_VISCOSITY", [1e-6, max(how.bulk_viscosity, 1e-6), 1], names="q1 q2 type")

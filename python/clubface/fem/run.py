@@ -108,12 +108,12 @@ def simulate(
 
     Returns what was found, and the settings it was found with.
     """
-    used, found = how, {"failed": True}
-    for safety in how.safeties():
-        if found["failed"]:
-            used = replace(how, safety=safety)
-            found = core_call(function, *arguments, used.values(), progress=progress)
-    return found, used
+    *others, last = (replace(how, safety=safety) for safety in how.safeties())
+    for used in others:
+        found = core_call(function, *arguments, used.values(), progress=progress)
+        if not found["failed"]:
+            return found, used
+    return core_call(function, *arguments, last.values(), progress=progress), last
 
 
 def throw(

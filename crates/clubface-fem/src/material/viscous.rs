@@ -83,14 +83,14 @@ fn relax<P: Pack>(
 ) -> (Symmetric<P>, P) {
     // Component by component, since there are not registers enough for whole tensors; spelt out, since no compiler unrolls so much by itself.
     let (d, c) = (&driving.0, &deformation.0);
-    let (xx, a) = relax_component(0, d[0], c[0], decays, memory);
-    let (yy, b) = relax_component(1, d[1], c[1], decays, memory);
-    let (zz, c0) = relax_component(2, d[2], c[2], decays, memory);
-    let (xy, d0) = relax_component(3, d[3], c[3], decays, memory);
-    let (xz, e) = relax_component(4, d[4], c[4], decays, memory);
-    let (yz, f) = relax_component(5, d[5], c[5], decays, memory);
-    let shear = d0 + e + f;
-    (Symmetric([xx, yy, zz, xy, xz, yz]), a + b + c0 + (shear + shear))
+    let (xx, power_xx) = relax_component(0, d[0], c[0], decays, memory);
+    let (yy, power_yy) = relax_component(1, d[1], c[1], decays, memory);
+    let (zz, power_zz) = relax_component(2, d[2], c[2], decays, memory);
+    let (xy, power_xy) = relax_component(3, d[3], c[3], decays, memory);
+    let (xz, power_xz) = relax_component(4, d[4], c[4], decays, memory);
+    let (yz, power_yz) = relax_component(5, d[5], c[5], decays, memory);
+    let shear = power_xy + power_xz + power_yz;
+    (Symmetric([xx, yy, zz, xy, xz, yz]), power_xx + power_yy + power_zz + (shear + shear))
 }
 
 /// The same of one component.

@@ -32,15 +32,15 @@ impl<R: Real> Kinetics<R> {
             masses: &masses[nodes],
             origin: (x, v),
         });
-        let Sums { mass, first, momentum, angular, second, square: squares } = moments;
+        let Sums { mass, first, momentum, angular, second, square } = moments;
         let (centre, velocity) = (first * mass.recip(), momentum * mass.recip());
         let about = angular - centre.cross(momentum);
         let [xx, yy, zz, xy, xz, yz] = second;
-        let (trace, square) = (xx + yy + zz, first.dot(centre));
+        let (trace, shift) = (xx + yy + zz, first.dot(centre));
         let inertia = Mat3::symmetric([
-            trace - xx - square + first.x * centre.x,
-            trace - yy - square + first.y * centre.y,
-            trace - zz - square + first.z * centre.z,
+            trace - xx - shift + first.x * centre.x,
+            trace - yy - shift + first.y * centre.y,
+            trace - zz - shift + first.z * centre.z,
             first.x * centre.y - xy,
             first.x * centre.z - xz,
             first.y * centre.z - yz,
@@ -51,7 +51,7 @@ impl<R: Real> Kinetics<R> {
             velocity: v + velocity,
             spin: inertia.inverse() * about,
             angular_momentum: about,
-            energy: (squares + v.dot(momentum) * 2.0 + v.norm_squared() * mass) * 0.5,
+            energy: (square + v.dot(momentum) * 2.0 + v.norm_squared() * mass) * 0.5,
         }
     }
 }

@@ -10,6 +10,12 @@ use clubface_math::Real;
 /// Rough time of the contact, ns a node.
 const CONTACT: usize = 8;
 
+/// Rounds: the first of the two of a whole step, the first of one in which some rest, that before all steps, that after them.
+const WHOLE: usize = 0;
+const AWAKE: usize = 2;
+const BEFORE: usize = 4;
+const AFTER: usize = 5;
+
 /// Things of which each task uses one.
 struct Shared<T> {
     start: *mut T,
@@ -108,9 +114,9 @@ impl<R: Real> Structure<R> {
         let mut done = 0;
         Team::with(&rounds, |team| {
             let mut go = true;
-            team.run(4);
+            team.run(BEFORE);
             while go && done < count {
-                let first = if pause { 2 } else { 0 };
+                let first = if pause { AWAKE } else { WHOLE };
                 team.run(first);
                 // SAFETY: between rounds.
                 go = watch(*unsafe { contact.part(0) });
@@ -118,7 +124,7 @@ impl<R: Real> Structure<R> {
                 pause = rests && !pause;
                 done += 1;
             }
-            team.run(5);
+            team.run(AFTER);
         });
         self.pause = pause;
         done

@@ -59,7 +59,7 @@ pub(super) fn split<'a>(
     // Nodes that rest together come first: whole chunks of them have nothing to do. Then list by list: who has made the forces has them at hand.
     let rest = |node: &usize| on_node[*node][1].is_empty() && !on_node[*node][0].is_empty();
     let first = |node: usize| on_node[node].iter().flatten().min().copied();
-    let list_of = |slot: Option<(u32, u32)>| slot.map(|(list, _)| list);
+    let list = |node: usize| first(node).map(|(list, _)| list);
     let mut inner = vec![Vec::new(); alone];
     let mut nodes = Vec::new();
     for node in (0..count).filter(|&node| !skip(node)) {
@@ -72,9 +72,8 @@ pub(super) fn split<'a>(
     nodes.sort_by_key(|&node| first(node));
     let (resting, others): (Vec<usize>, Vec<usize>) = nodes.into_iter().partition(rest);
     // Those of one list in each chunk: whoever moves them has made the first forces on all of them.
-    let lists = [resting, others];
-    let lists =
-        lists.iter().flat_map(|nodes| nodes.chunk_by(|&a, &b| list_of(first(a)) == list_of(first(b))));
+    let parts = [resting, others];
+    let lists = parts.iter().flat_map(|nodes| nodes.chunk_by(|&a, &b| list(a) == list(b)));
     Split {
         inner: inner.iter().map(|nodes| Shares::new(nodes, &on_node)).collect(),
         outer: lists
@@ -143,6 +142,16 @@ unsafe impl<R: Send> Sync for Fields<R> {}
 unsafe impl<R: Send> Send for Fields<R> {}
 
 impl<R: Real> Fields<R> {
+    pub(super) fn new(positions: &mut [Row<R>], velocities: &mut [Row<R>], inverse_masses: &[R]) -> Self {
+        let count = positions.len();
+        assert!(count == velocities.len() && count == inverse_masses.len());
+        Self {
+            positions: positions.as_mut_ptr(),
+            velocities: velocities.as_mut_ptr(),
+            inverse_masses: inverse_masses.as_ptr(),
+            count,
+        }
+    }
     /// Sets the position and velocity of a node.
     ///
     /// # Safety
@@ -153,16 +162,6 @@ impl<R: Real> Fields<R> {
         unsafe {
             *self.positions.add(node as usize) = position;
             *self.velocities.add(node as usize) = velocity;
-        }
-    }
-    pub(super) fn new(positions: &mut [Row<R>], velocities: &mut [Row<R>], inverse_masses: &[R]) -> Self {
-        let count = positions.len();
-        assert!(count == velocities.len() && count == inverse_masses.len());
-        Self {
-            positions: positions.as_mut_ptr(),
-            velocities: velocities.as_mut_ptr(),
-            inverse_masses: inverse_masses.as_ptr(),
-            count,
         }
     }
     /// Positions and velocities, to read.

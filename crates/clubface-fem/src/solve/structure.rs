@@ -105,11 +105,11 @@ impl<R: Real> Structure<R> {
         let lists = || self.patches.iter().map(|p| p.nodes()).chain([&self.touching[..]]);
         // Lists of the nodes that their patches do not move.
         let free = |list: &[u32]| list.iter().copied().filter(|&node| !self.adopted[node as usize]).collect();
-        let parts: Vec<Vec<u32>> = lists().map(free).collect();
+        let free: Vec<Vec<u32>> = lists().map(free).collect();
         let rests = |list: usize| self.resting.get(list).copied().unwrap_or(false);
         let count = self.positions.len();
         let all = split(count, lists(), 0, rests, |_| false);
-        let parts = split(count, parts.iter().map(Vec::as_slice), self.patches.len(), rests, |node| {
+        let parts = split(count, free.iter().map(Vec::as_slice), self.patches.len(), rests, |node| {
             self.adopted[node]
         });
         (self.shares, self.inner, self.outer) = (all.outer, parts.inner, parts.outer);

@@ -68,10 +68,7 @@ impl<'a> Team<'a> {
         let all: usize = shares.iter().map(Vec::len).sum();
         let mut tries = 0;
         while self.done.load(Ordering::Acquire) < all {
-            wait(&mut tries);
-            if tries == LENIENCE {
-                self.help_out(0);
-            }
+            self.wait(0, &mut tries);
         }
     }
 
@@ -87,10 +84,17 @@ impl<'a> Team<'a> {
         }
     }
 
-    /// Takes from the others, who must have been held up.
-    fn help_out(&self, member: usize) {
-        let members = self.queues.len();
-        (1..members).for_each(|turn| self.take((member + turn) % members, member));
+    /// Lets some time pass; takes from the others when they must have been held up.
+    fn wait(&self, member: usize, tries: &mut usize) {
+        *tries += 1;
+        if *tries == LENIENCE {
+            let members = self.queues.len();
+            (1..members).for_each(|turn| self.take((member + turn) % members, member));
+        } else if *tries < PATIENCE {
+            std::hint::spin_loop();
+        } else {
+            std::thread::yield_now();
+        }
     }
 
     fn help(&self, member: usize) {
@@ -102,25 +106,12 @@ impl<'a> Team<'a> {
                 return;
             }
             if round == seen {
-                wait(&mut tries);
-                if tries == LENIENCE {
-                    self.help_out(member);
-                }
+                self.wait(member, &mut tries);
             } else {
                 (seen, tries) = (round, 0);
                 self.take(member, member);
             }
         }
-    }
-}
-
-/// Lets some time pass.
-fn wait(tries: &mut usize) {
-    *tries += 1;
-    if *tries < PATIENCE {
-        std::hint::spin_loop();
-    } else {
-        std::thread::yield_now();
     }
 }
 
