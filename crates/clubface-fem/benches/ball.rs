@@ -60,7 +60,7 @@ fn case(refine: usize) -> Case {
 
 impl Case {
     fn march(&mut self) {
-        self.structure.march(self.contact.as_mut(), self.step, MARCH, &mut |_| true);
+        self.structure.march(self.contact.as_mut(), self.step, MARCH, &mut |_, _| true);
     }
 }
 

@@ -37,7 +37,7 @@ impl Contact<f64> for Free {
     fn energy(&self) -> ContactEnergy {
         ContactEnergy::default()
     }
-    fn nearest(&self, _: Vec3<f64>) -> (f64, Vec3<f64>) {
+    fn nearest(&self, _: &[Row<f64>], _: Vec3<f64>) -> (f64, Vec3<f64>) {
         (0.0, Vec3::zero())
     }
     fn head(&self) -> Option<Motion<f64>> {
@@ -94,7 +94,7 @@ fn main() {
             pool.install(|| {
                 for _ in 0..STEPS / MARCH {
                     let start = Instant::now();
-                    structure.march(&mut Free, step, MARCH, &mut |_| true);
+                    structure.march(&mut Free, step, MARCH, &mut |_, _| true);
                     least = least.min(start.elapsed());
                 }
             });

@@ -22,8 +22,6 @@ struct Candidate<R> {
     held: Held<R>,
     quad: u32,
     at: [R; 2],
-    /// Steps for which it cannot touch.
-    rest: u32,
 }
 
 /// The nodes of one side of a contact.
@@ -57,6 +55,10 @@ pub struct FaceContact<R> {
     /// Ball nodes, face positions, face rotations.
     nodes: Vec<u32>,
     candidates: Vec<Candidate<R>>,
+    /// Steps for which each candidate cannot touch.
+    rests: Vec<u32>,
+    /// Candidates that touched in the last step.
+    touching: Vec<u32>,
     surface: Surface<R>,
     /// Inverse masses of the face's nodes.
     mobilities: Vec<R>,
@@ -82,8 +84,7 @@ impl<R: Real> FaceContact<R> {
         rows.dedup();
         let quads: Vec<[u32; 4]> =
             face.quads.iter().map(|quad| quad.map(|n| rows.partition_point(|&r| r < n) as u32)).collect();
-        let mut surface = Surface::new(quads, &face.thickness, rows.len());
-        surface.update(positions, &rows);
+        let mut surface = Surface::new(quads, &face.thickness, rows.clone());
         surface.grooves = (face.grooves.as_ref())
             .map(|(grooves, heights)| (*grooves, rows.iter().map(|&row| heights[row as usize]).collect()));
         let candidates: Vec<_> = ball
@@ -93,9 +94,8 @@ impl<R: Real> FaceContact<R> {
                 mass: ball.masses[n as usize],
                 area: ball.areas[n as usize],
                 held: Held::free(),
-                quad: surface.closest(positions[n as usize].vec()),
+                quad: surface.closest(positions, positions[n as usize].vec()),
                 at: [R::zero(); 2],
-                rest: 0,
             })
             .collect();
         let mobilities = rows.iter().map(|&n| face.masses[n as usize].recip()).collect();
@@ -108,7 +108,8 @@ impl<R: Real> FaceContact<R> {
             .collect();
         // The ball touches first where a node of it is nearest.
         let gap = |c: &Candidate<R>, n: u32| {
-            surface.foot_from(positions[n as usize].vec(), c.quad).map_or(f64::INFINITY, |foot| foot.gap.re())
+            let foot = surface.foot_from(positions, positions[n as usize].vec(), c.quad);
+            foot.map_or(f64::INFINITY, |foot| foot.gap.re())
         };
         let nearest = candidates
             .iter()
@@ -120,6 +121,8 @@ impl<R: Real> FaceContact<R> {
             springs,
             forces: vec![Row::zero(); nodes.len()],
             nodes,
+            rests: vec![0; candidates.len()],
+            touching: Vec::new(),
             candidates,
             surface,
             mobilities,
@@ -130,13 +133,13 @@ impl<R: Real> FaceContact<R> {
         }
     }
 
-    /// Distance between ball and face, m, at the positions of the last step.
+    /// Distance between ball and face, m.
     #[must_use]
     pub fn clearance(&self, positions: &[Row<R>]) -> R {
         self.candidates
             .iter()
             .zip(&self.nodes)
-            .filter_map(|(c, &n)| self.surface.foot_from(positions[n as usize].vec(), c.quad))
+            .filter_map(|(c, &n)| self.surface.foot_from(positions, positions[n as usize].vec(), c.quad))
             .fold(
                 R::from_f64(f64::INFINITY),
                 |least, foot| if foot.gap.re() < least.re() { foot.gap } else { least },
@@ -155,28 +158,37 @@ impl<R: Real> Contact<R> for FaceContact<R> {
         let balls = self.candidates.len();
         let count = self.mobilities.len();
         let (face, rotations) = self.nodes[balls..].split_at(count);
-        self.surface.update(positions, face);
+        self.surface.turn();
         let (on_ball, on_face) = self.forces.split_at_mut(balls);
-        on_face.fill(Row::zero());
         let (on_nodes, moments) = on_face.split_at_mut(count);
+        // Nothing is written but where something acts or has acted: who adds up the forces has the others in a cache.
+        for touching in self.touching.drain(..) {
+            on_ball[touching as usize] = Row::zero();
+            for corner in self.surface.quads[self.candidates[touching as usize].quad as usize] {
+                on_nodes[corner as usize] = Row::zero();
+                if let Some(moment) = moments.get_mut(corner as usize) {
+                    *moment = Row::zero();
+                }
+            }
+        }
         self.resultant = Resultant::default();
         self.energy.stored = 0.0;
-        for ((&node, candidate), force) in self.nodes.iter().zip(&mut self.candidates).zip(on_ball) {
-            *force = Row::zero();
-            if candidate.rest > 0 {
-                candidate.rest -= 1;
+        for (index, rest) in self.rests.iter_mut().enumerate() {
+            if *rest > 0 {
+                *rest -= 1;
                 continue;
             }
+            let (node, candidate) = (self.nodes[index], &mut self.candidates[index]);
             let x = positions[node as usize].vec();
-            let Some(foot) = self.surface.foot(x, candidate.quad, candidate.at) else {
+            let Some(foot) = self.surface.foot(positions, x, candidate.quad, candidate.at) else {
                 candidate.held = Held::free();
-                candidate.rest = 4;
+                *rest = 4;
                 continue;
             };
             (candidate.quad, candidate.at) = (foot.quad, foot.at);
             // Sideways the floor of a groove may rise as far as the lands at once.
             let land = foot;
-            let foot = self.surface.in_grooves(land);
+            let foot = self.surface.in_grooves(positions, land);
             let corners = self.surface.quads[foot.quad as usize].map(|n| n as usize);
             let mut velocity = velocities[node as usize].vec();
             let (mut mobility, mut spin, mut arm) = (R::zero(), Vec3::zero(), x);
@@ -186,19 +198,18 @@ impl<R: Real> Contact<R> for FaceContact<R> {
                     spin += velocities[row as usize].vec() * weight;
                 }
                 mobility += weight * weight * self.mobilities[corner];
-                arm += self.surface.positions[corner] * -weight;
+                arm += positions[face[corner] as usize].vec() * -weight;
             }
             velocity += cross(arm, spin);
             if foot.gap.re() >= 0.0 {
                 candidate.held = Held::free();
                 self.fastest = self.fastest.max(velocity.norm_squared().re());
-                candidate.rest =
-                    (land.gap.re().max(0.0) / (CAUTION * self.fastest.sqrt() * dt)).min(REST) as u32;
+                *rest = (land.gap.re().max(0.0) / (CAUTION * self.fastest.sqrt() * dt)).min(REST) as u32;
                 continue;
             }
             // Where nodes do not turn, the surface does: the tip of its normal moves with the slope of the velocity along the normal.
             let height = dot(arm, land.normal);
-            let slopes = rotations.is_empty().then(|| self.surface.slopes(&land));
+            let slopes = rotations.is_empty().then(|| self.surface.slopes(positions, &land));
             for (slope, &corner) in slopes.iter().flatten().zip(&corners) {
                 let along = dot(velocities[face[corner] as usize].vec(), land.normal);
                 velocity += *slope * (along * height);
@@ -214,7 +225,8 @@ impl<R: Real> Contact<R> for FaceContact<R> {
                 &mut self.resultant,
                 &mut self.energy,
             );
-            *force = Row::from_vec(total);
+            self.touching.push(index as u32);
+            on_ball[index] = Row::from_vec(total);
             spread(&foot, &corners, total, on_nodes);
             match slopes {
                 None => spread(&foot, &corners, cross(arm, total), moments),
@@ -235,9 +247,9 @@ impl<R: Real> Contact<R> for FaceContact<R> {
     fn energy(&self) -> ContactEnergy {
         self.energy
     }
-    fn nearest(&self, point: Vec3<R>) -> (R, Vec3<R>) {
+    fn nearest(&self, positions: &[Row<R>], point: Vec3<R>) -> (R, Vec3<R>) {
         self.surface
-            .foot_from(point, self.centre)
+            .foot_from(positions, point, self.centre)
             .map_or((R::from_f64(f64::NAN), Vec3::zero()), |foot| (foot.gap, foot.normal))
     }
     fn head(&self) -> Option<Motion<R>> {

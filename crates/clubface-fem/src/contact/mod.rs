@@ -60,8 +60,8 @@ pub trait Contact<R: Real>: Send {
     fn resultant(&self) -> Resultant<R>;
     /// Energies at the last step.
     fn energy(&self) -> ContactEnergy;
-    /// Signed distance of a point from the face (m, positive in front of it) and the face's unit normal.
-    fn nearest(&self, point: Vec3<R>) -> (R, Vec3<R>);
+    /// Signed distance of a point from the face (m, positive in front of it) and the face's unit normal, for the given positions of all nodes.
+    fn nearest(&self, positions: &[Row<R>], point: Vec3<R>) -> (R, Vec3<R>);
     /// Motion of a rigid head; none if the head is made of nodes.
     fn head(&self) -> Option<Motion<R>>;
 }

@@ -131,7 +131,7 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
     fn energy(&self) -> ContactEnergy {
         self.energy
     }
-    fn nearest(&self, point: Vec3<R>) -> (R, Vec3<R>) {
+    fn nearest(&self, _positions: &[Row<R>], point: Vec3<R>) -> (R, Vec3<R>) {
         self.surface.nearest(point)
     }
     fn head(&self) -> Option<Motion<R>> {

@@ -40,8 +40,8 @@ pub struct Surface<R> {
     round: Vec<u32>,
     /// Half the thickness at each node, m.
     offsets: Vec<R>,
-    /// Positions of the nodes, m.
-    pub positions: Vec<Vec3<R>>,
+    /// Row of each node.
+    nodes: Vec<u32>,
     /// Grooves, and the height of each node up the undeformed face, m.
     pub grooves: Option<(Grooves, Vec<f64>)>,
     normals: Vec<Vec3<R>>,
@@ -51,8 +51,8 @@ pub struct Surface<R> {
 }
 
 impl<R: Real> Surface<R> {
-    /// From quadrilaterals, counterclockwise seen from outside, with the thickness (m) of each.
-    pub fn new(quads: Vec<[u32; 4]>, thickness: &[R], nodes: usize) -> Self {
+    /// From quadrilaterals, counterclockwise seen from outside, with the thickness (m) of each, between nodes of the given rows.
+    pub fn new(quads: Vec<[u32; 4]>, thickness: &[R], nodes: Vec<u32>) -> Self {
         let mut edges = std::collections::HashMap::new();
         for (q, quad) in quads.iter().enumerate() {
             for k in 0..4 {
@@ -63,7 +63,7 @@ impl<R: Real> Surface<R> {
             .iter()
             .map(|quad| [0, 1, 2, 3].map(|k| *edges.get(&(quad[(k + 1) % 4], quad[k])).unwrap_or(&u32::MAX)))
             .collect();
-        let mut around = vec![Vec::new(); nodes];
+        let mut around = vec![Vec::new(); nodes.len()];
         for (q, quad) in quads.iter().enumerate() {
             for &node in quad {
                 around[node as usize].push(q as u32);
@@ -80,57 +80,65 @@ impl<R: Real> Surface<R> {
             round.extend(list);
             first.push(round.len() as u32);
         }
-        let zeros = vec![Vec3::zero(); nodes];
         Self {
             quads,
             neighbours,
             first,
             round,
             offsets,
-            positions: zeros.clone(),
             grooves: None,
-            normals: zeros,
-            made: vec![0; nodes],
+            normals: vec![Vec3::zero(); nodes.len()],
+            made: vec![0; nodes.len()],
             step: 0,
+            nodes,
         }
     }
 
-    /// Takes up the positions of its nodes at a new step.
-    pub fn update(&mut self, rows: &[Row<R>], nodes: &[u32]) {
-        for (position, &node) in self.positions.iter_mut().zip(nodes) {
-            *position = rows[node as usize].vec();
-        }
+    /// Another step begins: normals are made anew.
+    pub fn turn(&mut self) {
         self.step += 1;
     }
 
+    /// Position of a node, m. Read where it is needed: most nodes are far from the ball, and in the cache of another core.
+    #[inline(always)]
+    pub fn place(&self, rows: &[Row<R>], node: u32) -> Vec3<R> {
+        rows[self.nodes[node as usize] as usize].vec()
+    }
+
+    /// Positions of the corners of a quadrilateral, m.
+    #[inline(always)]
+    fn corners(&self, rows: &[Row<R>], quad: u32) -> [Vec3<R>; 4] {
+        self.quads[quad as usize].map(|node| self.place(rows, node))
+    }
+
     /// Sum of the area vectors round a node, to unit length.
-    fn fresh_normal(&self, node: usize) -> Vec3<R> {
+    fn fresh_normal(&self, rows: &[Row<R>], node: usize) -> Vec3<R> {
         let mut sum = Vec3::zero();
         for &q in &self.round[self.first[node] as usize..self.first[node + 1] as usize] {
-            let [a, b, c, d] = self.quads[q as usize].map(|n| self.positions[n as usize]);
+            let [a, b, c, d] = self.corners(rows, q);
             sum += cross(c - a, d - b);
         }
         sum * dot(sum, sum).sqrt().recip()
     }
 
     /// Normals of a quadrilateral's corners at this step.
-    fn normals(&mut self, quad: u32) -> [Vec3<R>; 4] {
+    fn normals(&mut self, rows: &[Row<R>], quad: u32) -> [Vec3<R>; 4] {
         self.quads[quad as usize].map(|node| {
             let node = node as usize;
             if self.made[node] != self.step {
                 self.made[node] = self.step;
-                self.normals[node] = self.fresh_normal(node);
+                self.normals[node] = self.fresh_normal(rows, node);
             }
             self.normals[node]
         })
     }
 
     /// Quadrilateral whose centre is closest to a point.
-    pub fn closest(&self, point: Vec3<R>) -> u32 {
+    pub fn closest(&self, rows: &[Row<R>], point: Vec3<R>) -> u32 {
         let distance = |quad: &[u32; 4]| {
             let mut away = point * R::from_f64(-4.0);
             for &node in quad {
-                away += self.positions[node as usize];
+                away += self.place(rows, node);
             }
             away.norm_squared().re()
         };
@@ -145,11 +153,11 @@ impl<R: Real> Surface<R> {
     }
 
     /// Foot of a point, searched from a quadrilateral and reference coordinates in it; none if the point is beyond the surface's edge.
-    pub fn foot(&mut self, point: Vec3<R>, quad: u32, at: [R; 2]) -> Option<Foot<R>> {
+    pub fn foot(&mut self, rows: &[Row<R>], point: Vec3<R>, quad: u32, at: [R; 2]) -> Option<Foot<R>> {
         let (mut quad, mut at) = (quad, at);
         for _ in 0..WALK {
-            let normals = self.normals(quad);
-            let foot = self.project(point, quad, at, &normals);
+            let normals = self.normals(rows, quad);
+            let foot = self.project(rows, point, quad, at, &normals);
             match self.next(&foot) {
                 None => return Some(foot),
                 Some(u32::MAX) => return None,
@@ -161,9 +169,8 @@ impl<R: Real> Surface<R> {
     }
 
     /// Gradients of the weights along the surface at a foot on its lands, 1/m.
-    pub fn slopes(&self, foot: &Foot<R>) -> [Vec3<R>; 4] {
-        let nodes = self.quads[foot.quad as usize];
-        let [_, x1, x2, x3] = modes(&nodes.map(|n| self.positions[n as usize]));
+    pub fn slopes(&self, rows: &[Row<R>], foot: &Foot<R>) -> [Vec3<R>; 4] {
+        let [_, x1, x2, x3] = modes(&self.corners(rows, foot.quad));
         let ([xi, eta], n) = (foot.at, foot.normal);
         let (a, b) = (x1 + x3 * eta, x2 + x3 * xi);
         let scale = dot(cross(a, b), n).recip() * 0.25;
@@ -172,7 +179,7 @@ impl<R: Real> Surface<R> {
     }
 
     /// The foot in the grooves of the face, if it has any: distance and normal of their walls and floors.
-    pub fn in_grooves(&self, foot: Foot<R>) -> Foot<R> {
+    pub fn in_grooves(&self, rows: &[Row<R>], foot: Foot<R>) -> Foot<R> {
         let Some((grooves, heights)) = &self.grooves else { return foot };
         let nodes = self.quads[foot.quad as usize];
         let h = nodes.map(|n| heights[n as usize]);
@@ -186,7 +193,7 @@ impl<R: Real> Surface<R> {
         }
         // The distance is n . (x - foot) + depth(height): its gradient has a part up the face.
         let mut gradient = foot.normal;
-        for (rise, at) in self.slopes(&foot).into_iter().zip(h) {
+        for (rise, at) in self.slopes(rows, &foot).into_iter().zip(h) {
             gradient += rise * (slope * at);
         }
         let steep = dot(gradient, gradient).sqrt().recip();
@@ -194,13 +201,13 @@ impl<R: Real> Surface<R> {
     }
 
     /// The same from the middle of a quadrilateral, without keeping the normals.
-    pub fn foot_from(&self, point: Vec3<R>, quad: u32) -> Option<Foot<R>> {
+    pub fn foot_from(&self, rows: &[Row<R>], point: Vec3<R>, quad: u32) -> Option<Foot<R>> {
         let mut quad = quad;
         for _ in 0..WALK {
-            let normals = self.quads[quad as usize].map(|node| self.fresh_normal(node as usize));
-            let rough = self.project(point, quad, [R::zero(); 2], &normals);
+            let normals = self.quads[quad as usize].map(|node| self.fresh_normal(rows, node as usize));
+            let rough = self.project(rows, point, quad, [R::zero(); 2], &normals);
             match self.next(&rough) {
-                None => return Some(self.project(point, quad, rough.at, &normals)),
+                None => return Some(self.project(rows, point, quad, rough.at, &normals)),
                 Some(u32::MAX) => return None,
                 Some(neighbour) => quad = neighbour,
             }
@@ -224,9 +231,16 @@ impl<R: Real> Surface<R> {
     }
 
     /// Point of a quadrilateral whose interpolated normal leads to `point`.
-    fn project(&self, point: Vec3<R>, quad: u32, start: [R; 2], normals: &[Vec3<R>; 4]) -> Foot<R> {
+    fn project(
+        &self,
+        rows: &[Row<R>],
+        point: Vec3<R>,
+        quad: u32,
+        start: [R; 2],
+        normals: &[Vec3<R>; 4],
+    ) -> Foot<R> {
         let nodes = self.quads[quad as usize];
-        let x = nodes.map(|n| self.positions[n as usize]);
+        let x = self.corners(rows, quad);
         let ([x0, x1, x2, x3], [n0, n1, n2, n3]) = (modes(&x), modes(normals));
         let mut at = start;
         let mut height = dot(point - x0, n0);

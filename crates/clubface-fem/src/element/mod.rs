@@ -118,6 +118,12 @@ pub trait Patch<R: Real>: Send + Sync {
     fn hand_back(&mut self, _give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {}
 }
 
+/// `0..count` in equal parts of at most `most`, give or take one.
+pub fn parts(count: usize, most: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
+    let parts = count.div_ceil(most);
+    (0..parts).map(move |part| part * count / parts..(part + 1) * count / parts)
+}
+
 /// Kinds of solid elements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Element {

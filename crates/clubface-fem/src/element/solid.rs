@@ -9,7 +9,7 @@ use super::lattice::{Lattice, DEPTH};
 use super::one_point::{constants, CONSTANTS, SHAPES, VOLUME};
 use super::point::{Aging, Block, Elastic};
 use super::solid_look::{Examine, Feel};
-use super::{Aligned, Energy, Patch, BLOCK};
+use super::{parts, Aligned, Energy, Patch, BLOCK};
 use crate::material::{Isochoric, Material, Remembering, Shape, UseLaw, UseMemory};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, PackKernel, Real, Row};
@@ -80,12 +80,6 @@ pub fn solid_patches<R: Real>(
         }
     }
     patches
-}
-
-/// `0..count` in equal parts of at most `most`, give or take one.
-fn parts(count: usize, most: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
-    let parts = count.div_ceil(most);
-    (0..parts).map(move |part| part * count / parts..(part + 1) * count / parts)
 }
 
 /// Whether constants are the same to rounding. Those with derivatives are not compared: equal values may vary differently.

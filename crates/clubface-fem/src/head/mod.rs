@@ -9,7 +9,7 @@ pub use driver::{Driver, MeshedDriver};
 pub use meet::{against_ball, face_axes, touch_check, DeformableHead};
 pub use solid::SolidHead;
 
-use crate::element::{Patch, ShellMaterial, ShellPatch, ShellRows, SHELL_PATCH};
+use crate::element::{parts, Patch, ShellMaterial, ShellPatch, ShellRows, SHELL_PATCH};
 use crate::error::FemError;
 use crate::mesh::{ShellMasses, ShellMesh};
 use clubface_math::{Real, Vec3};
@@ -61,8 +61,9 @@ impl<R: Real> DeformableHead<R> for ShellHead<R> {
         let rows = ShellRows { positions: first, rotations: first + self.shells.nodes.len() as u32 };
         let mut patches = Vec::new();
         for part in &self.parts {
-            for start in part.elements.clone().step_by(SHELL_PATCH) {
-                let elements = start..(start + SHELL_PATCH).min(part.elements.end);
+            let start = part.elements.start;
+            for some in parts(part.elements.len(), SHELL_PATCH) {
+                let elements = start + some.start..start + some.end;
                 let patch = ShellPatch::new(&self.shells, elements, part.material.clone(), rows);
                 patches.push((part.name.clone(), Box::new(patch) as Box<dyn Patch<R>>));
             }

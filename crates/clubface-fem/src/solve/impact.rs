@@ -210,10 +210,10 @@ impl Run {
         let mut frame = Some(frame);
         let Impact { structure, contact, axes, .. } = impact;
         let dt = self.dt;
-        structure.march(contact.as_mut(), dt, count, &mut |contact| {
+        structure.march(contact.as_mut(), dt, count, &mut |contact, positions| {
             self.record(contact, axes);
             if let Some(frame) = frame.take() {
-                let radius = contact.nearest(centre).0.re();
+                let radius = contact.nearest(positions, centre).0.re();
                 self.history.motion.push(MotionFrame { radius, ..frame });
             }
             self.step += 1;
@@ -226,7 +226,7 @@ impl Run {
         let (time, microseconds) = (self.time(), self.time() * 1e6);
         impact.structure.assemble(impact.contact.as_mut(), self.dt);
         self.record(impact.contact.as_ref(), &impact.axes);
-        let radius = impact.contact.nearest(motion.centre).0.re();
+        let radius = impact.contact.nearest(&impact.structure.positions, motion.centre).0.re();
         self.history.motion.push(MotionFrame { radius, ..motion.frame });
         let (elements, ratios) = impact.structure.look();
         for (patch, &ratios) in ratios.iter().enumerate() {

@@ -5,7 +5,7 @@ use super::team::{Round, Team};
 use super::Structure;
 use crate::contact::Contact;
 use crate::element::Scratch;
-use clubface_math::Real;
+use clubface_math::{Real, Row};
 
 /// Rough time of the contact, ns a node.
 const CONTACT: usize = 8;
@@ -15,6 +15,9 @@ const WHOLE: usize = 0;
 const AWAKE: usize = 2;
 const BEFORE: usize = 4;
 const AFTER: usize = 5;
+
+/// Sees the contact after it has computed its forces in a step, and the positions of all nodes but those that patches have adopted; says whether to go on.
+pub type Watch<'a, R> = dyn FnMut(&dyn Contact<R>, &[Row<R>]) -> bool + 'a;
 
 /// Things of which each task uses one.
 struct Shared<T> {
@@ -43,14 +46,14 @@ impl<T> Shared<T> {
 }
 
 impl<R: Real> Structure<R> {
-    /// At most `count` steps of `dt` seconds; returns their number. `watch` sees the contact after it has computed its forces in each step, and makes that step the
-    /// last by returning false. The same as [`Structure::assemble`] and [`Structure::advance`] in turn, bit for bit.
+    /// At most `count` steps of `dt` seconds; returns their number. `watch` makes the step in which it returns false the last. The same as
+    /// [`Structure::assemble`] and [`Structure::advance`] in turn, bit for bit.
     pub fn march(
         &mut self,
         contact: &mut dyn Contact<R>,
         dt: f64,
         count: usize,
-        watch: &mut dyn FnMut(&dyn Contact<R>) -> bool,
+        watch: &mut Watch<'_, R>,
     ) -> usize {
         let members = rayon::current_num_threads();
         self.scratches.resize_with(members, Scratch::new);
@@ -119,7 +122,7 @@ impl<R: Real> Structure<R> {
                 let first = if pause { AWAKE } else { WHOLE };
                 team.run(first);
                 // SAFETY: between rounds.
-                go = watch(*unsafe { contact.part(0) });
+                go = unsafe { watch(*contact.part(0), fields.read().0) };
                 team.run(first + 1);
                 pause = rests && !pause;
                 done += 1;

@@ -111,7 +111,7 @@ fn rest_keeps_momenta_and_the_bits_of_any_number_of_threads() {
         // In two parts, the second of which begins with a step in which the core rests.
         for count in [STEPS / 2 - 1, STEPS / 2 + 1] {
             let Impact { structure, contact, .. } = &mut impact;
-            pool.install(|| structure.march(contact.as_mut(), dt, count, &mut |_| true));
+            pool.install(|| structure.march(contact.as_mut(), dt, count, &mut |_, _| true));
         }
         assert!(bits(&impact) == bits(&alone), "{threads} threads");
     }

@@ -100,7 +100,7 @@ impl Contact<f64> for Loads {
     fn energy(&self) -> ContactEnergy {
         ContactEnergy::default()
     }
-    fn nearest(&self, _: Vec3<f64>) -> (f64, Vec3<f64>) {
+    fn nearest(&self, _: &[Row<f64>], _: Vec3<f64>) -> (f64, Vec3<f64>) {
         (0.0, Vec3::zero())
     }
     fn head(&self) -> Option<Motion<f64>> {

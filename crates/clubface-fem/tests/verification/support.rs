@@ -148,7 +148,7 @@ impl Contact<f64> for Free {
     fn energy(&self) -> ContactEnergy {
         ContactEnergy::default()
     }
-    fn nearest(&self, _point: Vec3<f64>) -> (f64, Vec3<f64>) {
+    fn nearest(&self, _: &[Row<f64>], _point: Vec3<f64>) -> (f64, Vec3<f64>) {
         (f64::INFINITY, Vec3::new(1.0, 0.0, 0.0))
     }
     fn head(&self) -> Option<Motion<f64>> {
