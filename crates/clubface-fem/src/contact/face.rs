@@ -4,16 +4,15 @@
 //! weights, with the moment of the distance between the middle surface and the node (forces along the normal where nodes do not turn), so
 //! that impulse and angular momentum balance to rounding.
 
+use super::rests::Rests;
 use super::surface::{Foot, Surface};
 use super::{Contact, ContactEnergy, Grooves, Held, Method, Resultant, Springs, Touch};
 use crate::material::{cross, dot};
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
 
-/// Closing speed assumed when a node is left alone for some steps, over the largest seen so far.
-const CAUTION: f64 = 4.0;
-/// Most steps a node is left alone.
-const REST: f64 = 100.0;
+/// Steps for which a node beyond the edge is left alone.
+const BEYOND: u32 = 4;
 
 /// A ball node that may touch.
 struct Candidate<R> {
@@ -55,8 +54,7 @@ pub struct FaceContact<R> {
     /// Ball nodes, face positions, face rotations.
     nodes: Vec<u32>,
     candidates: Vec<Candidate<R>>,
-    /// Steps for which each candidate cannot touch.
-    rests: Vec<u32>,
+    rests: Rests,
     /// Candidates that touched in the last step.
     touching: Vec<u32>,
     surface: Surface<R>,
@@ -65,7 +63,6 @@ pub struct FaceContact<R> {
     forces: Vec<Row<R>>,
     /// Quadrilateral from which searches without a guess start.
     centre: u32,
-    fastest: f64,
     resultant: Resultant<R>,
     energy: ContactEnergy,
 }
@@ -121,13 +118,12 @@ impl<R: Real> FaceContact<R> {
             springs,
             forces: vec![Row::zero(); nodes.len()],
             nodes,
-            rests: vec![0; candidates.len()],
+            rests: Rests::new(candidates.len()),
             touching: Vec::new(),
             candidates,
             surface,
             mobilities,
             centre: nearest.1,
-            fastest: 0.0,
             resultant: Resultant::default(),
             energy: ContactEnergy::default(),
         }
@@ -173,16 +169,15 @@ impl<R: Real> Contact<R> for FaceContact<R> {
         }
         self.resultant = Resultant::default();
         self.energy.stored = 0.0;
-        for (index, rest) in self.rests.iter_mut().enumerate() {
-            if *rest > 0 {
-                *rest -= 1;
+        for (index, candidate) in self.candidates.iter_mut().enumerate() {
+            if !self.rests.due(index) {
                 continue;
             }
-            let (node, candidate) = (self.nodes[index], &mut self.candidates[index]);
+            let node = self.nodes[index];
             let x = positions[node as usize].vec();
             let Some(foot) = self.surface.foot(positions, x, candidate.quad, candidate.at) else {
                 candidate.held = Held::free();
-                *rest = 4;
+                self.rests.pause(index, BEYOND);
                 continue;
             };
             (candidate.quad, candidate.at) = (foot.quad, foot.at);
@@ -203,8 +198,7 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             velocity += cross(arm, spin);
             if foot.gap.re() >= 0.0 {
                 candidate.held = Held::free();
-                self.fastest = self.fastest.max(velocity.norm_squared().re());
-                *rest = (land.gap.re().max(0.0) / (CAUTION * self.fastest.sqrt() * dt)).min(REST) as u32;
+                self.rests.apart(index, land.gap.re(), velocity.norm_squared().re(), dt);
                 continue;
             }
             // Where nodes do not turn, the surface does: the tip of its normal moves with the slope of the velocity along the normal.

@@ -3,6 +3,7 @@
 mod face;
 mod grooves;
 mod head;
+mod rests;
 mod rigid;
 mod spring;
 mod surface;

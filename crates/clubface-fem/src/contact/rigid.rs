@@ -1,5 +1,6 @@
 //! Nodes of the ball against a rigid surface: penalty with Coulomb friction that sticks.
 
+use super::rests::Rests;
 use super::{Contact, ContactEnergy, Held, Method, Resultant, Springs, Touch};
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
@@ -56,6 +57,7 @@ pub struct RigidContact<R, T> {
     springs: Springs,
     nodes: Vec<u32>,
     candidates: Vec<Candidate<R>>,
+    rests: Rests,
     forces: Vec<Row<R>>,
     resultant: Resultant<R>,
     energy: ContactEnergy,
@@ -64,7 +66,7 @@ pub struct RigidContact<R, T> {
 impl<R: Real, T: RigidSurface<R>> RigidContact<R, T> {
     /// Contact of `nodes`, given with their masses (kg) and shares of the surface (m2), under a coefficient of friction.
     pub fn new(surface: T, coefficient: R, nodes: Vec<u32>, masses: &[R], areas: &[f64]) -> Self {
-        let candidates = nodes
+        let candidates: Vec<_> = nodes
             .iter()
             .map(|&n| Candidate { mass: masses[n as usize], area: areas[n as usize], held: Held::free() })
             .collect();
@@ -74,6 +76,7 @@ impl<R: Real, T: RigidSurface<R>> RigidContact<R, T> {
             springs: Springs::default(),
             forces: vec![Row::zero(); nodes.len()],
             nodes,
+            rests: Rests::new(candidates.len()),
             candidates,
             resultant: Resultant::default(),
             energy: ContactEnergy::default(),
@@ -98,15 +101,20 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64) {
         self.resultant = Resultant::default();
         self.energy.stored = 0.0;
-        for ((&node, candidate), force) in self.nodes.iter().zip(&mut self.candidates).zip(&mut self.forces) {
-            let x = positions[node as usize].vec();
+        for (index, candidate) in self.candidates.iter_mut().enumerate() {
+            if !self.rests.due(index) {
+                continue;
+            }
+            let (node, force) = (self.nodes[index] as usize, &mut self.forces[index]);
+            let x = positions[node].vec();
             let (gap, normal) = self.surface.nearest(x);
+            let velocity = velocities[node].vec() - self.surface.velocity(x);
             if gap.re() >= 0.0 {
                 candidate.held = Held::free();
                 *force = Row::zero();
+                self.rests.apart(index, gap.re(), velocity.norm_squared().re(), dt);
                 continue;
             }
-            let velocity = velocities[node as usize].vec() - self.surface.velocity(x);
             let touch = Touch { mass: candidate.mass, area: candidate.area, gap, normal, velocity };
             let total = touch.force(
                 self.springs,
