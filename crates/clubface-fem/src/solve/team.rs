@@ -5,9 +5,12 @@
 //! waited for a while takes from the others. The leader needs nobody: members that the machine has no time for just do not take part.
 
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
+use std::time::Duration;
 
-/// Tries before a waiting thread offers its core to others.
-const PATIENCE: usize = 500;
+/// Tries before a waiting thread goes to sleep, some 0.1 ms: whom it waits for may need its core.
+const PATIENCE: usize = 2500;
+/// How long it sleeps at a time.
+const NAP: Duration = Duration::from_micros(20);
 /// Tries before a waiting thread does what others have not begun: they are held up, by other programs or by their tasks. Not at once, since what
 /// moves from core to core takes longer.
 const LENIENCE: usize = 150;
@@ -93,7 +96,7 @@ impl<'a> Team<'a> {
         } else if *tries < PATIENCE {
             std::hint::spin_loop();
         } else {
-            std::thread::yield_now();
+            std::thread::sleep(NAP);
         }
     }
 
