@@ -93,7 +93,7 @@ fn main() {
     let shells = || against_ball(&head, &ball(), &touch, FRICTION).expect("P2's case");
     let rigid = || against_head(&ball(), &touch, FRICTION).expect("P2's ball");
     // As in the case that is shipped.
-    let whole = Options { safety: 0.99, ..Options::default() };
+    let whole = Options { safety: Some(0.99), ..Options::default() };
     let short = Options { until_separation: true, ..Options::default() };
     type Make<'a> = &'a (dyn Fn() -> Impact<f64> + Sync);
     let cases: [(&str, Make, &Options); 2] =

@@ -4,7 +4,7 @@ use crate::ball::Ball;
 use crate::contact::{Plane, RigidContact, RigidHead, RigidSurface};
 use crate::error::FemError;
 use crate::head::touch_check;
-use crate::solve::{Impact, Structure};
+use crate::solve::{springs_of, Impact, Structure};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_math::{Mat3, Real, Row, Vec3};
 
@@ -54,18 +54,19 @@ fn against_rigid<R: Real, T: RigidSurface<R> + 'static>(
     // A ball without pieces is refused by `mesh`.
     let radius = ball.pieces.last().map_or_else(R::zero, |piece| piece.radius);
     let meshed = ball.mesh(&Mat3::from_columns(normal, up, toe), point + normal * radius)?;
-    let contact = RigidContact::new(surface, friction, meshed.surface.clone(), &meshed.masses, &meshed.areas);
     let (radius, inertia, parts) = (meshed.radius, meshed.inertia, meshed.parts.clone());
-    let structure = Structure::new(meshed.positions(), meshed.masses, meshed.patches, &meshed.surface);
+    let contact = RigidContact::new(surface, friction, meshed.surface.clone(), &meshed.masses, &meshed.areas);
+    let mut structure = Structure::new(meshed.positions(), meshed.masses, meshed.patches, &meshed.surface);
+    let limit = structure.stable_step(40);
     Ok(Impact {
         ball_nodes: structure.positions.len(),
         structure,
-        contact: Box::new(contact),
+        contact: Box::new(contact.with_springs(springs_of(limit))),
         radius,
         inertia,
         axes: axes.map(|v| Vec3::new(v.x.re(), v.y.re(), v.z.re())),
         head_velocity: Vec3::zero(),
         parts,
-        ball_limit: None,
+        ball_limit: limit,
     })
 }

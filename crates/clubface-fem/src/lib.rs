@@ -3,6 +3,7 @@
 //! SI units throughout. Everything is generic over the stored number, [`clubface_math::Real`]: `f64`, or `f64` with derivatives.
 
 pub mod ball;
+mod block;
 pub mod cases;
 pub mod contact;
 pub mod element;

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     pass
 
 BALL_SET = 1
+USUAL_SAFETY = 0.9
 
 HEADER = (
     "Units: kg, m, s (N, Pa, J). Axes: x along the face normal at the point of first touch, y up the face, z to "
@@ -86,7 +87,7 @@ def _delivered(case: Case) -> str:
 
 def _control(deck: Cards, how: Settings, head: str) -> None:
     deck.keyword("CONTROL_TERMINATION", [how.duration], names="endtim")
-    deck.keyword("CONTROL_TIMESTEP", [0.0, how.safeties()[0]], names="dtinit tssfac")
+    deck.keyword("CONTROL_TIMESTEP", [0.0, how.safety or USUAL_SAFETY], names="dtinit tssfac")
     deck.keyword("CONTROL_ENERGY", [2, 2, 2, 2], names="hgen rwen slnten rylen")
     # A zero would mean the default.
     deck.keyword("CONTROL_BULK_VISCOSITY", [1e-6, max(how.bulk_viscosity, 1e-6), 1], names="q1 q2 type")

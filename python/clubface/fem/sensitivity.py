@@ -113,7 +113,7 @@ def sensitivity(
 
         return _core.fem_sensitivity(made.values(), head, inputs, mu, run, list(names), step)
 
-    def at(safety: float) -> tuple[Any, Any]:
+    def at(safety: float | None) -> tuple[Any, Any]:
         run["safety"] = safety
         return cast("tuple[Any, Any]", core_call(all_runs, progress=progress))
 
@@ -121,7 +121,7 @@ def sensitivity(
     return Derivatives(dict(zip(outputs(), map(float, found), strict=True)), names, jacobian)
 
 
-def _first_stable(run: Callable[[float], tuple[Any, Any]], how: Settings) -> tuple[Any, Any]:
+def _first_stable(run: Callable[[float | None], tuple[Any, Any]], how: Settings) -> tuple[Any, Any]:
     """Return what a run gives with the first safety with which no element fails."""
     *others, last = how.safeties()
     for safety in others:

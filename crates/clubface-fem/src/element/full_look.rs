@@ -4,7 +4,7 @@ use super::full::{Point, POINTS};
 use super::full_patch::FullPatch;
 use super::gauge::{cauchy, logarithmic, Felt, Tell};
 use super::{Energy, BLOCK};
-use crate::material::{Kinematics, Memory, Remembering, Symmetric, UseMemory};
+use crate::material::{Kinematics, Remembering, Symmetric, UseMemory};
 use clubface_math::{Pack, PackKernel, Real};
 
 /// Adds up energies.
@@ -18,7 +18,7 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) -> Self::Output {
         let material = self.patch.material.clone();
-        material.with_memory::<P, _>(&material.decays(0.0), self)
+        material.with_memory::<P, _>(self.patch.clock.ahead(), self)
     }
 }
 
@@ -38,8 +38,7 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let at = Kinematics::new(element.gradient(point, &constants));
-                    let stored = patch.remembered(block * POINTS + point);
-                    let found = law.energy(&at.c, &Memory::new(stored, first, BLOCK));
+                    let found = law.energy(&at.c, &patch.history.of(block * POINTS + point, first));
                     strain += found.strain * constants.volume;
                     viscous += found.viscous * constants.volume;
                     plastic += found.plastic * constants.volume;
@@ -78,7 +77,7 @@ impl<R: Real> PackKernel<R> for Feel<'_, '_, R> {
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
         let material = self.patch.material.clone();
-        material.with_memory::<P, _>(&material.decays(0.0), self);
+        material.with_memory::<P, _>(self.patch.clock.ahead(), self);
     }
 }
 
@@ -98,12 +97,12 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let at = Kinematics::new(element.gradient(point, &constants));
                     // A copy: who looks changes nothing.
-                    let mut history = patch.remembered(block * POINTS + point).to_vec();
-                    let mut history = Memory::new(&mut history, first, BLOCK);
-                    let shape = law.advance(&at, &mut history);
+                    let mut history = patch.history.copy(block * POINTS + point);
+                    let mut memory = history.of(0, first);
+                    let shape = law.advance(&at, &mut memory);
                     stress = stress.plus(constants.volume, &cauchy(&at, &shape, P::zero()));
                     strain = strain.plus(constants.volume, &logarithmic(&at));
-                    plastic = plastic.max(law.plastic_strain(&history));
+                    plastic = plastic.max(law.plastic_strain(&memory));
                     volume += constants.volume;
                 }
                 let share = volume.recip();

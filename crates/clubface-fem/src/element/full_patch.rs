@@ -5,7 +5,7 @@ use super::full::{constants, reference_volume, Forces, Hexahedron, Point, CONSTA
 use super::full_look::{Energies, Feel};
 use super::gauge::Tell;
 use super::{Energy, Patch, BLOCK};
-use crate::material::{Kinematics, Material, Memory, Remembering, UseMemory};
+use crate::material::{Clock, History, Kinematics, Material, Remembering, UseMemory};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 use std::collections::HashMap;
@@ -20,8 +20,8 @@ pub struct FullPatch<R> {
     pub(super) corners: Vec<[u32; CORNERS * BLOCK]>,
     pub(super) constants: Vec<[R; CONSTANTS * BLOCK]>,
     /// By block, point, number and lane.
-    history: Vec<R>,
-    history_length: usize,
+    pub(super) history: History<R>,
+    pub(super) clock: Clock,
     pub(super) viscosity: Option<BulkViscosity<R>>,
     /// Number of the first element in the mesh, and how many there are.
     pub(super) first: usize,
@@ -75,10 +75,7 @@ impl<R: Real> FullPatch<R> {
         if blocks * BLOCK == elements.len() {
             real_nodes = nodes.len();
         }
-        let memory = material.memory();
-        let history_length = memory.len();
-        let one: Vec<R> = memory.into_iter().flat_map(|number| [number; BLOCK]).collect();
-        let history = one.repeat(blocks * POINTS);
+        let history = History::new(&material, blocks * POINTS);
         let rows = vec![Row::zero(); nodes.len()];
         Self {
             material,
@@ -86,7 +83,7 @@ impl<R: Real> FullPatch<R> {
             corners,
             constants: stored,
             history,
-            history_length,
+            clock: Clock::default(),
             viscosity: None,
             first: elements.start,
             elements: elements.len(),
@@ -100,12 +97,6 @@ impl<R: Real> FullPatch<R> {
         for (local, &node) in self.positions.iter_mut().zip(&self.nodes) {
             *local = positions[node as usize];
         }
-    }
-
-    /// What the points of that number of eight elements remember.
-    pub(super) fn remembered(&mut self, point: usize) -> &mut [R] {
-        let length = self.history_length * BLOCK;
-        &mut self.history[point * length..(point + 1) * length]
     }
 
     /// Elements of a block, from lane `first` on.
@@ -160,7 +151,7 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
         let material = self.patch.material.clone();
-        material.with_memory::<P, _>(&material.decays(self.dt), self);
+        material.with_memory::<P, _>(self.patch.clock.tick(self.dt), self);
     }
 }
 
@@ -178,8 +169,7 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let at = Kinematics::new(element.gradient(point, &constants));
-                    let stored = patch.remembered(block * POINTS + point);
-                    let stress = law.advance(&at, &mut Memory::new(stored, first, BLOCK));
+                    let stress = law.advance(&at, &mut patch.history.of(block * POINTS + point, first));
                     forces.add_stress(point, &constants, &at.first_piola(&stress, P::zero()));
                     volume += constants.volume;
                 }

@@ -3,7 +3,7 @@
 use super::one_point::{Constants, Hexahedron};
 use super::point::Look;
 use super::BLOCK;
-use crate::material::{stretch::Stretches, Kinematics, Memory, Remembering, Symmetric};
+use crate::material::{stretch::Stretches, History, Kinematics, Remembering, Symmetric};
 use clubface_math::{Pack, Scalar};
 
 /// What an element feels, in the axes of the positions.
@@ -62,9 +62,7 @@ pub struct Gauge<'a, 'b, P: Pack, M> {
     /// Bulk modulus, Pa.
     pub bulk: P,
     /// History of all blocks.
-    pub history: &'a [P::Real],
-    /// Numbers of history an element has.
-    pub history_length: usize,
+    pub history: &'a History<P::Real>,
     /// Number of the element in every lane of the blocks, if there is one.
     pub numbers: &'a [Option<u32>],
     /// Who is told.
@@ -76,12 +74,11 @@ impl<P: Pack, M: Remembering<P>> Look<P> for Gauge<'_, '_, P, M> {
     fn see(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
         let at = Kinematics::new(element.gradient(constants));
         // A copy: who looks changes nothing.
-        let length = self.history_length * BLOCK;
-        let mut history = self.history[block * length..(block + 1) * length].to_vec();
-        let mut history = Memory::new(&mut history, first, BLOCK);
-        let stress = self.law.advance(&at, &mut history);
+        let mut history = self.history.copy(block);
+        let mut memory = history.of(0, first);
+        let stress = self.law.advance(&at, &mut memory);
         let stress = cauchy(&at, &stress, self.bulk * (at.deformation.volume - 1.0));
-        let (strain, plastic) = (logarithmic(&at), self.law.plastic_strain(&history));
+        let (strain, plastic) = (logarithmic(&at), self.law.plastic_strain(&memory));
         for which in 0..P::LANES {
             let Some(number) = self.numbers[block * BLOCK + first + which] else { continue };
             (self.tell)(number as usize, &Felt::of([&stress; 2], [&strain; 2], plastic, which));

@@ -3,7 +3,7 @@
 use super::quadrilateral::Increment;
 use super::section::{Response, Section, ACROSS};
 use super::shell_material::ShellMaterial;
-use crate::material::{Hardening, Memory, PlaneState, PlaneStress};
+use crate::material::{Hardening, Numbers, PlaneState, PlaneStress};
 use clubface_math::{Pack, Real};
 
 /// Where the work that became heat stands, J, and where the points begin.
@@ -42,7 +42,7 @@ impl<'a, P: Pack> Layers<'a, P> {
 }
 
 #[inline(always)]
-fn state<P: Pack>(memory: &Memory<P::Real>, point: usize) -> PlaneState<P> {
+fn state<P: Pack>(memory: &Numbers<P::Real>, point: usize) -> PlaneState<P> {
     let [x, y, xy, plastic_strain, yield_stress] = memory.load(POINTS + POINT * point);
     PlaneState { stress: [x, y, xy], plastic_strain, yield_stress }
 }
@@ -54,7 +54,7 @@ impl<P: Pack> Response<P> for Layers<'_, P> {
         section: &Section<P>,
         increment: &Increment<P>,
         area: P,
-        memory: &mut Memory<P::Real>,
+        memory: &mut Numbers<P::Real>,
     ) -> [[P; 3]; 2] {
         let half = section.thickness * 0.5;
         let (mut membrane, mut bending) = ([P::zero(); 3], [P::zero(); 3]);
@@ -81,7 +81,7 @@ impl<P: Pack> Response<P> for Layers<'_, P> {
     }
 
     #[inline(always)]
-    fn sides(&self, _section: &Section<P>, memory: &Memory<P::Real>) -> ([[P; 3]; 2], P) {
+    fn sides(&self, _section: &Section<P>, memory: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
         // Points go from the inner side to the outer.
         let mut plastic = P::zero();
         for point in 0..self.points.len() {
@@ -92,7 +92,7 @@ impl<P: Pack> Response<P> for Layers<'_, P> {
     }
 
     #[inline(always)]
-    fn energy(&self, section: &Section<P>, area: P, memory: &Memory<P::Real>) -> (P, P) {
+    fn energy(&self, section: &Section<P>, area: P, memory: &Numbers<P::Real>) -> (P, P) {
         let mut density = P::zero();
         for (point, &(_, weight)) in self.points.iter().enumerate() {
             density += section.energy(&state(memory, point).stress) * P::from_f64(0.5 * weight);

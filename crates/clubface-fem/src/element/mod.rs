@@ -24,6 +24,8 @@ mod side;
 mod solid;
 mod solid_look;
 
+use crate::block::Aligned;
+pub use crate::block::BLOCK;
 pub use bulk_viscosity::stable_share;
 pub use field::Scratch;
 pub use full_patch::{full_patches, FullPatch};
@@ -38,14 +40,6 @@ use crate::error::FemError;
 use crate::material::Material;
 use crate::mesh::SolidMesh;
 use clubface_math::{Real, Row};
-
-/// Elements a block of stored constants holds, whatever the width of the packs that read it.
-pub const BLOCK: usize = 8;
-
-/// Numbers that stand on a boundary of the cache's lines, so that no pack straddles two.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(64))]
-struct Aligned<A>(A);
 
 /// Energies of a group of elements, J.
 #[derive(Clone, Copy, Debug, Default)]
@@ -94,7 +88,7 @@ pub trait Patch<R: Real>: Send + Sync {
     fn forces(&self) -> &[Row<R>];
     /// Energies at the given positions, and the smallest and largest ratio of current to reference volume; the history stays as it is.
     fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64));
-    /// Tells what every element feels at the given positions; the history stays as it is.
+    /// Tells what every element feels at the given positions, in a step as long as the last that has passed; the history stays as it is.
     fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>);
     /// Energies at the given positions; the history stays as it is.
     fn energy(&mut self, positions: &[Row<R>]) -> Energy {

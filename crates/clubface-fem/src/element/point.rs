@@ -3,7 +3,7 @@
 use super::bulk_viscosity::{BulkViscosity, Drag};
 use super::one_point::{Constants, Hexahedron, CONSTANTS};
 use super::{Aligned, Energy, BLOCK};
-use crate::material::{Deformation, Isochoric, Kinematics, Memory, Remembering, Symmetric};
+use crate::material::{Deformation, History, Isochoric, Kinematics, Remembering, Symmetric};
 use clubface_math::Pack;
 
 /// Constants of the elements of a block.
@@ -49,9 +49,7 @@ pub struct Aging<'a, P: Pack, M> {
     /// Bulk modulus, Pa.
     pub bulk: P,
     /// History of all blocks.
-    pub history: &'a mut [P::Real],
-    /// Numbers of history an element has.
-    pub history_length: usize,
+    pub history: &'a mut History<P::Real>,
     /// Bulk viscosity, if there is any.
     pub drag: Option<Drag<'a, P::Real>>,
 }
@@ -59,10 +57,8 @@ pub struct Aging<'a, P: Pack, M> {
 impl<P: Pack, M: Remembering<P>> Points<P> for Aging<'_, P, M> {
     #[inline(always)]
     fn stress(&mut self, block: usize, first: usize, volume: P, at: &Deformation<P>) -> Symmetric<P> {
-        let length = self.history_length;
-        let stored = &mut self.history[block * length * BLOCK..(block + 1) * length * BLOCK];
         let kinematics = Kinematics::of(*at);
-        let stress = self.law.advance(&kinematics, &mut Memory::new(stored, first, BLOCK));
+        let stress = self.law.advance(&kinematics, &mut self.history.of(block, first));
         let mut pressure = self.bulk * (at.volume - 1.0);
         if let Some(drag) = &mut self.drag {
             pressure += drag.pressure(block, first, at.volume);
@@ -78,9 +74,7 @@ pub struct Tally<'a, P: Pack, M> {
     /// Bulk modulus, Pa.
     pub bulk: P,
     /// History of all blocks.
-    pub history: &'a mut [P::Real],
-    /// Numbers of history an element has.
-    pub history_length: usize,
+    pub history: &'a mut History<P::Real>,
     /// Bulk viscosity, if there is any.
     pub viscosity: Option<&'a BulkViscosity<P::Real>>,
     /// Energies, J.
@@ -95,8 +89,7 @@ impl<P: Pack, M: Remembering<P>> Look<P> for Tally<'_, P, M> {
         let kinematics = Kinematics::new(element.gradient(constants));
         let (reference, ratio) = (constants.volume(), kinematics.deformation.volume);
         let dilation = ratio - 1.0;
-        let stored = &mut self.history[block * self.history_length * BLOCK..];
-        let found = self.law.energy(&kinematics.c, &Memory::new(stored, first, BLOCK));
+        let found = self.law.energy(&kinematics.c, &self.history.of(block, first));
         let strain = (found.strain + self.bulk * dilation * dilation * 0.5) * reference;
         let damped = self.viscosity.map_or(P::zero(), |viscosity| viscosity.work(block, first));
         let (viscous, plastic) = ((found.viscous + damped) * reference, found.plastic * reference);

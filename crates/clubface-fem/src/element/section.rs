@@ -1,7 +1,7 @@
 //! The section of a shell: from strain increments to stress resultants through the thickness.
 
 use super::quadrilateral::{Across, Increment, HOURGLASS};
-use crate::material::Memory;
+use crate::material::Numbers;
 use clubface_math::{Pack, Scalar};
 
 /// Share of the section that carries transverse shear.
@@ -134,12 +134,12 @@ pub trait Response<P: Pack> {
         section: &Section<P>,
         increment: &Increment<P>,
         area: P,
-        memory: &mut Memory<P::Real>,
+        memory: &mut Numbers<P::Real>,
     ) -> [[P; 3]; 2];
     /// Plane stress on the outer and the inner side, Pa, and the largest equivalent plastic strain.
-    fn sides(&self, section: &Section<P>, memory: &Memory<P::Real>) -> ([[P; 3]; 2], P);
+    fn sides(&self, section: &Section<P>, memory: &Numbers<P::Real>) -> ([[P; 3]; 2], P);
     /// Elastic energy of membrane and bending over an area, and the work that plastic flow has turned into heat, J.
-    fn energy(&self, section: &Section<P>, area: P, memory: &Memory<P::Real>) -> (P, P);
+    fn energy(&self, section: &Section<P>, area: P, memory: &Numbers<P::Real>) -> (P, P);
 }
 
 /// Numbers that transverse shear and hourglass modes take.
@@ -148,12 +148,12 @@ pub const ACROSS: usize = 2 + HOURGLASS;
 impl<P: Pack> Across<P> {
     /// From the first numbers.
     #[inline(always)]
-    pub fn load(memory: &Memory<P::Real>) -> Self {
+    pub fn load(memory: &Numbers<P::Real>) -> Self {
         Self { shear: memory.load(0), hourglass: memory.load(2) }
     }
     /// Writes them.
     #[inline(always)]
-    pub fn store(&self, memory: &mut Memory<P::Real>) {
+    pub fn store(&self, memory: &mut Numbers<P::Real>) {
         memory.store(0, self.shear);
         memory.store(2, self.hourglass);
     }
@@ -174,7 +174,7 @@ impl<P: Pack> Response<P> for ElasticSection {
         section: &Section<P>,
         increment: &Increment<P>,
         _area: P,
-        memory: &mut Memory<P::Real>,
+        memory: &mut Numbers<P::Real>,
     ) -> [[P; 3]; 2] {
         let (n, m) = (section.stress(&increment.membrane), section.stress(&increment.curvature));
         let (mut membrane, mut bending): ([P; 3], [P; 3]) = (memory.load(ACROSS), memory.load(ACROSS + 3));
@@ -187,7 +187,7 @@ impl<P: Pack> Response<P> for ElasticSection {
         [membrane, bending]
     }
     #[inline(always)]
-    fn sides(&self, section: &Section<P>, memory: &Memory<P::Real>) -> ([[P; 3]; 2], P) {
+    fn sides(&self, section: &Section<P>, memory: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
         let (membrane, bending): ([P; 3], [P; 3]) = (memory.load(ACROSS), memory.load(ACROSS + 3));
         let (mean, slope) = (section.thickness.recip(), section.thickness * 0.5 / section.moment);
         let [mut outer, mut inner] = [[P::zero(); 3]; 2];
@@ -198,7 +198,7 @@ impl<P: Pack> Response<P> for ElasticSection {
         ([outer, inner], P::zero())
     }
     #[inline(always)]
-    fn energy(&self, section: &Section<P>, area: P, memory: &Memory<P::Real>) -> (P, P) {
+    fn energy(&self, section: &Section<P>, area: P, memory: &Numbers<P::Real>) -> (P, P) {
         let membrane = section.energy(&memory.load(ACROSS)) / section.thickness;
         let bending = section.energy(&memory.load(ACROSS + 3)) / section.moment;
         ((membrane + bending) * area, P::zero())

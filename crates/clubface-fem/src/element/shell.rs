@@ -12,7 +12,7 @@ use super::section::{ElasticSection, Response, Section};
 use super::shell_look::{Energies, Feel};
 use super::shell_material::ShellMaterial;
 use super::{Energy, Patch, BLOCK};
-use crate::material::Memory;
+use crate::material::{eight_alike, Eight, Numbers};
 use crate::mesh::ShellMesh;
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 use std::collections::HashMap;
@@ -48,7 +48,7 @@ pub struct ShellPatch<R> {
     /// Points through the thickness (places from -1 to 1, weights), none for resultants alone.
     pub(super) points: Vec<(f64, f64)>,
     /// By block, number and lane.
-    pub(super) history: Vec<R>,
+    pub(super) history: Vec<Eight<R>>,
     pub(super) history_length: usize,
     /// Number of the first element in the mesh, and how many there are.
     pub(super) first: usize,
@@ -100,7 +100,6 @@ impl<R: Real> ShellPatch<R> {
         };
         assert!(rows.rotations >= rows.positions, "rotations stand behind positions");
         let last = rows_of.iter().flatten().copied().max().unwrap_or(0);
-        let one = start.iter().flat_map(|number| [*number; BLOCK]);
         Self {
             material,
             corners,
@@ -109,7 +108,7 @@ impl<R: Real> ShellPatch<R> {
             last,
             thickness,
             areas,
-            history: one.collect::<Vec<_>>().repeat(blocks),
+            history: eight_alike(&start).repeat(blocks),
             history_length: start.len(),
             points,
             first: elements.start,
@@ -217,7 +216,7 @@ impl<R: Real> Assemble<'_, R> {
         let dt = P::from_f64(self.dt);
         let spins = &self.velocities[patch.behind..];
         let (forces, moments) = patch.forces.split_at_mut(patch.nodes.len() / 2);
-        let histories = patch.history.chunks_exact_mut(patch.history_length * BLOCK);
+        let histories = patch.history.chunks_exact_mut(patch.history_length);
         for ((block, rows), history) in patch.rows.iter().enumerate().zip(histories) {
             for first in (0..BLOCK).step_by(P::LANES) {
                 // SAFETY: `assemble` has checked the rows.
@@ -233,7 +232,7 @@ impl<R: Real> Assemble<'_, R> {
                 let thickness = P::load(&patch.thickness[block * BLOCK + first..]);
                 let section = Section::new(elastic, plate, shear, thickness);
                 let hourglass = section.hourglass(shape.area, shape.aspect());
-                let mut memory = Memory::new(history, first, BLOCK);
+                let mut memory = Numbers::new(history, first);
                 let mut across = Across::load(&memory);
                 section.respond_across(&increment, &hourglass, &mut across);
                 across.store(&mut memory);

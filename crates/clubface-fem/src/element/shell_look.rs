@@ -6,7 +6,7 @@ use super::quadrilateral::{Across, Quadrilateral};
 use super::section::{ElasticSection, Response, Section};
 use super::shell::{gather, ShellPatch};
 use super::{Energy, BLOCK};
-use crate::material::Memory;
+use crate::material::Numbers;
 use clubface_math::{Pack, PackKernel, Real, Row};
 
 /// Energies, and smallest and largest ratio of areas.
@@ -42,7 +42,7 @@ impl<R: Real> Energies<'_, R> {
         let (plate, shear) = (elastic.plate(), elastic.shear());
         let mut energy = Energy::default();
         let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
-        let histories = patch.history.chunks_exact_mut(patch.history_length * BLOCK);
+        let histories = patch.history.chunks_exact_mut(patch.history_length);
         for ((block, rows), history) in patch.rows.iter().enumerate().zip(histories) {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = block * BLOCK + first;
@@ -50,7 +50,7 @@ impl<R: Real> Energies<'_, R> {
                 let shape = Quadrilateral::<P>::new(&unsafe { gather(self.positions, rows, first) });
                 let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
                 let hourglass = section.hourglass(shape.area, shape.aspect());
-                let memory = Memory::new(history, first, BLOCK);
+                let memory = Numbers::new(history, first);
                 let (strain, plastic) = law.energy(&section, shape.area, &memory);
                 let (shear, hourglass) =
                     section.energy_across(&Across::load(&memory), shape.area, &hourglass);
@@ -97,14 +97,14 @@ impl<R: Real> Feel<'_, '_, R> {
         let patch = &mut *self.patch;
         let elastic = patch.material.elastic.splat::<P>();
         let (plate, shear) = (elastic.plate(), elastic.shear());
-        let histories = patch.history.chunks_exact_mut(patch.history_length * BLOCK);
+        let histories = patch.history.chunks_exact_mut(patch.history_length);
         for ((block, rows), history) in patch.rows.iter().enumerate().zip(histories) {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = block * BLOCK + first;
                 // SAFETY: the caller has checked the rows.
                 let shape = Quadrilateral::<P>::new(&unsafe { gather(self.positions, rows, first) });
                 let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
-                let (sides, plastic) = law.sides(&section, &Memory::new(history, first, BLOCK));
+                let (sides, plastic) = law.sides(&section, &Numbers::new(history, first));
                 let stress = sides.map(|[x, y, xy]| shape.turned_out([x, y, xy, P::zero()]));
                 let strain = sides.map(|side| shape.turned_out(section.strain(&side)));
                 for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {

@@ -10,7 +10,7 @@ use super::one_point::{constants, CONSTANTS, SHAPES, VOLUME};
 use super::point::{Aging, Block, Elastic};
 use super::solid_look::{Examine, Feel};
 use super::{parts, Aligned, Energy, Patch, BLOCK};
-use crate::material::{Isochoric, Material, Remembering, Shape, UseLaw, UseMemory};
+use crate::material::{Clock, History, Isochoric, Material, Remembering, Shape, UseLaw, UseMemory};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, PackKernel, Real, Row};
 use std::sync::Arc;
@@ -37,8 +37,8 @@ pub struct SolidPatch<R> {
     /// Largest of them.
     last: u32,
     pub(super) constants: Arc<[Block<R>]>,
-    pub(super) history: Vec<R>,
-    pub(super) history_length: usize,
+    pub(super) history: History<R>,
+    pub(super) clock: Clock,
     pub(super) viscosity: Option<BulkViscosity<R>>,
     /// Number of the element in every lane of the blocks.
     pub(super) numbers: Vec<Option<u32>>,
@@ -129,14 +129,11 @@ impl<R: Real> SolidPatch<R> {
                 stored[slot / BLOCK].0[which * BLOCK + slot % BLOCK] = value;
             }
         }
-        let memory = material.memory();
-        let history_length = memory.len();
-        let one: Vec<R> = memory.into_iter().flat_map(|number| [number; BLOCK]).collect();
-        let history = one.repeat(blocks);
+        let history = History::new(material, blocks);
         let last = nodes.iter().copied().max().unwrap_or(0);
-        let (material, constants) = (material.clone(), stored.into());
+        let (material, constants, clock) = (material.clone(), stored.into(), Clock::default());
         let numbers = lanes.iter().map(|lane| lane.map(|local| elements[local] as u32)).collect();
-        Self { material, layout, nodes, last, constants, history, history_length, viscosity: None, numbers }
+        Self { material, layout, nodes, last, constants, history, clock, viscosity: None, numbers }
     }
 
     /// The promise that every node exists, on which unchecked reads rely.
@@ -181,7 +178,7 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     }
     fn cost(&self) -> usize {
         let each = match self.material.shape {
-            _ if self.history_length > 0 => 39,
+            _ if !self.history.is_empty() => 39,
             Shape::MooneyRivlin(_) | Shape::NeoHookean(_) => 30,
             _ => 36,
         };
@@ -216,8 +213,7 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
     type Output = ();
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
-        let SolidPatch { material, layout, nodes, constants, history, history_length, viscosity, .. } =
-            self.patch;
+        let SolidPatch { material, layout, nodes, constants, history, clock, viscosity, .. } = self.patch;
         let dt = self.dt;
         let rest = Loop {
             drag: viscosity.as_mut().map(|viscosity| Drag { viscosity, dt }),
@@ -228,14 +224,13 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
             nodes,
             constants,
             history,
-            history_length: *history_length,
             bulk: P::splat(material.bulk),
         };
         // Compiled apart: elements without memory have nothing to load.
-        if *history_length == 0 {
+        if rest.history.is_empty() {
             material.with_law::<P, _>(rest);
         } else {
-            material.with_memory::<P, _>(&material.decays(self.dt), rest);
+            material.with_memory::<P, _>(clock.tick(dt), rest);
         }
     }
 }
@@ -249,8 +244,7 @@ struct Loop<'a, P: Pack> {
     positions: &'a [Row<P::Real>],
     nodes: &'a [u32],
     constants: &'a [Block<P::Real>],
-    history: &'a mut [P::Real],
-    history_length: usize,
+    history: &'a mut History<P::Real>,
     bulk: P,
 }
 
@@ -274,9 +268,8 @@ impl<P: Pack> UseMemory<P> for Loop<'_, P> {
     type Output = ();
     #[inline(always)]
     fn with<M: Remembering<P>>(self, law: M) {
-        let Loop { drag, layout, scratch, step, positions, nodes, constants, history, history_length, bulk } =
-            self;
-        let points = Aging { law, bulk, history, history_length, drag };
+        let Loop { drag, layout, scratch, step, positions, nodes, constants, history, bulk } = self;
+        let points = Aging { law, bulk, history, drag };
         match layout {
             // SAFETY: `assemble` has checked the nodes.
             Layout::Lattice(lattice) => unsafe {

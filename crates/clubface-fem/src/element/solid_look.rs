@@ -41,7 +41,7 @@ impl<R: Real> PackKernel<R> for Examine<'_, R> {
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) -> Self::Output {
         let material = self.patch.material.clone();
-        material.with_memory::<P, _>(&material.decays(0.0), self)
+        material.with_memory::<P, _>(self.patch.clock.ahead(), self)
     }
 }
 
@@ -49,12 +49,10 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Examine<'_, R> {
     type Output = (Energy, (f64, f64));
     #[inline(always)]
     fn with<M: Remembering<P>>(self, law: M) -> Self::Output {
-        let SolidPatch { material, layout, nodes, constants, history, history_length, viscosity, .. } =
-            self.patch;
+        let SolidPatch { material, layout, nodes, constants, history, viscosity, .. } = self.patch;
         let (bulk, ratios) = (P::splat(material.bulk), (f64::INFINITY, f64::NEG_INFINITY));
         let energy = Energy::default();
-        let (history_length, viscosity) = (*history_length, viscosity.as_ref());
-        let mut tally = Tally { law, bulk, history, history_length, viscosity, energy, ratios };
+        let mut tally = Tally { law, bulk, history, viscosity: viscosity.as_ref(), energy, ratios };
         // SAFETY: the caller has checked the nodes.
         unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, &mut tally) };
         (tally.energy, tally.ratios)
@@ -76,7 +74,7 @@ impl<R: Real> PackKernel<R> for Feel<'_, '_, R> {
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
         let material = self.patch.material.clone();
-        material.with_memory::<P, _>(&material.decays(0.0), self);
+        material.with_memory::<P, _>(self.patch.clock.ahead(), self);
     }
 }
 
@@ -84,10 +82,9 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
     type Output = ();
     #[inline(always)]
     fn with<M: Remembering<P>>(self, law: M) {
-        let SolidPatch { material, layout, nodes, constants, history, history_length, numbers, .. } =
-            self.patch;
-        let (bulk, history_length) = (P::splat(material.bulk), *history_length);
-        let mut gauge = Gauge { law, bulk, history, history_length, numbers, tell: self.tell };
+        let SolidPatch { material, layout, nodes, constants, history, numbers, .. } = self.patch;
+        let bulk = P::splat(material.bulk);
+        let mut gauge = Gauge { law, bulk, history, numbers, tell: self.tell };
         // SAFETY: as above.
         unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, &mut gauge) };
     }

@@ -1,11 +1,11 @@
 //! A ball met by a head that deforms.
 
 use crate::ball::Ball;
-use crate::contact::{BallSide, Contact, FaceContact, FaceSide, Grooves, Springs};
+use crate::contact::{BallSide, Contact, FaceContact, FaceSide, Grooves};
 use crate::element::Patch;
 use crate::error::FemError;
 use crate::mesh::{mass_properties, MassProperties, ShellMasses};
-use crate::solve::{Impact, Options, Structure};
+use crate::solve::{springs_of, Impact, Structure};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_math::{Mat3, Real, Row, Vec3};
 
@@ -87,7 +87,7 @@ pub fn against_ball<R: Real>(
     // The springs are those of the ball against a rigid face, though the head may need shorter steps.
     let mut alone = Structure::new(positions.clone(), meshed.masses, meshed.patches, &[]);
     let limit = alone.stable_step(40);
-    let springs = Springs { step: Some(limit * Options::default().safety), ..Springs::default() };
+    let springs = springs_of(limit);
     let (mut patches, mut parts) = (alone.into_patches(), meshed.parts);
     let frame = face_axes(head.loft());
     let along = |p: &Vec3<f64>| Vec3::from_f64(frame.map(|axis| p.dot(axis))) + touch.lever;
@@ -144,7 +144,7 @@ pub fn against_ball<R: Real>(
         axes: axes.map(|v| Vec3::new(v.x.re(), v.y.re(), v.z.re())),
         head_velocity: touch.club_velocity,
         parts,
-        ball_limit: Some(limit),
+        ball_limit: limit,
     })
 }
 

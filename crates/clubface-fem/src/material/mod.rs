@@ -6,6 +6,7 @@
 mod check;
 mod hardening;
 mod hencky;
+mod history;
 mod memory;
 mod mooney_rivlin;
 mod neo_hookean;
@@ -19,14 +20,15 @@ mod von_mises;
 
 pub use hardening::{Hardening, HARDENING_POINTS};
 pub use hencky::Hencky;
-pub use memory::{Memory, PointEnergy, Remembering, UseMemory};
+pub use history::{eight_alike, Clock, Eight, History, Memory, Numbers, Step};
+pub use memory::{PointEnergy, Remembering, UseMemory};
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
 pub use ogden::{Ogden, OgdenTerm, OGDEN_TERMS};
 pub use plane_stress::{PlaneState, PlaneStress};
 pub use registry::{Constant, LawInfo, LAWS};
 pub use symmetric::{times, Symmetric};
-pub use viscous::{add_branches, work, Decay, Maxwell, MAX_TERMS};
+pub use viscous::{add_branches, work, Branches, Decay, Maxwell, MAX_TERMS};
 pub use von_mises::{PlasticState, VonMises};
 
 use clubface_math::{Computation, Mat3, Pack, Real, Scalar, Vec3};

@@ -1,7 +1,7 @@
 //! Finite-strain viscoelasticity over any law of shape: Maxwell branches whose stress follows that of the law and relaxes
 //! (Simo, Comput. Methods Appl. Mech. Eng. 60, 1987; Simo and Hughes, Computational Inelasticity, section 10.3).
 
-use super::{Kinematics, Memory, Symmetric};
+use super::{Kinematics, Memory, Numbers, Symmetric};
 use clubface_math::{Pack, Scalar};
 
 /// Most terms a material may have.
@@ -16,11 +16,11 @@ pub struct Maxwell<S> {
     pub time: S,
 }
 
-/// Decay factors of one step.
+/// A branch in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Decay<S> {
-    /// `exp(-dt / time)`.
-    pub whole: S,
+    /// Share of the way to the driving stress that the dashpot goes, `1 - exp(-dt / time)`.
+    pub way: S,
     /// `modulus exp(-dt / (2 time))`.
     pub half: S,
 }
@@ -29,27 +29,36 @@ impl<S: Scalar> Maxwell<S> {
     /// Decay over a step of `dt` seconds.
     pub fn decay(&self, dt: f64) -> Decay<S> {
         let half = (self.time.recip() * (-0.5 * dt)).exp();
-        Decay { whole: half * half, half: half * self.modulus }
+        Decay { way: S::one() - half * half, half: half * self.modulus }
     }
 }
 
-/// Where things stand in a point's memory: driving stress and `C̄` of the last step, work done on the branches, six stresses a branch.
-const DEFORMATION: usize = 6;
-const WORK: usize = 12;
-const BRANCHES: usize = 13;
-
-/// Memory of a point before any deformation.
-pub(super) fn undeformed<S: Scalar>(terms: usize) -> Vec<S> {
-    let mut numbers = vec![S::zero(); BRANCHES + 6 * terms];
-    // The undeformed C̄ is the identity; its driving stress has no deviator.
-    numbers[DEFORMATION..DEFORMATION + 3].fill(S::one());
-    numbers
+/// Branches of a material in one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Branches<'a, S> {
+    /// Each of them.
+    pub decays: &'a [Decay<S>],
+    /// Whether the work done on them since it was last added up is added up.
+    pub tally: bool,
 }
 
-/// Work done on the branches so far, J/m3.
+/// What a point remembers for seldom: `C̄` and the stress of all branches when their work was last added up, and the work.
+const STRESS: usize = 6;
+const WORK: usize = 12;
+const ACCOUNT: usize = 13;
+
+/// Memory of a point before any deformation, for often and seldom.
+pub(super) fn undeformed<S: Scalar>(terms: usize) -> [Vec<S>; 2] {
+    let mut account = vec![S::zero(); ACCOUNT];
+    // The undeformed C̄ is the identity; its driving stress has no deviator.
+    account[..3].fill(S::one());
+    [vec![S::zero(); 6 * terms], account]
+}
+
+/// Work done on the branches until it was last added up, J/m3.
 #[inline(always)]
 pub fn work<P: Pack>(memory: &Memory<P::Real>) -> P {
-    let [work] = memory.load(WORK);
+    let [work] = memory.seldom.load(WORK);
     work
 }
 
@@ -58,39 +67,36 @@ pub fn work<P: Pack>(memory: &Memory<P::Real>) -> P {
 pub fn add_branches<P: Pack>(
     at: &Kinematics<P>,
     stress: Symmetric<P>,
-    decays: &[Decay<P>],
+    branches: &Branches<P>,
     memory: &mut Memory<P::Real>,
 ) -> Symmetric<P> {
     let driving = at.deviator(&stress);
+    let Branches { decays, tally } = *branches;
     // One branch is the usual case, and then nothing needs counting.
-    let (relaxed, power) = if let [only] = decays {
-        relax(&driving, &at.c, &[*only], memory)
-    } else {
-        relax(&driving, &at.c, decays, memory)
-    };
-    let done: P = work(memory);
-    memory.store(WORK, [power.mul_add(P::from_f64(0.25), done)]);
-    stress.plus(P::one(), &relaxed)
+    let branched =
+        if let [only] = decays { relax(&driving, &[*only], memory) } else { relax(&driving, decays, memory) };
+    if tally {
+        add_work(&at.c, &branched, &mut memory.seldom);
+    }
+    stress.plus(P::one(), &branched)
 }
 
-/// Stress of the branches at the end of a step, and four times its mean over the step times the strain; the memory moves on.
+/// Stress of the branches at the end of a step; the memory moves on.
+///
+/// The convolution of Simo and Hughes, eq. (10.3.12), whose stress moves on by `h <- exp(-dt / time) h + half (S - S_last)`, with one variable in the place of two,
+/// the driving stress that the dashpot has come to: `h = half (S - H)`, after which `H` goes its way to `S`.
 #[inline(always)]
-fn relax<P: Pack>(
-    driving: &Symmetric<P>,
-    deformation: &Symmetric<P>,
-    decays: &[Decay<P>],
-    memory: &mut Memory<P::Real>,
-) -> (Symmetric<P>, P) {
-    // Component by component, since there are not registers enough for whole tensors; spelt out, since no compiler unrolls so much by itself.
-    let (d, c) = (&driving.0, &deformation.0);
-    let (xx, power_xx) = relax_component(0, d[0], c[0], decays, memory);
-    let (yy, power_yy) = relax_component(1, d[1], c[1], decays, memory);
-    let (zz, power_zz) = relax_component(2, d[2], c[2], decays, memory);
-    let (xy, power_xy) = relax_component(3, d[3], c[3], decays, memory);
-    let (xz, power_xz) = relax_component(4, d[4], c[4], decays, memory);
-    let (yz, power_yz) = relax_component(5, d[5], c[5], decays, memory);
-    let shear = power_xy + power_xz + power_yz;
-    (Symmetric([xx, yy, zz, xy, xz, yz]), power_xx + power_yy + power_zz + (shear + shear))
+fn relax<P: Pack>(driving: &Symmetric<P>, decays: &[Decay<P>], memory: &mut Memory<P::Real>) -> Symmetric<P> {
+    // Spelt out, since no compiler unrolls so much by itself.
+    let [xx, yy, zz, xy, xz, yz] = driving.0;
+    Symmetric([
+        relax_component(0, xx, decays, memory),
+        relax_component(1, yy, decays, memory),
+        relax_component(2, zz, decays, memory),
+        relax_component(3, xy, decays, memory),
+        relax_component(4, xz, decays, memory),
+        relax_component(5, yz, decays, memory),
+    ])
 }
 
 /// The same of one component.
@@ -98,22 +104,36 @@ fn relax<P: Pack>(
 fn relax_component<P: Pack>(
     component: usize,
     driving: P,
-    deformation: P,
     decays: &[Decay<P>],
     memory: &mut Memory<P::Real>,
-) -> (P, P) {
-    let [[last], [before]]: [[P; 1]; 2] = [memory.load(component), memory.load(DEFORMATION + component)];
-    let growth = driving - last;
-    memory.store(component, [driving]);
-    memory.store(DEFORMATION + component, [deformation]);
-    let (mut stress, mut both) = (P::zero(), P::zero());
+) -> P {
+    let mut stress = P::zero();
     for (term, decay) in decays.iter().enumerate() {
-        let place = BRANCHES + 6 * term + component;
-        let [old]: [P; 1] = memory.load(place);
-        let new = old.mul_add(decay.whole, growth * decay.half);
-        memory.store(place, [new]);
-        stress += new;
-        both += old + new;
+        let place = 6 * term + component;
+        let [dashpot]: [P; 1] = memory.often.load(place);
+        let spring = driving - dashpot;
+        memory.often.store(place, [spring.mul_add(decay.way, dashpot)]);
+        stress = spring.mul_add(decay.half, stress);
     }
-    (stress, both * (deformation - before))
+    stress
+}
+
+/// Adds the work since it was last added up, by the trapezoidal rule.
+#[inline(always)]
+fn add_work<P: Pack>(c: &Symmetric<P>, stress: &Symmetric<P>, account: &mut Numbers<P::Real>) {
+    let [mut stretch, mut shear] = [P::zero(); 2];
+    for component in 0..6 {
+        let places = [component, STRESS + component];
+        let [[c_last], [stress_last]]: [[P; 1]; 2] = places.map(|place| account.load(place));
+        let power = (stress.0[component] + stress_last) * (c.0[component] - c_last);
+        if component < 3 {
+            stretch += power;
+        } else {
+            shear += power;
+        }
+        account.store(places[0], [c.0[component]]);
+        account.store(places[1], [stress.0[component]]);
+    }
+    let [done]: [P; 1] = account.load(WORK);
+    account.store(WORK, [(stretch + shear + shear).mul_add(P::from_f64(0.25), done)]);
 }

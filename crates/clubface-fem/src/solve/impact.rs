@@ -1,6 +1,7 @@
 //! One impact from first touch to launch.
 
 use super::history::{ContactFrame, EnergyFrame, History, MotionFrame};
+use super::stable_step::rounded;
 use super::{Options, Structure};
 use crate::contact::Contact;
 use crate::element::stable_share;
@@ -37,8 +38,8 @@ pub struct Impact<R> {
     pub head_velocity: Vec3<R>,
     /// Name of the part that each patch belongs to.
     pub parts: Vec<String>,
-    /// Bound of the stable step of the ball alone, s, if there are elements beside it.
-    pub ball_limit: Option<f64>,
+    /// Bound of the stable step of the ball alone, s.
+    pub ball_limit: f64,
 }
 
 /// What came out.
@@ -52,6 +53,8 @@ pub struct Outcome<R> {
     pub history: History,
     /// Why the run stopped early, if it did.
     pub stopped: Option<FemError>,
+    /// Time step over the stable step of the undeformed structure, but for rounding and bulk viscosity.
+    pub safety: f64,
     /// Time step, s.
     pub step: f64,
     /// Steps taken.
@@ -62,6 +65,9 @@ pub struct Outcome<R> {
 
 /// Time after the last touch at which a run until separation ends, s: long enough to be sure that the ball does not come back.
 const AFTERWARDS: f64 = 30e-6;
+/// Time step over the stable one of the undeformed ball, whose elements an impact squeezes, and over that of everything: heads hardly deform.
+const BALL_SHARE: f64 = 0.78;
+const SHARE: f64 = 0.95;
 /// Largest error of the energy balance over the initial kinetic energy.
 const BALANCE: f64 = 0.01;
 /// Volume ratios between which the laws hold.
@@ -81,9 +87,13 @@ impl<R: Real> Impact<R> {
     ) -> Result<Outcome<R>, FemError> {
         options.check()?;
         self.contact.keep_out(options.contact);
-        let safety = options.safety * stable_share(options.bulk_viscosity);
-        let dt = rounded(self.structure.stable_step(40) * safety);
-        let stride = if self.let_rest(dt, safety) { 2 } else { 1 };
+        let share = stable_share(options.bulk_viscosity);
+        // A rigid head needs no steps of its own.
+        let limit =
+            if self.contact.head().is_some() { self.ball_limit } else { self.structure.stable_step(40) };
+        let safety = options.safety.unwrap_or_else(|| (self.ball_limit / limit * BALL_SHARE).min(SHARE));
+        let dt = rounded(limit * safety * share);
+        let stride = if self.let_rest(dt, safety * share) { 2 } else { 1 };
         if options.bulk_viscosity > 0.0 {
             self.structure.damp(options.bulk_viscosity);
         }
@@ -119,6 +129,7 @@ impl<R: Real> Impact<R> {
             head: self.head(),
             history: run.history,
             stopped: stopped.or(missed),
+            safety,
             step: dt,
             steps: run.step,
             wall: start.elapsed().as_secs_f64(),
@@ -137,11 +148,6 @@ impl<R: Real> Impact<R> {
             Motion { velocity: kinetics.velocity, spin: kinetics.spin }
         })
     }
-}
-
-/// A step a little shorter, one of 64 in every factor of two: cases that hardly differ then take the same steps, and so differ smoothly.
-fn rounded(step: f64) -> f64 {
-    ((step.log2() * 64.0).floor() / 64.0).exp2()
 }
 
 /// Motion of the ball, its mass centre (m) and its kinetic energy (J).

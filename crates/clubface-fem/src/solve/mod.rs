@@ -15,4 +15,5 @@ pub use history::{ContactFrame, EnergyFrame, Figures, History, MotionFrame};
 pub use impact::{Impact, Outcome, Progress};
 pub use kinetics::Kinetics;
 pub use options::Options;
+pub use stable_step::springs_of;
 pub use structure::Structure;

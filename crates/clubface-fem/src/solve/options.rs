@@ -8,8 +8,8 @@ use crate::error::FemError;
 pub struct Options {
     /// Simulated time, s.
     pub duration: f64,
-    /// Time step over the stable step of the undeformed structure.
-    pub safety: f64,
+    /// Time step over the stable step of the undeformed structure; none for what impacts usually allow.
+    pub safety: Option<f64>,
     /// Interval of the motion frames, s.
     pub interval: f64,
     /// Motion frames an energy frame.
@@ -26,7 +26,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             duration: 1e-3,
-            safety: 0.9,
+            safety: None,
             interval: 5e-6,
             energy_every: 8,
             until_separation: false,
@@ -49,12 +49,8 @@ impl Options {
                 "above 0, at most 100000 us is allowed",
             ));
         }
-        if !(self.safety > 0.0 && self.safety <= 1.0) {
-            return Err(FemError::input(
-                "safety",
-                self.safety,
-                "above 0, at most 1 (the stable step) is allowed",
-            ));
+        if let Some(safety) = self.safety.filter(|safety| !(*safety > 0.0 && *safety <= 1.0)) {
+            return Err(FemError::input("safety", safety, "above 0, at most 1 (the stable step) is allowed"));
         }
         if self.interval.is_nan() || self.interval <= 0.0 || self.energy_every == 0 {
             return Err(FemError::input("interval", self.interval, "above 0 s is allowed"));

@@ -1,11 +1,23 @@
 //! The largest time step that central differences bear.
 
 use super::Structure;
+use crate::contact::Springs;
 use clubface_math::{Real, Row};
 use rayon::prelude::*;
 
 /// Largest displacement by which stiffness is felt, m: small beside any element, large beside the rounding of positions.
 const DISPLACEMENT: f64 = 1e-8;
+
+/// A step (s) a little shorter, one of 64 in every factor of two: cases that hardly differ then have the same, and so differ smoothly.
+pub(super) fn rounded(step: f64) -> f64 {
+    ((step.log2() * 64.0).floor() / 64.0).exp2()
+}
+
+/// Contact springs of a ball whose stable step (s) is given, the same whatever steps a run takes.
+#[must_use]
+pub fn springs_of(limit: f64) -> Springs {
+    Springs { step: Some(rounded(0.9 * limit)), ..Springs::default() }
+}
 
 impl<R: Real> Structure<R> {
     /// Bound of the stable step, s: two over the highest frequency of the structure as it stands.

@@ -2,7 +2,7 @@
 
 use super::support::Random;
 use clubface_fem::material::{
-    add_branches, work, Decay, Isochoric, Kinematics, Material, Maxwell, Memory, NeoHookean, Shape,
+    add_branches, work, Branches, Decay, History, Isochoric, Kinematics, Material, Maxwell, NeoHookean, Shape,
 };
 use clubface_math::{Mat3, Vec3};
 
@@ -12,26 +12,28 @@ const TERMS: [Maxwell<f64>; 2] = [Maxwell { modulus: 0.6, time: 1e-4 }, Maxwell 
 
 /// A point with two branches.
 struct Point {
-    history: Vec<f64>,
+    history: History<f64>,
     decays: [Decay<f64>; 2],
 }
 
 impl Point {
     fn new(dt: f64) -> Self {
         let shape = Shape::NeoHookean(NeoHookean { shear: SHEAR });
-        let history = Material { shape, bulk: BULK, maxwell: TERMS.to_vec(), density: 1e3 }.memory();
+        let history = Material { shape, bulk: BULK, maxwell: TERMS.to_vec(), density: 1e3 };
+        let history = History::new(&history, 1);
         Self { history, decays: TERMS.map(|term| term.decay(dt)) }
     }
     /// First Piola-Kirchhoff stress at the end of a step to the gradient `f`, Pa.
     fn step(&mut self, f: Mat3<f64>) -> Mat3<f64> {
         let at = Kinematics::new(f);
         let slow = NeoHookean { shear: SHEAR }.stress(&at.c);
-        let stress = add_branches(&at, slow, &self.decays, &mut Memory::new(&mut self.history, 0, 1));
+        let branches = Branches { decays: &self.decays, tally: true };
+        let stress = add_branches(&at, slow, &branches, &mut self.history.of(0, 0));
         at.first_piola(&stress, BULK * (at.deformation.volume - 1.0))
     }
     /// Work done on the branches so far, J/m3.
     fn work(&mut self) -> f64 {
-        work(&Memory::new(&mut self.history, 0, 1))
+        work(&self.history.of(0, 0))
     }
 }
 

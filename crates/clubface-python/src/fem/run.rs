@@ -148,6 +148,7 @@ pub(super) fn to_dict<'py>(
     let attitude = touch.map_or(clubface_math::Mat3::diagonal(1.0), |t| t.attitude);
     dict.set_item("attitude", PyArray2::from_vec2(py, &attitude.rows.map(|r| r.array().to_vec()))?)?;
     dict.set_item("steps", outcome.steps)?;
+    dict.set_item("safety", outcome.safety)?;
     dict.set_item("step", outcome.step)?;
     dict.set_item("wall", outcome.wall)?;
     dict.set_item("stopped", outcome.stopped.as_ref().map(ToString::to_string))?;

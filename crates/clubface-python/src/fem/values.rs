@@ -41,7 +41,7 @@ pub struct BallValues {
 #[pyo3(from_item_all)]
 pub struct RunValues {
     pub(super) duration: f64,
-    pub(super) safety: f64,
+    pub(super) safety: Option<f64>,
     pub(super) interval: f64,
     pub(super) until_separation: bool,
     pub(super) contact: String,
