@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 METHODS = ("penalty", "augmented-lagrange")
 """How nodes are kept out of the face."""
 
-SAFETIES = (None, 0.7, 0.6)
+SAFETIES = (None, 0.65, 0.55)
 """Time steps over the stable one that are tried in turn where none is asked for; the first is chosen by the core."""
 
 
@@ -39,9 +39,9 @@ class Settings:
     duration
         Simulated time [s].
     safety
-        Time step over the stable step of the undeformed bodies. Left out, it is 0.78 of the ball's, and at most 0.95 of
+        Time step over the stable step of the undeformed bodies. Left out, it is 0.75 of the ball's, and at most 0.95 of
         the head's; hard impacts squeeze elements, which then need shorter steps, so that a run whose elements fail is
-        done again with 0.7, and then with 0.6. Those of a result tell what it was.
+        done again with 0.65, and then with 0.55. Those of a result tell what it was.
     interval
         Time between the records of motion [s]; contact is recorded at every step.
     until_separation

@@ -1,10 +1,9 @@
 //! One impact from first touch to launch.
 
 use super::history::{ContactFrame, EnergyFrame, History, MotionFrame};
-use super::stable_step::rounded;
+use super::rest::Pace;
 use super::{Options, Structure};
 use crate::contact::Contact;
-use crate::element::stable_share;
 use crate::error::FemError;
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Vec3};
@@ -65,9 +64,6 @@ pub struct Outcome<R> {
 
 /// Time after the last touch at which a run until separation ends, s: long enough to be sure that the ball does not come back.
 const AFTERWARDS: f64 = 30e-6;
-/// Time step over the stable one of the undeformed ball, whose elements an impact squeezes, and over that of everything: heads hardly deform.
-const BALL_SHARE: f64 = 0.78;
-const SHARE: f64 = 0.95;
 /// Largest error of the energy balance over the initial kinetic energy.
 const BALANCE: f64 = 0.01;
 /// Volume ratios between which the laws hold.
@@ -87,13 +83,7 @@ impl<R: Real> Impact<R> {
     ) -> Result<Outcome<R>, FemError> {
         options.check()?;
         self.contact.keep_out(options.contact);
-        let share = stable_share(options.bulk_viscosity);
-        // A rigid head needs no steps of its own.
-        let limit =
-            if self.contact.head().is_some() { self.ball_limit } else { self.structure.stable_step(40) };
-        let safety = options.safety.unwrap_or_else(|| (self.ball_limit / limit * BALL_SHARE).min(SHARE));
-        let dt = rounded(limit * safety * share);
-        let stride = if self.let_rest(dt, safety * share) { 2 } else { 1 };
+        let Pace { safety, dt, stride } = self.pace(options);
         if options.bulk_viscosity > 0.0 {
             self.structure.damp(options.bulk_viscosity);
         }
