@@ -92,7 +92,7 @@ impl<R: Real> History<R> {
 }
 
 /// Steps after which the work on viscoelastic branches is added up: numbers that are read seldom leave their place in the caches to others.
-const TALLY: usize = 2;
+const TALLY: usize = 4;
 
 /// A step of what points remember.
 #[derive(Clone, Copy, Debug)]
