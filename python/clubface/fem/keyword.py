@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from clubface import units
 from clubface.errors import InputError
@@ -16,11 +16,9 @@ from clubface.fem.keyword_head import write_head
 from clubface.fem.materials import Material
 from clubface.fem.run import Settings
 
-if TYPE_CHECKING:
-    pass
-
 BALL_SET = 1
 USUAL_SAFETY = 0.9
+"""Time step over the stable one where the case leaves it open: what other codes take."""
 
 HEADER = (
     "Units: kg, m, s (N, Pa, J). Axes: x along the face normal at the point of first touch, y up the face, z to "

@@ -19,7 +19,7 @@ pub struct FullPatch<R> {
     /// Places in `nodes`, by block, corner and lane.
     pub(super) corners: Vec<[u32; CORNERS * BLOCK]>,
     pub(super) constants: Vec<[R; CONSTANTS * BLOCK]>,
-    /// By block, point, number and lane.
+    /// By block and point.
     pub(super) history: History<R>,
     pub(super) clock: Clock,
     pub(super) viscosity: Option<BulkViscosity<R>>,

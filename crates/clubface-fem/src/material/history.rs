@@ -91,7 +91,8 @@ impl<R: Real> History<R> {
     }
 }
 
-/// Steps after which the work on viscoelastic branches is added up: numbers that are read seldom leave their place in the caches to others.
+/// Steps after which the work on viscoelastic branches is added up: numbers that are read seldom leave their place in the caches to others. By default energies
+/// are recorded after a multiple of so many, and see all of the work.
 const TALLY: usize = 4;
 
 /// A step of what points remember.
