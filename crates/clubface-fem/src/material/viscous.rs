@@ -83,7 +83,7 @@ pub fn add_branches<P: Pack>(
 
 /// Stress of the branches at the end of a step; the memory moves on.
 ///
-/// The convolution of Simo and Hughes, eq. (10.3.12), whose stress moves on by `h <- exp(-dt / time) h + half (S - S_last)`, with one variable in the place of two,
+/// The convolution of Simo and Hughes (section 10.3), whose stress moves on by `h <- exp(-dt / time) h + half (S - S_last)`, with one variable in the place of two,
 /// the driving stress that the dashpot has come to: `h = half (S - H)`, after which `H` goes its way to `S`.
 #[inline(always)]
 fn relax<P: Pack>(driving: &Symmetric<P>, decays: &[Decay<P>], memory: &mut Memory<P::Real>) -> Symmetric<P> {
