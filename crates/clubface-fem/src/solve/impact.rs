@@ -17,6 +17,8 @@ pub struct Progress {
     pub duration: f64,
     /// Steps done.
     pub steps: usize,
+    /// Mass centre of the ball, m.
+    pub centre: Vec3<f64>,
 }
 
 /// A ball about to meet a face.
@@ -95,12 +97,13 @@ impl<R: Real> Impact<R> {
             if !run.goes_on(options) {
                 break None;
             }
-            if run.step.is_multiple_of(every)
-                && !watch(&Progress { time, duration: options.duration, steps: run.step }, self)
-            {
+            let motion = run.motion(self);
+            let Vec3 { x, y, z } = motion.centre;
+            let centre = Vec3::new(x.re(), y.re(), z.re());
+            let progress = Progress { time, duration: options.duration, steps: run.step, centre };
+            if run.step.is_multiple_of(every) && !watch(&progress, self) {
                 break Some(FemError::Interrupted { microseconds: time * 1e6 });
             }
-            let motion = run.motion(self);
             if (run.step).is_multiple_of(every * options.energy_every) || run.runs_away(&motion) {
                 if let Err(error) = run.ledger(self, motion) {
                     break Some(error);

@@ -50,18 +50,16 @@ struct PatchPoint {
     tangential: f64,
 }
 
-fn patch_points(time: f64, now: &Impact<f64>, into: &mut Vec<PatchPoint>) {
+fn patch_points(at: &Progress, now: &Impact<f64>, into: &mut Vec<PatchPoint>) {
     let [normal, up, toe] = now.axes;
-    let mut centre = None;
     for (&node, row) in now.contact.nodes().iter().zip(now.contact.forces()) {
         let force = row.vec();
         if node as usize >= now.ball_nodes || force.norm_squared() == 0.0 {
             continue;
         }
-        let middle = *centre.get_or_insert_with(|| now.structure.kinetics(0..now.ball_nodes).centre);
-        let place = now.structure.positions[node as usize].vec() - middle;
+        let place = now.structure.positions[node as usize].vec() - at.centre;
         into.push(PatchPoint {
-            time,
+            time: at.time,
             up: place.dot(up),
             toe: place.dot(toe),
             normal: force.dot(normal),
@@ -93,7 +91,7 @@ pub(super) fn simulate<'py>(
                     fields.add(now);
                 }
             }
-            patch_points(at.time, now, &mut patch);
+            patch_points(at, now, &mut patch);
             // Signals reach Python's main thread alone, which ends a run through its progress.
             let looked = Python::attach(|py| {
                 progress.as_ref().map_or(Ok(()), |f| f.call1(py, (at.time, at.duration)).map(|_| ()))
