@@ -46,7 +46,7 @@ fn ball() -> Ball<f64> {
 fn run(make: &(dyn Fn() -> Impact<f64> + Sync), options: &Options, threads: usize) -> (f64, String) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     let mut impact = make();
-    let found = pool.install(|| impact.run(options, &mut |_, _| true)).expect("the options are valid");
+    let found = pool.install(|| impact.run(options, &mut |_| true)).expect("the options are valid");
     assert!(found.stopped.is_none(), "{:?}", found.stopped);
     let (v, figures) = (found.ball.velocity, found.history.figures(impact.radius));
     let told = format!(
@@ -70,7 +70,7 @@ fn least(mut time: impl FnMut() -> f64) -> f64 {
 fn contact_share(mut impact: Impact<f64>) -> f64 {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("threads");
     let options = Options { duration: 280e-6, ..Options::default() };
-    let found = pool.install(|| impact.run(&options, &mut |_, _| true)).expect("the options are valid");
+    let found = pool.install(|| impact.run(&options, &mut |_| true)).expect("the options are valid");
     let step = found.wall / found.steps as f64;
     let (structure, contact) = (&impact.structure, &mut impact.contact);
     let alone = least(|| {

@@ -11,6 +11,7 @@ pub mod error;
 pub mod head;
 pub mod material;
 pub mod mesh;
+pub mod moments;
 pub mod sensitivity;
 pub mod solve;
 

@@ -94,7 +94,7 @@ impl Setting {
                 place.map_or_else(|| Dual::<f64, WIDTH>::constant(value), |i| Dual::variable(value, i))
             });
             let mut impact = lifted.impact()?;
-            let outcome = impact.run(options, &mut |progress, _| watch(run, progress))?;
+            let outcome = impact.run(options, &mut |view| watch(run, &view.progress))?;
             if let Some(stopped) = outcome.stopped {
                 return Err(stopped);
             }

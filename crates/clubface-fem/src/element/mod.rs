@@ -39,6 +39,7 @@ pub use solid::{solid_patches, SolidPatch};
 use crate::error::FemError;
 use crate::material::Material;
 use crate::mesh::SolidMesh;
+use crate::moments::{Moments, Origin};
 use clubface_math::{Real, Row};
 
 /// Energies of a group of elements, J.
@@ -108,7 +109,11 @@ pub trait Patch<R: Real>: Send + Sync {
     fn step(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64, _scratch: &mut Scratch<R>) {
         self.assemble(positions, velocities, dt);
     }
-    /// Gives the motion of adopted nodes back: tells each node's number, its position and its velocity.
+    /// Moments of the adopted nodes.
+    fn adopted_moments(&mut self, _origin: &Origin<R>) -> Moments<R> {
+        Moments::zero()
+    }
+    /// Tells the motion of adopted nodes: each node's number, its position and its velocity.
     fn hand_back(&mut self, _give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {}
 }
 

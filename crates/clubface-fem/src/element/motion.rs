@@ -2,7 +2,8 @@
 //! nobody sees them move until they are handed back.
 
 use super::field::{Field, Layout, Memory};
-use clubface_math::{Pack, Real, Row};
+use crate::moments::{Moments, Origin};
+use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 
 /// Motion of the nodes inside a lattice.
 pub struct Motion<R> {
@@ -64,7 +65,12 @@ impl<R: Real> Motion<R> {
         }
     }
 
-    /// Gives it back: tells each node's number, its position and its velocity.
+    /// Moments of the nodes inside.
+    pub fn moments(&mut self, origin: &Origin<R>) -> Moments<R> {
+        R::dispatch(Sum { motion: self, origin })
+    }
+
+    /// Tells it: each node's number, its position and its velocity.
     pub fn hand_back(&mut self, nodes: &[u32], give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {
         let x = self.positions.field(self.layout);
         let v = self.velocities.field(self.layout);
@@ -132,5 +138,37 @@ impl<R: Real> Motion<R> {
                 }
             }
         }
+    }
+}
+
+struct Sum<'a, R> {
+    motion: &'a mut Motion<R>,
+    origin: &'a Origin<R>,
+}
+
+impl<R: Real> PackKernel<R> for Sum<'_, R> {
+    type Output = Moments<R>;
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) -> Moments<R> {
+        let Motion { layout, positions, velocities, inverse_masses, .. } = self.motion;
+        let Layout { row, plane, planes, stride } = *layout;
+        let (mut x, mut v) = (positions.field(*layout), velocities.field(*layout));
+        let origin = self.origin.splat::<P>();
+        let mut sum = Moments::zero();
+        for k in 1..planes - 1 {
+            for at in (row..plane - row).step_by(P::LANES) {
+                // SAFETY: as in `advance`.
+                unsafe {
+                    let inverse = P::read(inverse_masses.as_ptr().add(k * stride + at));
+                    let mass = P::select(inverse.gt(P::zero()), inverse.recip(), P::zero());
+                    let read = |field: &mut Field<R>| {
+                        let [a, b, c] = [0, 1, 2].map(|axis| P::read(field.at(k, axis).add(at)));
+                        Vec3::new(a, b, c)
+                    };
+                    sum.add(&origin, mass, read(&mut x), read(&mut v));
+                }
+            }
+        }
+        sum.total()
     }
 }

@@ -12,6 +12,7 @@ use super::solid_look::{Examine, Feel};
 use super::{parts, Aligned, Energy, Patch, BLOCK};
 use crate::material::{Clock, History, Isochoric, Material, Remembering, Shape, UseLaw, UseMemory};
 use crate::mesh::{SolidMesh, CORNERS};
+use crate::moments::{Moments, Origin};
 use clubface_math::{Pack, PackKernel, Real, Row};
 use std::sync::Arc;
 
@@ -170,6 +171,12 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     fn step(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64, scratch: &mut Scratch<R>) {
         self.check(positions);
         R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: true });
+    }
+    fn adopted_moments(&mut self, origin: &Origin<R>) -> Moments<R> {
+        match &mut self.layout {
+            Layout::Lattice(Lattice { motion: Some(motion), .. }) => motion.moments(origin),
+            _ => Moments::zero(),
+        }
     }
     fn hand_back(&mut self, give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {
         if let Layout::Lattice(Lattice { motion: Some(motion), .. }) = &mut self.layout {

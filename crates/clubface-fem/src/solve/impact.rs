@@ -2,24 +2,11 @@
 
 use super::history::{ContactFrame, EnergyFrame, History, MotionFrame};
 use super::rest::Pace;
-use super::{Options, Structure};
+use super::{Options, Progress, Structure, View};
 use crate::contact::Contact;
 use crate::error::FemError;
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Vec3};
-
-/// What a run has reached.
-#[derive(Clone, Copy, Debug)]
-pub struct Progress {
-    /// Time since first touch, s.
-    pub time: f64,
-    /// Simulated time asked for, s.
-    pub duration: f64,
-    /// Steps done.
-    pub steps: usize,
-    /// Mass centre of the ball, m.
-    pub centre: Vec3<f64>,
-}
 
 /// A ball about to meet a face.
 pub struct Impact<R> {
@@ -72,7 +59,7 @@ const BALANCE: f64 = 0.01;
 const RATIOS: (f64, f64) = (0.3, 2.5);
 
 impl<R: Real> Impact<R> {
-    /// Runs it. `watch` is called at every motion frame, and stops the run by returning false.
+    /// Runs it. `watch` sees every motion frame, and stops the run by returning false.
     ///
     /// A run that fails ends with what it has, and says why in [`Outcome::stopped`].
     ///
@@ -81,7 +68,7 @@ impl<R: Real> Impact<R> {
     pub fn run(
         &mut self,
         options: &Options,
-        watch: &mut dyn FnMut(&Progress, &mut Self) -> bool,
+        watch: &mut dyn FnMut(View<R>) -> bool,
     ) -> Result<Outcome<R>, FemError> {
         options.check()?;
         self.contact.keep_out(options.contact);
@@ -90,6 +77,7 @@ impl<R: Real> Impact<R> {
             self.structure.damp(options.bulk_viscosity);
         }
         let every = (options.interval / (dt * stride as f64)).round().max(1.0) as usize * stride;
+        self.structure.follow(0..self.ball_nodes);
         let start = std::time::Instant::now();
         let mut run = Run { history: History::default(), touched: None, dt, step: 0 };
         let stopped = loop {
@@ -98,10 +86,9 @@ impl<R: Real> Impact<R> {
                 break None;
             }
             let motion = run.motion(self);
-            let Vec3 { x, y, z } = motion.centre;
-            let centre = Vec3::new(x.re(), y.re(), z.re());
-            let progress = Progress { time, duration: options.duration, steps: run.step, centre };
-            if run.step.is_multiple_of(every) && !watch(&progress, self) {
+            let progress = Progress { time, duration: options.duration, steps: run.step };
+            let view = View { progress, centre: motion.centre, impact: self };
+            if run.step.is_multiple_of(every) && !watch(view) {
                 break Some(FemError::Interrupted { microseconds: time * 1e6 });
             }
             if (run.step).is_multiple_of(every * options.energy_every) || run.runs_away(&motion) {
@@ -112,6 +99,7 @@ impl<R: Real> Impact<R> {
                 run.march(self, motion, every - run.step % every, options);
             }
         };
+        self.structure.settle();
         if stopped.as_ref().is_some_and(FemError::failed) {
             run.history.cut();
         }
@@ -130,12 +118,12 @@ impl<R: Real> Impact<R> {
     }
 
     /// Velocity of the ball, and its angular momentum over the inertia of the undeformed ball.
-    fn ball(&self) -> Motion<R> {
+    fn ball(&mut self) -> Motion<R> {
         let kinetics = self.structure.kinetics(0..self.ball_nodes);
         Motion { velocity: kinetics.velocity, spin: kinetics.angular_momentum * self.inertia.recip() }
     }
 
-    fn head(&self) -> Motion<R> {
+    fn head(&mut self) -> Motion<R> {
         self.contact.head().unwrap_or_else(|| {
             let kinetics = self.structure.kinetics(self.ball_nodes..self.structure.translations);
             Motion { velocity: kinetics.velocity, spin: kinetics.spin }
@@ -183,7 +171,7 @@ impl Run {
     }
 
     /// Motion of the ball at the current step; its distance from the face comes with the contact.
-    fn motion<R: Real>(&self, impact: &Impact<R>) -> BallMotion<R> {
+    fn motion<R: Real>(&self, impact: &mut Impact<R>) -> BallMotion<R> {
         let kinetics = impact.structure.kinetics(0..impact.ball_nodes);
         let velocity = along(&impact.axes, kinetics.velocity - impact.head_velocity);
         let spin = along(&impact.axes, kinetics.spin);

@@ -5,6 +5,7 @@ use super::team::{Round, Team};
 use super::Structure;
 use crate::contact::Contact;
 use crate::element::Scratch;
+use crate::moments::{Moments, Nodes};
 use clubface_math::{Real, Row};
 
 /// Rough time of the contact, ns a node.
@@ -47,7 +48,7 @@ impl<T> Shared<T> {
 
 impl<R: Real> Structure<R> {
     /// At most `count` steps of `dt` seconds; returns their number. `watch` makes the step in which it returns false the last. The same as
-    /// [`Structure::assemble`] and [`Structure::advance`] in turn, bit for bit.
+    /// [`Structure::assemble`] and [`Structure::advance`] in turn, bit for bit. Nodes inside patches are away then, until [`Structure::settle`].
     pub fn march(
         &mut self,
         contact: &mut dyn Contact<R>,
@@ -59,12 +60,19 @@ impl<R: Real> Structure<R> {
         self.scratches.resize_with(members, Scratch::new);
         let held: Vec<f64> = (0..self.patches.len()).map(|patch| self.held(patch, dt)).collect();
         let [whole, awake] = self.rosters(members);
-        let mut pause = self.pause;
+        let followed: Vec<bool> = (0..=held.len()).map(|patch| self.follows(patch)).collect();
+        let measures = followed.contains(&true);
+        self.moments.clear();
+        self.moments.resize(followed.len(), Moments::zero());
+        let origin = self.origin_near();
+        self.origin = origin;
+        let (mut pause, away) = (self.pause, self.away);
         let fields = Fields::new(&mut self.positions, &mut self.velocities, &self.inverse_masses);
         let mut forces = vec![Forces::none(); held.len() + 1];
         let (mut contacts, shared_forces) = ([contact], Shared::of(&mut forces));
         let (scratches, patches) = (Shared::of(&mut self.scratches), Shared::of(&mut self.patches));
         let (contact, inner, outer) = (Shared::of(&mut contacts), &self.inner, &self.outer);
+        let (moments, own, masses) = (Shared::of(&mut self.moments), &self.own, &self.masses[..]);
         let lengths = &self.lengths;
         let step = R::from_f64(dt);
         // SAFETY of all rounds: each patch, the contact and each chunk of nodes is one task, each member has a scratch of its own, and rounds of one
@@ -98,11 +106,14 @@ impl<R: Real> Structure<R> {
                 patches.part(task).take_over(positions, velocities);
             }
         };
-        let hand_back = |task: usize, _: usize| unsafe {
-            if task < patches.count {
-                patches
-                    .part(task)
-                    .hand_back(&mut |node, position, velocity| fields.set(node, position, velocity));
+        let measure = |task: usize, _: usize| unsafe {
+            if followed[task] {
+                let (positions, velocities) = fields.read();
+                let mut sum = Nodes { positions, velocities, masses }.moments(&own[task], origin);
+                if task < patches.count {
+                    sum = sum.plus(&patches.part(task).adopted_moments(&origin));
+                }
+                *moments.part(task) = sum;
             }
         };
         let rounds = [
@@ -111,13 +122,15 @@ impl<R: Real> Structure<R> {
             Round { task: &assemble, shares: &awake.tasks },
             Round { task: &advance_awake, shares: &awake.chunks },
             Round { task: &take_over, shares: &whole.tasks },
-            Round { task: &hand_back, shares: &whole.tasks },
+            Round { task: &measure, shares: &whole.tasks },
         ];
         let rests = self.resting.contains(&true);
         let mut done = 0;
         Team::with(&rounds, |team| {
             let mut go = true;
-            team.run(BEFORE);
+            if !away {
+                team.run(BEFORE);
+            }
             while go && done < count {
                 let first = if pause { AWAKE } else { WHOLE };
                 team.run(first);
@@ -127,9 +140,11 @@ impl<R: Real> Structure<R> {
                 pause = rests && !pause;
                 done += 1;
             }
-            team.run(AFTER);
+            if measures {
+                team.run(AFTER);
+            }
         });
-        self.pause = pause;
+        (self.pause, self.away) = (pause, true);
         done
     }
 }

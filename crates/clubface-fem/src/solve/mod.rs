@@ -10,10 +10,12 @@ mod shares;
 mod stable_step;
 mod structure;
 mod team;
+mod view;
 
 pub use history::{ContactFrame, EnergyFrame, Figures, History, MotionFrame};
-pub use impact::{Impact, Outcome, Progress};
+pub use impact::{Impact, Outcome};
 pub use kinetics::Kinetics;
 pub use options::Options;
 pub use stable_step::springs_of;
 pub use structure::Structure;
+pub use view::{Progress, View};

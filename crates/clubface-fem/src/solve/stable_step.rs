@@ -31,6 +31,7 @@ impl<R: Real> Structure<R> {
 
     /// The same of some patches alone, between all of the mass.
     pub(super) fn stable_step_of(&mut self, chosen: &[bool], iterations: usize) -> f64 {
+        self.settle();
         let rest = self.positions.clone();
         let mut displacements = vec![Row::zero(); rest.len()];
         let masses: Vec<f64> = self.masses.iter().map(|m| m.re()).collect();

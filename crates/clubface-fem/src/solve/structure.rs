@@ -7,14 +7,15 @@ use super::kinetics::Kinetics;
 use super::shares::{split, Fields, Forces, Shares, PERIOD};
 use crate::contact::Contact;
 use crate::element::{Energy, Patch, Scratch, Tell};
-use clubface_math::{Real, Row};
+use crate::moments::{Moments, Nodes, Origin};
+use clubface_math::{Real, Row, Vec3};
 use rayon::prelude::*;
 
 /// Nodes with mass, and patches of elements between them.
 pub struct Structure<R> {
-    /// Positions, m.
+    /// Positions, m; those of nodes that are away only after [`Structure::settle`].
     pub positions: Vec<Row<R>>,
-    /// Velocities half a step before the positions, m/s.
+    /// Velocities half a step before the positions, m/s; likewise.
     pub velocities: Vec<Row<R>>,
     /// Masses, kg.
     pub masses: Vec<R>,
@@ -32,8 +33,16 @@ pub struct Structure<R> {
     /// Which patches rest in every second step, and whether they do in the next.
     pub(super) resting: Vec<bool>,
     pub(super) pause: bool,
-    /// Nodes that a patch moves by itself, and nodes of the contact.
+    /// Nodes that a patch moves by itself. By patch the others, each in the first list it is in; in the last list those of no patch.
     adopted: Vec<bool>,
+    pub(super) own: Vec<Vec<u32>>,
+    /// Whether patches have nodes with them that the fields do not follow.
+    pub(super) away: bool,
+    /// Nodes whose moments are taken before they are away for long, from where, and by patch.
+    followed: std::ops::Range<usize>,
+    pub(super) origin: Origin<R>,
+    pub(super) moments: Vec<Moments<R>>,
+    /// Nodes of the contact.
     pub(super) touching: Vec<u32>,
     /// Memory to work in, one a thread.
     pub(super) scratches: Vec<Scratch<R>>,
@@ -62,11 +71,21 @@ impl<R: Real> Structure<R> {
                 adopted[nodes[place as usize] as usize] = true;
             }
         }
+        let mut listed = adopted.clone();
+        let mut unlisted = |node: &u32| !std::mem::replace(&mut listed[*node as usize], true);
+        let mut own: Vec<Vec<u32>> =
+            patches.iter().map(|p| p.nodes().iter().copied().filter(&mut unlisted).collect()).collect();
+        own.push((0..count as u32).filter(&mut unlisted).collect());
         let lengths = patches.iter().map(|p| p.nodes().len()).chain([contact.len()]).collect();
         let mut structure = Self {
             resting: vec![false; patches.len()],
             pause: false,
             adopted,
+            own,
+            away: false,
+            followed: 0..0,
+            origin: Origin { position: Vec3::zero(), velocity: Vec3::zero() },
+            moments: Vec::new(),
             touching: contact.to_vec(),
             translations: positions.len(),
             velocities: vec![Row::zero(); positions.len()],
@@ -126,6 +145,7 @@ impl<R: Real> Structure<R> {
 
     /// Forces of all patches that do not rest, and of the contact, at the current positions.
     pub fn assemble(&mut self, contact: &mut dyn Contact<R>, dt: f64) {
+        self.settle();
         let held: Vec<f64> = (0..self.patches.len()).map(|patch| self.held(patch, dt)).collect();
         let (positions, velocities, patches) = (&self.positions, &self.velocities, &mut self.patches);
         let awake: Vec<_> = patches
@@ -144,6 +164,7 @@ impl<R: Real> Structure<R> {
     /// One step under the forces of the last [`Structure::assemble`]: velocities from half a step before the positions to half a step after,
     /// then positions.
     pub fn advance(&mut self, contact: &dyn Contact<R>, dt: f64) {
+        self.settle();
         let rows = self.patches.iter().map(|p| p.forces()).chain([contact.forces()]);
         let forces: Vec<_> =
             rows.zip(&self.lengths).map(|(rows, &length)| Forces::new(rows, length)).collect();
@@ -170,6 +191,7 @@ impl<R: Real> Structure<R> {
 
     /// Energies of the elements, J, at the current positions, and the smallest and largest volume ratio of each patch.
     pub fn look(&mut self) -> (Energy, Vec<(f64, f64)>) {
+        self.settle();
         let positions = &self.positions;
         let seen: Vec<_> = self.patches.par_iter_mut().map(|p| p.look(positions)).collect();
         let mut sum = Energy::default();
@@ -181,6 +203,7 @@ impl<R: Real> Structure<R> {
 
     /// Tells what every element feels, those of the patches whose first node is in `nodes`, by their numbers in their mesh.
     pub fn feel(&mut self, nodes: std::ops::Range<usize>, tell: &mut Tell<'_>) {
+        self.settle();
         for patch in self.patches.iter_mut().filter(|p| nodes.contains(&(p.nodes()[0] as usize))) {
             patch.feel(&self.positions, tell);
         }
@@ -188,6 +211,7 @@ impl<R: Real> Structure<R> {
 
     /// The most strained element of a patch by its number in the mesh, and the size of its strain; one whose strain is no number is the worst.
     pub fn most_strained(&mut self, patch: usize) -> (usize, f64) {
+        self.settle();
         let mut worst = (0, -1.0);
         self.patches[patch].feel(&self.positions, &mut |number, felt| {
             let size = felt.strain.as_flattened().iter().map(|e| e * e).sum::<f64>();
@@ -204,9 +228,52 @@ impl<R: Real> Structure<R> {
         self.look().0
     }
 
-    /// Mass, mass centre, velocity and spin of some nodes.
-    pub fn kinetics(&self, nodes: std::ops::Range<usize>) -> Kinetics<R> {
-        Kinetics::of(nodes, &self.positions, &self.velocities, &self.masses)
+    /// Says of which body [`Structure::kinetics`] will be asked between marches: its nodes need not be settled for that.
+    pub(super) fn follow(&mut self, nodes: std::ops::Range<usize>) {
+        self.settle();
+        self.followed = nodes;
+    }
+
+    /// Whether the nodes of a patch, or those of none, are of the body that is followed.
+    pub(super) fn follows(&self, patch: usize) -> bool {
+        let nodes = self.patches.get(patch).map_or(&self.own[patch][..], |patch| patch.nodes());
+        nodes.first().is_some_and(|&node| self.followed.contains(&(node as usize)))
+    }
+
+    /// Brings the fields of all nodes up to date after a march.
+    pub fn settle(&mut self) {
+        if !std::mem::take(&mut self.away) {
+            return;
+        }
+        let fields = Fields::new(&mut self.positions, &mut self.velocities, &self.inverse_masses);
+        self.patches.par_iter_mut().for_each(|patch| {
+            // SAFETY: every node that is away is with one patch.
+            patch.hand_back(&mut |node, position, velocity| unsafe { fields.set(node, position, velocity) });
+        });
+    }
+
+    /// Mass, mass centre, velocity and spin of some nodes, at least one.
+    pub fn kinetics(&mut self, nodes: std::ops::Range<usize>) -> Kinetics<R> {
+        if self.away && nodes == self.followed {
+            let sum = self.moments.iter().fold(Moments::zero(), Moments::plus);
+            return Kinetics::of(&sum, &self.origin);
+        }
+        self.settle();
+        let origin = self.origin_at(nodes.start);
+        let all: Vec<u32> = nodes.map(|node| node as u32).collect();
+        let Self { positions, velocities, masses, .. } = self;
+        Kinetics::of(&Nodes { positions, velocities, masses }.moments(&all, origin), &origin)
+    }
+
+    /// An origin of moments at a node.
+    fn origin_at(&self, node: usize) -> Origin<R> {
+        Origin { position: self.positions[node].vec(), velocity: self.velocities[node].vec() }
+    }
+
+    /// The same near the followed body, at a node that is never away.
+    pub(super) fn origin_near(&self) -> Origin<R> {
+        let here = self.followed.clone().find(|&node| !self.adopted[node]);
+        self.origin_at(here.unwrap_or(0))
     }
 
     /// Kinetic energy, J, between two fields of velocities: with those before and after a step it is the one that central differences conserve.

@@ -74,7 +74,7 @@ fn a_core_that_rests_in_every_second_step_changes_nothing() {
     for pair in pairs {
         let [with, without] = pair.map(|(mut impact, safety)| {
             let options = Options { safety: Some(safety), ..Options::default() };
-            let found = impact.run(&options, &mut |_, _| true).expect("the options are valid");
+            let found = impact.run(&options, &mut |_| true).expect("the options are valid");
             assert!(found.stopped.is_none(), "{:?}", found.stopped);
             let figures = found.history.figures(impact.radius);
             (found.ball, found.head, figures.peak_force, figures.energy_error)
@@ -95,7 +95,7 @@ fn a_core_under_one_layer_of_cover_stays_awake() {
     // It would make the layer swing more and more: energies would be off by 1% before the ball leaves. A tenth of that is the error of the steps.
     let options = Options { safety: Some(0.75), ..Options::default() };
     let mut impact = thrown(1);
-    let found = impact.run(&options, &mut |_, _| true).expect("the options are valid");
+    let found = impact.run(&options, &mut |_| true).expect("the options are valid");
     assert!(found.stopped.is_none(), "{:?}", found.stopped);
     let error = found.history.figures(impact.radius).energy_error;
     assert!(error < 1e-3, "energies off by {error}");
@@ -128,13 +128,52 @@ fn rest_keeps_momenta_and_the_bits_of_any_number_of_threads() {
     for threads in [1, 2, 3] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         let (mut impact, dt) = case();
-        // In two parts, the second of which begins with a step in which the core rests.
-        for count in [STEPS / 2 - 1, STEPS / 2 + 1] {
+        // In parts, the second of which begins with a step in which the core rests, and the last with nodes that have been settled.
+        for count in [99, 101, 200] {
             let Impact { structure, contact, .. } = &mut impact;
+            if count == 200 {
+                structure.settle();
+            }
             pool.install(|| structure.march(contact.as_mut(), dt, count, &mut |_, _| true));
         }
+        impact.structure.settle();
         assert!(bits(&impact) == bits(&alone), "{threads} threads");
     }
+}
+
+#[test]
+fn what_is_seen_of_a_run_is_as_its_nodes_are() {
+    let mut impact = struck();
+    let options = Options { duration: 150e-6, ..Options::default() };
+    let (mut frames, mut touched, mut force) = (0, 0, 0.0);
+    let found = impact
+        .run(&options, &mut |mut view| {
+            let (centre, axes) = (view.centre, view.axes());
+            let sum = view.touches().fold(Vec3::zero(), |sum, (_, force)| sum + force);
+            let places: Vec<Vec3<f64>> = view.touches().map(|(place, _)| place).collect();
+            // At some frames only: the others see nodes that have been away for more than one.
+            if frames % 3 == 2 {
+                let whole = view.whole();
+                let masses = &whole.structure.masses[..whole.ball_nodes];
+                let each = whole.structure.positions.iter().zip(masses);
+                let first = each.fold(Vec3::zero(), |sum, (row, m)| sum + row.vec() * *m);
+                let found = first * masses.iter().sum::<f64>().recip();
+                // Rounding of some thousand summands.
+                assert!((found - centre).norm() < 1e-14, "{found:?} {centre:?}");
+                let surface = &whole.structure.positions;
+                assert!(places.iter().all(|place| surface.iter().any(|row| row.vec() == *place)));
+                touched += places.len();
+                force = -sum.dot(axes[1]);
+            }
+            frames += 1;
+            true
+        })
+        .expect("the options are valid");
+    assert!(found.stopped.is_none() && frames > 25, "{frames} frames, {:?}", found.stopped);
+    assert!(touched > 100, "{touched} touches");
+    // The force of the step before the last frame.
+    let last = found.history.contact.iter().rev().find(|frame| (frame.tangential / force - 1.0).abs() < 1e-9);
+    assert!(last.is_some(), "{force} N is in no record");
 }
 
 #[test]
@@ -168,7 +207,7 @@ fn a_stiff_head_is_rigid() {
     let (ball, touch) = (rubber_ball(), delivered(&head, 0.012, 40.0));
     let options = Options { until_separation: true, ..Options::default() };
     let launch = |mut impact: Impact<f64>| {
-        let found = impact.run(&options, &mut |_, _| true).expect("the options are valid");
+        let found = impact.run(&options, &mut |_| true).expect("the options are valid");
         assert!(found.stopped.is_none(), "{:?}", found.stopped);
         (found.ball, found.head)
     };

@@ -3,7 +3,7 @@
 use super::fields::Fields;
 use super::values::{error_of, RunValues};
 use clubface_fem::contact::Method;
-use clubface_fem::solve::{Impact, Options, Outcome, Progress};
+use clubface_fem::solve::{Impact, Options, Outcome, View};
 use clubface_fem::FemError;
 use clubface_impact::first_touch::FirstTouch;
 use numpy::{PyArray1, PyArray2, PyArray3};
@@ -50,16 +50,12 @@ struct PatchPoint {
     tangential: f64,
 }
 
-fn patch_points(at: &Progress, now: &Impact<f64>, into: &mut Vec<PatchPoint>) {
-    let [normal, up, toe] = now.axes;
-    for (&node, row) in now.contact.nodes().iter().zip(now.contact.forces()) {
-        let force = row.vec();
-        if node as usize >= now.ball_nodes || force.norm_squared() == 0.0 {
-            continue;
-        }
-        let place = now.structure.positions[node as usize].vec() - at.centre;
+fn patch_points(now: &View<f64>, into: &mut Vec<PatchPoint>) {
+    let [normal, up, toe] = now.axes();
+    for (place, force) in now.touches() {
+        let place = place - now.centre;
         into.push(PatchPoint {
-            time: at.time,
+            time: now.progress.time,
             up: place.dot(up),
             toe: place.dot(toe),
             normal: force.dot(normal),
@@ -82,16 +78,18 @@ pub(super) fn simulate<'py>(
     let (mut fields, mut raised) = (Fields::default(), None);
     let pool = pool_of(run)?;
     let outcome = py.detach(|| {
-        let mut watch = |at: &Progress, now: &mut Impact<f64>| {
+        let mut watch = |mut now: View<f64>| {
+            let at = now.progress;
             if frames > 0 && at.time >= times.len() as f64 * frame_gap - 0.5 * interval {
                 times.push(at.time);
-                let places = &now.structure.positions[..now.structure.translations];
+                let whole = now.whole();
+                let places = &whole.structure.positions[..whole.structure.translations];
                 positions.extend(places.iter().flat_map(|row| [row.0[0], row.0[1], row.0[2]]));
                 if run.fields {
-                    fields.add(now);
+                    fields.add(whole);
                 }
             }
-            patch_points(at, now, &mut patch);
+            patch_points(&now, &mut patch);
             // Signals reach Python's main thread alone, which ends a run through its progress.
             let looked = Python::attach(|py| {
                 progress.as_ref().map_or(Ok(()), |f| f.call1(py, (at.time, at.duration)).map(|_| ()))
