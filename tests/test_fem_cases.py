@@ -1,6 +1,8 @@
 """Balls and cases as files: what they give, what is refused and where, whatever stands in them."""
 
+import math
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -222,3 +224,29 @@ def test_a_ball_as_text_of_one_piece_needs_a_mass_or_a_density(tmp_path):
         fem.ball(path)
     path.write_text(text + 'density = "1100 kg/m3"\n')
     assert fem.ball(path).properties()["core_density"] == 1100.0
+
+
+@pytest.mark.parametrize("speed", [["35 m/s"], [35.0, 40.0]])
+def test_several_values_are_for_a_sweep(speed):
+    with pytest.raises(InputError, match=r"speed is .*; it must be one value; use a sweep for several"):
+        drive_case().replace(speed=speed).run()
+
+
+def test_what_is_no_settings_and_no_piece_is_told():
+    wrong: Any = {"duration": 1e-3}
+    with pytest.raises(InputError, match=r"it must be a clubface\.fem\.Settings"):
+        fem.reference(settings=wrong)
+    made = coarse()
+    with pytest.raises(InputError, match="Pieces, from the inside out"):
+        replace(made, pieces="abc")
+    with pytest.raises(InputError, match="each with a name of its own"):
+        replace(made, pieces=(made.pieces[0], replace(made.pieces[1], name="core")))
+
+
+def test_lofts_of_a_sweep_are_told_as_they_were_given(tmp_path):
+    base = drive_case(duration=20e-6)
+    (row,) = sweeps.sweep(base, speeds=[40.0], lofts=[math.radians(11.0)], output=tmp_path / "sweep.csv")
+    assert row["loft_deg"] == 11.0
+    # Found again in the table: the time is that of the first run.
+    (again,) = sweeps.sweep(base, speeds=[40.0], lofts=[math.radians(11.0)], output=tmp_path / "sweep.csv")
+    assert again["wall_s"] == row["wall_s"]

@@ -1,6 +1,7 @@
 """Shapes for ParaView and keyword decks: read back, and the same as what was run."""
 
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -54,6 +55,15 @@ def test_the_ball_of_a_drive_flies_to_the_target_and_up():
     first, last = found.world_positions()[[0, -1]].mean(axis=1)
     assert last[0] - first[0] > 0.01
     assert last[1] - first[1] > 0.001
+
+
+@pytest.mark.parametrize("frames", [1, 2, 6, 11])
+def test_as_many_shapes_are_kept_as_are_asked_for(frames):
+    found = throw_case(duration="601 us", frames=frames).run()
+    wanted = np.linspace(0.0, 601e-6, frames) if frames > 1 else [0.0]
+    # To half an interval of the records, and a step.
+    assert found.frame_times == pytest.approx(wanted, abs=3.5e-6)
+    assert len(found.frames) == frames
 
 
 def test_a_run_without_shapes_is_refused(tmp_path):
@@ -164,6 +174,21 @@ def test_the_deck_of_a_drive_holds_the_head(tmp_path):
     plastic = given.ball.pieces[1].material
     assert cover[3] == pytest.approx((1 + plastic.maxwell[0].modulus) * cover[4], rel=1e-6)
     assert fields(deck.one("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE")[1]) == [given.friction, given.friction]
+
+
+def test_the_deck_of_ogdens_rubber_holds_its_terms(tmp_path):
+    given = throw_case()
+    core, cover = given.ball.pieces
+    terms = {"mu1": 8e6, "alpha1": 2.0, "mu2": -2e6, "alpha2": -2.0}
+    branch = fem.Maxwell(modulus=0.5, time=1e-5)
+    rubber = fem.Material(law="ogden", constants=terms, poisson=0.49, density=1150.0, maxwell=(branch,))
+    ball = replace(given.ball, pieces=(replace(core, material=rubber), cover))
+    deck = Deck(keyword.write(given.replace(ball=ball), tmp_path / "ogden.k"))
+    head, mus, alphas, viscous = deck.one("MAT_OGDEN_RUBBER")
+    assert fields(head)[2:] == [0.49, 0, 1]
+    assert (fields(mus), fields(alphas)) == ([8e6, -2e6], [2.0, -2.0])
+    # Half the sum of mu alpha is 10 MPa.
+    assert fields(viscous) == pytest.approx([5e6, 1e5])
 
 
 def test_the_deck_of_a_head_of_shells_holds_its_mass_and_motion(tmp_path):

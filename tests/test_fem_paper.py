@@ -5,9 +5,11 @@ from functools import cache
 
 import pytest
 
+from clubface.errors import InputError
 from clubface.fem import paper
 from clubface.fem.case import case
 from clubface.fem.sweep import sweep
+from fem_runs import throw_case
 
 # P2's figures are read off pictures: 2% of speeds, 5% of spin and force, 25 us; its contraction has no reference.
 TOLERANCES = {
@@ -73,3 +75,8 @@ def test_the_case_of_the_paper_is_whole():
     # Energies close far better than the 1% that stops a run.
     assert run.energy_error < 1e-3
     assert paper.document(run)["elements"] == run.elements
+
+
+def test_a_throw_is_no_variation_of_the_case():
+    with pytest.raises(InputError, match="one with a head"):
+        paper.paper(throw_case())

@@ -28,7 +28,7 @@ pub enum FemError {
         microseconds: f64,
     },
     /// The energies no longer add up.
-    #[error("the energies were off by {percent:.1}% at {microseconds:.0} us (1% is allowed): the time step is too long (a smaller `safety` helps), or an element is failing; the most strained is element {element} of {part}")]
+    #[error("the energies were off by {} at {microseconds:.0} us (1% is allowed): {}", off(*percent), cause(*edge, *element, part))]
     Energy {
         /// Number of the most strained element in the mesh of the body.
         element: usize,
@@ -36,6 +36,8 @@ pub enum FemError {
         part: String,
         /// Error over the initial kinetic energy, per cent.
         percent: f64,
+        /// Whether the ball has reached round the edge of the face.
+        edge: bool,
         /// Time, us.
         microseconds: f64,
     },
@@ -75,9 +77,32 @@ fn share(ratio: f64) -> String {
     }
 }
 
+/// An error of the energies, per cent, also where they are no number any more.
+fn off(percent: f64) -> String {
+    if percent < 1e3 {
+        format!("{percent:.1}%")
+    } else {
+        "more than they are themselves".to_owned()
+    }
+}
+
+/// Why energies are off, and what to do.
+fn cause(edge: bool, element: usize, part: &str) -> String {
+    if edge {
+        return "the ball reached round the edge of the face, where contact ends; strike nearer the face centre"
+            .to_owned();
+    }
+    format!("the time step is too long (a smaller `safety` helps), or an element is failing; the most strained is element {element} of {part}")
+}
+
 #[cfg(test)]
 mod tests {
-    use super::share;
+    use super::{off, share};
+
+    #[test]
+    fn an_error_is_told_whatever_it_is() {
+        assert_eq!([1.04, f64::NAN, f64::INFINITY].map(off), ["1.0%", off(1e4).as_str(), &off(1e4)]);
+    }
 
     #[test]
     fn a_share_is_short_whatever_is_left() {

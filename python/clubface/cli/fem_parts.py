@@ -70,6 +70,7 @@ def head(
 
     made = fem.head(name)
     club = made.club
+    asked = dict(made.asked) if isinstance(made, fem.ShellHead) else {}
     document: dict[str, Any] = {
         "name": made.name,
         "elements": made.elements,
@@ -77,6 +78,7 @@ def head(
         "cg_m": list(club.cg),
         "inertia_kgm2": [list(row) for row in club.inertia],
         "tuning": dict(made.report),
+        "asked": asked,
     }
     if measure:
         with progress_bar() as update:
@@ -88,16 +90,21 @@ def head(
         return
     from clubface.cli.tables import print_numbers
 
-    rows = [["mass, g", output.number(from_si(club.mass, "g"), 2)]]
+    def row(label: str, unit: str, digits: int, value: float, target: str) -> list[str]:
+        given = output.number(from_si(asked[target], unit), digits) if target in asked else ""
+        return [f"{label}, {unit}", output.number(from_si(value, unit), digits), given]
+
+    rows = [row("mass", "g", 2, club.mass, "mass")]
     cg, moments = zip("xyz", club.cg, strict=True), zip("xyz", (club.ixx, club.iyy, club.izz), strict=True)
-    rows += [[f"CG to face centre, {axis}, mm", output.number(1e3 * value, 2)] for axis, value in cg]
-    rows += [[f"I{axis}{axis}, g cm2", output.number(from_si(value, "g cm2"), 0)] for axis, value in moments]
+    rows += [row(f"CG to face centre, {axis}", "mm", 2, value, f"cg_{axis}") for axis, value in cg]
+    rows += [row(f"I{axis}{axis}", "g cm2", 0, value, f"i{axis}{axis}") for axis, value in moments]
     trims = dict(made.report)
     if "scale" in trims:
-        rows.append(["walls over design", output.number(trims.pop("scale"), 3)])
-    rows += [[f"added mass {name}, g", output.number(from_si(mass, "g"), 1)] for name, mass in trims.items()]
-    rows.append(["elements", str(made.elements)])
+        rows.append(["walls over design", output.number(trims.pop("scale"), 3), ""])
+    rows += [[f"added mass {name}, g", output.number(from_si(mass, "g"), 1), ""] for name, mass in trims.items()]
+    rows.append(["elements", str(made.elements), ""])
     if measure:
-        rows.append(["restitution", output.number(document["restitution"], 3)])
-        rows.append(["characteristic time, us", output.number(document["characteristic_time_s"] * 1e6, 0)])
-    print_numbers(("", ""), rows, title=made.description or made.name)
+        rows.append(["restitution", output.number(document["restitution"], 3), ""])
+        rows.append(["characteristic time, us", output.number(document["characteristic_time_s"] * 1e6, 0), ""])
+    header = ("", "", "asked for") if asked else ("", "")
+    print_numbers(header, [each[: len(header)] for each in rows], title=made.description or made.name)

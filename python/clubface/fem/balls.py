@@ -86,7 +86,12 @@ class Ball:
         check_name(self.name)
         check_text("description", self.description)
         object.__setattr__(self, "diameter", units.parse(self.diameter, "length", name="diameter"))
+        if isinstance(self.pieces, str) or not all(isinstance(piece, Piece) for piece in self.pieces):
+            raise InputError("pieces", self.pieces, "Pieces, from the inside out")
         object.__setattr__(self, "pieces", tuple(self.pieces))
+        names = [piece.name for piece in self.pieces]
+        if len(set(names)) < len(names):
+            raise InputError("pieces", names, "each with a name of its own")
         if not 0.01 <= self.diameter <= 0.2:
             raise InputError("diameter", units.show(self.diameter, "mm"), "10 to 200 mm")
         if self.mass is not None:

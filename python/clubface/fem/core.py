@@ -19,6 +19,9 @@ Progress = Callable[[float, float], object]
 
 def core_call(function: Callable[..., Any], *arguments: Any, progress: Progress | None = None) -> dict[str, Any]:
     """Run the core beside the main thread, so that Ctrl-C ends the impact there and then, with what it has."""
+    # What the core answers is made of arrays. Imported there for the first time, they would break at Ctrl-C.
+    import numpy  # noqa: F401
+
     stop = threading.Event()
 
     def watch(time: float, whole: float) -> None:

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 from clubface import units
-from clubface.errors import InputError
 from clubface.fem.balls import Ball
 from clubface.fem.cards import Cards, element, node
 from clubface.fem.case import MESHED, PLANE, RIGID, Case
@@ -27,7 +26,8 @@ HEADER = (
     "What has no exact equivalent here:",
     "- Solids have one point and assumed-strain hourglass control (type 6), close to that of clubface, not the same.",
     "- Plastics are linear in logarithmic strain in clubface, hypoelastic here: alike to some 10% of strain.",
-    "- Rubber: the energy of *MAT_HYPERELASTIC_RUBBER is that of clubface; *MAT_MOONEY-RIVLIN_RUBBER uses invariants "
+    "- Rubber: the energy of *MAT_HYPERELASTIC_RUBBER is that of clubface; that of *MAT_OGDEN_RUBBER is but for the "
+    "volumetric term, K (J - 1 - ln J) there; *MAT_MOONEY-RIVLIN_RUBBER uses invariants "
     "with the change of volume in them and another volumetric term, which nearly incompressible rubber hardly "
     "notices.",
     "- Viscous branches relax the stress of the elastic law in clubface, a stress linear in strain here: alike at "
@@ -122,15 +122,17 @@ def _material(deck: Cards, number: int, material: Material, density: float) -> N
     if material.law == "linear":
         _plastic(deck, number, material, density)
         return
-    if material.law not in ("mooney-rivlin", "neo-hookean"):
-        raise InputError("law", material.law, "one that a keyword deck has: mooney-rivlin, neo-hookean, linear")
-    c10, c01 = (values["c10"], values["c01"]) if material.law == "mooney-rivlin" else (values["shear"] / 2.0, 0.0)
     if material.law == "mooney-rivlin" and not branches:
-        deck.keyword("MAT_MOONEY-RIVLIN_RUBBER", [number, density, ratio, c10, c01], [None], names="mid ro pr a b")
+        card = [number, density, ratio, values["c10"], values["c01"]]
+        deck.keyword("MAT_MOONEY-RIVLIN_RUBBER", card, [None], names="mid ro pr a b")
         return
-    deck.keyword(
-        "MAT_HYPERELASTIC_RUBBER", [number, density, ratio, 0, len(branches)], [c10, c01], names="mid ro pr n nv"
-    )
+    if material.law == "ogden":
+        numbers = list(values.values())
+        name, constants = "MAT_OGDEN_RUBBER", [numbers[::2], numbers[1::2]]
+    else:
+        rivlin = [values["c10"], values["c01"]] if material.law == "mooney-rivlin" else [values["shear"] / 2.0, 0.0]
+        name, constants = "MAT_HYPERELASTIC_RUBBER", [rivlin]
+    deck.keyword(name, [number, density, ratio, 0, len(branches)], *constants, names="mid ro pr n nv")
     if branches:
         deck.comment("      Gi     BETAi: relative moduli of clubface times its shear modulus, 1 / relaxation time")
     for branch in branches:

@@ -6,7 +6,8 @@ import os
 from typing import Any
 
 from clubface import units
-from clubface.fem.case import Case, case
+from clubface.errors import InputError
+from clubface.fem.case import PLANE, Case, case
 from clubface.fem.core import Progress
 from clubface.fem.result import Impact
 
@@ -28,7 +29,10 @@ PUBLISHED: dict[str, float] = {
 
 def paper(which: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> Impact:
     """Run P2's case, or a variation of it."""
-    return case(which).run(progress)
+    chosen = case(which)
+    if chosen.head == PLANE:
+        raise InputError("case", chosen.name, "one with a head, as P2's; clubface fem run runs a throw at a plane")
+    return chosen.run(progress)
 
 
 def table(found: Impact) -> dict[str, float]:

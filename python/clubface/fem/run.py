@@ -145,11 +145,20 @@ def throw(
         Called with simulated time and duration [s].
     """
     made, (v, incidence) = ball(which), throw_values(speed, angle)
-    mu, how = friction_value(friction), settings or Settings()
+    mu, how = friction_value(friction), settings_of(settings)
     from clubface import _core
 
     found, used = simulate(_core.fem_plane, made.values(), v, incidence, mu, how=how, progress=progress)
     return Impact(found, made, {"speed": v, "angle": incidence}, mu, used)
+
+
+def settings_of(given: Settings | None) -> Settings:
+    """Return the settings given, checked, or those by default."""
+    if given is None:
+        return Settings()
+    if not isinstance(given, Settings):
+        raise InputError("settings", given, "a clubface.fem.Settings")
+    return given
 
 
 def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
@@ -187,7 +196,7 @@ def strike(
     from clubface import _core
     from clubface.shots import as_values
 
-    made, mu, how = ball(which), friction_value(friction), settings or Settings()
+    made, mu, how = ball(which), friction_value(friction), settings_of(settings)
     given = dict(as_values(delivery, values))
     if isinstance(club, MeshedHead):
         hit = one_shot(club.club, given, made)
@@ -201,11 +210,14 @@ def strike(
 
 def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], made: Ball) -> Shots:
     """Return the shot as the core takes it."""
+    import numpy as np
+
     from clubface.shots import equipment, shots
 
+    for name, value in delivery.items():
+        if np.ndim(value):
+            raise InputError(name, value, "one value; use a sweep for several")
     hit = shots(equipment(club, rigid_ball(made)), delivery)
-    if hit.shape != ():
-        raise InputError("delivery", hit.shape, "one shot; use a sweep for several")
     return hit
 
 

@@ -13,7 +13,7 @@ from clubface.errors import ShotError, UnknownNameError
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import THE_RUN, Progress, core_call
 from clubface.fem.heads import ShellHead
-from clubface.fem.run import Settings, friction_value, inputs_of, one_shot
+from clubface.fem.run import Settings, friction_value, inputs_of, one_shot, settings_of
 from clubface.quantities import outputs
 
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ def sensitivity(
     from clubface.shots import as_values
 
     made, mu = ball(which), friction_value(friction)
-    how = settings or Settings(until_separation=True)
+    how = Settings(until_separation=True) if settings is None else settings_of(settings)
     names = (by,) if isinstance(by, str) else tuple(by)
     known = variables(club, which=made)
     for name in names:

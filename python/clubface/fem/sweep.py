@@ -122,7 +122,7 @@ def row_of(point: tuple[float, float], found: Impact) -> dict[str, Any]:
     launch = found.launch
     return {
         "speed_mps": point[0],
-        "loft_deg": units.from_si(point[1], "deg"),
+        "loft_deg": _degrees(point[1]),
         "ball_speed_mps": launch["ball_speed"],
         "launch_deg": units.from_si(launch["launch"], "deg"),
         "spin_rpm": units.from_si(launch["backspin"], "rpm"),
@@ -171,7 +171,7 @@ class _Table:
         path.write_text("\n".join([*lines[:2], *complete, ""]), encoding="utf-8")
 
     def find(self, point: tuple[float, float]) -> dict[str, Any] | None:
-        return self._rows.get((repr(point[0]), repr(units.from_si(point[1], "deg"))))
+        return self._rows.get((repr(point[0]), repr(_degrees(point[1]))))
 
     def add(self, point: tuple[float, float], found: Impact) -> dict[str, Any]:
         row = row_of(point, found)
@@ -180,6 +180,11 @@ class _Table:
                 texts = [value if isinstance(value, str) else repr(value) for value in row.values()]
                 csv.writer(file, lineterminator="\n").writerow(texts)
         return row
+
+
+def _degrees(angle: float) -> float:
+    """Return an angle [deg] as it was given: without the rounding of the way to rad and back."""
+    return round(units.from_si(angle, "deg"), 9)
 
 
 def _fingerprint(base: Case) -> str:

@@ -21,6 +21,8 @@ struct Candidate<R> {
     held: Held<R>,
     quad: u32,
     at: [R; 2],
+    /// Whether it was beyond the edge of the face when last looked at.
+    beyond: bool,
 }
 
 /// The nodes of one side of a contact.
@@ -63,6 +65,8 @@ pub struct FaceContact<R> {
     forces: Vec<Row<R>>,
     /// Quadrilateral from which searches without a guess start.
     centre: u32,
+    /// Whether nodes have passed the edge while they were pressed, or come back below the surface.
+    wrapped: bool,
     resultant: Resultant<R>,
     energy: ContactEnergy,
 }
@@ -93,6 +97,7 @@ impl<R: Real> FaceContact<R> {
                 held: Held::free(),
                 quad: surface.closest(positions, positions[n as usize].vec()),
                 at: [R::zero(); 2],
+                beyond: false,
             })
             .collect();
         let mobilities = rows.iter().map(|&n| face.masses[n as usize].recip()).collect();
@@ -124,6 +129,7 @@ impl<R: Real> FaceContact<R> {
             surface,
             mobilities,
             centre: nearest.1,
+            wrapped: false,
             resultant: Resultant::default(),
             energy: ContactEnergy::default(),
         }
@@ -176,11 +182,13 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             let node = self.nodes[index];
             let x = positions[node as usize].vec();
             let Some(foot) = self.surface.foot(positions, x, candidate.quad, candidate.at) else {
-                candidate.held = Held::free();
+                self.wrapped |= candidate.held.touches();
+                (candidate.held, candidate.beyond) = (Held::free(), true);
                 self.rests.pause(index, BEYOND);
                 continue;
             };
             (candidate.quad, candidate.at) = (foot.quad, foot.at);
+            let returned = std::mem::take(&mut candidate.beyond);
             // Sideways the floor of a groove may rise as far as the lands at once.
             let land = foot;
             let foot = self.surface.in_grooves(positions, land);
@@ -201,6 +209,7 @@ impl<R: Real> Contact<R> for FaceContact<R> {
                 self.rests.apart(index, land.gap.re(), velocity.norm_squared().re(), dt);
                 continue;
             }
+            self.wrapped |= returned;
             // Where nodes do not turn, the surface does: the tip of its normal moves with the slope of the velocity along the normal.
             let height = dot(arm, land.normal);
             let slopes = rotations.is_empty().then(|| self.surface.slopes(positions, &land));
@@ -245,6 +254,9 @@ impl<R: Real> Contact<R> for FaceContact<R> {
         self.surface
             .foot_from(positions, point, self.centre)
             .map_or((R::from_f64(f64::NAN), Vec3::zero()), |foot| (foot.gap, foot.normal))
+    }
+    fn wrapped(&self) -> bool {
+        self.wrapped
     }
     fn head(&self) -> Option<Motion<R>> {
         None

@@ -63,6 +63,11 @@ pub trait Contact<R: Real>: Send {
     fn energy(&self) -> ContactEnergy;
     /// Signed distance of a point from the face (m, positive in front of it) and the face's unit normal, for the given positions of all nodes.
     fn nearest(&self, positions: &[Row<R>], point: Vec3<R>) -> (R, Vec3<R>);
+    /// Whether the ball has reached round the edge of the face: nodes have passed it while they were pressed, and left behind what their springs had
+    /// stored, or have come back below the surface, where springs hold at once.
+    fn wrapped(&self) -> bool {
+        false
+    }
     /// Motion of a rigid head; none if the head is made of nodes.
     fn head(&self) -> Option<Motion<R>>;
 }

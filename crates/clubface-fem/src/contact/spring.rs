@@ -84,6 +84,11 @@ impl<R: Real> Held<R> {
     pub fn free() -> Self {
         Self { spring: Vec3::zero(), multiplier: Vec3::zero(), last: None }
     }
+    /// Whether it was in contact in the last step.
+    #[must_use]
+    pub fn touches(&self) -> bool {
+        self.last.is_some()
+    }
 }
 
 /// A node below the surface of the other side.

@@ -248,7 +248,8 @@ impl Run {
             let worst = found.max_by(|((_, one), _), ((_, other), _)| one.total_cmp(other));
             let (element, part) =
                 worst.map_or((0, String::new()), |((element, _), part)| (element, part.clone()));
-            return Err(FemError::Energy { element, part, percent: error * 100.0, microseconds });
+            let edge = impact.contact.wrapped();
+            return Err(FemError::Energy { element, part, percent: error * 100.0, edge, microseconds });
         }
         self.history.energy.push(frame);
         Ok(())

@@ -54,7 +54,8 @@ impl<R: Real> Impact<R> {
         }
     }
 
-    /// Lets pieces of the ball rest in every second step, from the inside, if the steps (s) are short enough for them; says whether there are any.
+    /// Lets pieces of the ball rest in every second step, from the inside, if the steps (s) are short enough for them; says whether there are any. The
+    /// outermost never rests: the force on the face would come and go with its impulses.
     fn let_rest(&mut self, dt: f64, safety: f64) -> bool {
         let held = 2.0 * dt;
         let parts = &self.parts;
@@ -63,14 +64,14 @@ impl<R: Real> Impact<R> {
             let first = |patch: usize| self.structure.patches[patch].nodes()[0] as usize;
             let ball: Vec<usize> = (0..parts.len()).filter(|&patch| first(patch) < self.ball_nodes).collect();
             let pieces: Vec<&[usize]> = ball.chunk_by(|&a, &b| parts[a] == parts[b]).collect();
-            for end in 1..=pieces.len() {
+            for end in 1..pieces.len() {
                 let (inside, outside) = (pieces[..end].concat(), pieces[end..].concat());
                 let mut more = vec![false; parts.len()];
                 inside.iter().for_each(|&patch| more[patch] = true);
                 if self.structure.stable_step_of(&more, 40) * safety < held {
                     break;
                 }
-                if outside.is_empty() || self.layers(&inside, &outside) >= LAYERS {
+                if self.layers(&inside, &outside) >= LAYERS {
                     resting = more;
                 }
             }

@@ -64,6 +64,15 @@ fn patch_points(now: &View<f64>, into: &mut Vec<PatchPoint>) {
     }
 }
 
+/// Adds the places of all nodes, and what the elements feel if that is asked for.
+fn add_frame(now: &mut Impact<f64>, positions: &mut Vec<f64>, fields: Option<&mut Fields>) {
+    let places = &now.structure.positions[..now.structure.translations];
+    positions.extend(places.iter().flat_map(|row| [row.0[0], row.0[1], row.0[2]]));
+    if let Some(fields) = fields {
+        fields.add(now);
+    }
+}
+
 pub(super) fn simulate<'py>(
     py: Python<'py>,
     impact: &mut Impact<f64>,
@@ -80,14 +89,10 @@ pub(super) fn simulate<'py>(
     let outcome = py.detach(|| {
         let mut watch = |mut now: View<f64>| {
             let at = now.progress;
-            if frames > 0 && at.time >= times.len() as f64 * frame_gap - 0.5 * interval {
+            let due = if times.is_empty() { 0.0 } else { times.len() as f64 * frame_gap - 0.5 * interval };
+            if frames > 0 && at.time >= due {
                 times.push(at.time);
-                let whole = now.whole();
-                let places = &whole.structure.positions[..whole.structure.translations];
-                positions.extend(places.iter().flat_map(|row| [row.0[0], row.0[1], row.0[2]]));
-                if run.fields {
-                    fields.add(whole);
-                }
+                add_frame(now.whole(), &mut positions, run.fields.then_some(&mut fields));
             }
             patch_points(&now, &mut patch);
             // Signals reach Python's main thread alone, which ends a run through its progress.
@@ -109,6 +114,12 @@ pub(super) fn simulate<'py>(
         if !error.is_instance_of::<pyo3::exceptions::PyKeyboardInterrupt>(py) {
             return Err(error);
         }
+    }
+    // The last frame is due when the run ends, between two records.
+    let end = outcome.steps as f64 * outcome.step;
+    if outcome.stopped.is_none() && !times.is_empty() && times.len() < frames && end > run.duration {
+        times.push(end);
+        add_frame(impact, &mut positions, run.fields.then_some(&mut fields));
     }
     let failed = outcome.stopped.as_ref().is_some_and(FemError::failed);
     if failed {

@@ -117,6 +117,7 @@ class DriverHead:
             bulge=self.shape["bulge"],
             roll=self.shape["roll"],
             report=report,
+            asked=target,
         )
 
 

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
 SPREAD = 8e-3
 """Radius about the place of an added mass within which nodes carry it [m], beyond the nearest."""
 
+REACH = 0.3
+"""Farthest place of an added mass along an axis [m]."""
+
 Place = tuple[Any, Any, Any, Any]
 """x, y, z and mass, text with units or SI."""
 
@@ -26,6 +29,13 @@ def parsed(places: Mapping[str, Place], what: str) -> dict[str, tuple[float, flo
             raise InputError(f"{what} {name}", values, "x, y, z and a mass")
         x, y, z = (units.parse(value, "length", name=f"{what} {name}") for value in values[:3])
         mass = units.parse(values[3], "mass", name=f"{what} {name}")
+        far = next((value for value in (x, y, z) if not abs(value) <= REACH), None)
+        if far is not None:
+            raise InputError(
+                f"{what} {name}",
+                units.show(far, "mm"),
+                'a place within 300 mm of the face centre; numbers are metres, "-33 mm" is text',
+            )
         if not 0.0 <= mass <= 0.5:
             raise InputError(f"{what} {name}", units.show(mass, "g"), "0 to 500 g")
         found[name] = (x, y, z, mass)

@@ -164,5 +164,7 @@ def _places(document: Document, values: Any, key: str, mass: str) -> dict[str, t
         keys = ("name", "x", "y", "z", mass)
         document.check_keys(table, keys, keys, key, number)
         document.check_text(table, ("name",), key, number)
+        if table["name"] in found:
+            raise document.error(f"name: {table['name']!r} is taken; every one needs its own", "name", key, number)
         found[table["name"]] = (table["x"], table["y"], table["z"], table[mass])
     return found

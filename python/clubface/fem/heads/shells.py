@@ -59,6 +59,8 @@ class ShellHead(MeshedHead):
         Radii of the face [m]; they say where the ball is placed, the mesh is what it touches.
     report
         How the head came about, such as trim masses [kg] by name.
+    asked
+        What it was to reach, under the names of the targets of :class:`DriverHead`; what bounds do not allow is missed.
     """
 
     name: str
@@ -72,6 +74,7 @@ class ShellHead(MeshedHead):
     roll: float
     description: str = ""
     report: Mapping[str, float] = field(default_factory=dict)
+    asked: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def elements(self) -> int:

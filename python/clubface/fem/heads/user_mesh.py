@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -67,7 +67,8 @@ class MeshHead:
     unit
         Of the file's lengths, such as "mm".
     face_centre
-        Its place in the file, in that unit: where the outer side of the face has its centre.
+        Its place in the file, numbers in that unit or text with its own: where the outer side of the face has its
+        centre.
     bulge, roll
         Radii of the face [m], or "flat".
     masses
@@ -79,7 +80,7 @@ class MeshHead:
     groups: tuple[Group, ...]
     loft: Any
     unit: str = "mm"
-    face_centre: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    face_centre: tuple[Any, Any, Any] = (0.0, 0.0, 0.0)
     bulge: Any = FLAT
     roll: Any = FLAT
     masses: Mapping[str, Place] = field(default_factory=dict)
@@ -98,8 +99,7 @@ class MeshHead:
         if not 0.0 <= self.loft <= units.parse("75 deg", "angle"):
             raise InputError("loft", units.show(self.loft, "deg"), "0 to 75 deg")
         object.__setattr__(self, "masses", parsed(self.masses, "mass"))
-        if len(self.face_centre) != 3:
-            raise InputError("face_centre", self.face_centre, "three numbers")
+        _check_place("face_centre", self.face_centre)
         if not any(group.face for group in self.groups):
             raise InputError("groups", [group.name for group in self.groups], "at least one with face = true")
 
@@ -118,8 +118,13 @@ class MeshHead:
         order = np.argsort(of_group, kind="stable")
         quads, of_group = quads[order], of_group[order]
         used, quads = np.unique(quads, return_inverse=True)
-        nodes = (points[used] - np.asarray(self.face_centre, float)) * size
+        centre = [units.parse(x, "length") if isinstance(x, str) else x * size for x in self.face_centre]
+        nodes = points[used] * size - np.asarray(centre, float)
         counts = np.bincount(of_group, minlength=len(self.groups))
+        if not counts.all():
+            empty = self.groups[int(np.argmin(counts))].name
+            raise FileError(os.fspath(self.file), None, f"no element belongs to the group {empty!r}")
+        self._check_centre(nodes, quads.reshape(-1, 4), np.array([group.face for group in self.groups])[of_group])
         parts = tuple(
             Part(group.name, int(count), group.metal, group.face)
             for group, count in zip(self.groups, counts, strict=True)
@@ -136,6 +141,18 @@ class MeshHead:
             bulge=self.bulge,
             roll=self.roll,
         )
+
+    def _check_centre(self, nodes: NDArray[Any], quads: NDArray[Any], face: NDArray[Any]) -> None:
+        """Refuse a face centre that is not on the face; nodes [m] count from it."""
+        import numpy as np
+
+        corners = nodes[quads[face]]
+        near = float(np.linalg.norm(corners, axis=-1).min())
+        side = float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=-1).max())
+        if near > side + max(group.thickness for group in self.groups):
+            shown = ", ".join(str(x) for x in self.face_centre)
+            away = f"the nearest node of the face is {units.show(near, 'mm')} away"
+            raise InputError("face_centre", shown, f"a place on the face, in {self.unit} as the file: {away}")
 
     def _read(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return points in the unit of the file, quadrilaterals, and the number of the group of each."""
@@ -171,6 +188,17 @@ class MeshHead:
         if not np.isfinite(points).all():
             raise FileError(path, None, f"node {int(np.argmin(np.isfinite(points).all(axis=1)))} has no place")
         return points, np.concatenate(quads), np.concatenate(of_group)
+
+
+def _check_place(name: str, given: Any) -> None:
+    """Refuse what is not three lengths."""
+    if isinstance(given, str) or not isinstance(given, Sequence) or len(given) != 3:
+        raise InputError(name, given, "three lengths")
+    for each in given:
+        if isinstance(each, str):
+            units.parse(each, "length", name=name)
+        elif isinstance(each, bool) or not isinstance(each, int | float) or not math.isfinite(each):
+            raise InputError(name, each, "three lengths")
 
 
 def _group_numbers(mesh: Any, path: str) -> list[list[str]]:
