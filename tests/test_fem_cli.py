@@ -150,6 +150,18 @@ def test_ctrl_c_keeps_what_was_computed(tmp_path):
         assert np.isfinite(table).all()
 
 
+@pytest.mark.parametrize("patience", [0.3, 0.45, 0.6])
+def test_ctrl_c_while_a_head_is_meshed_is_one_line(patience):
+    command = [sys.executable, "-c", MAIN, "fem", "head", "p2"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
+        time.sleep(patience)
+        child.send_signal(signal.SIGINT)
+        _, said = child.communicate()
+    # Before Python has begun with the command line it ends by the signal, without words of ours.
+    assert child.returncode in (0, 130) or "clubface" not in said, said
+    assert "panicked" not in said
+
+
 def test_the_model_gives_the_launch_of_its_own_run():
     from clubface import fem
 

@@ -19,9 +19,6 @@ Progress = Callable[[float, float], object]
 
 def core_call(function: Callable[..., Any], *arguments: Any, progress: Progress | None = None) -> dict[str, Any]:
     """Run the core beside the main thread, so that Ctrl-C ends the impact there and then, with what it has."""
-    # What the core answers is made of arrays. Imported there for the first time, they would break at Ctrl-C.
-    import numpy  # noqa: F401
-
     stop = threading.Event()
 
     def watch(time: float, whole: float) -> None:
@@ -45,6 +42,12 @@ def core_call(function: Callable[..., Any], *arguments: Any, progress: Progress 
                     if stop.is_set():
                         raise
                     stop.set()
+
+
+def beside(function: Callable[..., Any], *arguments: Any) -> Any:
+    """Call the core beside the main thread, so that Ctrl-C ends the wait, not the making of what it answers."""
+    with told(), ThreadPoolExecutor(1) as pool:
+        return pool.submit(function, *arguments).result()
 
 
 @contextmanager

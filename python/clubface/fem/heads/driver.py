@@ -86,7 +86,7 @@ class DriverHead:
     def mesh(self) -> ShellHead:
         """Mesh the head and bring it to its targets as nearly as walls and trim masses allow."""
         from clubface import _core
-        from clubface.fem.core import told
+        from clubface.fem.core import beside
 
         target = self.target
         values = {
@@ -102,8 +102,7 @@ class DriverHead:
             "above": target.get("cg_above"),
             "inertia": [target.get(key) for key in INERTIA],
         }
-        with told():
-            found = _core.fem_driver(values)
+        found = beside(_core.fem_driver, values)
         report = {"scale": found["scale"], **dict(zip(self.trims, found["trims"], strict=True))}
         return ShellHead(
             name=self.name,

@@ -93,8 +93,9 @@ class IronHead:
     def mesh(self) -> SolidHead:
         """Mesh the head."""
         from clubface import _core
+        from clubface.fem.core import beside
 
-        found = _core.fem_iron([self.shape[key] for key in SHAPE], list(self.elements))
+        found = beside(_core.fem_iron, [self.shape[key] for key in SHAPE], list(self.elements))
         nodes = found["nodes"].reshape(-1, 3)
         return SolidHead(
             name=self.name,

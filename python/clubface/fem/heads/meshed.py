@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from clubface.clubs import Club
-from clubface.fem.core import told
+from clubface.fem.core import beside
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -44,8 +44,7 @@ class MeshedHead(ABC):
 
         from clubface import _core
 
-        with told():
-            found = _core.fem_head_properties(self.values())
+        found = beside(_core.fem_head_properties, self.values())
         places = self.face_places()
         size = places.max(axis=0) - places.min(axis=0)
         x, y, z = (-float(value) for value in found["centre"])
