@@ -157,9 +157,9 @@ def test_ctrl_c_while_a_head_is_meshed_is_one_line(patience):
         time.sleep(patience)
         child.send_signal(signal.SIGINT)
         _, said = child.communicate()
-    # Before Python has begun with the command line it ends by the signal, without words of ours.
-    assert child.returncode in (0, 130) or "clubface" not in said, said
-    assert "panicked" not in said
+    # Whenever it comes, it must not break what the core is making; the words may still be those of Python.
+    assert "panicked" not in said, said
+    assert "PanicException" not in said, said
 
 
 def test_the_model_gives_the_launch_of_its_own_run():
