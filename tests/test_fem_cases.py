@@ -247,6 +247,8 @@ def test_lofts_of_a_sweep_are_told_as_they_were_given(tmp_path):
     base = drive_case(duration=20e-6)
     (row,) = sweeps.sweep(base, speeds=[40.0], lofts=[math.radians(11.0)], output=tmp_path / "sweep.csv")
     assert row["loft_deg"] == 11.0
-    # Found again in the table: the time is that of the first run.
+    # Found again in the table, also with the rounding of earlier tables: the time is that of the first run.
+    path = tmp_path / "sweep.csv"
+    path.write_text(path.read_text().replace(",11.0,", ",10.999999999999998,"))
     (again,) = sweeps.sweep(base, speeds=[40.0], lofts=[math.radians(11.0)], output=tmp_path / "sweep.csv")
     assert again["wall_s"] == row["wall_s"]

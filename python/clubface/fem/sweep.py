@@ -146,7 +146,7 @@ class _Table:
 
     def __init__(self, base: Case, path: str | os.PathLike[str] | None) -> None:
         self._path = None if path is None else Path(path)
-        self._rows: dict[tuple[str, str], dict[str, Any]] = {}
+        self._rows: dict[tuple[float, float], dict[str, Any]] = {}
         self._mark = "# case " + _fingerprint(base)
         if self._path is None:
             return
@@ -167,11 +167,11 @@ class _Table:
                 row = {name: _KINDS.get(name, float)(text) for name, text in zip(COLUMNS, line, strict=True)}
             except ValueError:
                 raise FileError(str(path), number, "this is not a row of a sweep; remove it") from None
-            self._rows[line[0], line[1]] = row
+            self._rows[row["speed_mps"], round(row["loft_deg"], 9)] = row
         path.write_text("\n".join([*lines[:2], *complete, ""]), encoding="utf-8")
 
     def find(self, point: tuple[float, float]) -> dict[str, Any] | None:
-        return self._rows.get((repr(point[0]), repr(_degrees(point[1]))))
+        return self._rows.get((point[0], _degrees(point[1])))
 
     def add(self, point: tuple[float, float], found: Impact) -> dict[str, Any]:
         row = row_of(point, found)

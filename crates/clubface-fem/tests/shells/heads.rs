@@ -151,9 +151,9 @@ fn rest_keeps_momenta_and_the_bits_of_any_number_of_threads() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         let (mut impact, dt) = case();
         // In parts, the second of which begins with a step in which the core rests, and the last with nodes that have been settled.
-        for count in [99, 101, 200] {
+        for count in [STEPS / 4 - 1, STEPS / 4 + 1, STEPS / 2] {
             let Impact { structure, contact, .. } = &mut impact;
-            if count == 200 {
+            if count == STEPS / 2 {
                 structure.settle();
             }
             pool.install(|| structure.march(contact.as_mut(), dt, count, &mut |_, _| true));

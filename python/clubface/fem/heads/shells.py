@@ -60,7 +60,8 @@ class ShellHead(MeshedHead):
     report
         How the head came about, such as trim masses [kg] by name.
     asked
-        What it was to reach, under the names of the targets of :class:`DriverHead`; what bounds do not allow is missed.
+        What it was to reach, under the names of the targets of :class:`DriverHead`, SI; what bounds do not allow is
+        missed.
     """
 
     name: str
