@@ -122,7 +122,12 @@ def test_a_run_whose_elements_fail_ends_with_the_element_and_what_it_has(clubfac
     contact = np.genfromtxt(out / "contact.csv", delimiter=",", names=True)
     assert contact["normal"].max() > 0.0
     assert np.isfinite(contact["normal"]).all()
-    assert said.removeprefix("clubface: ") == json.loads((out / "figures.json").read_text())["stopped"]
+    figures = json.loads((out / "figures.json").read_text())
+    assert said.removeprefix("clubface: ") == figures["stopped"]
+    # What is said of the energies is of an earlier time than the error.
+    last = np.genfromtxt(out / "energy.csv", delimiter=",", names=True)["time"][-1] * 1e6
+    assert f"close to {figures['energy_error']:.2%} until {last:.0f} us, the last record kept" in ran.out
+    assert last < float(said.partition(" of its volume at ")[2].partition(" us")[0])
 
 
 def test_ctrl_c_keeps_what_was_computed(tmp_path):

@@ -213,7 +213,10 @@ def export(
 def _cost(found: Any) -> str:
     steps = f"{found.steps} steps of {found.settings.safety:g} of the stable one"
     counts = f"{found.elements} elements, {steps}, {found.wall:.2f} s"
-    return f"{counts}; energies close to {found.energy_error:.2%}"
+    # A run that failed keeps what it had until energies were last in balance; its error tells of a later time.
+    last = found.energy["time"][-1:].sum() * 1e6
+    until = f" until {last:.0f} us, the last record kept" if found.stopped else ""
+    return f"{counts}; energies close to {found.energy_error:.2%}{until}"
 
 
 def _rows_of(found: Any) -> list[list[str]]:

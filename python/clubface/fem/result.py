@@ -53,7 +53,8 @@ class Impact:
     f_prime, f
         P2's compression factors, Eqs. (9) and (11).
     energy_error
-        Largest error of the energy balance over the initial kinetic energy.
+        Largest error of the energy balance over the initial kinetic energy, in the records of ``energy``. A run that
+        stops because energies are off keeps the records before, so that ``stopped`` tells a larger error.
     steps, step, wall
         Steps taken, their length [s], time of the loop [s].
     stopped
