@@ -78,3 +78,17 @@ def test_ctrl_c_ends_with_one_line_and_status_130(tmp_path):
     assert said.startswith("clubface: interrupted")
     assert said.count("\n") == 1
     assert not target.exists()
+
+
+def test_ctrl_c_while_modules_are_loaded_is_told_as_any_other(monkeypatch, capsys):
+    from clubface import cli
+    from clubface.cli import app
+
+    def interrupted(arguments):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(app, "run", interrupted)
+    with pytest.raises((SystemExit, KeyboardInterrupt)) as left:
+        cli.main()
+    assert getattr(left.value, "code", None) == 130
+    assert capsys.readouterr().err == "clubface: interrupted\n"

@@ -13,8 +13,15 @@ def main() -> None:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         from clubface.cli.app import run
+
+        status = run(sys.argv[1:])
     except ModuleNotFoundError as error:
         from clubface.cli.failures import missing_library
 
-        sys.exit(missing_library(error))
-    sys.exit(run(sys.argv[1:]))
+        status = missing_library(error)
+    # While modules are loaded; a command tells of its own interruption.
+    except KeyboardInterrupt as stop:
+        from clubface.cli.failures import report
+
+        status = report(stop)
+    sys.exit(status)

@@ -31,17 +31,21 @@ def core_call(function: Callable[..., Any], *arguments: Any, progress: Progress 
         if threading.current_thread() is not threading.main_thread():
             return function(*arguments, watch)
         with ThreadPoolExecutor(1) as pool:
-            running = pool.submit(function, *arguments, watch)
-            while True:
-                try:
-                    return running.result(timeout=0.5)
-                except TimeoutError:
-                    if running.done():
-                        raise
-                except KeyboardInterrupt:
-                    if stop.is_set():
-                        raise
-                    stop.set()
+            try:
+                running = pool.submit(function, *arguments, watch)
+                while True:
+                    try:
+                        return running.result(timeout=0.5)
+                    except TimeoutError:
+                        if running.done():
+                            raise
+                    except KeyboardInterrupt:
+                        if stop.is_set():
+                            raise
+                        stop.set()
+            finally:
+                # Nobody waits for a run that was left by a Ctrl-C elsewhere.
+                stop.set()
 
 
 def beside(function: Callable[..., Any], *arguments: Any) -> Any:

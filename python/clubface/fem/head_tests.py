@@ -8,11 +8,12 @@ from typing import Any
 
 from clubface import units
 from clubface.clubs import Club
-from clubface.errors import InputError
+from clubface.errors import RunError
 from clubface.fem.balls import Ball, Piece, ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead
 from clubface.fem.materials import Material
+from clubface.fem.result import Impact
 from clubface.fem.run import Settings, strike
 
 COR_SPEED = "160 ft/s"
@@ -50,6 +51,11 @@ def restitution(
     -------
     float
         The ball's speed v after from e = v (M + m) / (M V) - 1, for a head of mass M that comes with the speed V.
+
+    Raises
+    ------
+    RunError
+        A run that failed.
     """
     made = ball(which)
     from clubface.clubs import club
@@ -65,8 +71,7 @@ def restitution(
         shaped, which=made, friction=friction, settings=settings, progress=progress,
         speed=approach, loft=0.0, toe=toe, high=high,
     )  # fmt: skip
-    if found.stopped:
-        raise InputError("the run", found.stopped, "complete")
+    _check_complete(found)
     mass = made.properties()["mass"]
     return found.launch["velocity_x"] * (rigid.mass + mass) / (rigid.mass * approach) - 1.0
 
@@ -91,6 +96,11 @@ def characteristic_time(
         Where it strikes [m].
     progress
         Called with simulated time and duration [s].
+
+    Raises
+    ------
+    RunError
+        A run that failed.
     """
     approach = units.parse(speed, "speed", name="speed")
     settings = Settings(duration=1.5e-3, interval=1e-6, until_separation=True)
@@ -98,12 +108,19 @@ def characteristic_time(
         head, which=striker(), friction=0.0, settings=settings, progress=progress,
         speed=approach, loft=0.0, toe=toe, high=high,
     )  # fmt: skip
-    if found.stopped:
-        raise InputError("the run", found.stopped, "complete")
+    _check_complete(found)
     gained = found.motion["velocity"][:, 0]
     share = (gained - gained[0]) / (gained[-1] - gained[0])
     first, last = (_crossing(found.motion["time"], share, level) for level in (0.05, 0.95))
     return last - first
+
+
+def _check_complete(found: Impact) -> None:
+    """Refuse a run that did not come to its end: nothing can be measured on it."""
+    if found.interrupted:
+        raise KeyboardInterrupt
+    if found.stopped:
+        raise RunError(found.stopped)
 
 
 def striker() -> Ball:
