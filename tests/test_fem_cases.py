@@ -59,11 +59,11 @@ def test_ogdens_rubber_with_exponents_of_two_is_mooney_and_rivlins(tmp_path):
     [
         (
             OGDEN.replace('mu2 = "-2 MPa"', 'mu2 = "2 MPa"'),
-            "ball.toml:12: mu2 is '2 MPa'; it must be of the sign of alpha2",
+            "ball.toml:12: mu2 of core is '2 MPa'; it must be of the sign of alpha2",
         ),
-        (OGDEN.replace("alpha1 = 2", "alpha1 = 0"), "ball.toml:11: alpha1 is 0.0; it must be -30 to 30, not 0"),
+        (OGDEN.replace("alpha1 = 2", "alpha1 = 0"), "ball.toml:11: alpha1 of core is 0.0; it must be -30 to 30, not 0"),
         (OGDEN.replace("alpha2 = -2", ""), "alpha2 missing"),
-        (OGDEN.replace("alpha1 = 2", 'alpha1 = "2 MPa"'), "ball.toml:11: alpha1 is '2 MPa'; it must be"),
+        (OGDEN.replace("alpha1 = 2", 'alpha1 = "2 MPa"'), "ball.toml:11: alpha1 of core is '2 MPa'; it must be"),
         (OGDEN.replace('mu1 = "8 MPa"\nalpha1 = 2\n', ""), "mu1, alpha1 missing"),
     ],
 )
@@ -76,12 +76,18 @@ def test_a_mistake_in_ogdens_constants_is_told(tmp_path, new, said):
 MISTAKES = [
     ('thickness = "1.8 mm"', 'thickness = "0 mm"', "ball.toml:17: thickness of cover is '0 mm'"),
     ('thickness = "1.8 mm"', 'thickness = "20 mm"', "less than 80% of the radius"),
-    ("poisson = 0.49", "poisson = 0.5", "ball.toml:12: poisson is 0.5; it must be -0.9 to 0.4999"),
-    ("poisson = 0.40", "poisson = 0.5", "ball.toml:20: poisson is 0.5; it must be -0.9 to 0.4999"),
-    ('youngs = "350 MPa"', 'youngs = "-350 MPa"', "ball.toml:19: youngs is '-350 MPa'; it must be above 0"),
-    ('c10 = "4 MPa"', 'c10 = "-4 MPa"', "ball.toml:10: c10 is '-4 MPa'; it must be zero or above"),
-    ('c10 = "4 MPa"', 'c10 = "4 mm"', "ball.toml:10: c10 is '4 mm'; it must be in Pa"),
+    ("poisson = 0.49", "poisson = 0.5", "ball.toml:12: poisson of core is 0.5; it must be -0.9 to 0.4999"),
+    ("poisson = 0.40", "poisson = 0.5", "ball.toml:20: poisson of cover is 0.5; it must be -0.9 to 0.4999"),
+    ('youngs = "350 MPa"', 'youngs = "-350 MPa"', "ball.toml:19: youngs of cover is '-350 MPa'; it must be above 0"),
+    ('c10 = "4 MPa"', 'c10 = "-4 MPa"', "ball.toml:10: c10 of core is '-4 MPa'; it must be zero or above"),
+    ('c10 = "4 MPa"', 'c10 = "4 mm"', "ball.toml:10: c10 of core is '4 mm'; it must be in Pa"),
     ('c10 = "4 MPa"\n', "", "c10 missing"),
+    (
+        'youngs = "350 MPa"',
+        "shear = 0",
+        "ball.toml:19: shear of cover is '0 MPa'; it must be such that the shear modulus",
+    ),
+    ('youngs = "350 MPa"', "youngs = 1e-9", "ball.toml:19: youngs of cover is '1e-15 MPa'; it must be such that"),
     ('mass = "46 g"', 'mass = "46 mm"', "ball.toml:3: mass"),
     ('mass = "46 g"', 'mass = "8 g"', "ball.toml:3: mass is '8 g'; it must be such that the core"),
     ('law = "linear"', 'law = "lineer"', "did you mean linear?"),

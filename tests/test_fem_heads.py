@@ -209,7 +209,11 @@ MISTAKES = [
     ('kind = "mesh"', 'kind = "blade"', "own.toml:2: kind must be one of driver, iron, mesh"),
     ('loft = "11.5 deg"', 'loft = "115 deg"', "own.toml:5: loft is '115 deg'; it must be 0 to 75 deg"),
     ('mass = "60 g"', 'mass = "60 mm"', "weight"),
-    ('x = "-40 mm"', "x = -40", "mass weight is '-40000 mm'; it must be a place within 300 mm of the face centre"),
+    (
+        'x = "-40 mm"',
+        "x = -40",
+        "own.toml:29: x of mass weight is '-40000 mm'; it must be within 300 mm of the face centre",
+    ),
     ("[[masses]]", WEIGHT + "[[masses]]", "own.toml:34: name: 'weight' is taken"),
     ("[[masses]]", '[[groups]]\nname = "hosel"\nthickness = "2 mm"\n[[masses]]', "belongs to the group 'hosel'"),
     ('unit = "mm"', 'unit = "mm"\nface_centre = [50, 0, 0]', "the nearest node of the face is"),

@@ -27,7 +27,7 @@ COLUMN = '[columns.speed]\nheading = "Tempo"\nunit = "km/h"\n'
         ('speed_at = "toe"\n' + COLUMN, 1, "must be one of cg, face"),
         ('face_at = "cg"\n' + COLUMN, 1, "must be one of face, contact"),
         (COLUMN + '[columns.sped]\nheading = "x"', None, "unknown quantity 'sped' .did you mean speed"),
-        (COLUMN + '[columns.path]\nunit = "deg"', None, r"these keys of \[columns.path\] are missing: heading"),
+        (COLUMN + '[columns.path]\nunit = "deg"', 4, r"these keys of \[columns.path\] are missing: heading"),
         (COLUMN + '[columns.path]\nheading = ""', 5, "the heading has no word"),
         (COLUMN + "[columns.path]\nheading = 5", 5, "heading must be text"),
         (COLUMN + '[columns.path]\nheading = "Bahn"\nunit = "mph"', 6, "in rad or deg, not a speed"),

@@ -218,7 +218,7 @@ def test_where_a_file_holds_several_sets_one_is_chosen(tmp_path):
     ("old", "new", "line", "message"),
     [
         ('slip_z = "0.02"', 'slip_x = "0.02"', 11, "unknown key 'slip_x' .*did you mean slip_"),
-        ('slip_z = "0.02"', "", None, r"keys of \[set.values\] are missing: slip_z"),
+        ('slip_z = "0.02"', "", 7, r"keys of \[set.values\] are missing: slip_z"),
         ('slip_z = "0.02"', 'slip_z = "2"', 11, "slip_z is '2'; it must be from -1 to 1"),
         ('slip_z = "0.02"', 'slip_z = "2 mph"', 11, "not a speed"),
         ("slip_y = -0.01", "slip_y = true", 10, "slip_y is True"),

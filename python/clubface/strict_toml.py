@@ -54,23 +54,27 @@ class Document:
         return cls(text, name)
 
     def line(self, key: str, table: str = "", occurrence: int = 0) -> int | None:
-        """Find the line (from 1) that sets ``key`` in the given ``occurrence`` of ``table``, or opens it, or None."""
+        """Find the line (from 1) that sets ``key`` in the given ``occurrence`` of ``table``, or opens it, or None.
+
+        Without ``key`` it is the line that opens the table.
+        """
         here, seen = "", {"": 0}
+        opened = (key, 0) if not table else (table, occurrence) if not key else None
         for number, line in enumerate(self._lines, 1):
             text = line.strip()
             if text.startswith("["):
                 here = text.split("#")[0].strip("[] \t").replace(" ", "")
                 seen[here] = seen.get(here, -1) + 1
-                if not table and here == key:
+                if (here, seen[here]) == opened:
                     return number
-            elif here == table and seen[here] == occurrence and text.split("=")[0].strip(" \t\"'") == key:
+            elif key and here == table and seen[here] == occurrence and text.split("=")[0].strip(" \t\"'") == key:
                 return number
         return None
 
     def error(self, message: str, key: str | None = None, table: str = "", occurrence: int = 0) -> FileError:
         """Make a :class:`FileError` at the line of ``key``."""
         line = self.line(key, table, occurrence) if key is not None else None
-        return FileError(self.path, line, message, key)
+        return FileError(self.path, line, message, key or None)
 
     def check_keys(
         self,
@@ -87,7 +91,7 @@ class Document:
         missing = [key for key in required if key not in values]
         if missing:
             place = f" of [{table}]" if table else ""
-            raise self.error(f"these keys{place} are missing: {', '.join(missing)}")
+            raise self.error(f"these keys{place} are missing: {', '.join(missing)}", "", table, occurrence)
 
     def check_text(self, values: dict[str, Any], keys: Iterable[str], table: str = "", occurrence: int = 0) -> None:
         """Refuse a value of ``keys`` that is not text."""
@@ -96,9 +100,16 @@ class Document:
                 raise self.error(f"{key} must be text in quotes, not {values[key]!r:.60}", key, table, occurrence)
 
     def wrap(self, error: ClubfaceError, table: str = "", occurrence: int = 0) -> FileError:
-        """Tell ``error`` about one value with file and line."""
-        key = getattr(error, "parameter", None)
-        return self.error(str(error), key, table, occurrence)
+        """Tell ``error`` about one value with file and line.
+
+        The parameter may be "key", "table.key", "key of name" (the name of what has it) or "key[0]" (in a list).
+        """
+        named = getattr(error, "parameter", None) or ""
+        inside, _, key = named.partition(" of ")[0].partition("[")[0].rpartition(".")
+        # The last two: a table inside another, and one written in one line under its own name.
+        places = [(named, table), (key, inside or table), (key, f"{table}.{inside}"), (inside, table)]
+        lines = (self.line(name, place, occurrence) for name, place in places if name)
+        return FileError(self.path, next(filter(None, lines), None), str(error), named or None)
 
 
 def quoted(text: str) -> str:

@@ -238,9 +238,9 @@ def _piece(document: Document, table: dict[str, Any], number: int, branches: int
             material = Material(law=table["law"], constants=given, poisson=table["poisson"], **common)
         return Piece(name=table["name"], material=material, layers=table["layers"], thickness=table.get("thickness"))
     except InputError as error:
-        # "thickness of cover" stands in the line of "thickness".
-        key = error.parameter.partition(" of ")[0]
-        raise document.error(str(error), key, "pieces", number) from error
+        if " of " not in error.parameter:
+            error.parameter += f" of {table['name']}"
+        raise document.wrap(error, "pieces", number) from error
 
 
 def _branches(document: Document, table: dict[str, Any], above: int) -> tuple[Maxwell, ...]:

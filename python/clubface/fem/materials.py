@@ -85,6 +85,8 @@ class Maxwell:
 
 
 MAX_BRANCHES = 4
+SHEAR = (1e3, 1e12)
+"""Limits of the shear modulus [Pa]."""
 _POISSON = "-0.9 to 0.4999; a material of 0.5 cannot change its volume, which explicit steps cannot follow"
 
 
@@ -133,8 +135,9 @@ class Material:
             name, low = min(values.items(), key=lambda each: each[1])
             if low < 0.0:
                 raise InputError(name, units.show(low, "MPa"), "zero or above")
-        if not 1e3 <= self.shear <= 1e12:
-            raise InputError(f"shear modulus of {self.law}", units.show(self.shear, "MPa"), "0.001 to 1000000 MPa")
+        if not SHEAR[0] <= self.shear <= SHEAR[1]:
+            name, value = next(iter(values.items()))
+            raise InputError(name, units.show(value, "MPa"), _shear_allowed(self.shear))
 
     @property
     def shear(self) -> float:
@@ -164,7 +167,14 @@ class Material:
         if not -0.9 <= ratio <= 0.4999:
             raise InputError("poisson", ratio, _POISSON)
         shear = modulus / (2.0 * (1.0 + ratio))
+        if not SHEAR[0] <= shear <= SHEAR[1]:
+            raise InputError("youngs", units.show(modulus, "MPa"), _shear_allowed(shear))
         return cls(law="linear", constants={"shear": shear}, poisson=ratio, density=density, maxwell=tuple(maxwell))
+
+
+def _shear_allowed(shear: float) -> str:
+    least, most = (units.show(each, "MPa", 7) for each in SHEAR)
+    return f"such that the shear modulus is {least} to {most}; it is {units.show(shear, 'MPa')}"
 
 
 def _check_ogden(values: Mapping[str, float]) -> None:

@@ -8,10 +8,11 @@ from typing import Any
 
 from clubface import units
 from clubface.equipment import check_name, check_text
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.places import Place, parsed
+from clubface.fem.heads.places import Place, parsed_places
 from clubface.fem.heads.shells import Part, ShellHead
+from clubface.fem.heads.values import parsed
 
 SHAPE = ("loft", "bulge", "roll", "width", "depth", "crown", "sole", "rounding")
 WALLS = ("face_centre", "face_edge", "crown", "sole", "skirt")
@@ -62,17 +63,17 @@ class DriverHead:
     def __post_init__(self) -> None:
         check_name(self.name)
         check_text("description", self.description)
-        shape = _parsed(self.shape, SHAPE, SHAPE, lambda key: "angle" if key == "loft" else "length")
+        shape = parsed("shape", self.shape, SHAPE, SHAPE, lambda key: "angle" if key == "loft" else "length")
         for key, (least, most) in _LIMITS.items():
             if not least <= shape[key] <= most:
-                raise InputError(key, units.show(shape[key], "mm"), f"{least * 1e3:g} to {most * 1e3:g} mm")
+                raise InputError(f"shape.{key}", units.show(shape[key], "mm"), f"{least * 1e3:g} to {most * 1e3:g} mm")
         if not 0.0 <= shape["loft"] <= units.parse("40 deg", "angle"):
-            raise InputError("loft", units.show(shape["loft"], "deg"), "0 to 40 deg")
-        thickness = _parsed(self.thickness, WALLS, WALLS, lambda _: "length")
-        target = _parsed(self.target, TARGETS, ("mass",), _target_dimension)
+            raise InputError("shape.loft", units.show(shape["loft"], "deg"), "0 to 40 deg")
+        thickness = parsed("thickness", self.thickness, WALLS, WALLS, lambda _: "length")
+        target = parsed("target", self.target, TARGETS, ("mass",), _target_dimension)
         if not 0.05 <= target["mass"] <= 0.5:
-            raise InputError("mass", units.show(target["mass"], "g"), "50 to 500 g")
-        trims = parsed(self.trims, "trim")
+            raise InputError("target.mass", units.show(target["mass"], "g"), "50 to 500 g")
+        trims = parsed_places(self.trims, "trim")
         low, high = self.scales
         if not 0.1 <= low <= 1.0 <= high <= 10.0:
             raise InputError("scales", self.scales, "0.1 to 1 and 1 to 10")
@@ -122,15 +123,3 @@ class DriverHead:
 
 def _target_dimension(key: str) -> str:
     return {"mass": "mass", "i": "inertia", "c": "length"}[key if key == "mass" else key[0]]
-
-
-def _parsed(
-    values: Mapping[str, Any], known: tuple[str, ...], required: tuple[str, ...], dimension: Any
-) -> dict[str, float]:
-    for key in values:
-        if key not in known:
-            raise UnknownNameError("value of the head", key, known)
-    for key in required:
-        if key not in values:
-            raise InputError(key, None, "given")
-    return {key: units.parse(value, dimension(key), name=key) for key, value in values.items()}

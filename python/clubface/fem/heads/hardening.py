@@ -38,14 +38,16 @@ class Hardening:
 
     def __post_init__(self) -> None:
         for name, dimension in (("modulus", "pressure"), ("gain", "pressure"), ("rate", units.DIMENSIONLESS)):
-            value = units.parse(getattr(self, name), dimension, name=name)
+            value = units.parse(getattr(self, name), dimension, name=f"hardening.{name}")
             object.__setattr__(self, name, value)
             if not 0.0 <= value < math.inf:
                 shown = value if dimension == units.DIMENSIONLESS else units.show(value, "MPa")
-                raise InputError(name, shown, "zero or above: a metal that softens fails where it yields first")
+                raise InputError(
+                    f"hardening.{name}", shown, "zero or above: a metal that softens fails where it yields first"
+                )
         if (self.gain > 0.0) != (self.rate > 0.0):
             name, other = ("gain", "rate") if self.gain > 0.0 else ("rate", "gain")
-            raise InputError(name, getattr(self, name), f"given together with {other}")
+            raise InputError(f"hardening.{name}", getattr(self, name), f"given together with {other}")
         object.__setattr__(self, "table", tuple(_point(each) for each in self.table))
         if self.table:
             _check_table(self.table)
@@ -65,8 +67,7 @@ class Hardening:
             if not given:
                 raise InputError("hardening", given, f"1 to {MAX_POINTS} points of plastic strain and yield stress")
             return cls(table=tuple(given))
-        modulus: Any = given
-        return cls(modulus=modulus)
+        return cls(modulus=units.parse(given, "pressure", name="hardening"))
 
     def stress(self, strain: float, first: float) -> float:
         """Return the yield stress [Pa] at a plastic strain, for the stress of first yield [Pa]."""

@@ -8,11 +8,12 @@ from typing import Any
 
 from clubface import units
 from clubface.equipment import check_choice, check_name, check_text
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.fem.balls import ELEMENTS
 from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.places import Place, parsed, spread
+from clubface.fem.heads.places import Place, parsed_places, spread
 from clubface.fem.heads.solid import ROUND, SolidHead
+from clubface.fem.heads.values import parsed
 
 LENGTHS = {
     "length": (0.04, 0.12), "heel_height": (0.01, 0.08), "toe_height": (0.015, 0.1), "face": (1e-3, 0.02),
@@ -42,9 +43,9 @@ class IronHead:
     masses
         Added masses, such as the hosel's, by name: (x, y, z, mass), the place from the face centre.
     grooves
-        None for a plain face; else "width" of the grooves from edge to edge, "depth", "pitch" from the middle of one to
-        that of the next, and "wall", the width of each side wall. They run from heel to toe with a land through the
-        face centre, are felt by the contact and are no part of the mesh.
+        None for a plain face; else "width" of the grooves from edge to edge, "depth" (less than the blade is thick),
+        "pitch" from the middle of one to that of the next, and "wall", the width of each side wall. They run from heel
+        to toe with a land through the face centre, are felt by the contact and are no part of the mesh.
     elements
         From heel to toe, from sole to top line, through the blade.
     element
@@ -64,30 +65,23 @@ class IronHead:
         check_name(self.name)
         check_text("description", self.description)
         check_choice("element", self.element, ELEMENTS)
-        for key in self.shape:
-            if key not in SHAPE:
-                raise UnknownNameError("value of the head", key, SHAPE)
-        for key in SHAPE:
-            if key not in self.shape:
-                raise InputError(key, None, "given")
-        shape = {key: units.parse(self.shape[key], "length", name=key) for key in LENGTHS}
-        shape["loft"] = units.parse(self.shape["loft"], "angle", name="loft")
-        shape["rim"] = units.parse(self.shape["rim"], units.DIMENSIONLESS, name="rim")
+        dimensions = {"loft": "angle", "rim": units.DIMENSIONLESS}
+        shape = parsed("shape", self.shape, SHAPE, SHAPE, lambda key: dimensions.get(key, "length"))
         for key, (least, most) in LENGTHS.items():
             if not least <= shape[key] <= most:
-                raise InputError(key, units.show(shape[key], "mm"), f"{least * 1e3:g} to {most * 1e3:g} mm")
+                raise InputError(f"shape.{key}", units.show(shape[key], "mm"), f"{least * 1e3:g} to {most * 1e3:g} mm")
         if not 0.0 <= shape["loft"] <= units.parse("70 deg", "angle"):
-            raise InputError("loft", units.show(shape["loft"], "deg"), "0 to 70 deg")
+            raise InputError("shape.loft", units.show(shape["loft"], "deg"), "0 to 70 deg")
         if not 0.05 <= shape["rim"] <= 0.5:
-            raise InputError("rim", shape["rim"], "0.05 to 0.5")
+            raise InputError("shape.rim", shape["rim"], "0.05 to 0.5")
         if 2.0 * shape["rounding"] >= shape["heel_height"]:
-            raise InputError("rounding", units.show(shape["rounding"], "mm"), "below half of heel_height")
+            raise InputError("shape.rounding", units.show(shape["rounding"], "mm"), "below half of heel_height")
         for value, least in zip(self.elements, (8, 8, 1), strict=True):
             if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= 400:
                 raise InputError("elements", self.elements, "three whole numbers from 8, 8 and 1 to 400")
-        object.__setattr__(self, "grooves", _grooves(self.grooves))
+        object.__setattr__(self, "grooves", _grooves(self.grooves, shape))
         object.__setattr__(self, "shape", shape)
-        object.__setattr__(self, "masses", parsed(self.masses, "mass"))
+        object.__setattr__(self, "masses", parsed_places(self.masses, "mass"))
         object.__setattr__(self, "elements", tuple(self.elements))
 
     def mesh(self) -> SolidHead:
@@ -112,22 +106,24 @@ class IronHead:
         )
 
 
-def _grooves(given: Mapping[str, Any] | None) -> dict[str, float] | None:
-    """Return the dimensions of grooves, checked."""
+def _grooves(given: Mapping[str, Any] | None, shape: Mapping[str, float]) -> dict[str, float] | None:
+    """Return the dimensions of grooves in a head of this shape, checked."""
     if given is None:
         return None
-    for key in given:
-        if key not in GROOVES:
-            raise UnknownNameError("value of the grooves", key, tuple(GROOVES))
-    for key in GROOVES:
-        if key not in given:
-            raise InputError(key, None, "given, as all dimensions of the grooves")
-    found = {key: units.parse(given[key], "length", name=key) for key in GROOVES}
+    read = parsed("grooves", given, tuple(GROOVES), tuple(GROOVES), lambda _: "length")
+    found = {key: read[key] for key in GROOVES}
+    shown = {key: units.show(value, "mm") for key, value in found.items()}
     for key, (least, most) in GROOVES.items():
         if not least <= found[key] <= most:
-            raise InputError(key, units.show(found[key], "mm"), f"{least * 1e3:g} to {most * 1e3:g} mm")
+            raise InputError(f"grooves.{key}", shown[key], f"{least * 1e3:g} to {most * 1e3:g} mm")
     if 2.0 * found["wall"] > found["width"]:
-        raise InputError("wall", units.show(found["wall"], "mm"), "at most half of the grooves' width")
+        raise InputError("grooves.wall", shown["wall"], f"at most half of the grooves' width, {shown['width']}")
     if found["width"] >= found["pitch"]:
-        raise InputError("width", units.show(found["width"], "mm"), "below the pitch, so that lands are left between")
+        raise InputError(
+            "grooves.width", shown["width"], f"below the pitch, {shown['pitch']}, so that lands are left between"
+        )
+    thinnest = min(("face", "sole", "top"), key=lambda key: shape[key])
+    if found["depth"] >= shape[thinnest]:
+        wall = f"shape.{thinnest} is {units.show(shape[thinnest], 'mm')}"
+        raise InputError("grooves.depth", shown["depth"], f"less than the blade is thick: {wall}")
     return found

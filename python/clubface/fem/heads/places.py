@@ -17,27 +17,34 @@ SPREAD = 8e-3
 REACH = 0.3
 """Farthest place of an added mass along an axis [m]."""
 
+LEAST_TRIM = 1e-5
+"""Least that a trim mass may weigh at most [kg]."""
+
+MASS_KEYS = {"trim": "most", "mass": "mass"}
+"""What the mass of a place is called, by what it is."""
+
 Place = tuple[Any, Any, Any, Any]
 """x, y, z and mass, text with units or SI."""
 
 
-def parsed(places: Mapping[str, Place], what: str) -> dict[str, tuple[float, float, float, float]]:
-    """Return places [m] and masses [kg], checked; ``what`` they are stands in errors."""
+def parsed_places(places: Mapping[str, Place], what: str) -> dict[str, tuple[float, float, float, float]]:
+    """Return places [m] and masses [kg], checked; errors speak of such as "x of trim toe", ``what`` being "trim"."""
     found = {}
     for name, values in places.items():
         if len(values) != 4:
             raise InputError(f"{what} {name}", values, "x, y, z and a mass")
-        x, y, z = (units.parse(value, "length", name=f"{what} {name}") for value in values[:3])
-        mass = units.parse(values[3], "mass", name=f"{what} {name}")
-        far = next((value for value in (x, y, z) if not abs(value) <= REACH), None)
-        if far is not None:
-            raise InputError(
-                f"{what} {name}",
-                units.show(far, "mm"),
-                'a place within 300 mm of the face centre; numbers are metres, "-33 mm" is text',
-            )
-        if not 0.0 <= mass <= 0.5:
-            raise InputError(f"{what} {name}", units.show(mass, "g"), "0 to 500 g")
+        for axis, value in zip("xyz", values[:3], strict=True):
+            length = units.parse(value, "length", name=f"{axis} of {what} {name}")
+            if not abs(length) <= REACH:
+                allowed = 'within 300 mm of the face centre; numbers are metres, "-33 mm" is text'
+                raise InputError(f"{axis} of {what} {name}", units.show(length, "mm"), allowed)
+        x, y, z = (units.parse(value, "length") for value in values[:3])
+        key = f"{MASS_KEYS[what]} of {what} {name}"
+        mass = units.parse(values[3], "mass", name=key)
+        # A trim mass that may weigh nothing is none.
+        least = LEAST_TRIM if what == "trim" else 0.0
+        if not least <= mass <= 0.5:
+            raise InputError(key, units.show(mass, "g"), f"{least * 1e3:g} to 500 g")
         found[name] = (x, y, z, mass)
     return found
 

@@ -8,12 +8,13 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from clubface.equipment import builtin_names, builtin_path, is_path
-from clubface.errors import ClubfaceError, FileError, UnknownNameError
+from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
 from clubface.fem.heads.driver import SHAPE, TARGETS, WALLS, DriverHead
 from clubface.fem.heads.iron import GROOVES, IronHead
 from clubface.fem.heads.iron import SHAPE as IRON_SHAPE
 from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.metal import Metal
+from clubface.fem.heads.places import MASS_KEYS, parsed_places
 from clubface.fem.heads.user_mesh import Group, MeshHead
 from clubface.strict_toml import Document
 
@@ -43,18 +44,39 @@ def head(which: str | os.PathLike[str] | MeshedHead | Design) -> MeshedHead:
     if isinstance(which, DriverHead | IronHead | MeshHead):
         return which.mesh()
     if is_path(which):
-        return from_toml(which).mesh()
+        return _meshed(which)
     if which not in head_names():
         raise UnknownNameError("head of finite elements", which, head_names())
-    return from_toml(builtin_path("fem_head", str(which), head_names())).mesh()
+    return _meshed(builtin_path("fem_head", str(which), head_names()))
 
 
 def from_toml(path: str | os.PathLike[str]) -> Design:
     """Read the design of a head from a TOML file; a mesh it names by path is looked for beside it."""
+    return _design(Document.read(path), Path(os.fspath(path)).parent)
+
+
+def _meshed(path: str | os.PathLike[str]) -> MeshedHead:
+    """Mesh the head of a file; what is wrong with the mesh is told with the file too."""
     document = Document.read(path)
+    design = _design(document, Path(os.fspath(path)).parent)
+    try:
+        made = design.mesh()
+        # The core checks a mesh when it weighs it.
+        _ = made.club
+    except FileError as error:
+        raise document.error(str(error), "file") from error
+    except ClubfaceError as error:
+        if isinstance(design, MeshHead) and getattr(error, "parameter", None) not in KEYS[MESH]:
+            raise document.error(f"{os.fspath(design.file)}: {error}", "file") from error
+        raise document.wrap(error) from error
+    return made
+
+
+def _design(document: Document, folder: Path) -> Design:
+    """Return the design that a document describes."""
     data = dict(document.data)
     kind = data.pop("kind", None)
-    if kind not in KEYS:
+    if not isinstance(kind, str) or kind not in KEYS:
         raise document.error(f"kind must be one of {', '.join(KEYS)}, not {kind!r}", "kind")
     document.check_keys(data, KEYS[kind], ("name",))
     document.check_text(data, ("name", "description", "file", "unit", "element"))
@@ -62,7 +84,7 @@ def from_toml(path: str | os.PathLike[str]) -> Design:
         return _driver(document, data)
     if kind == IRON:
         return _iron(document, data)
-    return _mesh(document, data, Path(os.fspath(path)).parent)
+    return _mesh(document, data, folder)
 
 
 def _driver(document: Document, data: dict[str, Any]) -> DriverHead:
@@ -74,7 +96,7 @@ def _driver(document: Document, data: dict[str, Any]) -> DriverHead:
     )
     tables = _tables_of(document, data, known)
     data["metal"] = _metal(document, tables.pop("metal"), "metal")
-    data["trims"] = _places(document, data.pop("trims", []), "trims", "most")
+    data["trims"] = _places(document, data.pop("trims", []), "trims", "trim")
     return _made(document, DriverHead, data, tables)
 
 
@@ -96,14 +118,13 @@ def _made(document: Document, design: Callable[..., T], data: dict[str, Any], ta
     for key in ("elements", "scales"):
         if key in data:
             if not isinstance(data[key], list) or len(data[key]) != (3 if key == "elements" else 2):
-                raise document.error(f"{key} must be a list of {'three' if key == 'elements' else 'two'} numbers", key)
+                wanted = f"a list of {'three' if key == 'elements' else 'two'} numbers"
+                raise document.wrap(InputError(key, data[key], wanted))
             data[key] = tuple(data[key])
     try:
         return design(**data, **tables)
     except ClubfaceError as error:
-        parameter = getattr(error, "parameter", None)
-        table = next((key for key, values in tables.items() if parameter in values), "")
-        raise document.wrap(error, table) from error
+        raise document.wrap(error) from error
 
 
 def _iron(document: Document, data: dict[str, Any]) -> IronHead:
@@ -132,9 +153,7 @@ def _mesh(document: Document, data: dict[str, Any], folder: Path) -> MeshHead:
         except FileError:
             raise
         except ClubfaceError as error:
-            # "thickness of crown" stands in the line of "thickness".
-            key = str(getattr(error, "parameter", "")).partition(" of ")[0]
-            raise document.error(str(error), key, "groups", number) from error
+            raise document.wrap(error, "groups", number) from error
     masses = _places(document, data.pop("masses", []), "masses", "mass")
     try:
         return MeshHead(**{**data, "file": folder / data["file"]}, groups=tuple(groups), masses=masses)
@@ -157,14 +176,19 @@ def _tables(document: Document, values: Any, key: str) -> list[dict[str, Any]]:
     return values
 
 
-def _places(document: Document, values: Any, key: str, mass: str) -> dict[str, tuple[Any, Any, Any, Any]]:
+def _places(document: Document, values: Any, key: str, what: str) -> dict[str, tuple[Any, Any, Any, Any]]:
     """Read places with masses: [[trims]] or [[masses]]."""
     found = {}
+    mass = MASS_KEYS[what]
     for number, table in enumerate(_tables(document, values, key)):
         keys = ("name", "x", "y", "z", mass)
         document.check_keys(table, keys, keys, key, number)
         document.check_text(table, ("name",), key, number)
         if table["name"] in found:
             raise document.error(f"name: {table['name']!r} is taken; every one needs its own", "name", key, number)
-        found[table["name"]] = (table["x"], table["y"], table["z"], table[mass])
+        place = (table["x"], table["y"], table["z"], table[mass])
+        try:
+            found |= parsed_places({table["name"]: place}, what)
+        except InputError as error:
+            raise document.wrap(error, key, number) from error
     return found

@@ -11,12 +11,16 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.equipment import FLAT, check_name, check_text
 from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.fem.heads.mesh_file import group_names, read_mesh
 from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.places import Place, parsed, spread
+from clubface.fem.heads.places import Place, parsed_places, spread
 from clubface.fem.heads.shells import Part, ShellHead
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+SIZES = (0.02, 0.4)
+"""Least and largest size of a head along an axis [m]."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,6 +45,7 @@ class Group:
     face: bool = False
 
     def __post_init__(self) -> None:
+        check_name(self.name)
         object.__setattr__(self, "thickness", units.parse(self.thickness, "length", name="thickness"))
         if not 2e-4 <= self.thickness <= 0.02:
             raise InputError(f"thickness of {self.name}", units.show(self.thickness, "mm"), "0.2 to 20 mm")
@@ -89,6 +94,8 @@ class MeshHead:
     def __post_init__(self) -> None:
         check_name(self.name)
         check_text("description", self.description)
+        check_text("unit", self.unit)
+        units.unit(self.unit, name="unit", dimension="length")
         object.__setattr__(self, "loft", units.parse(self.loft, "angle", name="loft"))
         for key in ("bulge", "roll"):
             value = getattr(self, key)
@@ -98,7 +105,7 @@ class MeshHead:
                 raise InputError(key, value, f'above 0 mm, or "{FLAT}"')
         if not 0.0 <= self.loft <= units.parse("75 deg", "angle"):
             raise InputError("loft", units.show(self.loft, "deg"), "0 to 75 deg")
-        object.__setattr__(self, "masses", parsed(self.masses, "mass"))
+        object.__setattr__(self, "masses", parsed_places(self.masses, "mass"))
         _check_place("face_centre", self.face_centre)
         if not any(group.face for group in self.groups):
             raise InputError("groups", [group.name for group in self.groups], "at least one with face = true")
@@ -110,14 +117,17 @@ class MeshHead:
         ------
         FileError
             A file that cannot be read, without quadrilaterals, or with some that belong to no group.
+        InputError
+            A unit that makes no head of the mesh, or a face centre that is not on the face.
         """
         import numpy as np
 
         points, quads, of_group = self._read()
-        size = units.parse(f"1 {self.unit}", "length", name="unit")
+        size = units.parse(f"1 {self.unit}", "length")
         order = np.argsort(of_group, kind="stable")
         quads, of_group = quads[order], of_group[order]
         used, quads = np.unique(quads, return_inverse=True)
+        self._check_unit(float(np.ptp(points[used], axis=0).max()))
         centre = [units.parse(x, "length") if isinstance(x, str) else x * size for x in self.face_centre]
         nodes = points[used] * size - np.asarray(centre, float)
         counts = np.bincount(of_group, minlength=len(self.groups))
@@ -142,6 +152,24 @@ class MeshHead:
             roll=self.roll,
         )
 
+    def _check_unit(self, across: float) -> None:
+        """Refuse a unit in which a head that measures ``across`` in the file would be too large or too small."""
+
+        def size(unit: str) -> float:
+            return units.parse(f"1 {unit}", "length") * across
+
+        def fits(unit: str) -> bool:
+            return SIZES[0] <= size(unit) <= SIZES[1]
+
+        if fits(self.unit):
+            return
+        least, most = (units.show(each, "mm") for each in SIZES)
+        found = f"with it the size of the head is {units.show(size(self.unit), 'mm')}, {least} to {most} is allowed"
+        better = " or ".join(f'unit = "{unit}"' for unit in ("mm", "cm", "in", "m") if fits(unit))
+        hint = f"try {better}" if better else "no unit makes a head of this mesh"
+        allowed = f'the unit of lengths in {os.fspath(self.file)}, "mm" where left out: {found}; {hint}'
+        raise InputError("unit", self.unit, allowed)
+
     def _check_centre(self, nodes: NDArray[Any], quads: NDArray[Any], face: NDArray[Any]) -> None:
         """Refuse a face centre that is not on the face; nodes [m] count from it."""
         import numpy as np
@@ -156,17 +184,10 @@ class MeshHead:
 
     def _read(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return points in the unit of the file, quadrilaterals, and the number of the group of each."""
-        import meshio
         import numpy as np
 
         path = os.fspath(self.file)
-        if not os.path.isfile(path):
-            raise FileError(path, None, "cannot be read: there is no such file")
-        try:
-            mesh = meshio.read(path)
-        # meshio's readers raise whatever a broken file makes them stumble over, or leave the program.
-        except (Exception, SystemExit) as error:
-            raise FileError(path, None, f"is no mesh that can be read: {error or type(error).__name__}") from None
+        mesh = read_mesh(path)
         blocks = [(number, block) for number, block in enumerate(mesh.cells) if block.type == "quad"]
         others = sorted({block.type for block in mesh.cells if block.type not in ("quad", "line", "vertex")})
         if not blocks or others:
@@ -174,15 +195,15 @@ class MeshHead:
             raise FileError(
                 path, None, f"the head must be all quadrilaterals; there are elements of other kinds: {found}"
             )
-        numbers = _group_numbers(mesh, path)
+        names = group_names(mesh, path)
         known = {group.name: place for place, group in enumerate(self.groups)}
         quads, of_group = [], []
         for number, block in blocks:
-            for name in numbers[number]:
+            for name in names[number]:
                 if name not in known:
                     raise FileError(path, None, str(UnknownNameError("group of the mesh", name, tuple(known))))
             quads.append(np.asarray(block.data))
-            of_group.append(np.array([known[name] for name in numbers[number]], dtype=np.int64))
+            of_group.append(np.array([known[name] for name in names[number]], dtype=np.int64))
         points = np.zeros((len(mesh.points), 3))
         points[:, : mesh.points.shape[1]] = mesh.points
         if not np.isfinite(points).all():
@@ -199,22 +220,3 @@ def _check_place(name: str, given: Any) -> None:
             units.parse(each, "length", name=name)
         elif isinstance(each, bool) or not isinstance(each, int | float) or not math.isfinite(each):
             raise InputError(name, each, "three lengths")
-
-
-def _group_numbers(mesh: Any, path: str) -> list[list[str]]:
-    """Return the name of the group of each element, by block."""
-    names = [[""] * len(block.data) for block in mesh.cells]
-    # Physical groups of Gmsh: numbers on the elements, names in the field data.
-    tags = {int(value[0]): name for name, value in mesh.field_data.items() if len(value) > 1 and value[1] == 2}
-    for key in ("gmsh:physical", "medit:ref", "group", "part"):
-        for block, values in enumerate(mesh.cell_data.get(key, [])):
-            names[block] = [tags.get(int(value), str(int(value))) for value in values]
-    for name, sets in mesh.cell_sets.items():
-        for block, members in enumerate(sets):
-            for member in () if members is None else members:
-                names[block][int(member)] = name
-    for block, each in zip(mesh.cells, names, strict=True):
-        if block.type == "quad" and "" in each:
-            message = f"element {each.index('')} belongs to no group; name physical groups or cell sets in the mesh"
-            raise FileError(path, None, message)
-    return names
