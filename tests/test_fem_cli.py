@@ -47,7 +47,10 @@ def test_paper_prints_the_keys_that_were_agreed_and_draws(clubface_, paper_like,
     pytest.importorskip("matplotlib")
     ran = clubface_("fem", "paper", "--case", str(paper_like), "--json", "-o", str(tmp_path / "out"))
     assert list(ran.json) == PAPER
-    assert (tmp_path / "out" / "paper.png").stat().st_size > 10_000
+    for figure in ("paper", "patch", "section", "sweep"):
+        assert (tmp_path / "out" / f"{figure}.png").stat().st_size > 10_000
+    rows = (tmp_path / "out" / "sweep.csv").read_text().splitlines()
+    assert len(rows) == 2 + 7 * 5
     assert "2047" in clubface_("fem", "paper", "--case", str(paper_like)).out
 
 

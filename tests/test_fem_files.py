@@ -218,6 +218,23 @@ def test_the_deck_of_a_head_of_shells_holds_its_mass_and_motion(tmp_path):
     assert (nodes[first:, 0] < 2e-3).all()
 
 
+def test_shells_of_a_deck_have_the_points_of_their_metal(tmp_path):
+    part = replace(coarse_head().parts[0], metal=fem.Metal(yield_stress="900 MPa", points=7, rule="lobatto"))
+    head = replace(coarse_head(), parts=(part, *coarse_head().parts[1:]))
+    deck = Deck(keyword.write(shells_case().replace(club=head), tmp_path / "points.k"))
+    rule, *points = map(fields, deck.one("INTEGRATION_SHELL"))
+    assert rule[:2] == [2, 7]
+    places, weights = np.array(points).T
+    assert (places[0], places[-1]) == (-1.0, 1.0)
+    for power in (0, 2, 4, 10):
+        # Lobatto's rule is exact for these; a card has eight digits.
+        assert weights @ places**power == pytest.approx(1.0 / (power + 1.0), abs=1e-7)
+    sections = [fields(cards[0]) for cards in deck.all("SECTION_SHELL")]
+    assert [(section[0], section[3], section[5]) for section in sections][:2] == [(2, 7, -2), (3, 5, 0)]
+    parts = [fields(cards[1]) for cards in deck.all("PART")]
+    assert [each[1] for each in parts if each[0] >= keyword_head.HEAD_PART] == [section[0] for section in sections]
+
+
 def test_a_head_that_moves_away_gives_no_deck(tmp_path):
     given = case("paper").replace(attack="89 deg", face="80 deg")
     with pytest.raises(InputError):

@@ -6,7 +6,7 @@ import pytest
 
 from clubface import fem
 from clubface.equipment import builtin_path
-from clubface.errors import ClubfaceError, FileError
+from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.fem import keyword
 from clubface.fem.heads.read import from_toml
 from fem_runs import coarse, coarse_head, shells_case
@@ -92,11 +92,12 @@ def test_metals_read_their_values():
     metal = fem.Metal(yield_stress="800 MPa", hardening={"modulus": "1 GPa", "gain": "100 MPa", "rate": 20})
     assert metal.hardening == fem.Hardening(modulus=1e9, gain=1e8, rate=20.0)
     # 800 + 50 + 100 (1 - 1/e).
-    assert metal.hardening.stress(0.05, 8e8) == pytest.approx(913.212e6, rel=1e-6)
+    assert metal.flow_stress([0.05]) == pytest.approx([913.212e6], rel=1e-6)
     table = fem.Metal(hardening=[[0, "800 MPa"], ["1 %", "900 MPa"]])
     assert table.yield_stress == 8e8
-    assert table.hardening.stress(0.005, 8e8) == pytest.approx(850e6)
-    assert table.hardening.stress(0.5, 8e8) == 9e8
+    assert table.flow_stress([0.005, 0.5]) == pytest.approx([850e6, 9e8])
+    with pytest.raises(InputError, match="elastic"):
+        fem.Metal().flow_stress([0.0])
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -14,6 +15,9 @@ from clubface.cli.fem_progress import progress_bar, run_with_progress
 from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RPM, RUN_ROWS
 from clubface.errors import RunError
 
+if TYPE_CHECKING:
+    from clubface.fem.case import Case
+
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Finite elements: impacts of meshed balls.")
 app.command("ball")(report_ball)
 app.command("head")(report_head)
@@ -24,8 +28,10 @@ BallOption = Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A 
 Folder = Annotated[
     str | None, typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures there.")
 ]
-MOVING = 81
-"""Pictures of an animation."""
+MOVING, SHAPES = 81, 51
+"""Pictures of an animation, and deformed shapes to choose from for a picture of some."""
+SPEEDS, LOFTS = "30:60:5", "8:12:1"
+"""Of P2's Fig. 8."""
 
 
 @app.command("reference")
@@ -126,15 +132,20 @@ def run(
 def paper(
     case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="A variation of P2's case.")] = "paper",
     folder: Folder = None,
+    swept: Annotated[bool, typer.Option("--sweep/--no-sweep", help="With -o: Fig. 8 too, of 35 runs.")] = True,
     as_json: options.Json = False,
 ) -> None:
-    """Run P2's case and show its table with ours beside it; with -o redraw its figures."""
+    """Run P2's case and show its table with ours beside it; with -o redraw its Figs. 3 to 8."""
+    from clubface.fem import case as cases
     from clubface.fem import files
     from clubface.fem import paper as job
 
+    base = chosen = cases.case(case)
     if folder is not None:
         files.prepare(folder)
-    found = run_with_progress(lambda progress: job.paper(case, progress))
+        if base.settings.frames < 2:
+            chosen = base.replace(settings={"frames": SHAPES})
+    found = run_with_progress(lambda progress: job.paper(chosen, progress))
     written = files.write_paper(found, folder) if folder is not None else []
     if as_json:
         output.print_json(job.document(found))
@@ -150,29 +161,24 @@ def paper(
         print(_cost(found))
     _tell(written)
     _end(found)
+    if folder is not None and swept:
+        _, written = _sweep(base, SPEEDS, LOFTS, folder, published=True)
+        _tell(written)
 
 
 @app.command("sweep")
 def sweep(
-    speed: Annotated[str, typer.Option("--speed", metavar="FIRST:LAST:STEP", help="Clubhead speeds, m/s.")] = "30:60:5",
-    loft: Annotated[str, typer.Option("--loft", metavar="FIRST:LAST:STEP", help="Lofts, deg.")] = "8:12:1",
+    speed: Annotated[str, typer.Option("--speed", metavar="FIRST:LAST:STEP", help="Clubhead speeds, m/s.")] = SPEEDS,
+    loft: Annotated[str, typer.Option("--loft", metavar="FIRST:LAST:STEP", help="Lofts, deg.")] = LOFTS,
     case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="The case that is varied.")] = "paper",
     folder: Folder = None,
     workers: Annotated[int | None, typer.Option("--workers", help="Runs at a time; all cores unless given.")] = None,
     as_json: options.Json = False,
 ) -> None:
     """Run a case over speeds and lofts, a run a core (P2's Fig. 8); with -o it can be resumed."""
-    from clubface.fem import files
-    from clubface.fem import sweep as job
+    from clubface.fem import case as cases
 
-    speeds, lofts = job.grid(speed, "speed", "--speed"), job.grid(loft, "angle", "--loft")
-    target = files.prepare(folder) / "sweep.csv" if folder is not None else None
-    with progress_bar() as update:
-        rows = job.sweep(
-            case, speeds=speeds, lofts=lofts, output=target, workers=workers,
-            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} runs")),
-        )  # fmt: skip
-    written = [target, *files.write_sweep(rows, folder)] if folder is not None else []
+    rows, written = _sweep(cases.case(case), speed, loft, folder, workers=workers, published=case == "paper")
     if as_json:
         output.print_json(rows)
     else:
@@ -208,6 +214,25 @@ def export(
     found = run_with_progress(lambda progress: wanted.run(progress))
     _tell(vtu.write_series(found, target, chosen.name)[-1:])
     _end(found)
+
+
+def _sweep(
+    base: Case, speed: str, loft: str, folder: str | None, *, workers: int | None = None, published: bool
+) -> tuple[list[dict[str, Any]], list[Path]]:
+    """Run a case over a grid; return the rows, and with a folder the files written there."""
+    from clubface.fem import files
+    from clubface.fem import sweep as job
+
+    speeds, lofts = job.grid(speed, "speed", "--speed"), job.grid(loft, "angle", "--loft")
+    target = files.prepare(folder) / "sweep.csv" if folder is not None else None
+    with progress_bar() as update:
+        rows = job.sweep(
+            base, speeds=speeds, lofts=lofts, output=target, workers=workers,
+            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} runs")),
+        )  # fmt: skip
+    if folder is None or target is None:
+        return rows, []
+    return rows, [target, *files.write_sweep(rows, folder, published=published)]
 
 
 def _cost(found: Any) -> str:

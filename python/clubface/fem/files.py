@@ -81,12 +81,14 @@ def write_paper(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
     return [*written, plots.save(pictures.paper_figure(found), prepare(folder) / "paper.png")]
 
 
-def write_sweep(rows: Sequence[Mapping[str, Any]], folder: str | os.PathLike[str]) -> list[Path]:
-    """Draw a sweep (P2, Fig. 8)."""
+def write_sweep(
+    rows: Sequence[Mapping[str, Any]], folder: str | os.PathLike[str], *, published: bool = False
+) -> list[Path]:
+    """Draw a sweep (P2, Fig. 8), if wanted with P2's numbers."""
     from clubface import plots
     from clubface.plots import fem as pictures
 
-    return [plots.save(pictures.sweep_figure(rows), prepare(folder) / "sweep.png")]
+    return [plots.save(pictures.sweep_figure(rows, published=published), prepare(folder) / "sweep.png")]
 
 
 def _columns(path: Path, arrays: Mapping[str, Any]) -> Path:

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 HEAD_PART, HEAD_SECTION = 101, 2
 HEAD_HOURGLASS = 2
+USUAL_POINTS = 5
+"""Through the thickness of a shell, unless its metal tells how many."""
 STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON = 7850.0, 200e9, 0.3
 """Of the shells that carry the rigid face [kg/m3, Pa]: contact stiffness only; mass and inertia are given."""
 SHELL = 1e-3
@@ -50,9 +52,10 @@ def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
 def _shells(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
     """Write mesh and parts of a head of shells; return the parts of its face, and the last element."""
     deck.keyword("HOURGLASS", [HEAD_HOURGLASS, 4, 0.05], names="hgid ihq qm")
-    deck.keyword("SECTION_SHELL", [HEAD_SECTION, 2, 5.0 / 6.0, 5], [1e-3] * 4, names="secid elform shrf nip")
-    for number, part in enumerate(head.parts, start=HEAD_PART):
-        _part(deck, number, f"{head.name}: {part.name}", part.metal, HEAD_SECTION, HEAD_HOURGLASS)
+    for number, part in enumerate(head.parts):
+        _section(deck, HEAD_SECTION + number, part.metal)
+        section = HEAD_SECTION + number
+        _part(deck, HEAD_PART + number, f"{head.name}: {part.name}", part.metal, section, HEAD_HOURGLASS)
     _nodes(deck, head, hit, nodes)
     deck.keyword("ELEMENT_SHELL_THICKNESS")
     corners = (head.quads.astype(int) + nodes + 1).tolist()
@@ -74,6 +77,20 @@ def _solid(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: in
     corners = (head.hexahedra.astype(int) + nodes + 1).tolist()
     deck.rows(element(number, HEAD_PART, each) for number, each in enumerate(corners, start=elements + 1))
     return [HEAD_PART], elements + len(corners)
+
+
+def _section(deck: Cards, number: int, metal: Metal) -> None:
+    """Write the section of a part of shells, with the points that the metal asks for; any do for stress resultants."""
+    from clubface import _core
+
+    count, rule = metal.points or USUAL_POINTS, 0
+    if metal.points is not None or (metal.yield_stress is not None and metal.rule != "gauss"):
+        deck.keyword("INTEGRATION_SHELL", [number, count, 0], names="irid nip esop")
+        for place, weight in _core.fem_thickness_points(count, metal.rule):
+            deck.card([place, 0.5 * weight])
+        rule = -number
+    names = "secid elform shrf nip propt qr"
+    deck.keyword("SECTION_SHELL", [number, 2, 5.0 / 6.0, count, 0, rule], [1e-3] * 4, names=names)
 
 
 def _part(deck: Cards, number: int, title: str, metal: Metal, section: int, hourglass: int) -> None:

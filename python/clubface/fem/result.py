@@ -68,7 +68,7 @@ class Impact:
         Arrays over fewer records [J]: kinetic, strain, hourglass, viscous, plastic, contact, friction, damping.
     patch
         Arrays over the nodes of the ball in contact at the records: time, up and toe (from the mass centre, along the
-        face of first touch [m]), normal and tangential force [N].
+        face of first touch [m]), normal and tangential force [N], area (their share of the undeformed surface [m2]).
     frame_times, frames
         Times [s] and positions [m] of the ball's nodes in the deformed shapes that were asked for, in face axes of
         first touch (those of the plane) with the origin at the clubhead's CG then (where the ball first touches the

@@ -20,6 +20,8 @@ RPM = units.from_si(1.0, "rpm")
 
 TAKE_OFF = 5.15
 """Velocity along the face at take-off in P2, section 3.2 [m/s]."""
+P2_SPEED, LEAST_FACTOR = 35.0, 0.92
+"""Clubhead speed of P2's case [m/s], and the least compression factor of its sweep, section 4."""
 ENERGIES = {
     "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction", "damping": "damping",
     "hourglass": "hourglass", "contact": "contact springs",
@@ -129,13 +131,15 @@ def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
 
 
 @styled
-def sweep_figure(rows: Sequence[Mapping[str, Any]]) -> Figure:
+def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Figure:
     """Draw ball speed, launch angle, spin and compression factor over speed and loft (P2, Fig. 8).
 
     Parameters
     ----------
     rows
         Of :func:`clubface.fem.sweep.sweep`.
+    published
+        Whether to mark what P2 tells in numbers: its case of 35 m/s and 11.5 deg, and the least compression factor.
     """
     figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
     panels = figure.subplots(2, 2, sharex=True)
@@ -150,7 +154,12 @@ def sweep_figure(rows: Sequence[Mapping[str, Any]]) -> Figure:
             look = {"color": COLOURS[index % len(COLOURS)], "linestyle": DASHES[index % len(DASHES)]}
             look["marker"] = MARKERS[index % len(MARKERS)]
             panel.plot(*zip(*points, strict=True), markersize=3, label=f"{loft:.4g}°", **look)
+        if published:
+            panel.plot([P2_SPEED], [PUBLISHED[key]], label="P2, 11.5°", **MARK)
         _name(panel, label)
+    if published:
+        panels[1][1].axhline(LEAST_FACTOR, color="0.25", linewidth=0.8, linestyle=":", label="P2's least")
+        panels[1][1].legend(handles=panels[1][1].lines[-1:], loc="lower left")
     for panel in panels[1]:
         panel.set_xlabel("clubhead speed (m/s)")
     panels[0][0].legend(title="loft", ncols=2, loc="upper left")

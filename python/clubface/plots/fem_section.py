@@ -104,10 +104,10 @@ def _compression(rest: Any, now: Any) -> Any:
 
 @styled
 def section_figure(found: Impact, *, count: int = 5) -> Figure:
-    """Draw the deformed section at ``count`` moments of contact, and the forces on the nodes along its edge below it.
+    """Draw the deformed section at ``count`` moments of contact, and pressure and shear over the patch below it.
 
-    The forces are those of the nodes within an element of the plane, normal (positive) and along the face (positive
-    where they make backspin). Colour is how far a piece of the section is compressed.
+    They are those on the nodes within an element of the plane, forces per area of undeformed surface; shear is positive
+    where it makes backspin. Colour is how far a piece of the section is compressed.
     """
     section = Section(found)
     moments = np.linspace(0.0, 1.0, count + 1)[1:] * found.contact_time
@@ -121,7 +121,7 @@ def section_figure(found: Impact, *, count: int = 5) -> Figure:
         panel, below = panels[0][column], panels[1][column]
         drawn, _ = _draw(panel, section, frame, radius, most)
         panel.set_title(f"{section.times[frame] * 1e6:.0f} µs")
-        high = max(high, _edge_forces(below, found, float(section.times[frame])))
+        high = max(high, _tractions(below, found, float(section.times[frame])))
         if column == 0:
             panel.set_ylabel("up the face (mm)")
             below.set_ylabel("up from the mass centre (mm)")
@@ -129,7 +129,7 @@ def section_figure(found: Impact, *, count: int = 5) -> Figure:
     for below in panels[1]:
         below.set_xlim(-0.4 * high, 1.1 * high)
     figure.colorbar(drawn, ax=list(panels[0]), label="compression (%)", fraction=0.03, pad=0.01)
-    figure.supxlabel("distance from the face (mm); below: force of a node (N)", fontsize=8)
+    figure.supxlabel("distance from the face (mm); below: force per area (MPa)", fontsize=8)
     return figure
 
 
@@ -224,8 +224,8 @@ def _draw(
     return drawn, head
 
 
-def _edge_forces(panel: Any, found: Impact, time: float) -> float:
-    """Draw the forces of the nodes near the section at the record next to ``time`` [s]; return the largest [N]."""
+def _tractions(panel: Any, found: Impact, time: float) -> float:
+    """Draw pressure and shear near the section at the record next to ``time`` [s]; return the most pressure [MPa]."""
     patch = found.patch
     near = found.ball.diameter / (4.0 * found.ball.cube)
     moments = np.unique(patch["time"])
@@ -235,7 +235,8 @@ def _edge_forces(panel: Any, found: Impact, time: float) -> float:
         return 0.0
     at = np.flatnonzero((patch["time"] == nearest) & (abs(patch["toe"]) < near))
     at = at[np.argsort(patch["up"][at])]
-    up = patch["up"][at] * 1e3
-    panel.plot(patch["normal"][at], up, color=COLOURS[0], marker="o", markersize=2, label="normal")
-    panel.plot(patch["tangential"][at], up, color=COLOURS[1], marker="s", markersize=2, label="along the face")
-    return float(np.max(patch["normal"][at], initial=0.0))
+    up, scale = patch["up"][at] * 1e3, 1e-6 / patch["area"][at]
+    pressure, shear = patch["normal"][at] * scale, patch["tangential"][at] * scale
+    panel.plot(pressure, up, color=COLOURS[0], marker="o", markersize=2, label="pressure")
+    panel.plot(shear, up, color=COLOURS[1], marker="s", markersize=2, label="shear")
+    return float(np.max(pressure, initial=0.0))

@@ -153,6 +153,9 @@ impl<R: Real> Contact<R> for FaceContact<R> {
     fn nodes(&self) -> &[u32] {
         &self.nodes
     }
+    fn area(&self, index: usize) -> f64 {
+        self.candidates.get(index).map_or(0.0, |candidate| candidate.area)
+    }
     fn keep_out(&mut self, method: Method) {
         self.springs.multiplier = method.multiplier();
     }

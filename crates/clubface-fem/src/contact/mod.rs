@@ -37,7 +37,7 @@ pub struct Resultant<R> {
     pub force: Vec3<R>,
     /// Part of it along the face normals, N.
     pub normal: R,
-    /// Area of the ball's surface in contact, m2.
+    /// Area of the ball's surface under pressure, m2.
     pub area: f64,
 }
 
@@ -51,6 +51,10 @@ impl<R: Real> Default for Resultant<R> {
 pub trait Contact<R: Real>: Send {
     /// Nodes it may exert forces on.
     fn nodes(&self) -> &[u32];
+    /// Share of a node in the ball's undeformed surface, m2, by its place in [`Contact::nodes`]; 0 beyond the ball's.
+    fn area(&self, _index: usize) -> f64 {
+        0.0
+    }
     /// Keeps nodes out of the other side by another method than springs alone.
     fn keep_out(&mut self, method: Method);
     /// Computes the forces for positions (m) at a step and velocities (m/s) half a step before it; moves its bodies on by `dt` seconds.

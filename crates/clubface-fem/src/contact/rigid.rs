@@ -95,6 +95,9 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
     fn nodes(&self) -> &[u32] {
         &self.nodes
     }
+    fn area(&self, index: usize) -> f64 {
+        self.candidates.get(index).map_or(0.0, |candidate| candidate.area)
+    }
     fn keep_out(&mut self, method: Method) {
         self.springs.multiplier = method.multiplier();
     }

@@ -152,7 +152,9 @@ impl<R: Real> Touch<R> {
         energy.friction += heat;
         sum.force += force;
         sum.normal += pressing;
-        sum.area += self.area;
+        if pressing.re() > 0.0 {
+            sum.area += self.area;
+        }
         force
     }
 

@@ -18,4 +18,4 @@ pub use kinetics::Kinetics;
 pub use options::Options;
 pub use stable_step::springs_of;
 pub use structure::Structure;
-pub use view::{Progress, View};
+pub use view::{Progress, Touched, View};

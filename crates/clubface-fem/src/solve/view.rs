@@ -14,6 +14,17 @@ pub struct Progress {
     pub steps: usize,
 }
 
+/// A node of the ball that the face touches.
+#[derive(Clone, Copy, Debug)]
+pub struct Touched<R> {
+    /// Where it is, m.
+    pub place: Vec3<R>,
+    /// Force on it, N.
+    pub force: Vec3<R>,
+    /// Its share of the ball's undeformed surface, m2.
+    pub area: f64,
+}
+
 /// A run at a motion frame.
 pub struct View<'a, R> {
     /// What it has reached.
@@ -30,13 +41,17 @@ impl<R: Real> View<'_, R> {
         self.impact.axes
     }
 
-    /// Places (m) of the ball's nodes that the face touches, and forces (N) on them.
-    pub fn touches(&self) -> impl Iterator<Item = (Vec3<R>, Vec3<R>)> + '_ {
+    /// The ball's nodes that the face touches.
+    pub fn touches(&self) -> impl Iterator<Item = Touched<R>> + '_ {
         let Impact { contact, structure, ball_nodes, .. } = &*self.impact;
-        let nodes = contact.nodes().iter().map(|&node| node as usize).zip(contact.forces());
-        let of_ball = nodes.filter(|(node, row)| node < ball_nodes && row.vec().norm_squared().re() > 0.0);
-        // Nodes of the contact are never away.
-        of_ball.map(|(node, row)| (structure.positions[node].vec(), row.vec()))
+        let rows = contact.nodes().iter().zip(contact.forces()).enumerate();
+        rows.filter_map(move |(index, (&node, row))| {
+            let (node, force) = (node as usize, row.vec());
+            // Nodes of the contact are never away.
+            let touched =
+                || Touched { place: structure.positions[node].vec(), force, area: contact.area(index) };
+            (node < *ball_nodes && force.norm_squared().re() > 0.0).then(touched)
+        })
     }
 
     /// All of it, every node where it is: takes as long as some steps.

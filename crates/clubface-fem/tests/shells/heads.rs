@@ -167,12 +167,12 @@ fn rest_keeps_momenta_and_the_bits_of_any_number_of_threads() {
 fn what_is_seen_of_a_run_is_as_its_nodes_are() {
     let mut impact = struck();
     let options = Options { duration: 150e-6, ..Options::default() };
-    let (mut frames, mut touched, mut force) = (0, 0, 0.0);
+    let (mut frames, mut touched, mut force, mut area) = (0, 0, 0.0, 0.0);
     let found = impact
         .run(&options, &mut |mut view| {
             let (centre, axes) = (view.centre, view.axes());
-            let sum = view.touches().fold(Vec3::zero(), |sum, (_, force)| sum + force);
-            let places: Vec<Vec3<f64>> = view.touches().map(|(place, _)| place).collect();
+            let sum = view.touches().fold(Vec3::zero(), |sum, node| sum + node.force);
+            let places: Vec<Vec3<f64>> = view.touches().map(|node| node.place).collect();
             // At some frames only: the others see nodes that have been away for more than one.
             if frames % 3 == 2 {
                 let whole = view.whole();
@@ -186,6 +186,7 @@ fn what_is_seen_of_a_run_is_as_its_nodes_are() {
                 assert!(places.iter().all(|place| surface.iter().any(|row| row.vec() == *place)));
                 touched += places.len();
                 force = -sum.dot(axes[1]);
+                area = view.touches().map(|node| node.area).sum::<f64>();
             }
             frames += 1;
             true
@@ -195,7 +196,9 @@ fn what_is_seen_of_a_run_is_as_its_nodes_are() {
     assert!(touched > 100, "{touched} touches");
     // The force of the step before the last frame.
     let last = found.history.contact.iter().rev().find(|frame| (frame.tangential / force - 1.0).abs() < 1e-9);
-    assert!(last.is_some(), "{force} N is in no record");
+    // Rounding of a hundred summands.
+    let last = last.unwrap_or_else(|| panic!("{force} N is in no record"));
+    assert!((area / last.area - 1.0).abs() < 1e-12, "{area} m2, in the record {}", last.area);
 }
 
 #[test]

@@ -2,10 +2,12 @@
 
 mod fields;
 mod heads;
+mod metals;
 mod run;
 mod values;
 
 pub use heads::{fem_driver, fem_head_properties, fem_iron};
+pub use metals::{fem_thickness_points, fem_yield_stress};
 
 use crate::columns::Derivatives;
 use clubface_fem::cases::{against_head, against_plane};

@@ -41,25 +41,28 @@ pub(super) struct Ran {
     failed: bool,
 }
 
-/// A node of the ball in contact at some time: its place along the face relative to the mass centre (m), its forces (N).
+/// A node of the ball in contact at some time: its place along the face relative to the mass centre (m), its forces (N), its share of the
+/// undeformed surface (m2).
 struct PatchPoint {
     time: f64,
     up: f64,
     toe: f64,
     normal: f64,
     tangential: f64,
+    area: f64,
 }
 
 fn patch_points(now: &View<f64>, into: &mut Vec<PatchPoint>) {
     let [normal, up, toe] = now.axes();
-    for (place, force) in now.touches() {
-        let place = place - now.centre;
+    for node in now.touches() {
+        let (place, force) = (node.place - now.centre, node.force);
         into.push(PatchPoint {
             time: now.progress.time,
             up: place.dot(up),
             toe: place.dot(toe),
             normal: force.dot(normal),
             tangential: -force.dot(up),
+            area: node.area,
         });
     }
 }
@@ -195,7 +198,7 @@ pub(super) fn to_dict<'py>(
     element_energies!(strain hourglass viscous plastic);
     dict.set_item("energy", energy)?;
     let patch = PyDict::new(py);
-    columns!(patch, ran.patch, time up toe normal tangential);
+    columns!(patch, ran.patch, time up toe normal tangential area);
     dict.set_item("patch", patch)?;
     let nodes = impact.structure.translations;
     let frames: Vec<Vec<Vec<f64>>> =

@@ -84,7 +84,7 @@ pub struct PlasticValues {
     table: Vec<(f64, f64)>,
 }
 
-fn hardening_of(values: &PlasticValues, name: &str) -> PyResult<Hardening<f64>> {
+pub(super) fn hardening_of(values: &PlasticValues, name: &str) -> PyResult<Hardening<f64>> {
     let law = if values.table.is_empty() {
         Hardening::linear(values.yield_stress, values.modulus)
     } else {

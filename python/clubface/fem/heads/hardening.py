@@ -69,16 +69,6 @@ class Hardening:
             return cls(table=tuple(given))
         return cls(modulus=units.parse(given, "pressure", name="hardening"))
 
-    def stress(self, strain: float, first: float) -> float:
-        """Return the yield stress [Pa] at a plastic strain, for the stress of first yield [Pa]."""
-        if not self.table:
-            return first + self.modulus * strain + self.gain * (1.0 - math.exp(-self.rate * strain))
-        below = [point for point in self.table if point[0] <= strain]
-        if len(below) == len(self.table):
-            return below[-1][1]
-        (left, low), (right, high) = below[-1], self.table[len(below)]
-        return low + (high - low) * (strain - left) / (right - left)
-
 
 def _point(given: Any) -> tuple[float, float]:
     if isinstance(given, str) or not isinstance(given, Sequence) or len(given) != 2:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -92,7 +93,16 @@ class Metal:
             return list(hardening.table) if len(hardening.table) > 1 else [*hardening.table, last]
         # Closer where a saturating metal hardens most.
         strains = [0.2 * (number / (count - 1)) ** 2 for number in range(count)]
-        return [(strain, hardening.stress(strain, self.yield_stress)) for strain in strains]
+        return list(zip(strains, self.flow_stress(strains), strict=True))
+
+    def flow_stress(self, strains: Sequence[float]) -> list[float]:
+        """Return the stresses [Pa] at which a metal that yields flows at plastic strains."""
+        from clubface import _core
+
+        metal = self.plastic()
+        if metal is None:
+            raise InputError("yield", None, "given: this metal stays elastic")
+        return _core.fem_yield_stress(metal, list(strains))
 
     def plastic(self) -> dict[str, Any] | None:
         """Return what the core takes of yield and hardening; None for an elastic metal."""
