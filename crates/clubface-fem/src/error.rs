@@ -47,6 +47,12 @@ pub enum FemError {
         /// Simulated time, us.
         microseconds: f64,
     },
+    /// The ball has not left yet.
+    #[error("the ball was still on the face at {microseconds:.0} us, so there is no launch yet: a longer `duration` helps")]
+    Unfinished {
+        /// Simulated time, us.
+        microseconds: f64,
+    },
     /// Stopped by request.
     #[error("stopped at {microseconds:.0} us by request")]
     Interrupted {

@@ -53,6 +53,15 @@ def table(found: Impact) -> dict[str, float]:
     }
 
 
+def spin_factor(found: Impact, spin: float) -> float:
+    """Return the compression factor that a backspin [rad/s] means by P2's Eq. (6), in which the ball rolls off.
+
+    P2 derives its f from the forces instead, Eqs. (9) and (11).
+    """
+    approach = float(found.relative_velocity()[0, 1])
+    return 7.0 * 0.5 * found.ball.diameter * spin / (5.0 * approach)
+
+
 def document(found: Impact) -> dict[str, Any]:
     """Return everything ``clubface fem paper --json`` prints."""
     return {

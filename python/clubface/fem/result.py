@@ -58,7 +58,8 @@ class Impact:
     steps, step, wall
         Steps taken, their length [s], time of the loop [s].
     stopped
-        Why the run ended early, or None.
+        Why there is no launch: a run that failed or was interrupted, or whose ball was still on the face at its end; or
+        None.
     contact
         Arrays over the steps: time, normal, tangential, toe [N], area [m2].
     motion
@@ -176,6 +177,18 @@ class Impact:
         from clubface.quantities import outputs
 
         return dict(zip(outputs(), map(float, self._launch), strict=True))
+
+    def relative_velocity(self) -> NDArray[Any]:
+        """Return the velocity of the ball relative to the CG of the clubhead, or to the plane, over the records [m/s].
+
+        Records by three: along the normal, up the face (P2's tangential velocity) and to the toe of first touch. The
+        clubhead's follows from the ball's, as their momentum stays.
+        """
+        velocity = self.motion["velocity"]
+        if self.equipment is None:
+            return velocity
+        club, ball = self.equipment
+        return velocity + ball.mass / club.mass * (velocity - velocity[:1])
 
     def world_velocity(self) -> NDArray[Any]:
         """Return the velocity of the ball over the records in world axes [m/s], records by three."""

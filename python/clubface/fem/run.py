@@ -46,7 +46,7 @@ class Settings:
     interval
         Time between the records of motion [s]; contact is recorded at every step.
     until_separation
-        Whether to end soon after the last touch.
+        Whether to end soon after the last touch, be it before or after ``duration`` (0.1 s at most).
     contact
         How nodes are kept out of the face: "penalty", springs that give way by what they carry, or
         "augmented-lagrange", springs with multipliers that take the load over from them.

@@ -19,7 +19,7 @@ MARK: dict[str, Any] = {"color": "0.25", "marker": "x", "markersize": 5.0, "line
 RPM = units.from_si(1.0, "rpm")
 
 TAKE_OFF = 5.15
-"""Velocity along the face at take-off in P2, section 3.2 [m/s]."""
+"""Velocity along the face, relative to the clubhead, at take-off in P2, section 3.2 [m/s]."""
 P2_SPEED, LEAST_FACTOR = 35.0, 0.92
 """Clubhead speed of P2's case [m/s], and the least compression factor of its sweep, section 4."""
 ENERGIES = {
@@ -57,7 +57,7 @@ def paper_figure(found: Impact) -> Figure:
     tangential.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
     tangential.plot([PUBLISHED["reversal_time_s"] * 1e6], [0.0], **MARK)
     _name(tangential, "force along the face (N)", "Fig. 6")
-    sliding.plot(when, found.motion["velocity"][:, 1], color=GREEN)
+    sliding.plot(when, found.relative_velocity()[:, 1], color=GREEN)
     last = found.contact_time * 1e6
     sliding.plot([0.0, last], [7.0, TAKE_OFF], clip_on=False, **MARK)
     _name(sliding, "velocity along the face (m/s)", "Fig. 6")

@@ -103,6 +103,12 @@ impl History {
         self.motion.retain(|frame| frame.time <= last);
     }
 
+    /// Whether the ball is on the face at the end of the records.
+    #[must_use]
+    pub fn touching(&self) -> bool {
+        self.contact.last().is_some_and(|last| last.normal > 0.0)
+    }
+
     /// Figures, for a ball of the given radius (m).
     #[must_use]
     pub fn figures(&self, radius: f64) -> Figures {

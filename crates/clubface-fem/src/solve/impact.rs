@@ -1,6 +1,7 @@
 //! One impact from first touch to launch.
 
 use super::history::{ContactFrame, EnergyFrame, History, MotionFrame};
+use super::options::LONGEST;
 use super::rest::Pace;
 use super::{Options, Progress, Structure, View};
 use crate::contact::Contact;
@@ -39,7 +40,7 @@ pub struct Outcome<R> {
     pub head: Motion<R>,
     /// Records, as far as they go.
     pub history: History,
-    /// Why the run stopped early, if it did.
+    /// Why there is no launch, if there is none.
     pub stopped: Option<FemError>,
     /// Time step over the stable step of the undeformed structure, but for rounding and bulk viscosity.
     pub safety: f64,
@@ -103,13 +104,14 @@ impl<R: Real> Impact<R> {
         if stopped.as_ref().is_some_and(FemError::failed) {
             run.history.cut();
         }
-        let missed =
-            run.touched.is_none().then_some(FemError::Missed { microseconds: run.step as f64 * dt * 1e6 });
+        let microseconds = run.step as f64 * dt * 1e6;
+        let missed = run.touched.is_none().then_some(FemError::Missed { microseconds });
+        let unfinished = run.history.touching().then_some(FemError::Unfinished { microseconds });
         Ok(Outcome {
             ball: self.ball(),
             head: self.head(),
             history: run.history,
-            stopped: stopped.or(missed),
+            stopped: stopped.or(missed).or(unfinished),
             safety,
             step: dt,
             steps: run.step,
@@ -155,8 +157,11 @@ impl Run {
 
     /// Whether there is another step.
     fn goes_on(&self, options: &Options) -> bool {
-        let quiet = self.touched.is_some_and(|last| self.time() > last + AFTERWARDS);
-        self.time() <= options.duration && !(options.until_separation && quiet)
+        let time = self.time();
+        match self.touched {
+            Some(last) if options.until_separation => time <= (last + AFTERWARDS).min(LONGEST),
+            _ => time <= options.duration,
+        }
     }
 
     /// Records the contact of the current step.

@@ -3,6 +3,9 @@
 use crate::contact::Method;
 use crate::error::FemError;
 
+/// Longest simulated time, s.
+pub(super) const LONGEST: f64 = 0.1;
+
 /// How to run.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
@@ -14,7 +17,7 @@ pub struct Options {
     pub interval: f64,
     /// Motion frames an energy frame.
     pub energy_every: usize,
-    /// Whether to end soon after the last touch instead of at the end of the simulated time.
+    /// Whether to end soon after the last touch, be it before or after the end of the simulated time.
     pub until_separation: bool,
     /// How nodes are kept out of the other side.
     pub contact: Method,
@@ -42,7 +45,7 @@ impl Options {
     /// # Errors
     /// [`FemError::Input`] that names the first value that is not allowed.
     pub fn check(&self) -> Result<(), FemError> {
-        if !(self.duration > 0.0 && self.duration <= 0.1) {
+        if !(self.duration > 0.0 && self.duration <= LONGEST) {
             return Err(FemError::input(
                 "duration",
                 format!("{} us", self.duration * 1e6),

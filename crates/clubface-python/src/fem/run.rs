@@ -168,7 +168,7 @@ pub(super) fn to_dict<'py>(
         let mut launch = touch.launch(outcome.ball, outcome.head);
         launch.contact_time = figures.contact_time;
         launch.peak_force = figures.peak_force;
-        let known = if ran.failed { f64::NAN } else { 1.0 };
+        let known = if ran.failed || history.touching() { f64::NAN } else { 1.0 };
         let outputs = launch.outputs().map(|output| output * known);
         dict.set_item("launch", PyArray1::from_slice(py, &outputs))?;
     }
