@@ -67,6 +67,29 @@ def test_derivatives_by_thickness_and_modulus_of_a_face():
     assert found.by("ball_speed", names[0]) < 0.0
 
 
+@pytest.mark.parametrize(("name", "piece"), [("reference", 0), ("reference", 1), ("ogden", 0)])
+def test_derivatives_by_the_constants_in_the_file_of_a_ball(name, piece):
+    made = coarse("reference")
+    if name == "ogden":
+        rubber = replace(made.pieces[0].material, law="ogden", constants={"mu1": 4e6, "alpha1": 3.0})
+        made = replace(made, pieces=(replace(made.pieces[0], material=rubber), *made.pieces[1:]))
+    material = made.pieces[piece].material
+    names = (*material.constants, "poisson")
+    by = [f"{made.pieces[piece].name}.{each}" for each in names]
+    found = fem.sensitivity("driver", speed=45.0, loft=0.2, by=by, which=made, friction=0.2, settings=SETTINGS)
+
+    def changed(key, value):
+        values = {key: value} if key == "poisson" else {"constants": {**material.constants, key: value}}
+        pieces = list(made.pieces)
+        pieces[piece] = replace(pieces[piece], material=replace(material, **values))
+        return launch(ball=replace(made, pieces=tuple(pieces)))
+
+    for key, full in zip(names, by, strict=True):
+        at = getattr(material, key) if key == "poisson" else material.constants[key]
+        # Steps so short that the time step, which has 64 values in a factor of two, stays.
+        check(found, full, differences(lambda value, key=key: changed(key, value), at, 1e-6 * at))
+
+
 def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
     hit = {"speed": 80.0, "loft": 0.2, "which": BALL, "friction": 0.2, "settings": SETTINGS}
     run = fem.strike("driver", **hit)

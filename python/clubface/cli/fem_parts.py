@@ -58,13 +58,13 @@ def ball(
 
 
 def head(
-    name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="A head of shells.")],
+    name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="A meshed head.")],
     measure: Annotated[
         bool, typer.Option("--measure", help="Also simulate restitution and characteristic time; takes seconds.")
     ] = False,
     as_json: options.Json = False,
 ) -> None:
-    """Mesh a head of shells and report mass, CG and inertia, how it was tuned and, if wanted, how it rebounds."""
+    """Mesh a head and report mass, CG and inertia, how it was tuned and, if wanted, how it rebounds."""
     from clubface import fem
     from clubface.fem import head_tests
 

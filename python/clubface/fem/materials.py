@@ -147,6 +147,14 @@ class Material:
             return 0.5 * sum(mu * alpha for mu, alpha in zip(values[::2], values[1::2], strict=True))
         return 2.0 * sum(values) if self.law == "mooney-rivlin" else sum(values)
 
+    def shear_slope(self, constant: str) -> float:
+        """Return the derivative of the shear modulus by a constant of the law."""
+        if self.law != "ogden":
+            return 2.0 if self.law == "mooney-rivlin" else 1.0
+        # Half the sum of mu alpha: half of the other one of the pair.
+        names, values = list(self.constants), list(self.constants.values())
+        return 0.5 * values[names.index(constant) ^ 1]
+
     @property
     def bulk(self) -> float:
         """Bulk modulus [Pa]."""

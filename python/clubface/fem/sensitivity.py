@@ -55,14 +55,31 @@ def variables(
 ) -> list[str]:
     """Return what a launch can be differentiated by: delivery, club, friction, constants of the pieces of a ball.
 
-    A piece has its outer "radius" (thicker cover: smaller "core.radius"), its elastic constants, "bulk", "density",
-    and "maxwell.0.modulus", "maxwell.0.time" and so on. A part of a head of shells has its mean "thickness", as in
-    "head.face.thickness", "youngs", "poisson" and "density"; its mesh stays, and its club is no variable.
+    A piece has its outer "radius" (thicker cover: smaller "core.radius"), its elastic constants as in its file (its
+    Poisson's ratio stays), "poisson", "bulk" (its elastic constants stay), "density", and "maxwell.0.modulus",
+    "maxwell.0.time" and so on. A part of a head of shells has its mean "thickness", as in "head.face.thickness",
+    "youngs", "poisson" and "density"; its mesh stays, and its club is no variable.
     """
     from clubface import _core
 
     made, head, rigid = ball(which), *_head_of(club)
-    return _core.fem_variables(made.values(), head, inputs_of(one_shot(rigid, {"speed": 1.0}, made)))
+    found = _core.fem_variables(made.values(), head, inputs_of(one_shot(rigid, {"speed": 1.0}, made)))
+    for piece in made.pieces:
+        found.insert(found.index(f"{piece.name}.bulk"), f"{piece.name}.poisson")
+    return found
+
+
+def _slopes(made: Ball, name: str) -> dict[str, float]:
+    """Return what a variable does to those of the core, by name: its constants leave the bulk modulus alone."""
+    for piece in made.pieces:
+        bulk, key = f"{piece.name}.bulk", name.removeprefix(f"{piece.name}.")
+        material = piece.material
+        if name == f"{piece.name}.poisson":
+            # K = 2 G (1 + nu) / (3 (1 - 2 nu)).
+            return {bulk: 2.0 * material.shear / (1.0 - 2.0 * material.poisson) ** 2}
+        if name != key and key in material.constants:
+            return {name: 1.0, bulk: material.shear_slope(key) * material.bulk / material.shear}
+    return {name: 1.0}
 
 
 def _head_of(club: str | os.PathLike[str] | Club | ShellHead) -> tuple[dict[str, Any] | None, Any]:
@@ -104,21 +121,24 @@ def sensitivity(
             raise UnknownNameError("variable", name, known)
     head, rigid = _head_of(club)
     inputs = inputs_of(one_shot(rigid, dict(as_values(delivery, values)), made))
-    runs = -(-len(names) // VARIABLES_A_RUN)
+    slopes = [_slopes(made, name) for name in names]
+    own = list(dict.fromkeys(each for one in slopes for each in one))
+    runs = -(-len(own) // VARIABLES_A_RUN)
     run = replace(how, frames=0).values()
 
     def all_runs(watch: Progress) -> Any:
         def step(which: int, time: float, whole: float) -> None:
             watch(which + time / whole, runs)
 
-        return _core.fem_sensitivity(made.values(), head, inputs, mu, run, list(names), step)
+        return _core.fem_sensitivity(made.values(), head, inputs, mu, run, own, step)
 
     def at(safety: float | None) -> tuple[Any, Any]:
         run["safety"] = safety
         return cast("tuple[Any, Any]", core_call(all_runs, progress=progress))
 
     found, jacobian = _first_stable(at, how)
-    return Derivatives(dict(zip(outputs(), map(float, found), strict=True)), names, jacobian)
+    chain = [[one.get(each, 0.0) for one in slopes] for each in own]
+    return Derivatives(dict(zip(outputs(), map(float, found), strict=True)), names, jacobian @ chain)
 
 
 def _first_stable(run: Callable[[float | None], tuple[Any, Any]], how: Settings) -> tuple[Any, Any]:

@@ -126,7 +126,7 @@ def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
                 panel.set_title(f"{moment * 1e6:.0f} µs")
         figure.colorbar(panels[row][0].collections[0], ax=list(panels[row]), label=label, fraction=0.05, pad=0.01)
         panels[row][0].set_ylabel("up the face (mm)")
-    figure.supxlabel("towards the toe (mm)", fontsize=8)
+    figure.supxlabel("towards the toe (mm); both from the ball's mass centre", fontsize=8)
     return figure
 
 
