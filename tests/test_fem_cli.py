@@ -85,7 +85,9 @@ def test_an_export_tells_the_file_to_open(clubface_, tmp_path, form, ending):
     pytest.importorskip("meshio")
     ran = clubface_("fem", "export", str(write_case(tmp_path)), "--format", form, "-o", str(tmp_path / "out"))
     assert ran.status == 0
-    assert ran.err == f"clubface: wrote {tmp_path / 'out' / ending}\n"
+    assert ran.err.startswith(f"clubface: wrote {tmp_path / 'out' / ending}\n")
+    # The shapes are of a run that is shorter than the contact.
+    assert ("still on the face" in ran.err) == (form == "vtu")
     assert (tmp_path / "out" / ending).exists()
 
 

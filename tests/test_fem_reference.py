@@ -171,7 +171,9 @@ def test_a_run_until_separation_goes_on_while_the_ball_is_on_the_face():
 def test_a_ball_still_on_the_face_has_no_launch():
     found = throw_case(duration="300 us").run()
     assert "still on the face at 302 us" in found.stopped
+    assert found.unfinished
     assert coarse_throw().stopped is None
+    assert not coarse_throw().unfinished
     drive = drive_case(duration="300 us").run()
     assert np.isnan(list(drive.launch.values())).all()
     assert drive.peak_force > 1e3

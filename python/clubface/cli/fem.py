@@ -242,7 +242,7 @@ def _cost(found: Any) -> str:
     counts = f"{found.elements} elements, {steps}, {found.wall:.2f} s"
     # A run that failed keeps what it had until energies were last in balance; its error tells of a later time.
     last = found.energy["time"][-1:].sum() * 1e6
-    until = f" until {last:.0f} us, the last record kept" if found.stopped else ""
+    until = f" until {last:.0f} us, the last record kept" if found.stopped and not found.unfinished else ""
     return f"{counts}; energies close to {found.energy_error:.2%}{until}"
 
 
@@ -262,10 +262,13 @@ def _rows_of(found: Any) -> list[list[str]]:
 
 
 def _end(found: Any) -> None:
-    """When all that a run has is printed and written: tell if it did not come to its end, after Ctrl-C or by itself."""
+    """When all that a run has is printed and written: tell if there is no launch, because of Ctrl-C or by itself."""
     if found.interrupted:
         raise Interrupted(f"interrupted at {found.contact['time'][-1:].sum() * 1e6:.0f} us of the impact")
-    if found.stopped:
+    if found.unfinished:
+        # As long as was asked for.
+        say(found.stopped)
+    elif found.stopped:
         raise RunError(found.stopped)
 
 

@@ -58,8 +58,8 @@ class Impact:
     steps, step, wall
         Steps taken, their length [s], time of the loop [s].
     stopped
-        Why there is no launch: a run that failed or was interrupted, or whose ball was still on the face at its end; or
-        None.
+        Why there is no launch: a run that failed or was ``interrupted``, or is ``unfinished``, its ball still on the
+        face at its end; or None.
     contact
         Arrays over the steps: time, normal, tangential, toe [N], area [m2].
     motion
@@ -131,6 +131,7 @@ class Impact:
         self.fields, self.head_fields = _fields(found["fields"], len(self.frames), settings, ball, head)
         self.stopped: str | None = found["stopped"]
         self.interrupted: bool = found["interrupted"]
+        self.unfinished: bool = found["unfinished"]
         self.axes: NDArray[Any] = found["axes"]
         self.ball = ball
         self.given = given

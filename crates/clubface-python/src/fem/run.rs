@@ -163,6 +163,8 @@ pub(super) fn to_dict<'py>(
     dict.set_item("wall", outcome.wall)?;
     dict.set_item("stopped", outcome.stopped.as_ref().map(ToString::to_string))?;
     dict.set_item("failed", ran.failed)?;
+    let unfinished = matches!(outcome.stopped, Some(FemError::Unfinished { .. }));
+    dict.set_item("unfinished", unfinished)?;
     dict.set_item("interrupted", matches!(outcome.stopped, Some(FemError::Interrupted { .. })))?;
     if let Some(touch) = touch {
         let mut launch = touch.launch(outcome.ball, outcome.head);
