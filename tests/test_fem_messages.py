@@ -10,8 +10,8 @@ from clubface.equipment import builtin_path
 from clubface.errors import FileError
 from clubface.fem import head_tests
 from clubface.fem.case import case
+from fem_meshes import HEAD, write_mesh
 from fem_runs import coarse
-from test_fem_heads import HEAD, write_mesh
 
 
 def head_file(folder, name, old, new):
