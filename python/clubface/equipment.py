@@ -185,6 +185,17 @@ def check_choice(parameter: str, value: object, known: Iterable[str]) -> None:
         raise UnknownNameError(parameter, value, known)
 
 
+def is_count(value: object, least: int, most: int) -> bool:
+    """Tell a whole number within limits from anything else, ``True`` and ``False`` among it."""
+    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
+
+
+def check_count(parameter: str, value: object, least: int, most: int) -> None:
+    """Refuse what is not a whole number within limits."""
+    if not is_count(value, least, most):
+        raise InputError(parameter, value, f"a whole number from {least} to {most}")
+
+
 def builtin_names(folder: str) -> tuple[str, ...]:
     """List the names of the descriptions shipped in ``data/<folder>``, in alphabetical order."""
     return tuple(sorted(path.stem for path in (DATA / folder).glob("*.toml")))

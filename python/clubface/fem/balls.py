@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from clubface import units
-from clubface.equipment import builtin_names, builtin_path, check_choice, check_name, check_text, is_path
+from clubface.equipment import builtin_names, builtin_path, check_choice, check_count, check_name, check_text, is_path
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.strict_toml import Document
@@ -44,7 +44,7 @@ class Piece:
         check_name(self.name)
         if not isinstance(self.material, Material):
             raise InputError(f"material of {self.name}", self.material, "a Material")
-        _check_count(f"layers of {self.name}", self.layers, 48)
+        check_count(f"layers of {self.name}", self.layers, 1, 48)
         if self.thickness is not None:
             value = units.parse(self.thickness, "length", name=f"thickness of {self.name}")
             object.__setattr__(self, "thickness", value)
@@ -98,7 +98,7 @@ class Ball:
             object.__setattr__(self, "mass", units.parse(self.mass, "mass", name="mass"))
             if not 1e-3 <= self.mass <= 1.0:
                 raise InputError("mass", units.show(self.mass, "g"), "1 to 1000 g")
-        _check_count("cube", self.cube, 96)
+        check_count("cube", self.cube, 1, 96)
         check_choice("element", self.element, ELEMENTS)
         if self.cube % 2:
             raise InputError("cube", self.cube, "even, so that a node stands where ball and face first touch")
@@ -147,7 +147,7 @@ class Ball:
 
     def refined(self, times: int) -> Ball:
         """Return the ball with ``times`` as many elements along every edge."""
-        _check_count("refine", times, 8)
+        check_count("refine", times, 1, 8)
         pieces = tuple(replace(piece, layers=piece.layers * times) for piece in self.pieces)
         return replace(self, cube=self.cube * times, pieces=pieces)
 
@@ -255,8 +255,3 @@ def _branches(document: Document, table: dict[str, Any], above: int) -> tuple[Ma
         except InputError as error:
             raise document.wrap(error, "pieces.maxwell", number) from error
     return tuple(found)
-
-
-def _check_count(name: str, value: object, most: int) -> None:
-    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= most:
-        raise InputError(name, value, f"a whole number from 1 to {most}")

@@ -12,7 +12,7 @@ from clubface import units
 from clubface.balls import Ball as RigidBall
 from clubface.clubs import Club
 from clubface.delivery import Delivery
-from clubface.equipment import check_choice
+from clubface.equipment import check_choice, check_count
 from clubface.errors import InputError, RuleWarning
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress, core_call
@@ -85,10 +85,8 @@ class Settings:
             raise InputError("safety", self.safety, "0.05 to 1, the stable step")
         if not 0.0 <= self.bulk_viscosity <= 1.0:
             raise InputError("bulk_viscosity", self.bulk_viscosity, "0 to 1; 0.06 is usual")
-        for name, most in (("frames", 10_000), ("threads", 1024)):
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
-                raise InputError(name, value, f"a whole number from 0 to {most}")
+        check_count("frames", self.frames, 0, 10_000)
+        check_count("threads", self.threads, 0, 1024)
         check_choice("contact", self.contact, METHODS)
         for name in ("until_separation", "fields"):
             if not isinstance(getattr(self, name), bool):
@@ -217,8 +215,7 @@ def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], m
     for name, value in delivery.items():
         if np.ndim(value):
             raise InputError(name, value, "one value; use a sweep for several")
-    hit = shots(equipment(club, rigid_ball(made)), delivery)
-    return hit
+    return shots(equipment(club, rigid_ball(made)), delivery)
 
 
 def inputs_of(hit: Shots) -> list[float]:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface import units
+from clubface.equipment import is_count
 from clubface.errors import FileError, InputError
 from clubface.fem.case import Case, case
 from clubface.fem.result import Impact
@@ -74,7 +75,7 @@ def sweep(
         One mapping of ``COLUMNS`` a run, in the order of speeds, then lofts.
     """
     base = case(which)
-    if workers is not None and (isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= 1024):
+    if workers is not None and not is_count(workers, 1, 1024):
         raise InputError("workers", workers, "a whole number from 1 to 1024, or left out for all cores")
     points = [(speed, loft) for speed in speeds for loft in lofts]
     if not 1 <= len(points) <= MOST:

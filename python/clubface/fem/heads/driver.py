@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from clubface import units
-from clubface.equipment import check_name, check_text
+from clubface.equipment import check_name, check_text, is_count
 from clubface.errors import InputError
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import Place, parsed_places
@@ -77,9 +77,8 @@ class DriverHead:
         low, high = self.scales
         if not 0.1 <= low <= 1.0 <= high <= 10.0:
             raise InputError("scales", self.scales, "0.1 to 1 and 1 to 10")
-        for value in self.elements:
-            if isinstance(value, bool) or not isinstance(value, int) or not 4 <= value <= 400:
-                raise InputError("elements", self.elements, "three whole numbers from 4 to 400")
+        if not all(is_count(value, 4, 400) for value in self.elements):
+            raise InputError("elements", self.elements, "three whole numbers from 4 to 400")
         changed = {"shape": shape, "thickness": thickness, "target": target, "trims": trims}
         for key, value in {**changed, "elements": tuple(self.elements)}.items():
             object.__setattr__(self, key, value)
@@ -122,4 +121,4 @@ class DriverHead:
 
 
 def _target_dimension(key: str) -> str:
-    return {"mass": "mass", "i": "inertia", "c": "length"}[key if key == "mass" else key[0]]
+    return "inertia" if key in INERTIA else "mass" if key == "mass" else "length"

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from clubface import units
-from clubface.equipment import check_choice, check_name, check_text
+from clubface.equipment import check_choice, check_name, check_text, is_count
 from clubface.errors import InputError
 from clubface.fem.balls import ELEMENTS
 from clubface.fem.heads.metal import Metal
@@ -76,9 +76,8 @@ class IronHead:
             raise InputError("shape.rim", shape["rim"], "0.05 to 0.5")
         if 2.0 * shape["rounding"] >= shape["heel_height"]:
             raise InputError("shape.rounding", units.show(shape["rounding"], "mm"), "below half of heel_height")
-        for value, least in zip(self.elements, (8, 8, 1), strict=True):
-            if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= 400:
-                raise InputError("elements", self.elements, "three whole numbers from 8, 8 and 1 to 400")
+        if not all(is_count(value, least, 400) for value, least in zip(self.elements, (8, 8, 1), strict=True)):
+            raise InputError("elements", self.elements, "three whole numbers from 8, 8 and 1 to 400")
         object.__setattr__(self, "grooves", _grooves(self.grooves, shape))
         object.__setattr__(self, "shape", shape)
         object.__setattr__(self, "masses", parsed_places(self.masses, "mass"))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from clubface import units
-from clubface.equipment import check_choice
+from clubface.equipment import check_choice, check_count
 from clubface.errors import InputError
 from clubface.fem.heads.hardening import Hardening
 
@@ -60,10 +60,7 @@ class Metal:
         self._read_yield()
         check_choice("rule", self.rule, RULES)
         if self.points is not None:
-            least = RULES[self.rule]
-            whole = isinstance(self.points, int) and not isinstance(self.points, bool)
-            if not (whole and least <= self.points <= MAX_POINTS):
-                raise InputError("points", self.points, f"a whole number from {least} to {MAX_POINTS}")
+            check_count("points", self.points, RULES[self.rule], MAX_POINTS)
 
     def _read_yield(self) -> None:
         if self.yield_stress is not None:
