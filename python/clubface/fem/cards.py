@@ -40,6 +40,19 @@ class Cards:
         """Add a line of text, as of a title."""
         self.lines.append(ascii_text(text)[:LONGEST])
 
+    def nodes(self, places: Any, first: int = 1) -> None:
+        """Add nodes at places (n, 3), numbered from ``first``: I8, then three coordinates of 16 characters."""
+        self.keyword("NODE")
+        for number, place in enumerate(places.tolist(), first):
+            self.lines.append(f"{number:8d}" + "".join(f"{each:16.8e}" for each in place))
+
+    def elements(self, kind: str, parts: Iterable[int], corners: Any, first: int = 1) -> int:
+        """Add elements, numbered from ``first``: the part and the nodes (n, k) of each; return the last number."""
+        self.keyword(f"ELEMENT_{kind}")
+        for number, (part, nodes) in enumerate(zip(parts, corners.tolist(), strict=True), first):
+            self.lines.append(element(number, part, nodes))
+        return first + len(corners) - 1
+
     def rows(self, lines: Iterable[str]) -> None:
         """Add lines that are formatted already."""
         self.lines += lines
@@ -67,11 +80,6 @@ def field(value: float | None, width: int = WIDTH) -> str:
 def ascii_text(text: str) -> str:
     """Return ``text`` in the letters every reader of decks knows."""
     return text.encode("ascii", "replace").decode()
-
-
-def node(number: int, place: Sequence[float]) -> str:
-    """Write a node: I8, then three coordinates of 16 characters."""
-    return f"{number:8d}" + "".join(f"{each:16.8e}" for each in place)
 
 
 def element(number: int, part: int, nodes: Sequence[int]) -> str:

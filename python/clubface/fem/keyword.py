@@ -9,7 +9,7 @@ from typing import Any
 
 from clubface import units
 from clubface.fem.balls import Ball
-from clubface.fem.cards import Cards, element, node
+from clubface.fem.cards import Cards
 from clubface.fem.case import MESHED, PLANE, RIGID, Case
 from clubface.fem.keyword_head import write_head
 from clubface.fem.materials import Material
@@ -67,12 +67,11 @@ def write(case: Case, path: str | os.PathLike[str]) -> Path:
     deck.text(f"{case.name}: ball {case.ball.name}, {case.head}, {_delivered(case)}")
     _control(deck, case.settings, case.head)
     mesh = _core.fem_mesh(case.ball.values())
-    nodes = len(mesh["nodes"])
     _ball(deck, case.ball, mesh)
     if case.head == PLANE:
         _plane(deck, case)
     else:
-        write_head(deck, case, nodes, len(mesh["elements"]))
+        write_head(deck, case, len(mesh["nodes"]), len(mesh["elements"]))
     deck.lines.append("*END")
     target = Path(path)
     target.write_text(str(deck), encoding="ascii")
@@ -108,13 +107,8 @@ def _ball(deck: Cards, ball: Ball, mesh: dict[str, Any]) -> None:
         _material(deck, number, piece.material, float(mesh["density"][number - 1]))
     deck.keyword("SET_PART_LIST", [BALL_SET], list(range(1, count + 1)), names="sid")
     places = mesh["nodes"] + [ball.diameter / 2.0, 0.0, 0.0]
-    deck.keyword("NODE")
-    deck.rows(node(number, place) for number, place in enumerate(places.tolist(), start=1))
-    deck.keyword("ELEMENT_SOLID")
-    of_piece, corners = mesh["piece"].tolist(), (mesh["elements"].astype(int) + 1).tolist()
-    deck.rows(
-        element(number, piece + 1, each) for number, (piece, each) in enumerate(zip(of_piece, corners, strict=True), 1)
-    )
+    deck.nodes(places)
+    deck.elements("SOLID", (mesh["piece"].astype(int) + 1).tolist(), mesh["elements"].astype(int) + 1)
 
 
 def _material(deck: Cards, number: int, material: Material, density: float) -> None:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import repeat
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
 from clubface.clubs import Club
 from clubface.delivery import DIMENSIONS
-from clubface.fem.cards import Cards, element, node
+from clubface.fem.cards import Cards, element
 from clubface.fem.case import Case
 from clubface.fem.heads import MeshedHead, Metal, ShellHead
 from clubface.fem.run import Settings, strike
@@ -53,10 +54,10 @@ def _shells(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: i
     """Write mesh and parts of a head of shells; return the parts of its face, and the last element."""
     deck.keyword("HOURGLASS", [HEAD_HOURGLASS, 4, 0.05], names="hgid ihq qm")
     for number, part in enumerate(head.parts):
-        _section(deck, HEAD_SECTION + number, part.metal)
         section = HEAD_SECTION + number
+        _section(deck, section, part.metal)
         _part(deck, HEAD_PART + number, f"{head.name}: {part.name}", part.metal, section, HEAD_HOURGLASS)
-    _nodes(deck, head, hit, nodes)
+    deck.nodes(_places(head, hit), nodes + 1)
     deck.keyword("ELEMENT_SHELL_THICKNESS")
     corners = (head.quads.astype(int) + nodes + 1).tolist()
     walls = zip(head.part_of_elements().tolist(), corners, head.thickness.tolist(), strict=True)
@@ -72,11 +73,9 @@ def _solid(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: in
         deck.comment("the grooves of the face are felt by the contact alone in clubface; this deck has a plain face")
     # Section and hourglass control are those of the ball.
     _part(deck, HEAD_PART, head.name, head.metal, 1, 1)
-    _nodes(deck, head, hit, nodes)
-    deck.keyword("ELEMENT_SOLID")
-    corners = (head.hexahedra.astype(int) + nodes + 1).tolist()
-    deck.rows(element(number, HEAD_PART, each) for number, each in enumerate(corners, start=elements + 1))
-    return [HEAD_PART], elements + len(corners)
+    deck.nodes(_places(head, hit), nodes + 1)
+    corners = head.hexahedra.astype(int) + nodes + 1
+    return [HEAD_PART], deck.elements("SOLID", repeat(HEAD_PART, len(corners)), corners, elements + 1)
 
 
 def _section(deck: Cards, number: int, metal: Metal) -> None:
@@ -106,11 +105,6 @@ def _part(deck: Cards, number: int, title: str, metal: Metal, section: int, hour
     strains, stresses = zip(*metal.curve(), strict=True)
     deck.card(list(strains))
     deck.card(list(stresses))
-
-
-def _nodes(deck: Cards, head: Any, hit: dict[str, Any], nodes: int) -> None:
-    deck.keyword("NODE")
-    deck.rows(node(nodes + number, place) for number, place in enumerate(_places(head, hit).tolist(), start=1))
 
 
 def _places(head: Any, hit: dict[str, Any]) -> NDArray[Any]:
@@ -151,13 +145,8 @@ def _rigid(deck: Cards, club: Club, hit: dict[str, Any], nodes: int, elements: i
     deck.keyword("SECTION_SHELL", [HEAD_SECTION, 2], [SHELL] * 4, names="secid elform")
     deck.comment("The shells lie half their thickness behind the face, so that contact is on the face itself.")
     places, quads = _face_mesh(club)
-    places = (places - hit["point"]) @ np.asarray(hit["axes"]).T
-    deck.keyword("NODE")
-    deck.rows(node(nodes + number, place) for number, place in enumerate(places.tolist(), start=1))
-    deck.keyword("ELEMENT_SHELL")
-    deck.rows(
-        element(elements + number, HEAD_PART, each) for number, each in enumerate((quads + nodes + 1).tolist(), start=1)
-    )
+    deck.nodes((places - hit["point"]) @ np.asarray(hit["axes"]).T, nodes + 1)
+    deck.elements("SHELL", repeat(HEAD_PART, len(quads)), quads + nodes + 1, elements + 1)
 
 
 def _first_touch(case: Case, club: Club) -> dict[str, Any]:
