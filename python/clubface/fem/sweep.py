@@ -14,6 +14,7 @@ from typing import Any
 from clubface import units
 from clubface.equipment import is_count
 from clubface.errors import FileError, InputError
+from clubface.fem import paper
 from clubface.fem.case import Case, case
 from clubface.fem.result import Impact
 
@@ -120,26 +121,14 @@ def sweep(
 
 def row_of(point: tuple[float, float], found: Impact) -> dict[str, Any]:
     """Return one row of the table."""
-    launch = found.launch
-    return {
+    values = {
+        **paper.document(found),
         "speed_mps": point[0],
         "loft_deg": _degrees(point[1]),
-        "ball_speed_mps": launch["ball_speed"],
-        "launch_deg": units.from_si(launch["launch"], "deg"),
-        "spin_rpm": units.from_si(launch["backspin"], "rpm"),
-        "club_speed_after_mps": sum(launch[f"club_velocity_{axis}"] ** 2 for axis in "xyz") ** 0.5,
-        "peak_force_n": found.peak_force,
-        "peak_force_time_s": found.peak_force_time,
         "contact_time_s": found.contact_time,
-        "reversal_time_s": found.reversal_time,
-        "contraction": found.contraction,
-        "f_prime": found.f_prime,
-        "f": found.f,
-        "energy_error": found.energy_error,
-        "steps": found.steps,
-        "wall_s": found.wall,
         "stopped": found.stopped or "",
     }
+    return {name: values[name] for name in COLUMNS}
 
 
 class _Table:
