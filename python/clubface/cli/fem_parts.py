@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output
-from clubface.cli.fem_progress import progress_bar
+from clubface.cli.fem_progress import run_with_progress
 from clubface.units import from_si
 
 RULES = {"mass": 0.04593, "diameter": 0.04267}
@@ -81,10 +81,12 @@ def head(
         "asked": asked,
     }
     if measure:
-        with progress_bar() as update:
-            watch = update and (lambda time, whole: update(time, whole, f"{time * 1e6:.0f} us"))
-            document["restitution"] = head_tests.restitution(made, progress=watch)
-            document["characteristic_time_s"] = head_tests.characteristic_time(made, progress=watch)
+        document |= run_with_progress(
+            lambda progress: {
+                "restitution": head_tests.restitution(made, progress=progress),
+                "characteristic_time_s": head_tests.characteristic_time(made, progress=progress),
+            }
+        )
     if as_json:
         output.print_json(document)
         return

@@ -7,7 +7,7 @@ import os
 from typing import Any
 
 from clubface import units
-from clubface.clubs import Club
+from clubface.clubs import Club, club
 from clubface.errors import RunError
 from clubface.fem.balls import Ball, Piece, ball
 from clubface.fem.core import Progress
@@ -58,8 +58,6 @@ def restitution(
         A run that failed.
     """
     made = ball(which)
-    from clubface.clubs import club
-
     shaped = head if isinstance(head, MeshedHead) else club(head)
     rigid = shaped.club if isinstance(shaped, MeshedHead) else shaped
     approach = units.parse(speed, "speed", name="speed")

@@ -119,7 +119,8 @@ class Impact:
             setattr(self, name, found[name])
         self.contact: dict[str, NDArray[Any]] = found["contact"]
         self.motion: dict[str, NDArray[Any]] = {
-            name: values.reshape(len(found["motion"]["time"]), *(() if values.ndim == 1 else (3,)))
+            # A run without records tells its vectors as an array without columns.
+            name: values if values.ndim == 1 else values.reshape(-1, 3)
             for name, values in found["motion"].items()
         }
         self.energy: dict[str, NDArray[Any]] = found["energy"]

@@ -94,8 +94,7 @@ def _felt(found: Impact, frame: int) -> dict[str, list[Any]]:
         if fields is None:
             continue
         shells = fields.stress.ndim == 4
-        outer = (frame, slice(None), 0) if shells else (frame,)
-        inner = (frame, slice(None), 1) if shells else (frame,)
+        outer, inner = ((frame, slice(None), side) if shells else (frame,) for side in (0, 1))
         arrays = {
             "stress": turned(fields.stress[outer], found.attitude)[:, PARAVIEW],
             "strain": turned(fields.strain[outer], found.attitude)[:, PARAVIEW],

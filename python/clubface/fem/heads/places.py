@@ -33,19 +33,20 @@ def parsed_places(places: Mapping[str, Place], what: str) -> dict[str, tuple[flo
     for name, values in places.items():
         if len(values) != 4:
             raise InputError(f"{what} {name}", values, "x, y, z and a mass")
+        place = []
         for axis, value in zip("xyz", values[:3], strict=True):
             length = units.parse(value, "length", name=f"{axis} of {what} {name}")
             if not abs(length) <= REACH:
                 allowed = 'within 300 mm of the face centre; numbers are metres, "-33 mm" is text'
                 raise InputError(f"{axis} of {what} {name}", units.show(length, "mm"), allowed)
-        x, y, z = (units.parse(value, "length") for value in values[:3])
+            place.append(length)
         key = f"{MASS_KEYS[what]} of {what} {name}"
         mass = units.parse(values[3], "mass", name=key)
         # A trim mass that may weigh nothing is none.
         least = LEAST_TRIM if what == "trim" else 0.0
         if not least <= mass <= 0.5:
             raise InputError(key, units.show(mass, "g"), f"{least * 1e3:g} to 500 g")
-        found[name] = (x, y, z, mass)
+        found[name] = (*place, mass)
     return found
 
 
