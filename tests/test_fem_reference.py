@@ -28,6 +28,15 @@ def test_the_reference_case_agrees_with_other_solvers(name):
     assert [getattr(reference(), name)] * 2 == [pytest.approx(row, rel=tolerance) for row in rows]
 
 
+def test_eight_point_elements_agree_with_their_like():
+    found = fem.reference(element="full")
+    for name in ("normal_velocity", "tangential_velocity", "backspin", "spin_max", "reversal_time"):
+        _, eight, tolerance = TABLE[name]
+        # The force turns 2.04% later.
+        assert getattr(found, name) == pytest.approx(eight, rel=tolerance + 1e-3), name
+    assert found.peak_force == pytest.approx(8708.0, rel=0.03)
+
+
 def test_multipliers_keep_nodes_out_and_the_reference_case_as_it_is():
     found = fem.reference(settings=fem.Settings(contact="augmented-lagrange"))
     for name, (one, other, tolerance) in TABLE.items():

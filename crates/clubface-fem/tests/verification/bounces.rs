@@ -1,6 +1,7 @@
 //! Balls on a rigid plane: Hertz's contact, the limits of friction, and the reference case of three independent solvers.
 
-use super::support::{bounce, elastic, masses, outside, patches, rows, Bounce, SPRING};
+use super::support::{elastic, masses, outside, patches, rows, SPRING};
+use super::thrown::{bounce, Bounce};
 use clubface_fem::contact::Springs;
 use clubface_fem::element::Element;
 use clubface_fem::material::{Material, MooneyRivlin, Shape};

@@ -1,6 +1,7 @@
 //! Metal that yields: at a point, and in bodies.
 
-use super::support::{block, bounce, outside, patches, rows, structure, Random, ELEMENTS, SPRING};
+use super::support::{block, outside, patches, rows, structure, Random, ELEMENTS, SPRING};
+use super::thrown::bounce;
 use clubface_fem::material::{
     Hardening, Hencky, Isochoric, Kinematics, Material, PlasticState, Shape, VonMises,
 };

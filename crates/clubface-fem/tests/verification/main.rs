@@ -14,4 +14,5 @@ mod laws;
 mod multipliers;
 mod spheres;
 mod support;
+mod thrown;
 mod viscosity;
