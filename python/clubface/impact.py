@@ -124,7 +124,7 @@ def impact(
     accuracy, cores = tolerance(accuracy), thread_count(threads)
     meshed = None
     if model == FEM.name:
-        meshed, ball = _meshed_ball(ball, accuracy)
+        meshed, ball = meshed_ball(ball, accuracy)
     with_ = equipment(club, ball)
     chosen = parameter_set(model, with_.club, parameters)
     hit = shots(with_, values, hand=hand)
@@ -146,7 +146,7 @@ def impact(
     return Launch(computed, hit, model, chosen, accuracy, problems)
 
 
-def _meshed_ball(ball: Any, accuracy: float | None) -> tuple[Any, Any]:
+def meshed_ball(ball: Any, accuracy: float | None) -> tuple[Any, Any]:
     """Return the ball of the finite elements and its rigid counterpart; the module is large, and seldom needed."""
     from clubface.fem import as_model
 

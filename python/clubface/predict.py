@@ -13,7 +13,8 @@ from clubface.balls import Ball
 from clubface.clubs import Club
 from clubface.errors import FileError, InputError
 from clubface.flight import fly
-from clubface.impact import Parameters
+from clubface.impact import Parameters, meshed_ball
+from clubface.models import FEM
 from clubface.predict_run import Task, results_of, run
 from clubface.run_options import thread_count
 from clubface.shots import equipment, hand_value, parameter_set
@@ -154,6 +155,9 @@ def predict(
     if isinstance(chunk_rows, bool) or not isinstance(chunk_rows, int) or not 1 <= chunk_rows <= MOST_ROWS:
         raise InputError("chunk_rows", chunk_rows, f"a whole number from 1 to {MOST_ROWS}")
     threads = thread_count(threads) or None
+    meshed = None
+    if model == FEM.name:
+        meshed, ball = meshed_ball(ball, accuracy)
     with_ = equipment(club, ball)
     chosen = parameter_set(model, with_.club, parameters)
     arrays = [name for name, value in chosen.values.items() if not isinstance(value, float)]
@@ -165,7 +169,7 @@ def predict(
     shot = {
         "club": with_.club,
         "model": model,
-        "ball": with_.ball,
+        "ball": meshed or with_.ball,
         "parameters": chosen,
         "accuracy": accuracy,
         "threads": threads,

@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from clubface.balls import Ball
 from clubface.errors import FileError
 from clubface.flight import fly
 from clubface.impact import impact
@@ -77,9 +78,11 @@ class Task:
     def settings(self, source: Path, output: Path) -> str:
         """Return a text that is the same only for the same file and settings."""
         shot, flight = self.shot, self.flight or {}
+        ball = shot["ball"]
+        told_ball = ball.inputs() if isinstance(ball, Ball) else ball.values()
         told = [
             os.path.abspath(source), os.stat(source).st_size, output.suffix, self.columns, list(self.results.items()),
-            shot["model"], dict(shot["parameters"].values), shot["club"].inputs(), shot["ball"].inputs(),
+            shot["model"], dict(shot["parameters"].values), shot["club"].inputs(), told_ball,
             shot["accuracy"], self.hand, repr(flight.get("air")), repr(flight.get("wind")),
         ]  # fmt: skip
         return hashlib.sha256(json.dumps(told, default=str).encode()).hexdigest()

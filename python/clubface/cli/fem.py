@@ -116,7 +116,6 @@ def run(
     if folder is not None:
         files.prepare(folder)
     found = run_with_progress(lambda progress: chosen.run(progress))
-    written = files.write_run(found, folder, animation=animate) if folder is not None else []
     if as_json:
         output.print_json(files.document(found))
     else:
@@ -124,7 +123,8 @@ def run(
 
         print_numbers(("", ""), _rows_of(found), title=chosen.description or chosen.name)
         print(_cost(found))
-    _tell(written)
+    if folder is not None:
+        _tell(files.write_run(found, folder, animation=animate))
     _end(found)
 
 
@@ -146,7 +146,6 @@ def paper(
         if base.settings.frames < 2:
             chosen = base.replace(settings={"frames": SHAPES})
     found = run_with_progress(lambda progress: job.paper(chosen, progress))
-    written = files.write_paper(found, folder) if folder is not None else []
     if as_json:
         output.print_json(job.document(found))
     else:
@@ -161,7 +160,8 @@ def paper(
         rows.append(["f that the spin means, Eq. (6)", *(output.number(factor, 4) for factor in factors)])
         print_numbers(("", "P2", "clubface"), rows, title="P2's case, as published and as computed")
         print(_cost(found))
-    _tell(written)
+    if folder is not None:
+        _tell(files.write_paper(found, folder))
     _end(found)
     if folder is not None and swept:
         _, written = _sweep(base, SPEEDS, LOFTS, folder, published=True)

@@ -7,6 +7,9 @@ motion, energies and the figures of P2 ("Analysis of golf ball spin mechanism at
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import Any
+
 from clubface.fem.balls import Ball, Piece, ball, ball_names
 from clubface.fem.fields import ElementFields
 from clubface.fem.heads import (
@@ -55,3 +58,12 @@ __all__ = [
     "throw",
     "variables",
 ]
+
+_MODULES = ("case", "files", "head_tests", "keyword", "paper", "reduced", "sweep", "vtu")
+
+
+def __getattr__(name: str) -> Any:
+    """Import the modules that not every user needs when they are first named."""
+    if name in _MODULES:
+        return import_module(f"clubface.fem.{name}")
+    raise AttributeError(f"module 'clubface.fem' has no attribute {name!r}")

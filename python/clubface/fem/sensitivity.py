@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from clubface.clubs import Club
 from clubface.delivery import Delivery
-from clubface.errors import ShotError, UnknownNameError
+from clubface.errors import InputError, ShotError, UnknownNameError
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import THE_RUN, Progress, core_call
-from clubface.fem.heads import ShellHead
+from clubface.fem.heads import MeshedHead, ShellHead
 from clubface.fem.run import Settings, friction_value, inputs_of, one_shot, settings_of
 from clubface.quantities import outputs
 
@@ -84,6 +84,8 @@ def _slopes(made: Ball, name: str) -> dict[str, float]:
 
 def _head_of(club: str | os.PathLike[str] | Club | ShellHead) -> tuple[dict[str, Any] | None, Any]:
     """Return the mesh of a head of shells as the core takes it, and the rigid club."""
+    if isinstance(club, MeshedHead) and not isinstance(club, ShellHead):
+        raise InputError("club", club.name, "a club, whose head is rigid, or a head of shells")
     return (club.values(), club.club) if isinstance(club, ShellHead) else (None, club)
 
 

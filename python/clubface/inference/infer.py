@@ -20,6 +20,7 @@ from clubface.inference.expectation import expected_launches, surprise, unreacha
 from clubface.inference.importance import Sample, sample
 from clubface.inference.prior import Prior, Values, prior_of
 from clubface.measured_shots import QUANTITIES
+from clubface.models import FEM, models
 from clubface.models import model as model_named
 from clubface.shots import parameter_set
 
@@ -213,6 +214,8 @@ def infer(
             raise InputError(f"noise {name}", deviations[name], "positive: an exact measurement cannot be sampled")
     head = club_named(club)
     model_named(model)
+    if model == FEM.name:
+        raise InputError("model", model, f"one that computes thousands of deliveries a second: {', '.join(models())}")
     chosen = parameter_set(model, head, parameters)
     before = prior_of(prior, head)
     target = np.array(list(measured.values()))

@@ -2,6 +2,7 @@
 
 use super::{DeformableHead, ShellHead};
 use crate::error::FemError;
+use crate::mesh::convexity;
 use clubface_math::{Real, Vec3};
 use std::collections::HashMap;
 
@@ -43,14 +44,7 @@ impl<R: Real> ShellHead<R> {
 
     /// An element is convex, and no corner is repeated.
     fn check_shape(&self, element: usize, part: &str) -> Result<(), FemError> {
-        let [a, b, c, d] = self.shells.quads[element].map(|n| self.shells.nodes[n as usize]);
-        let out = (c - a).cross(d - b);
-        let corners = [(d, a, b), (a, b, c), (b, c, d), (c, d, a)];
-        let least = corners
-            .iter()
-            .map(|(before, at, after)| (*at - *before).cross(*after - *at).dot(out) / out.norm_squared())
-            .fold(f64::INFINITY, f64::min);
-        // Twice the area of a corner's triangle over that of the element: one in a parallelogram.
+        let least = convexity(self.shells.quads[element].map(|n| self.shells.nodes[n as usize]));
         if least > 0.02 && least.is_finite() {
             return Ok(());
         }

@@ -4,7 +4,7 @@
 //! mesh is that of a box, wrapped round the body and smoothed, so it has no triangles, no seams, and no corner that lies in one plane with
 //! its neighbours.
 
-use super::ShellMesh;
+use super::{convexity, ShellMesh};
 use clubface_math::{Real, Vec3};
 
 /// Part of a head.
@@ -99,6 +99,8 @@ const OUTLINE: f64 = 2.5;
 const SECTION: f64 = 2.3;
 /// Share of the sum of pulls by which a node moves in a round of smoothing.
 const RELAXATION: f64 = 0.15;
+/// Convexity below which smoothing leaves a node where it is, unless it helps.
+const FOLDED: f64 = 0.15;
 /// Rounds of smoothing.
 const SMOOTHING: usize = 150;
 
@@ -181,8 +183,10 @@ impl DriverShape {
     /// element governs the time step.
     fn smooth(&self, nodes: &mut [Vec3<f64>], quads: &[[u32; 4]]) {
         let mut partners = vec![Vec::new(); nodes.len()];
+        let mut around = vec![Vec::new(); nodes.len()];
         for quad in quads {
             for k in 0..4 {
+                around[quad[k] as usize].push(*quad);
                 // Every side is met twice, once from either end.
                 partners[quad[k] as usize].push((quad[(k + 1) % 4] as usize, 1.0));
                 partners[quad[k] as usize].push((quad[(k + 2) % 4] as usize, std::f64::consts::SQRT_2));
@@ -201,7 +205,19 @@ impl DriverShape {
                     let away = nodes[other] - here;
                     sum + away * (1.0 - ratio * length / away.norm())
                 });
+                let worst = |nodes: &[Vec3<f64>]| {
+                    let each = around[node].iter().map(|&quad| convexity(quad.map(|n| nodes[n as usize])));
+                    each.fold(f64::INFINITY, f64::min)
+                };
                 nodes[node] = self.point(here + pull * RELAXATION - centre);
+                // Springs would fold small elements at the edges of the box.
+                let now = worst(nodes);
+                if now < FOLDED {
+                    let there = std::mem::replace(&mut nodes[node], here);
+                    if now > worst(nodes) {
+                        nodes[node] = there;
+                    }
+                }
             }
         }
     }

@@ -9,6 +9,7 @@ mod tuning;
 pub use cubed_sphere::{cubed_sphere, Fineness};
 pub use driver::{DriverFineness, DriverShape, DriverThickness, Region};
 pub use iron::{IronFineness, IronMesh, IronShape};
+pub(crate) use quads::convexity;
 pub use quads::{ShellMasses, ShellMesh, ROTARY};
 pub use tuning::{mass_properties, tune, MassProperties, Target, Trim, Tuned};
 

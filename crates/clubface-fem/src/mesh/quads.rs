@@ -18,6 +18,15 @@ pub struct ShellMesh<R> {
     pub thickness: Vec<R>,
 }
 
+/// How far a quadrilateral is from folding: the least of its corners' triangles over half of it, one in a parallelogram, zero at an angle of 180
+/// degrees.
+pub(crate) fn convexity([a, b, c, d]: [Vec3<f64>; 4]) -> f64 {
+    let out = (c - a).cross(d - b);
+    let corners = [(d, a, b), (a, b, c), (b, c, d), (c, d, a)];
+    let shares = corners.map(|(before, at, after)| (at - before).cross(after - at).dot(out));
+    shares.into_iter().fold(f64::INFINITY, f64::min) / out.norm_squared()
+}
+
 /// Masses of the nodes of a shell mesh.
 #[derive(Clone, Debug)]
 pub struct ShellMasses<R> {
