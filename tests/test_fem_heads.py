@@ -95,6 +95,23 @@ def test_a_thinner_face_springs_more_and_holds_the_striker_longer():
     assert springs[0] > springs[1] > head_tests.restitution(thin.club, which=coarse("modern"))
 
 
+@pytest.mark.parametrize("elements", [(48, 16, 33), (54, 18, 38)])
+def test_a_finer_head_is_the_same_head(elements):
+    design = from_toml(builtin_path("fem_head", "p2", fem.head_names()))
+    # Its small elements would fold at the edges of the face.
+    finer, usual = (fem.head(replace(design, elements=each)).club for each in (elements, design.elements))
+    # Targets are met; the rest follows from walls and trims, which differ a little as the mesh does.
+    assert (finer.mass, finer.izz) == pytest.approx((usual.mass, usual.izz), rel=1e-6)
+    assert (finer.ixx, finer.iyy, finer.cg_x) == pytest.approx((usual.ixx, usual.iyy, usual.cg_x), rel=0.02)
+
+
+def test_the_name_of_a_meshed_head_is_not_that_of_a_club():
+    with pytest.raises(InputError, match=r'clubface\.fem\.head\("p2"\)'):
+        fem.strike("p2", speed=35.0)
+    # A club of the same name is meant where there is one.
+    assert fem.strike("7-iron", speed=35.0, which=coarse()).head is None
+
+
 def test_a_case_says_which_kind_of_head_it_has(tmp_path):
     path = tmp_path / "case.toml"
     text = """\

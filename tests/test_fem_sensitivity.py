@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from clubface import fem
-from clubface.errors import ShotError, UnknownNameError
+from clubface.errors import InputError, ShotError, UnknownNameError
 from fem_runs import coarse, coarse_head
 
 SETTINGS = fem.Settings(until_separation=True)
@@ -99,6 +99,11 @@ def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
     assert found.values["ball_speed"] == pytest.approx(run.launch["ball_speed"], rel=1e-9)
     with pytest.raises(ShotError, match="a smaller `safety` helps"):
         fem.sensitivity("driver", by="speed", **hit | {"settings": replace(SETTINGS, safety=0.9)})
+
+
+def test_a_solid_head_is_refused():
+    with pytest.raises(InputError, match="a head of shells"):
+        fem.variables(fem.head("7-iron"))
 
 
 def test_an_unknown_variable_is_told():

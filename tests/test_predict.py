@@ -48,6 +48,18 @@ def test_each_row_is_its_impact_and_flight(write, tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out.csv", "shots.csv"]
 
 
+def test_a_meshed_ball_is_hit_by_finite_elements(write, tmp_path):
+    source = write("club_speed_mps\n40\n")
+    smash = {}
+    for ball in ("modern", "reference"):
+        predict(source, club="driver", output=tmp_path / f"{ball}.csv", model="fem", ball=ball, carry=False)
+        smash[ball] = float(table(tmp_path / f"{ball}.csv")[0]["smash"])
+        launch = clubface.impact("driver", speed=40.0, model="fem", ball=ball)
+        assert smash[ball] == pytest.approx(launch.smash, rel=5.1e-9)
+    # The one loses what real balls lose, the other nothing.
+    assert smash["modern"] < smash["reference"] - 0.05
+
+
 def test_what_is_not_used_is_passed_through_untouched(write, tmp_path):
     text = 'club_speed_mph,"note, long",x\n 113 ,"he said ""so""\nand left",  007\n'
     predict(write(text.replace("\n", "\r\n")), club="driver", output=tmp_path / "out.csv", carry=False)

@@ -12,7 +12,7 @@ from clubface import units
 from clubface.balls import Ball as RigidBall
 from clubface.clubs import Club
 from clubface.delivery import Delivery
-from clubface.equipment import check_choice, check_count
+from clubface.equipment import builtin_names, check_choice, check_count
 from clubface.errors import InputError, RuleWarning
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress, core_call
@@ -210,8 +210,11 @@ def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], m
     """Return the shot as the core takes it."""
     import numpy as np
 
+    from clubface.fem.heads import head_names
     from clubface.shots import equipment, shots
 
+    if isinstance(club, str) and club in head_names() and club not in builtin_names("clubs"):
+        raise InputError("club", club, f'a club; the meshed head of this name is clubface.fem.head("{club}")')
     for name, value in delivery.items():
         if np.ndim(value):
             raise InputError(name, value, "one value; use a sweep for several")
