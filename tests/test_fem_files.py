@@ -66,6 +66,18 @@ def test_as_many_shapes_are_kept_as_are_asked_for(frames):
     assert len(found.frames) == frames
 
 
+def test_shapes_are_spread_over_the_duration_however_long_the_run():
+    short = throw_case(duration="301 us", frames=7).run()
+    assert short.unfinished
+    assert len(short.frames) == 7
+    told = []
+    longer = throw_case(duration="301 us", frames=7, until_separation=True).run(lambda *times: told.append(times))
+    assert longer.contact["time"][-1] > 600e-6
+    assert (longer.frames == short.frames)[:-1].all()
+    assert len(longer.frames) == 7
+    assert all(time <= whole for time, whole in told)
+
+
 def test_a_run_without_shapes_is_refused(tmp_path):
     with pytest.raises(InputError, match="frames"):
         vtu.write_series(throw_case(duration="20 us").run(), tmp_path, "none")

@@ -53,7 +53,15 @@ def test_the_tangential_velocity_is_that_relative_to_the_clubhead():
 
 def test_what_factor_a_spin_means():
     # 7 R w / (5 V sin phi) with 21.4 mm, 2047 rpm, 35 m/s and 11.5 deg; P2 prints 0.9476, from the forces.
-    assert paper.spin_factor(found(), 2047.0 * math.pi / 30.0) == pytest.approx(0.9204, abs=1e-4)
+    assert pytest.approx(0.9204, abs=1e-4) == paper.SPIN_FACTOR
+    # In proportion to the spin, for the same ball and blow.
+    spin = found().launch["backspin"] * 30.0 / math.pi
+    assert paper.spin_factor(found()) == pytest.approx(paper.SPIN_FACTOR * spin / 2047.0, rel=1e-6)
+
+
+def test_a_blow_without_loft_has_no_factor():
+    level = case("paper-rigid").replace(loft=0.0, settings={"duration": 20e-6})
+    assert math.isnan(paper.spin_factor(level.run()))
 
 
 def test_trends_over_speed_and_loft():

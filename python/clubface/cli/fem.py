@@ -156,7 +156,7 @@ def paper(
             [label, output.number(job.PUBLISHED[key] * scale, digits), output.number(ours[key] * scale, digits)]
             for label, key, scale, digits in PAPER_ROWS
         ]
-        factors = [job.spin_factor(found, figures["spin_rpm"] / RPM) for figures in (job.PUBLISHED, ours)]
+        factors = (job.SPIN_FACTOR, job.spin_factor(found))
         rows.append(["f that the spin means, Eq. (6)", *(output.number(factor, 4) for factor in factors)])
         print_numbers(("", "P2", "clubface"), rows, title="P2's case, as published and as computed")
         print(_cost(found))

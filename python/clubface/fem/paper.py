@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from typing import Any
 
@@ -53,13 +54,19 @@ def table(found: Impact) -> dict[str, float]:
     }
 
 
-def spin_factor(found: Impact, spin: float) -> float:
-    """Return the compression factor that a backspin [rad/s] means by P2's Eq. (6), in which the ball rolls off.
+SPIN_FACTOR = 7.0 * 0.0214 * units.parse("2047 rpm", "angular rate") / (5.0 * 35.0 * math.sin(math.radians(11.5)))
+"""The factor of Eq. (6) that P2's spin means."""
 
-    P2 derives its f from the forces instead, Eqs. (9) and (11).
+
+def spin_factor(found: Impact) -> float:
+    """Return the compression factor that the backspin means by P2's Eq. (6), in which the ball rolls off the face.
+
+    P2 derives its f from the forces instead, Eqs. (9) and (11). NaN for a blow without velocity along the face.
     """
-    approach = float(found.relative_velocity()[0, 1])
-    return 7.0 * 0.5 * found.ball.diameter * spin / (5.0 * approach)
+    approach = sum(found.relative_velocity()[:1, 1])
+    if not approach > 0.0:
+        return math.nan
+    return float(7.0 * 0.5 * found.ball.diameter * found.launch["backspin"] / (5.0 * approach))
 
 
 def document(found: Impact) -> dict[str, Any]:

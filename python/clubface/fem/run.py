@@ -54,7 +54,7 @@ class Settings:
         Pressure against fast changes of volume in solid elements, over density, speed of waves, size of the element and
         rate of the volume: 0.06 is usual in other codes; 0 for none.
     frames
-        Number of deformed shapes to keep, evenly over the simulated time.
+        Number of deformed shapes to keep, evenly over ``duration``.
     fields
         Whether to keep stress and strain of every element with the deformed shapes.
     threads

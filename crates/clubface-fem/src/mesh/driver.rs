@@ -99,7 +99,7 @@ const OUTLINE: f64 = 2.5;
 const SECTION: f64 = 2.3;
 /// Share of the sum of pulls by which a node moves in a round of smoothing.
 const RELAXATION: f64 = 0.15;
-/// Convexity below which smoothing leaves a node where it is, unless it helps.
+/// Convexity below which smoothing leaves a node where it is, unless it helps: well above the 0.02 below which a head is refused.
 const FOLDED: f64 = 0.15;
 /// Rounds of smoothing.
 const SMOOTHING: usize = 150;

@@ -87,7 +87,7 @@ impl<R: Real> Impact<R> {
                 break None;
             }
             let motion = run.motion(self);
-            let progress = Progress { time, duration: options.duration, steps: run.step };
+            let progress = Progress { time, duration: options.duration.max(time), steps: run.step };
             let view = View { progress, centre: motion.centre, impact: self };
             if run.step.is_multiple_of(every) && !watch(view) {
                 break Some(FemError::Interrupted { microseconds: time * 1e6 });

@@ -8,7 +8,7 @@ use clubface_math::{Real, Vec3};
 pub struct Progress {
     /// Time since first touch, s.
     pub time: f64,
-    /// Simulated time asked for, s.
+    /// Simulated time asked for, s; that of now where the run goes on beyond it until the ball has left.
     pub duration: f64,
     /// Steps done.
     pub steps: usize,

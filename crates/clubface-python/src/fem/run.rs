@@ -93,7 +93,8 @@ pub(super) fn simulate<'py>(
         let mut watch = |mut now: View<f64>| {
             let at = now.progress;
             let due = if times.is_empty() { 0.0 } else { times.len() as f64 * frame_gap - 0.5 * interval };
-            if frames > 0 && at.time >= due {
+            // A run until separation may be longer than its duration.
+            if times.len() < frames && at.time >= due {
                 times.push(at.time);
                 add_frame(now.whole(), &mut positions, run.fields.then_some(&mut fields));
             }
@@ -120,11 +121,12 @@ pub(super) fn simulate<'py>(
     }
     // The last frame is due when the run ends, between two records.
     let end = outcome.steps as f64 * outcome.step;
-    if outcome.stopped.is_none() && !times.is_empty() && times.len() < frames && end > run.duration {
+    let failed = outcome.stopped.as_ref().is_some_and(FemError::failed);
+    let interrupted = matches!(outcome.stopped, Some(FemError::Interrupted { .. }));
+    if !failed && !interrupted && !times.is_empty() && times.len() < frames && end > run.duration {
         times.push(end);
         add_frame(impact, &mut positions, run.fields.then_some(&mut fields));
     }
-    let failed = outcome.stopped.as_ref().is_some_and(FemError::failed);
     if failed {
         let last = outcome.history.energy.last().map_or(0.0, |frame| frame.time);
         let (all, kept) = (times.len(), times.partition_point(|&time| time <= last));
