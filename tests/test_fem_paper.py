@@ -9,7 +9,7 @@ from clubface.errors import InputError
 from clubface.fem import paper
 from clubface.fem.case import case
 from clubface.fem.sweep import sweep
-from fem_runs import throw_case
+from fem_runs import drive_case, throw_case
 
 # P2's figures are read off pictures: 2% of speeds, 5% of spin and force, 25 us; its contraction has no reference.
 TOLERANCES = {
@@ -60,8 +60,10 @@ def test_what_factor_a_spin_means():
 
 
 def test_a_blow_without_loft_has_no_factor():
-    level = case("paper-rigid").replace(loft=0.0, settings={"duration": 20e-6})
-    assert math.isnan(paper.spin_factor(level.run()))
+    level = drive_case(until_separation=True).replace(loft=0.0).run()
+    # A CG that does not lie behind the point that is hit makes a little spin all the same.
+    assert level.launch["backspin"] != 0.0
+    assert math.isnan(paper.spin_factor(level))
 
 
 def test_trends_over_speed_and_loft():
