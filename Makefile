@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build demo test check bench docs study benchmark-data benchmark-identification benchmark-identification-speed identification-coverage capture-coverage clean
+.PHONY: help setup build demo test check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures identification-coverage capture-coverage clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -67,6 +67,9 @@ benchmark-identification: build ## identify every model on the benchmark shots: 
 
 benchmark-identification-speed: build ## time of P1's whole identification of the volumetric driver, and its cost
 	$(PYTHON) benchmarks/identification_speed.py
+
+fem-figures: build ## the figures of docs/finite-elements.md, computed again; some five minutes
+	$(PYTHON) benchmarks/fem_figures.py
 
 identification-coverage: build ## how often intervals of identified parameters hold the truth, over 400 repeats
 	$(PYTHON) -m pytest -m study tests/test_identify_coverage.py -s

@@ -126,7 +126,9 @@ impl<R: Real> Touch<R> {
             self.take_over(dt / time, held, dt);
         }
         let carried = held.multiplier.dot(self.normal).max(R::zero());
-        let pressing = (spring + damper + carried).max(R::zero());
+        let bearing = spring + carried;
+        // A damper of no more than what bears: one that acted at once would make the launch jump where a node arrives a step sooner.
+        let pressing = (bearing + damper.min(bearing)).max(R::zero());
         energy.damping += ((pressing - spring) * closing).re() * dt;
         // Stick: the spring follows the node; slip: it is let out until it carries what friction allows.
         let tangential = stiffness * TANGENTIAL_STIFFNESS;
@@ -165,5 +167,42 @@ impl<R: Real> Touch<R> {
             let opposed = force - (self.velocity - velocity) * (self.mass * (1.0 / dt));
             held.multiplier += (opposed - held.multiplier) * R::from_f64(share);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Held, Springs, Touch};
+    use crate::contact::{ContactEnergy, Resultant};
+    use clubface_math::Vec3;
+
+    /// Force along the normal of a node just behind the face that arrives, or leaves, at a speed.
+    fn pressing(gap: f64, closing: f64) -> f64 {
+        let (normal, velocity) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(-closing, 3.0, 0.0));
+        let touch = Touch { mass: 1e-5, area: 1e-6, gap, normal, velocity };
+        let mut sum = Resultant::default();
+        touch.force(
+            Springs::default(),
+            0.35,
+            &mut Held::free(),
+            5e-7,
+            &mut sum,
+            &mut ContactEnergy::default(),
+        );
+        sum.normal
+    }
+
+    #[test]
+    fn force_begins_at_zero_at_any_speed_and_never_pulls() {
+        for gap in [-1e-12, -1e-9, -1e-6] {
+            let spring = pressing(gap, 0.0);
+            assert!(spring > 0.0);
+            // Exact but for the rounding of a sum: the damper at most doubles what the spring gives, or takes it away.
+            assert!((pressing(gap, 60.0) / spring - 2.0).abs() < 1e-12);
+            assert!(pressing(gap, -60.0) == 0.0);
+        }
+        // Slowly, all of the damper acts: twice the closing speed, twice as much.
+        let damper = |closing: f64| pressing(-1e-5, closing) - pressing(-1e-5, 0.0);
+        assert!((damper(0.2) / damper(0.1) - 2.0).abs() < 1e-9);
     }
 }

@@ -1,0 +1,222 @@
+"""The figures that docs/finite-elements.md states, computed again; with names of sections, theirs alone."""
+
+import math
+import sys
+from dataclasses import replace
+
+import numpy as np
+
+from clubface import fem
+from clubface.equipment import builtin_path
+from clubface.fem import head_tests, paper, reduced, sweep
+from clubface.fem.case import case
+from clubface.fem.heads.read import from_toml
+from clubface.fem.result import Impact
+
+RPM = 60.0 / math.tau
+END = fem.Settings(until_separation=True)
+BALLS = ("reference", "paper", "modern")
+
+
+def say(what: str, **figures: float) -> None:
+    """Print a line of figures."""
+    print(f"{what:34}", "  ".join(f"{name} {value:.6g}" for name, value in figures.items()), flush=True)
+
+
+def plate(found: Impact) -> dict[str, float]:
+    """Return the figures of a throw at a plane."""
+    return {
+        "normal": found.normal_velocity,
+        "tangential": found.tangential_velocity,
+        "rpm": found.backspin * RPM,
+        "most_rpm": found.spin_max * RPM,
+        "peak": found.peak_force,
+        "at_us": found.peak_force_time * 1e6,
+        "forward": found.tangential_max,
+        "back": found.tangential_min,
+        "reversal_us": found.reversal_time * 1e6,
+        "contact_us": found.contact_time * 1e6,
+        "energies": found.energy_error,
+    }
+
+
+def flat_top(found: Impact, within: float) -> dict[str, float]:
+    """Return from when to when the force is nearly at its peak, once single nodes no longer show."""
+    force, time = found.contact["normal"], found.contact["time"]
+    high = time[force > (1.0 - within) * force.max()]
+    return {"from_us": high[0] * 1e6, "to_us": high[-1] * 1e6}
+
+
+def the_reference() -> None:
+    """The reference case, by elements and contact."""
+    found = fem.reference()
+    say("reference", **plate(found), restitution=found.normal_velocity / (35.0 * math.cos(math.radians(11.5))))
+    say("top within 5%", **flat_top(found, 0.05))
+    say("eight-point", **plate(fem.reference(element="full")))
+    lagrange = fem.reference(settings=fem.Settings(contact="augmented-lagrange"))
+    say("augmented Lagrange", **plate(lagrange))
+    for name, run in (("penalty", found), ("augmented Lagrange", lagrange)):
+        say(f"energy of contact, {name}", **{key: max(abs(run.energy[key])) for key in ("contact", "damping")})
+
+
+def thin_middle() -> fem.MeshedHead:
+    """Return P2's head with a face thinner in the middle than at its edge."""
+    design = from_toml(builtin_path("fem_head", "p2", fem.head_names()))
+    assert isinstance(design, fem.DriverHead)
+    walls = {**design.thickness, "face_centre": 1.6e-3, "face_edge": 2.1e-3}
+    return fem.head(replace(design, thickness=walls))
+
+
+def the_paper() -> None:
+    """P2's case and its variations."""
+    found = paper.paper()
+    variations = {
+        "paper": found,
+        "rigid head": paper.paper("paper-rigid"),
+        "friction 0.35": case("paper").replace(friction=0.35).run(),
+        "augmented Lagrange": case("paper").replace(settings={"contact": "augmented-lagrange"}).run(),
+        "steps of 0.76, nothing rests": case("paper").replace(settings={"safety": 0.76}).run(),
+        "face of 1.6 to 2.1 mm": case("paper").replace(club=thin_middle()).run(),
+    }
+    for name, run in variations.items():
+        along = run.relative_velocity()[:, 1]
+        of_spin = {"f_of_spin": paper.spin_factor(run)}
+        slides = {"first": along[0], "least": along.min(), "last": along[-1]}
+        say(name, **paper.table(run), **of_spin, **slides, energies=run.energy_error)
+    say("top within 2%", **flat_top(found, 0.02))
+    head = fem.head("p2")
+    say("its head", restitution=head_tests.restitution(head), ct_us=head_tests.characteristic_time(head) * 1e6)
+
+
+def the_sweep() -> None:
+    """P2's Fig. 8."""
+    speeds, lofts = np.arange(30.0, 61.0, 5.0), np.radians(np.arange(8.0, 13.0))
+    base = case("paper").replace(settings={"until_separation": True})
+    rows = sweep.sweep(base, speeds=speeds.tolist(), lofts=lofts.tolist())
+    shape = (len(speeds), len(lofts))
+    at = {
+        name: np.array([row[name] for row in rows]).reshape(shape)
+        for name in ("ball_speed_mps", "spin_rpm", "launch_deg", "f")
+    }
+    by_speed = np.diff(at["ball_speed_mps"], axis=0) / 5.0
+    say("ball speed by club speed", first=by_speed[0].mean(), last=by_speed[-1].mean())
+    by_loft = np.diff(at["ball_speed_mps"], axis=1)
+    say("ball speed by loft, m/s/deg", least=by_loft.min(), most=by_loft.max())
+    by_loft = np.diff(at["launch_deg"], axis=1)
+    say(
+        "launch angle by loft",
+        least=by_loft.min(),
+        most=by_loft.max(),
+        with_speed=np.ptp(at["launch_deg"], axis=0).max(),
+    )
+    say(
+        "f",
+        slow_least=at["f"][0].min(),
+        slow_most=at["f"][0].max(),
+        fast_least=at["f"][-1].min(),
+        fast_most=at["f"][-1].max(),
+    )
+    spin = at["spin_rpm"]
+    off = [
+        abs(line - np.polyval(np.polyfit(x, line, 1), x)).max() / np.ptp(line)
+        for x, lines in ((speeds, spin.T), (lofts, spin))
+        for line in lines
+    ]
+    say("spin beside a line, of its range", most=max(off))
+
+
+def modern() -> None:
+    """What `modern` was fitted to, and what it predicts."""
+    for speed in (30.0, 37.0, 43.5, 50.0, 57.0):
+        found = fem.throw("modern", speed=speed, settings=END)
+        force, time = found.contact["normal"], found.contact["time"]
+        lasting = np.ptp(time[force > 0.01 * force.max()]) * 1e6
+        deflection = found.contraction * 0.5 * found.ball.diameter * 1e3
+        restitution = found.normal_velocity / speed
+        say(
+            f"{speed} m/s",
+            restitution=restitution,
+            peak=found.peak_force,
+            mm=deflection,
+            us=lasting,
+            last_us=found.contact_time * 1e6,
+        )
+
+
+def steps() -> None:
+    """What rest changes, and how hard balls may be thrown."""
+    for name in BALLS:
+        for speed in (35.0, 50.0):
+            rests, none = (
+                fem.throw(name, speed=speed, angle="11.5 deg", settings=replace(END, safety=safety))
+                for safety in (0.75, 0.76)
+            )
+            speeds = [np.hypot(run.normal_velocity, run.tangential_velocity) for run in (rests, none)]
+            changes = {
+                "speed": speeds[0] / speeds[1] - 1.0,
+                "spin": rests.backspin / none.backspin - 1.0,
+                "peak": rests.peak_force / none.peak_force - 1.0,
+            }
+            say(f"{name}, {speed} m/s: rest changes", **changes)
+        hard = fem.throw(name, speed=80.0, settings=END)
+        say(f"{name}, 80 m/s", safety=hard.settings.safety or math.nan, energies=hard.energy_error)
+
+
+def derivatives() -> None:
+    """Derivatives of a drive beside differences."""
+    given = {"speed": 45.0, "loft": 0.2}
+
+    def launch(**changes: float) -> dict[str, float]:
+        return fem.strike("driver", {**given, **changes}, which="modern", settings=END).launch
+
+    exact = fem.sensitivity("driver", given, which="modern", by=["speed", "loft"])
+    for name, widths in (("speed", (0.3, 1.0, 2.0)), ("loft", (0.003, 0.01, 0.03))):
+        for quantity in ("ball_speed", "launch", "backspin"):
+            slopes = {}
+            for width in widths:
+                high, low = (launch(**{name: given[name] + sign * width}) for sign in (0.5, -0.5))
+                slopes[f"over_{width}"] = (high[quantity] - low[quantity]) / width
+            say(f"{quantity} by {name}", exact=exact.by(quantity, name), **slopes)
+
+
+def meshes() -> None:
+    """The reference case on finer meshes."""
+    made = fem.ball("reference")
+    balls = []
+    for cube, *layers in ((8, 4, 2), (12, 6, 3), (16, 8, 4), (20, 10, 5)):
+        pieces = tuple(replace(piece, layers=count) for piece, count in zip(made.pieces, layers, strict=True))
+        balls.append(replace(made, cube=cube, pieces=pieces))
+    for ball in [*balls, made.refined(2), made.refined(3)]:
+        found = fem.reference(which=ball, settings=END)
+        angle = math.degrees(math.atan2(found.tangential_velocity, found.normal_velocity))
+        speed = math.hypot(found.normal_velocity, found.tangential_velocity)
+        say(f"{found.elements} elements", speed=speed, rpm=found.backspin * RPM, angle=angle)
+
+
+def models() -> None:
+    """Agreement with the reduced models, and launches of a driver."""
+    for club, given in (("driver", {"speed": 50.0, "loft": "12 deg"}), ("7-iron", {"speed": 38.0, "loft": "28 deg"})):
+        found = fem.strike(club, given, which="modern", settings=END)
+        for model in reduced.LAWS:
+            same = reduced.equivalent(found, model)
+            say(f"{club}, {model}", error=same.error, longer=same.contact_time / same.reference_contact_time - 1.0)
+    for name in ("reference", "modern"):
+        launch = fem.strike("driver", which=name, settings=END, speed=45.0).launch
+        say(f"driver at 45 m/s, {name}", smash=launch["ball_speed"] / 45.0, rpm=launch["backspin"] * RPM)
+
+
+SECTIONS = {
+    "reference": the_reference,
+    "paper": the_paper,
+    "sweep": the_sweep,
+    "modern": modern,
+    "steps": steps,
+    "derivatives": derivatives,
+    "models": models,
+    "meshes": meshes,
+}
+
+if __name__ == "__main__":
+    for section in sys.argv[1:] or SECTIONS:
+        print(f"\n{section}")
+        SECTIONS[section]()
