@@ -16,7 +16,7 @@ pub enum FemError {
         allowed: String,
     },
     /// An element was squeezed or stretched beyond what its law can follow.
-    #[error("element {element} of {part} kept {} of its volume at {microseconds:.0} us: the time step is too long (a smaller `safety` helps), the mesh too coarse, or the material too soft for this impact", share(*ratio))]
+    #[error("element {element} of {part} {} at {microseconds:.0} us: the time step is too long (a smaller `safety` helps), the mesh too coarse, or the material too soft for this impact", fate(*ratio))]
     ElementLost {
         /// Number of the most strained element in the mesh of the body.
         element: usize,
@@ -74,12 +74,12 @@ impl FemError {
     }
 }
 
-/// A share of the volume in few digits, also where nothing is left of an element.
-fn share(ratio: f64) -> String {
-    if ratio.abs() < 100.0 {
-        format!("{ratio:.2}")
+/// What became of an element, by the share of its volume that is left.
+fn fate(ratio: f64) -> String {
+    if ratio > 0.0 && ratio < 100.0 {
+        format!("kept {ratio:.2} of its volume")
     } else {
-        format!("{ratio:.0e}")
+        "was turned inside out".to_owned()
     }
 }
 
@@ -103,7 +103,7 @@ fn cause(edge: bool, element: usize, part: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{off, share};
+    use super::{fate, off};
 
     #[test]
     fn an_error_is_told_whatever_it_is() {
@@ -112,7 +112,11 @@ mod tests {
     }
 
     #[test]
-    fn a_share_is_short_whatever_is_left() {
-        assert_eq!([0.294, -573.41, 2e283, f64::INFINITY].map(share), ["0.29", "-6e2", "2e283", "inf"]);
+    fn an_element_fails_in_words_whatever_is_left() {
+        assert_eq!([0.294, 2.6].map(fate), ["kept 0.29 of its volume", "kept 2.60 of its volume"]);
+        assert!([-0.1, 2e283, f64::INFINITY, f64::NAN]
+            .map(fate)
+            .iter()
+            .all(|one| one == "was turned inside out"));
     }
 }

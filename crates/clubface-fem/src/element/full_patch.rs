@@ -4,6 +4,7 @@ use super::bulk_viscosity::BulkViscosity;
 use super::full::{constants, reference_volume, Forces, Hexahedron, Point, CONSTANTS, POINTS};
 use super::full_look::{Energies, Feel};
 use super::gauge::Tell;
+use super::point::Ratios;
 use super::{Energy, Patch, BLOCK};
 use crate::material::{Clock, History, Kinematics, Material, Remembering, UseMemory};
 use crate::mesh::{SolidMesh, CORNERS};
@@ -23,6 +24,7 @@ pub struct FullPatch<R> {
     pub(super) history: History<R>,
     pub(super) clock: Clock,
     pub(super) viscosity: Option<BulkViscosity<R>>,
+    sound: bool,
     /// Number of the first element in the mesh, and how many there are.
     pub(super) first: usize,
     pub(super) elements: usize,
@@ -85,6 +87,7 @@ impl<R: Real> FullPatch<R> {
             history,
             clock: Clock::default(),
             viscosity: None,
+            sound: true,
             first: elements.start,
             elements: elements.len(),
             positions: rows.clone(),
@@ -118,7 +121,10 @@ impl<R: Real> Patch<R> for FullPatch<R> {
     fn assemble(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64) {
         self.load(positions);
         self.forces.fill(Row::zero());
-        R::dispatch(Assemble { patch: self, dt });
+        self.sound = R::dispatch(Assemble { patch: self, dt });
+    }
+    fn sound(&self) -> bool {
+        self.sound
     }
     fn damp(&mut self, coefficient: f64) {
         let volume = |at: usize| reference_volume(&self.constants[at / BLOCK], at % BLOCK);
@@ -147,18 +153,19 @@ struct Assemble<'a, R> {
 }
 
 impl<R: Real> PackKernel<R> for Assemble<'_, R> {
-    type Output = ();
+    type Output = bool;
     #[inline(always)]
-    fn run<P: Pack<Real = R>>(self) {
+    fn run<P: Pack<Real = R>>(self) -> bool {
         let material = self.patch.material.clone();
-        material.with_memory::<P, _>(self.patch.clock.tick(self.dt), self);
+        material.with_memory::<P, _>(self.patch.clock.tick(self.dt), self)
     }
 }
 
 impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
-    type Output = ();
+    type Output = bool;
     #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) {
+    fn with<M: Remembering<P>>(self, law: M) -> bool {
+        let mut ratios = Ratios::new();
         let patch = self.patch;
         let bulk = P::splat(patch.material.bulk);
         for block in 0..patch.corners.len() {
@@ -174,6 +181,7 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
                     volume += constants.volume;
                 }
                 let ratio = element.volume() / volume;
+                ratios = ratios.and(ratio);
                 let mut pressure = bulk * (ratio - 1.0);
                 if let Some(viscosity) = &mut patch.viscosity {
                     pressure += viscosity.pressure(block, first, ratio, self.dt);
@@ -187,5 +195,6 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
                 }
             }
         }
+        ratios.sound()
     }
 }

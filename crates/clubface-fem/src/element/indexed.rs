@@ -1,7 +1,7 @@
 //! Elements in any arrangement: the corners of a pack are gathered from the nodes one by one.
 
 use super::one_point::{Constants, Hexahedron};
-use super::point::{Block, Look, Points};
+use super::point::{Block, Look, Points, Ratios};
 use super::side::{empty, spread, sums, Face};
 use super::BLOCK;
 use crate::material::Deformation;
@@ -62,7 +62,7 @@ impl<R: Real> Indexed<R> {
         (side([x[0], x[1], x[2], x[3]]), side([x[4], x[5], x[6], x[7]]))
     }
 
-    /// Forces of all elements for the positions of their nodes.
+    /// Forces of all elements for the positions of their nodes; whether the laws hold for all volumes.
     #[inline(always)]
     pub fn assemble<P: Pack<Real = R>, W: Points<P>>(
         &mut self,
@@ -70,7 +70,8 @@ impl<R: Real> Indexed<R> {
         nodes: &[u32],
         constants: &[Block<R>],
         mut points: W,
-    ) {
+    ) -> bool {
+        let mut ratios = Ratios::new();
         self.load(positions, nodes);
         self.forces.fill(Row::zero());
         for block in 0..self.corners.len() {
@@ -79,6 +80,7 @@ impl<R: Real> Indexed<R> {
                 let constants = Constants::new(&constants[block].0, first);
                 let element = Hexahedron::new(&constants, &low, &high);
                 let at = Deformation::new(element.gradient(&constants));
+                ratios = ratios.and(at.volume);
                 let stress = at.first_piola(&points.stress(block, first, constants.volume(), &at));
                 let (low, high) = element.forces(&constants, &stress, &empty());
                 for (bottom, face) in [(0, low), (4, high)] {
@@ -92,6 +94,7 @@ impl<R: Real> Indexed<R> {
                 }
             }
         }
+        ratios.sound()
     }
 
     /// Shows every element to `point`.

@@ -8,7 +8,7 @@ use super::arrangement::order;
 use super::field::{Field, Layout, Scratch};
 use super::motion::Motion;
 use super::one_point::{Constants, Hexahedron};
-use super::point::{Block, Look, Points};
+use super::point::{Block, Look, Points, Ratios};
 use super::side::{empty, spread, sums, Face};
 use super::BLOCK;
 use crate::material::{Deformation, Symmetric};
@@ -58,7 +58,7 @@ impl<R: Real> Lattice<R> {
     }
 
     /// Forces of all elements for the positions of their nodes, a list longer than it need be by a block. With a time step the nodes that the
-    /// lattice has adopted move on by it, and only forces on the others are written.
+    /// lattice has adopted move on by it, and only forces on the others are written. Returns whether the laws hold for all volumes.
     ///
     /// # Safety
     /// The nodes exist.
@@ -71,7 +71,7 @@ impl<R: Real> Lattice<R> {
         constants: &[Block<R>],
         points: W,
         step: Option<R>,
-    ) {
+    ) -> bool {
         let Self { shape, layout, rows, motion } = self;
         let mut forces = scratch.forces.field(*layout);
         let mut moving = motion.as_mut().zip(step);
@@ -85,7 +85,7 @@ impl<R: Real> Lattice<R> {
             }
             field
         };
-        unsafe { walk(*shape, &mut field, &mut forces, constants, points) };
+        let sound = unsafe { walk(*shape, &mut field, &mut forces, constants, points) };
         if let Some((motion, step)) = moving {
             motion.part::<P>(&mut forces, rows);
             motion.advance::<P>(&mut forces, P::splat(step));
@@ -94,6 +94,7 @@ impl<R: Real> Lattice<R> {
                 forces.store::<P>(k, &mut rows[k * layout.plane..]);
             }
         }
+        sound
     }
 
     /// Shows every element to `look`.
@@ -132,7 +133,7 @@ impl<R: Real> Lattice<R> {
     }
 }
 
-/// Forces of a lattice of elements of the given shape.
+/// Forces of a lattice of elements of the given shape, and whether the laws hold for all volumes.
 ///
 /// Each pack of elements goes up through its layers in several loops: patterns, deformation, stress, forces. One loop would be a long chain
 /// of operations, which wait for each other and for more registers than there are.
@@ -146,7 +147,7 @@ unsafe fn walk<P: Pack, W: Points<P>>(
     forces: &mut Field<P::Real>,
     constants: &[Block<P::Real>],
     mut points: W,
-) {
+) -> bool {
     let [ni, nj, nk] = shape;
     assert!(nk <= DEPTH);
     let row = ni + 1;
@@ -162,6 +163,7 @@ unsafe fn walk<P: Pack, W: Points<P>>(
     let mut elements = [Hexahedron::<P>::zero(); RUN];
     let mut deformations = [Deformation::new(Mat3::diagonal(P::one())); RUN];
     let mut stresses = [Symmetric::diagonal(P::zero()); RUN];
+    let mut ratios = Ratios::new();
     for column in 0..(row * nj).div_ceil(BLOCK) {
         let blocks = &constants[column * nk..(column + 1) * nk];
         for first in (0..BLOCK).step_by(P::LANES) {
@@ -179,6 +181,7 @@ unsafe fn walk<P: Pack, W: Points<P>>(
                 for (layer, block) in run.iter().enumerate() {
                     let gradient = elements[layer].gradient(&Constants::new(&block.0, first));
                     deformations[layer] = Deformation::new(gradient);
+                    ratios = ratios.and(deformations[layer].volume);
                 }
                 for (layer, block) in run.iter().enumerate() {
                     let volume = Constants::new(&block.0, first).volume();
@@ -199,6 +202,7 @@ unsafe fn walk<P: Pack, W: Points<P>>(
             unsafe { add(forces, row, nk, at, &below, &mut carry[nk]) };
         }
     }
+    ratios.sound()
 }
 
 /// One side of a pack of elements from place `at` of plane `k` on.

@@ -42,6 +42,9 @@ use crate::mesh::SolidMesh;
 use crate::moments::{Moments, Origin};
 use clubface_math::{Real, Row};
 
+/// Ratios of current to reference volume between which the laws hold.
+pub const RATIOS: (f64, f64) = (0.3, 2.5);
+
 /// Energies of a group of elements, J.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Energy {
@@ -87,6 +90,10 @@ pub trait Patch<R: Real>: Send + Sync {
     fn cost(&self) -> usize;
     /// Forces on [`Patch::nodes`], N.
     fn forces(&self) -> &[Row<R>];
+    /// Whether all volumes were within [`RATIOS`] of the undeformed ones when the last forces were made.
+    fn sound(&self) -> bool {
+        true
+    }
     /// Energies at the given positions, and the smallest and largest ratio of current to reference volume; the history stays as it is.
     fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64));
     /// Tells what every element feels at the given positions, in a step as long as the last that has passed; the history stays as it is.

@@ -1,18 +1,63 @@
 //! What happens at the integration points of a pack of one-point hexahedra, however the elements find their nodes.
 
 use super::bulk_viscosity::{BulkViscosity, Drag};
-use super::one_point::{Constants, Hexahedron, CONSTANTS};
-use super::{Aligned, Energy, BLOCK};
+use super::one_point::{Constants, Hexahedron, CONSTANTS, SHAPES};
+use super::{Aligned, Energy, BLOCK, RATIOS};
 use crate::material::{Deformation, History, Isochoric, Kinematics, Remembering, Symmetric};
-use clubface_math::Pack;
+use clubface_math::{Pack, Real};
 
 /// Constants of the elements of a block.
 pub type Block<R> = Aligned<[R; CONSTANTS * BLOCK]>;
+
+/// Whether constants are the same to rounding. Those with derivatives are not compared: equal values may vary differently.
+pub fn alike<R: Real>(a: &[Block<R>], b: &[Block<R>]) -> bool {
+    if size_of::<R>() > size_of::<f64>() {
+        return false;
+    }
+    let mut largest = [0.0_f64; CONSTANTS];
+    for (at, value) in a.iter().flat_map(|block| block.0.iter().enumerate()) {
+        let largest = &mut largest[at / BLOCK];
+        *largest = largest.max(value.re().abs());
+    }
+    a.len() == b.len()
+        && a.iter().zip(b).all(|(a, b)| {
+            (0..CONSTANTS * BLOCK).all(|at| {
+                // Shapes of hourglass patterns are relative to the edges; they may all be zero but for rounding.
+                let size = largest[at / BLOCK].max(if at < SHAPES * BLOCK { 1e-3 } else { 0.0 });
+                (a.0[at] - b.0[at]).re().abs() <= 1e-12 * size
+            })
+        })
+}
 
 /// Stress at the points of packs of elements.
 pub trait Points<P: Pack> {
     /// Second Piola-Kirchhoff stress (Pa) times minus the reference volume (m3) at the points of lanes `first..` of a block; histories move on by a step.
     fn stress(&mut self, block: usize, first: usize, volume: P, at: &Deformation<P>) -> Symmetric<P>;
+}
+
+/// Smallest and largest ratio of current to reference volume of some elements.
+#[derive(Clone, Copy)]
+pub struct Ratios<P> {
+    least: P,
+    most: P,
+}
+
+impl<P: Pack> Ratios<P> {
+    /// Of undeformed elements.
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self { least: P::one(), most: P::one() }
+    }
+    /// With those of a pack.
+    #[inline(always)]
+    pub fn and(self, ratio: P) -> Self {
+        Self { least: self.least.min(ratio), most: self.most.max(ratio) }
+    }
+    /// Whether the laws hold for all of them.
+    #[inline(always)]
+    pub fn sound(self) -> bool {
+        (0..P::LANES).all(|lane| self.least.lane(lane) >= RATIOS.0 && self.most.lane(lane) <= RATIOS.1)
+    }
 }
 
 /// Something that looks at packs of elements.

@@ -6,8 +6,8 @@ use super::field::Scratch;
 use super::gauge::Tell;
 use super::indexed::Indexed;
 use super::lattice::{Lattice, DEPTH};
-use super::one_point::{constants, CONSTANTS, SHAPES, VOLUME};
-use super::point::{Aging, Block, Elastic};
+use super::one_point::{constants, CONSTANTS, VOLUME};
+use super::point::{alike, Aging, Block, Elastic};
 use super::solid_look::{Examine, Feel};
 use super::{parts, Aligned, Energy, Patch, BLOCK};
 use crate::material::{Clock, History, Isochoric, Material, Remembering, Shape, UseLaw, UseMemory};
@@ -41,6 +41,7 @@ pub struct SolidPatch<R> {
     pub(super) history: History<R>,
     pub(super) clock: Clock,
     pub(super) viscosity: Option<BulkViscosity<R>>,
+    sound: bool,
     /// Number of the element in every lane of the blocks.
     pub(super) numbers: Vec<Option<u32>>,
 }
@@ -83,26 +84,6 @@ pub fn solid_patches<R: Real>(
     patches
 }
 
-/// Whether constants are the same to rounding. Those with derivatives are not compared: equal values may vary differently.
-fn alike<R: Real>(a: &[Block<R>], b: &[Block<R>]) -> bool {
-    if size_of::<R>() > size_of::<f64>() {
-        return false;
-    }
-    let mut largest = [0.0_f64; CONSTANTS];
-    for (at, value) in a.iter().flat_map(|block| block.0.iter().enumerate()) {
-        let largest = &mut largest[at / BLOCK];
-        *largest = largest.max(value.re().abs());
-    }
-    a.len() == b.len()
-        && a.iter().zip(b).all(|(a, b)| {
-            (0..CONSTANTS * BLOCK).all(|at| {
-                // Shapes of hourglass patterns are relative to the edges; they may all be zero but for rounding.
-                let size = largest[at / BLOCK].max(if at < SHAPES * BLOCK { 1e-3 } else { 0.0 });
-                (a.0[at] - b.0[at]).re().abs() <= 1e-12 * size
-            })
-        })
-}
-
 impl<R: Real> SolidPatch<R> {
     /// From some elements of a mesh, which make a lattice of the given shape, or none.
     fn new(
@@ -134,7 +115,18 @@ impl<R: Real> SolidPatch<R> {
         let last = nodes.iter().copied().max().unwrap_or(0);
         let (material, constants, clock) = (material.clone(), stored.into(), Clock::default());
         let numbers = lanes.iter().map(|lane| lane.map(|local| elements[local] as u32)).collect();
-        Self { material, layout, nodes, last, constants, history, clock, viscosity: None, numbers }
+        Self {
+            material,
+            layout,
+            nodes,
+            last,
+            constants,
+            history,
+            clock,
+            viscosity: None,
+            sound: true,
+            numbers,
+        }
     }
 
     /// The promise that every node exists, on which unchecked reads rely.
@@ -149,7 +141,8 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     }
     fn assemble(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64) {
         self.check(positions);
-        R::dispatch(Assemble { patch: self, positions, dt, scratch: &mut Scratch::new(), moving: false });
+        let scratch = &mut Scratch::new();
+        self.sound = R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: false });
     }
     fn damp(&mut self, coefficient: f64) {
         let volumes = self.constants.iter().flat_map(|block| &block.0[VOLUME * BLOCK..]).map(|v| v.re());
@@ -170,7 +163,10 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     }
     fn step(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64, scratch: &mut Scratch<R>) {
         self.check(positions);
-        R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: true });
+        self.sound = R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: true });
+    }
+    fn sound(&self) -> bool {
+        self.sound
     }
     fn adopted_moments(&mut self, origin: &Origin<R>) -> Moments<R> {
         match &mut self.layout {
@@ -217,9 +213,9 @@ struct Assemble<'a, R> {
 }
 
 impl<R: Real> PackKernel<R> for Assemble<'_, R> {
-    type Output = ();
+    type Output = bool;
     #[inline(always)]
-    fn run<P: Pack<Real = R>>(self) {
+    fn run<P: Pack<Real = R>>(self) -> bool {
         let SolidPatch { material, layout, nodes, constants, history, clock, viscosity, .. } = self.patch;
         let dt = self.dt;
         let rest = Loop {
@@ -235,9 +231,9 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
         };
         // Compiled apart: elements without memory have nothing to load.
         if rest.history.is_empty() {
-            material.with_law::<P, _>(rest);
+            material.with_law::<P, _>(rest)
         } else {
-            material.with_memory::<P, _>(clock.tick(dt), rest);
+            material.with_memory::<P, _>(clock.tick(dt), rest)
         }
     }
 }
@@ -256,15 +252,15 @@ struct Loop<'a, P: Pack> {
 }
 
 impl<P: Pack> UseLaw<P> for Loop<'_, P> {
-    type Output = ();
+    type Output = bool;
     #[inline(always)]
-    fn with<L: Isochoric<P>>(self, law: L) {
+    fn with<L: Isochoric<P>>(self, law: L) -> bool {
         let Loop { drag, layout, scratch, step, positions, nodes, constants, bulk, .. } = self;
         let points = Elastic { law, bulk, drag };
         match layout {
             // SAFETY: `assemble` has checked the nodes.
             Layout::Lattice(lattice) => unsafe {
-                lattice.assemble(scratch, positions, nodes, constants, points, step);
+                lattice.assemble(scratch, positions, nodes, constants, points, step)
             },
             Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, points),
         }
@@ -272,15 +268,15 @@ impl<P: Pack> UseLaw<P> for Loop<'_, P> {
 }
 
 impl<P: Pack> UseMemory<P> for Loop<'_, P> {
-    type Output = ();
+    type Output = bool;
     #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) {
+    fn with<M: Remembering<P>>(self, law: M) -> bool {
         let Loop { drag, layout, scratch, step, positions, nodes, constants, history, bulk } = self;
         let points = Aging { law, bulk, history, drag };
         match layout {
             // SAFETY: `assemble` has checked the nodes.
             Layout::Lattice(lattice) => unsafe {
-                lattice.assemble(scratch, positions, nodes, constants, points, step);
+                lattice.assemble(scratch, positions, nodes, constants, points, step)
             },
             Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, points),
         }

@@ -5,6 +5,7 @@ use super::options::LONGEST;
 use super::rest::Pace;
 use super::{Options, Progress, Structure, View};
 use crate::contact::Contact;
+use crate::element::RATIOS;
 use crate::error::FemError;
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Vec3};
@@ -56,8 +57,6 @@ pub struct Outcome<R> {
 const AFTERWARDS: f64 = 30e-6;
 /// Largest error of the energy balance over the initial kinetic energy.
 const BALANCE: f64 = 0.01;
-/// Volume ratios between which the laws hold.
-const RATIOS: (f64, f64) = (0.3, 2.5);
 
 impl<R: Real> Impact<R> {
     /// Runs it. `watch` sees every motion frame, and stops the run by returning false.
@@ -92,7 +91,8 @@ impl<R: Real> Impact<R> {
             if run.step.is_multiple_of(every) && !watch(view) {
                 break Some(FemError::Interrupted { microseconds: time * 1e6 });
             }
-            if (run.step).is_multiple_of(every * options.energy_every) || run.runs_away(&motion) {
+            let fails = !self.structure.sound() || run.runs_away(&motion);
+            if (run.step).is_multiple_of(every * options.energy_every) || fails {
                 if let Err(error) = run.ledger(self, motion) {
                     break Some(error);
                 }

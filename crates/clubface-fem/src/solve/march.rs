@@ -47,7 +47,7 @@ impl<T> Shared<T> {
 }
 
 impl<R: Real> Structure<R> {
-    /// At most `count` steps of `dt` seconds; returns their number. `watch` makes the step in which it returns false the last. The same as
+    /// At most `count` steps of `dt` seconds; returns their number. The last is one in which `watch` returns false, or elements fail. The same as
     /// [`Structure::assemble`] and [`Structure::advance`] in turn, bit for bit. Nodes inside patches are away then, until [`Structure::settle`].
     pub fn march(
         &mut self,
@@ -136,6 +136,8 @@ impl<R: Real> Structure<R> {
                 team.run(first);
                 // SAFETY: between rounds.
                 go = unsafe { watch(*contact.part(0), fields.read().0) };
+                let sound = (0..patches.count).all(|patch| unsafe { patches.part(patch).sound() });
+                go = go && sound;
                 team.run(first + 1);
                 pause = rests && !pause;
                 done += 1;

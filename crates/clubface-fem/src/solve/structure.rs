@@ -201,6 +201,11 @@ impl<R: Real> Structure<R> {
         (sum, seen.into_iter().map(|(_, ratios)| ratios).collect())
     }
 
+    /// Whether all elements were as large as their laws bear when the last forces were made.
+    pub(super) fn sound(&self) -> bool {
+        self.patches.iter().all(|patch| patch.sound())
+    }
+
     /// Tells what every element feels, those of the patches whose first node is in `nodes`, by their numbers in their mesh.
     pub fn feel(&mut self, nodes: std::ops::Range<usize>, tell: &mut Tell<'_>) {
         self.settle();

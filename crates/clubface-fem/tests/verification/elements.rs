@@ -1,6 +1,8 @@
 //! Exact identities of elements: patch test, rigid motion, forces as derivatives of energy, packs of any width.
 
-use super::support::{distorted_cube, elastic, forces, largest, patches, rows, Random, ELEMENTS};
+use super::support::{
+    block, distorted_cube, elastic, forces, largest, patches, rows, structure, Free, Random, ELEMENTS,
+};
 use clubface_fem::element::{Element, Energy};
 use clubface_fem::material::{Material, Maxwell, MooneyRivlin, Shape};
 use clubface_math::{Row, Vec3};
@@ -114,6 +116,27 @@ fn packs_of_every_width_agree() {
             for (a, b) in run(lanes).iter().zip(&narrow) {
                 assert!((*a - *b).norm() < 1e-12 * largest(&narrow), "{lanes} lanes: {a:?} {b:?}");
             }
+        }
+    }
+}
+
+#[test]
+fn a_march_ends_with_the_step_in_which_an_element_leaves_its_law() {
+    // A lattice of cubes, and a list of elements without order; of the outermost element one side is moved.
+    for ([ni, nj, nk], kind) in ELEMENTS.into_iter().flat_map(|kind| [([4, 4, 3], kind), ([2, 2, 2], kind)]) {
+        let mesh = block([ni, nj, nk], [EDGE; 3]);
+        for (share, within) in
+            [(1.0, true), (0.35, true), (0.25, false), (-0.2, false), (2.4, true), (2.6, false)]
+        {
+            let mut body = structure(kind, &mesh, &elastic(350e6, 0.4, 950.0), &[]);
+            // So short that nothing else moves.
+            let dt = 1e-6 * body.stable_step(40);
+            let edge = EDGE / ni as f64;
+            for x in body.positions.iter_mut().filter(|x| x.0[0] > EDGE - 0.5 * edge) {
+                x.0[0] += (share - 1.0) * edge;
+            }
+            let steps = body.march(&mut Free, dt, 5, &mut |_, _| true);
+            assert_eq!(steps, if within { 5 } else { 1 }, "{kind:?} {ni} {share}");
         }
     }
 }
