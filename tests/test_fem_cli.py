@@ -65,6 +65,9 @@ def test_a_run_writes_figures_histories_and_pictures(clubface_, tmp_path):
     assert {each.name for each in out.iterdir()} == written | drawn
     figures = json.loads((out / "figures.json").read_text())
     assert figures["peak_force"] == ran.json["peak_force"]
+    assert figures["provenance"]["ball"]["name"] == "soft"
+    assert figures["provenance"]["delivery"]["speed"] == 35.0
+    assert figures["provenance"]["settings"]["duration"] == 700e-6
     contact = np.genfromtxt(out / "contact.csv", delimiter=",", names=True)
     assert contact["normal"].max() == pytest.approx(figures["peak_force"])
     from PIL import Image

@@ -34,7 +34,7 @@ def meshed_ball(given: Any) -> tuple[Ball, Any]:
 def force_history(found: Impact) -> dict[str, NDArray[Any]]:
     """Return the forces on the ball under the names of :class:`clubface.History` [s, N]."""
     contact = found.contact
-    touching = contact["time"] <= found.contact_time
+    touching = contact["time"] <= found.last_touch
     named = {"time": contact["time"], "normal_force": contact["normal"],
              "force_y": -contact["tangential"], "force_z": contact["toe"]}  # fmt: skip
     return {name: values[touching] for name, values in named.items()}

@@ -27,10 +27,11 @@ def prepare(folder: str | os.PathLike[str]) -> Path:
 
 
 def document(found: Impact) -> dict[str, Any]:
-    """Return figures and launch, SI, in the order of the table."""
+    """Return figures and launch in the order of the table, and what they are of; SI."""
     figures = {name: getattr(found, name) for name in FIGURES}
     rebound = {} if found.launch else {"normal_velocity": found.normal_velocity, "backspin": found.backspin}
-    return {**found.launch, **rebound, **figures, "elements": found.elements, "stopped": found.stopped or ""}
+    ran = {"elements": found.elements, "stopped": found.stopped or "", "provenance": found.provenance}
+    return {**found.launch, **rebound, **figures, **ran}
 
 
 def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool = False) -> list[Path]:

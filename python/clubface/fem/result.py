@@ -43,7 +43,8 @@ class Impact:
     peak_force, peak_force_time
         Largest normal force [N], and when [s].
     contact_time
-        Time of the last touch [s].
+        Time of the last touch [s]; NaN, as are ``f_prime`` and ``f``, where the records end with the ball on the face.
+        The other figures are then those so far.
     tangential_max, tangential_min, reversal_time
         Extremes of the force along the face [N], positive where it makes backspin, and when it turns negative [s].
     spin_max
@@ -150,6 +151,37 @@ class Impact:
     def equipment(self) -> tuple[Club, RigidBall] | None:
         """The club and the ball as reduced models see them; None for a plane."""
         return None if self._shots is None else (self._shots.club, self._shots.ball)
+
+    @property
+    def last_touch(self) -> float:
+        """Time of the last touch in the records [s], also where the ball has not left yet; 0 without any."""
+        return float(self.contact["time"][self.contact["normal"] > 0.0][-1:].sum())
+
+    @property
+    def provenance(self) -> dict[str, Any]:
+        """The ball with its materials, what it met, the delivery, the settings and the version; SI."""
+        from clubface import __version__
+
+        met: dict[str, Any] = {"name": "plane"} if self._shots is None else {"name": self._shots.club.name}
+        if self.head is not None:
+            met["elements"] = self.head.elements
+        return {
+            "model": {"name": "fem"},
+            "ball": {"name": self.ball.name, **self.ball.values()},
+            "head": met,
+            "friction": self.friction,
+            "delivery": self._delivery(),
+            "settings": self.settings.values(),
+            "clubface_version": __version__,
+        }
+
+    def _delivery(self) -> dict[str, float]:
+        if self._shots is None:
+            return self.given
+        from clubface.quantities import inputs
+
+        named = zip(inputs().values(), self._shots.columns, strict=True)
+        return {each.name: float(value) for each, value in named if each.group == "delivery"}
 
     @property
     def elements(self) -> int:

@@ -58,7 +58,7 @@ def paper_figure(found: Impact) -> Figure:
     tangential.plot([PUBLISHED["reversal_time_s"] * 1e6], [0.0], **MARK)
     _name(tangential, "force along the face (N)", "Fig. 6")
     sliding.plot(when, found.relative_velocity()[:, 1], color=GREEN)
-    last = found.contact_time * 1e6
+    last = found.last_touch * 1e6
     sliding.plot([0.0, last], [7.0, TAKE_OFF], clip_on=False, **MARK)
     _name(sliding, "velocity along the face (m/s)", "Fig. 6")
     spin.plot(when, found.motion["spin"][:, 2] * RPM, color=GREEN)
@@ -98,9 +98,9 @@ def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
     """
     patch = found.patch
     moments = np.unique(patch["time"])
-    wanted = np.arange(every, found.contact_time - 0.25 * every, every)[:6]
+    wanted = np.arange(every, found.last_touch - 0.25 * every, every)[:6]
     if not len(wanted):
-        wanted = np.array([0.5 * found.contact_time])
+        wanted = np.array([0.5 * found.last_touch])
     chosen = list(dict.fromkeys(float(moments[np.argmin(abs(moments - each))]) for each in wanted))
     count = len(chosen)
     size = min((WIDTH - 1.5) / count, 1.5)
@@ -170,7 +170,7 @@ def _end(found: Impact) -> float:
     """Return where the axis of time ends [us]: some time after the last touch, or with the run."""
     times = found.contact["time"]
     last = float(times[-1]) if len(times) else 0.0
-    return max(min(1.25 * found.contact_time, last) or last, 1e-9) * 1e6
+    return max(min(1.25 * found.last_touch, last) or last, 1e-9) * 1e6
 
 
 def _time_axes(panels: Any, end: float) -> None:

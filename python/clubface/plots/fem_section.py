@@ -110,7 +110,7 @@ def section_figure(found: Impact, *, count: int = 5) -> Figure:
     where it makes backspin. Colour is how far a piece of the section is compressed.
     """
     section = Section(found)
-    moments = np.linspace(0.0, 1.0, count + 2)[1:-1] * found.contact_time
+    moments = np.linspace(0.0, 1.0, count + 2)[1:-1] * found.last_touch
     frames = list(dict.fromkeys(int(np.argmin(abs(section.times - each))) for each in moments))
     figure = Figure(figsize=(WIDTH, 3.9), layout="constrained")
     panels = figure.subplots(2, len(frames), sharey=True, squeeze=False, height_ratios=[1.6, 1.0])

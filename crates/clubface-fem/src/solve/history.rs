@@ -73,7 +73,7 @@ pub struct Figures {
     pub peak_force: f64,
     /// Its time, s.
     pub peak_force_time: f64,
-    /// Time of the last touch, s.
+    /// Time of the last touch, s; NaN, as are f' and f, for a ball that is still on the face.
     pub contact_time: f64,
     /// Largest tangential force, N.
     pub tangential_max: f64,
@@ -129,13 +129,19 @@ impl History {
         let fold = |start: f64, pick: fn(f64, f64) -> f64| {
             self.contact.iter().fold(start, |best, frame| pick(best, frame.tangential))
         };
-        let f_prime = self.radius_weighted(radius);
+        let left = !self.touching();
+        let f_prime = if left { self.radius_weighted(radius) } else { f64::NAN };
         let start = self.energy.first().map_or(f64::NAN, EnergyFrame::total);
         let kinetic = self.energy.first().map_or(f64::NAN, |frame| frame.kinetic);
         Figures {
             peak_force: top.0,
             peak_force_time: top.1,
-            contact_time: self.contact.iter().rev().find(|f| f.normal > 0.0).map_or(f64::NAN, |f| f.time),
+            contact_time: self
+                .contact
+                .iter()
+                .rev()
+                .find(|f| left && f.normal > 0.0)
+                .map_or(f64::NAN, |f| f.time),
             tangential_max: fold(0.0, f64::max),
             tangential_min: fold(0.0, f64::min),
             reversal_time: self.reversal(),
