@@ -150,6 +150,10 @@ class ImplausibleWarning(UserWarning):
     """A value no real club has, most often a unit left out (``mass = 204`` means 204 kg)."""
 
 
+class TargetWarning(UserWarning):
+    """A meshed head that misses what it was to reach; it is made as near as its bounds allow."""
+
+
 class CaptureWarning(UserWarning):
     """A recorded swing in which something had to be mended or is in doubt; its delivery is given all the same."""
 

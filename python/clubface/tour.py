@@ -8,6 +8,7 @@ every model uses it. For those clubs the launch angle of ``standard`` is thus no
 from __future__ import annotations
 
 import csv
+import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
@@ -18,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
+from clubface.balls import Ball
 from clubface.equipment import DATA
 from clubface.errors import InputError
 from clubface.flight import fly
@@ -141,13 +143,15 @@ class Tour:
         return {name: float(np.abs(error).mean()) for name, error in self.errors(model_name).items()}
 
 
-def tour(model_names: Iterable[str] | None = None) -> Tour:
+def tour(model_names: Iterable[str] | None = None, *, ball: str | os.PathLike[str] | Ball | None = None) -> Tour:
     """Deliver every club of the published averages and compute its launch and flight by every model.
 
     Parameters
     ----------
     model_names
         Which models; all of the registry unless given.
+    ball
+        As of :func:`clubface.impact`.
     """
     names = [model(name).name for name in (models() if model_names is None else model_names)]
     if not names:
@@ -157,7 +161,7 @@ def tour(model_names: Iterable[str] | None = None) -> Tour:
     lofts = np.array([dynamic_loft(each) for each in rows])
     launches = {
         name: [
-            impact(each.club, speed=each.club_speed, attack=each.attack, loft=loft, model=name)
+            impact(each.club, speed=each.club_speed, attack=each.attack, loft=loft, model=name, ball=ball)
             for each, loft in zip(rows, lofts.tolist(), strict=True)
         ]
         for name in names

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
+from clubface.shots import DEFAULT_BALL
 from clubface.tour import LOFT_MODEL, QUANTITIES, SOURCE, Tour
 
 TITLES = {"ball_speed": "Ball speed", "launch": "Launch angle", "spin": "Spin", "carry": "Carry"}
@@ -28,8 +29,10 @@ def notes(result: Tour) -> list[str]:
     for name, launches in result.launches.items():
         for caveat in dict.fromkeys(text for launch in launches for text in launch.parameters.caveats):
             caveats.setdefault(caveat, []).append(name)
+    balls = dict.fromkeys(launch.ball.name for launches in result.launches.values() for launch in launches)
     return [
         f"Published: {SOURCE}.",
+        *([] if list(balls) == [DEFAULT_BALL] else [f"Ball: {', '.join(balls)}."]),
         f"Dynamic loft is published for {' and '.join(published)} only, in older tables. For every other club it is"
         f" solved from the published launch angle with the {LOFT_MODEL} model and used by every model, so that there"
         f" the launch angle of {LOFT_MODEL} is no prediction ('{FITTED}').",

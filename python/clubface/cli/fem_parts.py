@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, Any
 
 import typer
@@ -100,9 +99,7 @@ def head(
     rows = [row("mass", "g", 2, club.mass, "mass")]
     cg, moments = zip("xyz", club.cg, strict=True), zip("xyz", (club.ixx, club.iyy, club.izz), strict=True)
     rows += [row(f"CG to face centre, {axis}", "mm", 2, value, f"cg_{axis}") for axis, value in cg]
-    # Up the face from the normal through its centre.
-    above = club.cg_x * math.sin(club.loft) - club.cg_y * math.cos(club.loft)
-    rows.append(row("CG above face normal", "mm", 2, above, "cg_above"))
+    rows.append(row("CG above face normal", "mm", 2, made.cg_above, "cg_above"))
     rows += [row(f"I{axis}{axis}", "g cm2", 0, value, f"i{axis}{axis}") for axis, value in moments]
     trims = dict(made.report)
     if "scale" in trims:

@@ -70,7 +70,8 @@ _EQUIPMENT, _MODEL, _AIR = "Club and ball", "Model", "Air"
 _BALL = _option(
     "--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="A built-in ball or a TOML file; published unless given."
 )
-BALL: Group = {"ball": (Annotated[str, _BALL], "published")}
+Ball = Annotated[str, _BALL]
+BALL: Group = {"ball": (Ball, "published")}
 EQUIPMENT: Group = {"hand": text_option("--hand", _EQUIPMENT, "right|left", "Hand of the club."), **BALL}
 
 MODELS_TEXT = "A model, several with commas or repeated; all unless given."

@@ -21,6 +21,7 @@ def tour(
         typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures there.", show_default=False),
     ] = None,
     model: options.Models = None,
+    ball: options.Ball = "published",
     as_json: options.Json = False,
 ) -> None:
     """Compare every model with the published tour averages, club by club."""
@@ -32,7 +33,7 @@ def tour(
     import clubface.tour_tables as tables
     from clubface import tour as job
 
-    result = job.tour(names)
+    result = job.tour(names, ball=ball)
     files = job.write(result, Path(folder)) if folder is not None else []
     if as_json:
         output.print_json(tables.document(result))

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from clubface import units
-from clubface.equipment import check_name, check_text, is_count
-from clubface.errors import InputError
+from clubface.equipment import check_name, check_text, is_count, warn_once
+from clubface.errors import InputError, TargetWarning
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import Place, parsed_places
 from clubface.fem.heads.shells import Part, ShellHead
@@ -18,6 +18,8 @@ SHAPE = ("loft", "bulge", "roll", "width", "depth", "crown", "sole", "rounding")
 WALLS = ("face_centre", "face_edge", "crown", "sole", "skirt")
 CENTRE, INERTIA = ("cg_x", "cg_y", "cg_z"), ("ixx", "iyy", "izz")
 TARGETS = ("mass", *CENTRE, "cg_above", *INERTIA)
+CLOSE = {"mass": ("g", 1e-4), "length": ("mm", 1e-4), "inertia": ("g cm2", 1e-6)}
+"""The unit in which a target is told, and how near it counts as met."""
 _LIMITS = {
     "width": (0.05, 0.15), "depth": (0.03, 0.15), "crown": (0.008, 0.06), "sole": (0.008, 0.06),
     "rounding": (1e-3, 0.02), "bulge": (0.1, 10.0), "roll": (0.1, 10.0),
@@ -104,7 +106,7 @@ class DriverHead:
         }
         found = beside(_core.fem_driver, values)
         report = {"scale": found["scale"], **dict(zip(self.trims, found["trims"], strict=True))}
-        return ShellHead(
+        made = ShellHead(
             name=self.name,
             description=self.description,
             nodes=found["nodes"].reshape(-1, 3),
@@ -118,6 +120,21 @@ class DriverHead:
             report=report,
             asked=target,
         )
+        self._tell_missed(made)
+        return made
+
+    def _tell_missed(self, made: ShellHead) -> None:
+        """Warn of targets that walls and trim masses do not allow."""
+        reached = made.reached
+        missed = [
+            f"{name} {units.from_si(reached[name], unit):.5g} {unit} instead of {units.from_si(asked, unit):.5g} {unit}"
+            for name, asked in self.target.items()
+            for unit, near in [CLOSE[_target_dimension(name)]]
+            if abs(reached[name] - asked) > near
+        ]
+        if missed:
+            room = "wider `scales` of the walls, or more or larger trims, help"
+            warn_once(f"{self.name}: {', '.join(missed)}; {room}", TargetWarning)
 
 
 def _target_dimension(key: str) -> str:

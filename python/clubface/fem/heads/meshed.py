@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from functools import cached_property
@@ -70,6 +71,11 @@ class MeshedHead(ABC):
             face_height=float(np.hypot(size[0], size[1])),
             description=self.description,
         )
+
+    @property
+    def cg_above(self) -> float:
+        """How far the CG lies above the face normal through the face centre, along the face [m]."""
+        return self.club.cg_x * math.sin(self.loft) - self.club.cg_y * math.cos(self.loft)
 
     def __repr__(self) -> str:
         return f"<head {self.name}: {self.elements} elements, {self.club.mass * 1e3:.1f} g>"

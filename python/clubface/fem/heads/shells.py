@@ -82,6 +82,12 @@ class ShellHead(MeshedHead):
         """Number of shells."""
         return len(self.quads)
 
+    @property
+    def reached(self) -> dict[str, float]:
+        """What the head has of what it may be asked for, under the names of the targets of :class:`DriverHead`, SI."""
+        names = ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz")
+        return {**{name: float(getattr(self.club, name)) for name in names}, "cg_above": self.cg_above}
+
     def part_of_elements(self) -> NDArray[Any]:
         """Return the number of the part of each element."""
         import numpy as np
