@@ -37,6 +37,16 @@ pub fn with_lanes<T>(lanes: usize, computation: impl FnOnce() -> T) -> T {
     result
 }
 
+/// Runs a kernel with four lanes (AVX2) or one: for numbers with derivatives, which need several registers each.
+pub fn dispatch_narrow<K: Kernel>(kernel: K) -> K::Output {
+    #[cfg(target_arch = "x86_64")]
+    if WIDEST.get() >= 4 && x86::has_four() {
+        // SAFETY: the features the function enables were found on this CPU.
+        return unsafe { x86::run_four(kernel) };
+    }
+    kernel.run::<f64>()
+}
+
 /// Runs a kernel with eight lanes (AVX-512), four (AVX2) or one.
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]

@@ -9,24 +9,32 @@ use clubface_math::{Pack, Real};
 /// Constants of the elements of a block.
 pub type Block<R> = Aligned<[R; CONSTANTS * BLOCK]>;
 
-/// Whether constants are the same to rounding. Those with derivatives are not compared: equal values may vary differently.
+/// Whether constants and their derivatives are the same to rounding.
 pub fn alike<R: Real>(a: &[Block<R>], b: &[Block<R>]) -> bool {
-    if size_of::<R>() > size_of::<f64>() {
-        return false;
-    }
-    let mut largest = [0.0_f64; CONSTANTS];
+    // Beside the largest of its kind: values and derivatives of a constant are kinds of their own.
+    let kinds = numbers(&R::zero()).count();
+    let mut largest = vec![0.0_f64; CONSTANTS * kinds];
     for (at, value) in a.iter().flat_map(|block| block.0.iter().enumerate()) {
-        let largest = &mut largest[at / BLOCK];
-        *largest = largest.max(value.re().abs());
+        for (largest, number) in largest[at / BLOCK * kinds..].iter_mut().zip(numbers(value)) {
+            *largest = largest.max(number.abs());
+        }
     }
     a.len() == b.len()
         && a.iter().zip(b).all(|(a, b)| {
             (0..CONSTANTS * BLOCK).all(|at| {
                 // Shapes of hourglass patterns are relative to the edges; they may all be zero but for rounding.
-                let size = largest[at / BLOCK].max(if at < SHAPES * BLOCK { 1e-3 } else { 0.0 });
-                (a.0[at] - b.0[at]).re().abs() <= 1e-12 * size
+                let least = if at < SHAPES * BLOCK { 1e-3 } else { 0.0 };
+                let sizes = &largest[at / BLOCK * kinds..];
+                numbers(&(a.0[at] - b.0[at]))
+                    .zip(sizes)
+                    .all(|(off, size)| off.abs() <= 1e-12 * size.max(least))
             })
         })
+}
+
+/// Value and derivatives.
+fn numbers<R: Real>(value: &R) -> impl Iterator<Item = f64> + '_ {
+    std::iter::once(value.re()).chain(value.derivatives().iter().copied())
 }
 
 /// Stress at the points of packs of elements.
