@@ -37,7 +37,8 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
                 let [mut strain, mut viscous, mut plastic, mut volume] = [P::zero(); 4];
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
-                    let at = Kinematics::new(element.gradient(point, &constants));
+                    let f = element.gradient(point, &constants);
+                    let at = Kinematics::new(f);
                     let found = law.energy(&at.c, &patch.history.of(block * POINTS + point, first));
                     strain += found.strain * constants.volume;
                     viscous += found.viscous * constants.volume;
@@ -95,13 +96,14 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
                 let [mut stress, mut strain] = [Symmetric::diagonal(P::zero()); 2];
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
-                    let at = Kinematics::new(element.gradient(point, &constants));
+                    let f = element.gradient(point, &constants);
+                    let at = Kinematics::new(f);
                     // A copy: who looks changes nothing.
                     let mut history = patch.history.copy(block * POINTS + point);
                     let mut memory = history.of(0, first);
                     let shape = law.advance(&at, &mut memory);
-                    stress = stress.plus(constants.volume, &cauchy(&at, &shape, P::zero()));
-                    strain = strain.plus(constants.volume, &logarithmic(&at));
+                    stress = stress.plus(constants.volume, &cauchy(&f, &at, &shape, P::zero()));
+                    strain = strain.plus(constants.volume, &logarithmic(&f, &at));
                     plastic = plastic.max(law.plastic_strain(&memory));
                     volume += constants.volume;
                 }

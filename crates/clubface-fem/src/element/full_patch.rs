@@ -175,9 +175,10 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
                 let mut volume = P::zero();
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
-                    let at = Kinematics::new(element.gradient(point, &constants));
+                    let f = element.gradient(point, &constants);
+                    let at = Kinematics::new(f);
                     let stress = law.advance(&at, &mut patch.history.of(block * POINTS + point, first));
-                    forces.add_stress(point, &constants, &at.first_piola(&stress, P::zero()));
+                    forces.add_stress(point, &constants, &at.first_piola(&f, &stress, P::zero()));
                     volume += constants.volume;
                 }
                 let ratio = element.volume() / volume;

@@ -1,10 +1,11 @@
 //! Stress and strain in elements, for those who look at them; the forces need neither in these axes.
 
-use super::one_point::{Constants, Hexahedron};
+use super::one_point::Hexahedron;
+use super::one_point_constants::Constants;
 use super::point::Look;
 use super::BLOCK;
 use crate::material::{stretch::Stretches, History, Kinematics, Remembering, Symmetric};
-use clubface_math::{Pack, Scalar};
+use clubface_math::{Mat3, Pack, Scalar};
 
 /// What an element feels, in the axes of the positions.
 #[derive(Clone, Copy, Debug, Default)]
@@ -40,15 +41,20 @@ pub type Tell<'a> = dyn FnMut(usize, &Felt) + 'a;
 
 /// Cauchy stress, Pa, from `2 dW/dC̄` and `dW/dJ`.
 #[inline(always)]
-pub fn cauchy<S: Scalar>(at: &Kinematics<S>, stress: &Symmetric<S>, pressure: S) -> Symmetric<S> {
-    at.second_piola(stress, pressure, at.inverse_volume).seen_through(&at.deformation.f)
+pub fn cauchy<S: Scalar>(
+    f: &Mat3<S>,
+    at: &Kinematics<S>,
+    stress: &Symmetric<S>,
+    pressure: S,
+) -> Symmetric<S> {
+    at.second_piola(stress, pressure, at.inverse_volume).seen_through(f)
 }
 
 /// Logarithm of the left stretch.
 #[inline(always)]
-pub fn logarithmic<S: Scalar>(at: &Kinematics<S>) -> Symmetric<S> {
+pub fn logarithmic<S: Scalar>(f: &Mat3<S>, at: &Kinematics<S>) -> Symmetric<S> {
     let identity = Symmetric::diagonal(S::one());
-    let left = identity.seen_through(&at.deformation.f).scale(at.shape);
+    let left = identity.seen_through(f).scale(at.shape);
     let stretches = Stretches::new(left.trace(), left.second());
     let [one, linear, square] = stretches.factors(&(stretches.logarithm().scale(S::from_f64(0.5))));
     let volume = at.deformation.volume.ln() * (1.0 / 3.0);
@@ -72,13 +78,14 @@ pub struct Gauge<'a, 'b, P: Pack, M> {
 impl<P: Pack, M: Remembering<P>> Look<P> for Gauge<'_, '_, P, M> {
     #[inline(always)]
     fn see(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
-        let at = Kinematics::new(element.gradient(constants));
+        let f = element.gradient(constants);
+        let at = Kinematics::new(f);
         // A copy: who looks changes nothing.
         let mut history = self.history.copy(block);
         let mut memory = history.of(0, first);
         let stress = self.law.advance(&at, &mut memory);
-        let stress = cauchy(&at, &stress, self.bulk * (at.deformation.volume - 1.0));
-        let (strain, plastic) = (logarithmic(&at), self.law.plastic_strain(&memory));
+        let stress = cauchy(&f, &at, &stress, self.bulk * (at.deformation.volume - 1.0));
+        let (strain, plastic) = (logarithmic(&f, &at), self.law.plastic_strain(&memory));
         for which in 0..P::LANES {
             let Some(number) = self.numbers[block * BLOCK + first + which] else { continue };
             (self.tell)(number as usize, &Felt::of([&stress; 2], [&strain; 2], plastic, which));

@@ -1,8 +1,9 @@
 //! Elements in any arrangement: the corners of a pack are gathered from the nodes one by one.
 
-use super::one_point::{Constants, Hexahedron};
+use super::one_point::Hexahedron;
+use super::one_point_constants::Constants;
 use super::point::{Block, Look, Points, Ratios};
-use super::side::{empty, spread, sums, Face};
+use super::side::{spread, sums, Face};
 use super::BLOCK;
 use crate::material::Deformation;
 use crate::mesh::CORNERS;
@@ -81,8 +82,8 @@ impl<R: Real> Indexed<R> {
                 let element = Hexahedron::new(&constants, &low, &high);
                 let at = Deformation::new(element.gradient(&constants));
                 ratios = ratios.and(at.volume);
-                let stress = at.first_piola(&points.stress(block, first, constants.volume(), &at));
-                let (low, high) = element.forces(&constants, &stress, &empty());
+                let stress = points.stress(block, first, constants.volume(), &at);
+                let (low, high) = element.forces(&constants, &element.stress(&constants, &stress));
                 for (bottom, face) in [(0, low), (4, high)] {
                     let (x, y, z) = (spread(face[0]), spread(face[1]), spread(face[2]));
                     for corner in 0..4 {

@@ -7,9 +7,10 @@
 use super::arrangement::order;
 use super::field::{Field, Layout, Scratch};
 use super::motion::Motion;
-use super::one_point::{Constants, Hexahedron};
+use super::one_point::{Component, Hexahedron, Stress};
+use super::one_point_constants::Constants;
 use super::point::{Block, Look, Points, Ratios};
-use super::side::{empty, spread, sums, Face};
+use super::side::{empty, spread, sums, Face, Sums};
 use super::BLOCK;
 use crate::material::{Deformation, Symmetric};
 use crate::mesh::CORNERS;
@@ -18,7 +19,7 @@ use clubface_math::{Mat3, Pack, Real, Row};
 
 /// Most layers.
 pub const DEPTH: usize = 6;
-/// Layers that a loop takes: what it leaves to the next stays in the fastest cache.
+/// Layers that a loop takes: what it leaves to the next stays in the fastest cache, as do their constants until all packs have used them.
 const RUN: usize = 3;
 
 /// A lattice of elements.
@@ -122,7 +123,7 @@ impl<R: Real> Lattice<R> {
                 for layer in 0..nk {
                     // SAFETY: `at` is within the columns.
                     let (low, high) =
-                        unsafe { (side::<P>(&mut field, layer, at), side(&mut field, layer + 1, at)) };
+                        unsafe { (face::<P>(&mut field, layer, at), face(&mut field, layer + 1, at)) };
                     let block = column * nk + layer;
                     let constants = Constants::new(&constants[block].0, first);
                     let element = Hexahedron::new(&constants, &low, &high);
@@ -135,8 +136,9 @@ impl<R: Real> Lattice<R> {
 
 /// Forces of a lattice of elements of the given shape, and whether the laws hold for all volumes.
 ///
-/// Each pack of elements goes up through its layers in several loops: patterns, deformation, stress, forces. One loop would be a long chain
-/// of operations, which wait for each other and for more registers than there are.
+/// Each pack of elements goes up through some layers in several loops: patterns, deformation, stress, forces. One loop would be a long chain of
+/// operations, which wait for each other and for more registers than there are. Patterns and forces go component by component, since the numbers of one
+/// fit the registers: constants are loaded thrice, but nothing else is put aside.
 ///
 /// # Safety
 /// The fields are those of the lattice.
@@ -159,72 +161,92 @@ unsafe fn walk<P: Pack, W: Points<P>>(
             }
         }
     }
-    let mut carry = [[[P::zero(); 2]; 3]; DEPTH + 1];
+    let mut carry = [[[P::zero(); 2]; DEPTH + 1]; 3];
+    let mut below = [empty(); BLOCK];
     let mut elements = [Hexahedron::<P>::zero(); RUN];
     let mut deformations = [Deformation::new(Mat3::diagonal(P::one())); RUN];
-    let mut stresses = [Symmetric::diagonal(P::zero()); RUN];
+    let mut seconds = [Symmetric::diagonal(P::zero()); RUN];
+    let mut stresses = [Stress::zero(); RUN];
     let mut ratios = Ratios::new();
     for column in 0..(row * nj).div_ceil(BLOCK) {
         let blocks = &constants[column * nk..(column + 1) * nk];
-        for first in (0..BLOCK).step_by(P::LANES) {
-            let at = column * BLOCK + first;
-            // SAFETY of these: `at` is within the columns.
-            let mut low = unsafe { side::<P>(positions, 0, at) };
-            let mut below = empty();
-            for start in (0..nk).step_by(RUN) {
-                let run = &blocks[start..(start + RUN).min(nk)];
-                for (layer, block) in run.iter().enumerate() {
-                    let high = unsafe { side::<P>(positions, start + layer + 1, at) };
-                    elements[layer] = Hexahedron::new(&Constants::new(&block.0, first), &low, &high);
-                    low = high;
+        for start in (0..nk).step_by(RUN) {
+            let run = &blocks[start..(start + RUN).min(nk)];
+            for first in (0..BLOCK).step_by(P::LANES) {
+                let at = column * BLOCK + first;
+                for axis in 0..3 {
+                    // SAFETY of these: `at` is within the columns.
+                    let mut low = unsafe { side::<P>(positions, start, axis, at) };
+                    for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
+                        let high = unsafe { side(positions, start + layer + 1, axis, at) };
+                        let constants = Constants::new(&block.0, first);
+                        element.components[axis] = Component::new(&constants, &low, &high);
+                        low = high;
+                    }
                 }
-                for (layer, block) in run.iter().enumerate() {
-                    let gradient = elements[layer].gradient(&Constants::new(&block.0, first));
-                    deformations[layer] = Deformation::new(gradient);
-                    ratios = ratios.and(deformations[layer].volume);
+                for ((block, element), deformation) in run.iter().zip(&elements).zip(&mut deformations) {
+                    *deformation = Deformation::new(element.gradient(&Constants::new(&block.0, first)));
+                    ratios = ratios.and(deformation.volume);
                 }
                 for (layer, block) in run.iter().enumerate() {
                     let volume = Constants::new(&block.0, first).volume();
                     let number = column * nk + start + layer;
-                    stresses[layer] = points.stress(number, first, volume, &deformations[layer]);
+                    seconds[layer] = points.stress(number, first, volume, &deformations[layer]);
                 }
-                for (layer, block) in run.iter().enumerate() {
+                for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
                     // This loop computes more than it loads: time to fetch what the next ones need.
-                    prefetch(block, RUN);
-                    let stress = deformations[layer].first_piola(&stresses[layer]);
-                    let (force, above) =
-                        elements[layer].forces(&Constants::new(&block.0, first), &stress, &below);
-                    let k = start + layer;
-                    unsafe { add(forces, row, k, at, &force, &mut carry[k]) };
-                    below = above;
+                    if first == 0 {
+                        prefetch(block, RUN);
+                    }
+                    stresses[layer] = element.stress(&Constants::new(&block.0, first), &seconds[layer]);
+                }
+                for axis in 0..3 {
+                    let mut under = if start == 0 { [P::zero(); 4] } else { below[first][axis] };
+                    for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
+                        let constants = Constants::new(&block.0, first);
+                        let (force, above) =
+                            element.components[axis].forces(&constants, &stresses[layer], &under);
+                        let k = start + layer;
+                        unsafe { add(forces, row, k, axis, at, force, &mut carry[axis][k]) };
+                        under = above;
+                    }
+                    below[first][axis] = under;
+                    if start + run.len() == nk {
+                        unsafe { add(forces, row, nk, axis, at, under, &mut carry[axis][nk]) };
+                    }
                 }
             }
-            unsafe { add(forces, row, nk, at, &below, &mut carry[nk]) };
         }
     }
     ratios.sound()
 }
 
-/// One side of a pack of elements from place `at` of plane `k` on.
+/// A component of one side of a pack of elements from place `at` of plane `k` on.
 ///
 /// # Safety
 /// `at + LANES` is within the columns, and `k` is a plane.
 #[inline(always)]
-unsafe fn side<P: Pack>(positions: &mut Field<P::Real>, k: usize, at: usize) -> Face<P> {
+unsafe fn side<P: Pack>(positions: &mut Field<P::Real>, k: usize, axis: usize, at: usize) -> Sums<P> {
     let row = positions.row();
-    let mut face = empty();
-    for axis in 0..3 {
-        // SAFETY: the stride has room for a pack of the next row.
-        unsafe {
-            let from = positions.at(k, axis).add(at);
-            let next = from.add(row);
-            face[axis] = sums([P::read(from), P::read(from.add(1)), P::read(next), P::read(next.add(1))]);
-        }
+    // SAFETY: the stride has room for a pack of the next row.
+    unsafe {
+        let from = positions.at(k, axis).add(at);
+        let next = from.add(row);
+        sums([P::read(from), P::read(from.add(1)), P::read(next), P::read(next.add(1))])
     }
-    face
 }
 
-/// Adds forces to one side of a pack of elements. Every number is written first from the row before it, then added to from its own row; what
+/// All components of it.
+///
+/// # Safety
+/// As for [`side`].
+#[inline(always)]
+unsafe fn face<P: Pack>(positions: &mut Field<P::Real>, k: usize, at: usize) -> Face<P> {
+    // SAFETY: the caller's promise.
+    unsafe { [side(positions, k, 0, at), side(positions, k, 1, at), side(positions, k, 2, at)] }
+}
+
+/// Adds a component of the forces to one side of a pack of elements. Every number is written first from the row before it, then added to from its own row; what
 /// belongs to the node after the last lane waits in `carry` for the next pack.
 ///
 /// # Safety
@@ -234,18 +256,17 @@ unsafe fn add<P: Pack>(
     forces: &mut Field<P::Real>,
     row: usize,
     k: usize,
+    axis: usize,
     at: usize,
-    face: &Face<P>,
-    carry: &mut [[P; 2]; 3],
+    force: Sums<P>,
+    carry: &mut [P; 2],
 ) {
-    for axis in 0..3 {
-        let [c0, c1, c2, c3] = spread(face[axis]);
-        // SAFETY: as in `side`.
-        unsafe {
-            let to = forces.at(k, axis).add(at);
-            (c2 + c3.after(carry[axis][1])).write(to.add(row));
-            (P::read(to) + (c0 + c1.after(carry[axis][0]))).write(to);
-        }
-        carry[axis] = [c1, c3];
+    let [c0, c1, c2, c3] = spread(force);
+    // SAFETY: as in `side`.
+    unsafe {
+        let to = forces.at(k, axis).add(at);
+        (c2 + c3.after(carry[1])).write(to.add(row));
+        (P::read(to) + (c0 + c1.after(carry[0]))).write(to);
     }
+    *carry = [c1, c3];
 }

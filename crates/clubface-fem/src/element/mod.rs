@@ -13,6 +13,7 @@ mod layers;
 mod modes;
 mod motion;
 mod one_point;
+mod one_point_constants;
 mod point;
 mod quadrature;
 mod quadrilateral;

@@ -1,7 +1,8 @@
 //! What happens at the integration points of a pack of one-point hexahedra, however the elements find their nodes.
 
 use super::bulk_viscosity::{BulkViscosity, Drag};
-use super::one_point::{Constants, Hexahedron, CONSTANTS, SHAPES};
+use super::one_point::Hexahedron;
+use super::one_point_constants::{Constants, CONSTANTS, SHAPES};
 use super::{Aligned, Energy, BLOCK, RATIOS};
 use crate::material::{Deformation, History, Isochoric, Kinematics, Remembering, Symmetric};
 use clubface_math::{Pack, Real};

@@ -6,7 +6,7 @@ use super::field::Scratch;
 use super::gauge::Tell;
 use super::indexed::Indexed;
 use super::lattice::{Lattice, DEPTH};
-use super::one_point::{constants, CONSTANTS, VOLUME};
+use super::one_point_constants::{constants, CONSTANTS, VOLUME};
 use super::point::{alike, Aging, Block, Elastic};
 use super::solid_look::{Examine, Feel};
 use super::{parts, Aligned, Energy, Patch, BLOCK};

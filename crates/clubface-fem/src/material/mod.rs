@@ -71,11 +71,10 @@ macro_rules! of_invariants {
             }
             #[inline(always)]
             fn second_piola(&self, at: &Deformation<S>, pressure: S, weight: S) -> Symmetric<S> {
-                // As any law, but what waits for the root of the volume are a few scalars.
+                // As any law, in fewer operations.
                 let cofactors = at.right.cofactors();
-                let root = inverse_cube_root(at.volume);
-                let shape = root * root;
-                let inverse_volume = shape * root;
+                let shape = at.root * at.root;
+                let inverse_volume = shape * at.root;
                 let first = at.right.trace() * shape;
                 let second = cofactors.trace() * (shape * shape);
                 let [one, along] = self.factors(first, second);
@@ -92,13 +91,13 @@ macro_rules! of_invariants {
 
 of_invariants!(MooneyRivlin NeoHookean Hencky Ogden);
 
-/// Deformation at a point: what follows from the gradient by products alone.
+/// Deformation at a point: what laws see of its gradient.
 #[derive(Clone, Copy, Debug)]
 pub struct Deformation<S> {
-    /// Deformation gradient.
-    pub f: Mat3<S>,
-    /// Its determinant J.
+    /// Determinant J of the gradient F.
     pub volume: S,
+    /// `J^(-1/3)`.
+    pub root: S,
     /// `C = F^T F`.
     pub right: Symmetric<S>,
 }
@@ -108,12 +107,8 @@ impl<S: Scalar> Deformation<S> {
     #[inline(always)]
     pub fn new(f: Mat3<S>) -> Self {
         let [a, b, c] = f.rows;
-        Self { f, volume: dot(a, cross(b, c)), right: Symmetric::gram(&f) }
-    }
-    /// First Piola-Kirchhoff stress of a second one.
-    #[inline(always)]
-    pub fn first_piola(&self, second: &Symmetric<S>) -> Mat3<S> {
-        times(&self.f, second)
+        let volume = dot(a, cross(b, c));
+        Self { volume, root: inverse_cube_root(volume), right: Symmetric::gram(&f) }
     }
 }
 
@@ -141,15 +136,14 @@ impl<S: Scalar> Kinematics<S> {
     /// From a deformation.
     #[inline(always)]
     pub fn of(deformation: Deformation<S>) -> Self {
-        let root = inverse_cube_root(deformation.volume);
-        let shape = root * root;
+        let shape = deformation.root * deformation.root;
         let c = deformation.right.scale(shape);
-        Self { deformation, inverse_volume: shape * root, shape, c, inverse: c.cofactors() }
+        Self { deformation, inverse_volume: shape * deformation.root, shape, c, inverse: c.cofactors() }
     }
-    /// First Piola-Kirchhoff stress, from `2 dW/dC̄` and `dW/dJ`.
+    /// First Piola-Kirchhoff stress, from `2 dW/dC̄` and `dW/dJ`, for the gradient.
     #[inline(always)]
-    pub fn first_piola(&self, stress: &Symmetric<S>, pressure: S) -> Mat3<S> {
-        self.deformation.first_piola(&self.second_piola(stress, pressure, S::one()))
+    pub fn first_piola(&self, f: &Mat3<S>, stress: &Symmetric<S>, pressure: S) -> Mat3<S> {
+        times(f, &self.second_piola(stress, pressure, S::one()))
     }
     /// Second Piola-Kirchhoff stress times a weight, from `2 dW/dC̄` and `dW/dJ`.
     #[inline(always)]

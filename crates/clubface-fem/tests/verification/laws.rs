@@ -38,7 +38,7 @@ impl<P: Pack> UseLaw<P> for At<P> {
     fn with<L: Isochoric<P>>(self, law: L) -> Self::Output {
         let at = Kinematics::new(self.0);
         let dilation = at.deformation.volume - 1.0;
-        let stress = at.first_piola(&law.stress(&at.c), self.1 * dilation);
+        let stress = at.first_piola(&self.0, &law.stress(&at.c), self.1 * dilation);
         (law.energy(&at.c) + self.1 * dilation * dilation * 0.5, stress)
     }
 }

@@ -29,7 +29,7 @@ impl Point {
         let slow = NeoHookean { shear: SHEAR }.stress(&at.c);
         let branches = Branches { decays: &self.decays, tally: true };
         let stress = add_branches(&at, slow, &branches, &mut self.history.of(0, 0));
-        at.first_piola(&stress, BULK * (at.deformation.volume - 1.0))
+        at.first_piola(&f, &stress, BULK * (at.deformation.volume - 1.0))
     }
     /// Work done on the branches so far, J/m3.
     fn work(&mut self) -> f64 {

@@ -1,0 +1,124 @@
+//! What a hexahedron with one integration point keeps of its undeformed shape.
+
+use super::BLOCK;
+use crate::mesh::{base_vectors, signs, CORNERS};
+use clubface_math::{Mat3, Pack, Scalar, Vec3};
+
+/// Constants an element keeps.
+pub const CONSTANTS: usize = 35;
+
+/// Where they stand: `J^-1 / 8` (rows of base vectors, upper triangle), the negative of each hourglass shape in base vectors, what a pattern adds
+/// to each base vector in the mean gradient, reciprocal squares of the edges, volume.
+const SKEW: usize = 6;
+const MEAN: usize = 18;
+/// Numbers that tell the shape: those above.
+pub const SHAPES: usize = 27;
+const PLATE: usize = 27;
+const SHEAR: usize = 30;
+const TWIST: usize = 33;
+pub const VOLUME: usize = 34;
+
+/// Mode of each uniform deformation, and of each hourglass pattern: bits are the reference coordinates in the product.
+const LINEAR: [usize; 3] = [1, 2, 4];
+const PATTERNS: [usize; 4] = [6, 5, 3, 7];
+
+/// Constants of an element from its corners.
+pub fn constants<R: Scalar>(corners: &[Vec3<R>; CORNERS], shear: R) -> [R; CONSTANTS] {
+    let mut modes = [Vec3::zero(); CORNERS];
+    for (mode, sum) in modes.iter_mut().enumerate() {
+        for (corner, position) in corners.iter().enumerate() {
+            let s = signs(corner);
+            let sign: f64 = (0..3).filter(|axis| mode >> axis & 1 == 1).map(|axis| s[axis]).product();
+            *sum += *position * R::from_f64(sign);
+        }
+    }
+    let [a, b, c] = LINEAR.map(|mode| modes[mode]);
+    let inverse = Mat3::from_columns(a, b, c).inverse();
+    let mut stored = [R::zero(); CONSTANTS];
+    // The element's own frame: x along a, y in the plane of a and b.
+    let x = a * a.norm().recip();
+    let z = a.cross(b) * a.cross(b).norm().recip();
+    let y = z.cross(x);
+    let [r, s, t] = inverse.rows;
+    stored[..SKEW].copy_from_slice(&[r.dot(x), r.dot(y), r.dot(z), s.dot(y), s.dot(z), t.dot(z)]);
+    for (pattern, mode) in PATTERNS.into_iter().enumerate() {
+        (-(inverse * modes[mode])).put(&mut stored, SKEW + 3 * pattern);
+    }
+    let at = 1.0 / 3.0_f64.sqrt();
+    for point in 0..CORNERS {
+        let [a, b, d] = base_vectors(corners, signs(point).map(|s| s * at));
+        stored[VOLUME] += a.dot(b.cross(d));
+    }
+    // Hourglass stiffness: with edges l and e = 4/l^2, half of mu V/3 (sum of e) times the square of (x.q) / (32 l), and 1/(32 l)^2 = e/4096.
+    // Eight corners a sum: a quarter of it is the edge.
+    let e = [a, b, c].map(|base| base.norm_squared().recip() * 64.0);
+    let scale = shear * stored[VOLUME] * (-1.0 / (3.0 * 4096.0));
+    for i in 0..3 {
+        stored[PLATE + i] = scale * e[i] * e[i] * 4.0;
+        stored[SHEAR + i] = scale * e[i] * (e[(i + 1) % 3] + e[(i + 2) % 3]);
+    }
+    stored[TWIST] = scale * 64.0 * (e[0] * e[1] * e[2]).powf(1.0 / 3.0);
+    // The volume is 8 [a.(b x c) + (a.(m_ab x m_ac) + b.(m_bc x m_ab) + c.(m_ac x m_bc)) / 3] with a, b, c and the modes m an eighth of these
+    // sums; the mean gradient is its derivative over it. The twist has no part in it.
+    let [bc, ac, ab, _] = PATTERNS.map(|mode| modes[mode]);
+    let slopes = [ab.cross(b) + c.cross(ac), bc.cross(c) + a.cross(ab), b.cross(bc) + ac.cross(a)];
+    let scale = (stored[VOLUME] * (3.0 * 64.0)).recip();
+    for (pattern, slope) in slopes.into_iter().enumerate() {
+        for (i, base) in [a, b, c].into_iter().enumerate() {
+            stored[MEAN + 3 * pattern + i] = slope.dot(base) * scale;
+        }
+    }
+    stored
+}
+
+/// Constants of a pack of elements: lanes `first..` of a block.
+#[derive(Clone, Copy)]
+pub struct Constants<'a, P: Pack> {
+    block: &'a [P::Real; CONSTANTS * BLOCK],
+    first: usize,
+}
+
+impl<'a, P: Pack> Constants<'a, P> {
+    /// Of a block, from lane `first` on.
+    #[inline(always)]
+    pub fn new(block: &'a [P::Real; CONSTANTS * BLOCK], first: usize) -> Self {
+        assert!(first + P::LANES <= BLOCK);
+        Self { block, first }
+    }
+    /// Reference volume, m3; 0 for a lane that holds no element.
+    #[inline(always)]
+    pub fn volume(&self) -> P {
+        self.load(VOLUME)
+    }
+    #[inline(always)]
+    fn load(&self, which: usize) -> P {
+        debug_assert!(which < CONSTANTS);
+        // SAFETY: `which` is below CONSTANTS for what an element has, three base vectors and four patterns, and `new` has checked the lanes.
+        unsafe { P::read(self.block.as_ptr().add(which * BLOCK + self.first)) }
+    }
+    /// Part of a base vector in the negative of an hourglass shape.
+    #[inline(always)]
+    pub(super) fn skew(&self, pattern: usize, base: usize) -> P {
+        self.load(SKEW + 3 * pattern + base)
+    }
+    /// What a pattern adds to a base vector in the mean gradient.
+    #[inline(always)]
+    pub(super) fn mean(&self, pattern: usize, base: usize) -> P {
+        self.load(MEAN + 3 * pattern + base)
+    }
+    /// Rows of `J^-1 / 8`, without their zeros.
+    #[inline(always)]
+    pub(super) fn inverse(&self) -> ([P; 3], [P; 2], P) {
+        ([self.load(0), self.load(1), self.load(2)], [self.load(3), self.load(4)], self.load(5))
+    }
+    /// Stiffness of a pattern along a base vector.
+    #[inline(always)]
+    pub(super) fn stiffness(&self, pattern: usize, along: usize) -> P {
+        self.load(along + if along == pattern { SHEAR } else { PLATE })
+    }
+    /// Stiffness of the fourth pattern.
+    #[inline(always)]
+    pub(super) fn twist(&self) -> P {
+        self.load(TWIST)
+    }
+}
