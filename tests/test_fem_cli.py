@@ -65,7 +65,9 @@ def test_a_run_writes_figures_histories_and_pictures(clubface_, tmp_path):
     assert {each.name for each in out.iterdir()} == written | drawn
     figures = json.loads((out / "figures.json").read_text())
     assert figures["peak_force"] == ran.json["peak_force"]
-    assert figures["provenance"]["ball"]["name"] == "soft"
+    made = figures["provenance"]["ball"]
+    assert (made["name"], made["mass"]) == ("soft", pytest.approx(0.046))
+    assert made["core_density"] > 1000.0
     assert figures["provenance"]["delivery"]["speed"] == 35.0
     assert figures["provenance"]["settings"]["duration"] == 700e-6
     contact = np.genfromtxt(out / "contact.csv", delimiter=",", names=True)

@@ -76,7 +76,7 @@ def test_a_hard_impact_is_run_again_with_shorter_steps():
 def test_an_element_that_fails_is_found_while_it_can_be_told_from_the_others():
     found = throw_case(until_separation=True, safety=0.9, interval=50e-6).replace(speed=110.0).run()
     failed = re.match(r"element (\d+) of c\w+ (?:kept|was turned)", found.stopped)
-    # Elements in front, near the plane, not the first of a mesh whose every number is lost.
+    # One by its number, not the first of a mesh that has come apart as a whole.
     assert failed
     assert int(failed[1]) > 0
     # In the step in which it failed, not at the next record of motion.

@@ -159,7 +159,10 @@ class Impact:
 
     @property
     def provenance(self) -> dict[str, Any]:
-        """The ball with its materials, what it met, the delivery, the settings and the version; SI."""
+        """The ball with its materials and as meshed, what it met, the delivery, the settings and the version; SI.
+
+        A density of 0 is that of a core which gives the ball its mass: its "core_density".
+        """
         from clubface import __version__
 
         met: dict[str, Any] = {"name": "plane"} if self._shots is None else {"name": self._shots.club.name}
@@ -167,7 +170,7 @@ class Impact:
             met["elements"] = self.head.elements
         return {
             "model": {"name": "fem"},
-            "ball": {"name": self.ball.name, **self.ball.values()},
+            "ball": {"name": self.ball.name, **self.ball.values(), **self.ball.properties()},
             "head": met,
             "friction": self.friction,
             "delivery": self._delivery(),

@@ -19,7 +19,7 @@ WALLS = ("face_centre", "face_edge", "crown", "sole", "skirt")
 CENTRE, INERTIA = ("cg_x", "cg_y", "cg_z"), ("ixx", "iyy", "izz")
 TARGETS = ("mass", *CENTRE, "cg_above", *INERTIA)
 CLOSE = {"mass": ("g", 1e-4), "length": ("mm", 1e-4), "inertia": ("g cm2", 1e-6)}
-"""The unit in which a target is told, and how near it counts as met."""
+"""The unit in which a target is told, and how near [SI] it counts as met."""
 _LIMITS = {
     "width": (0.05, 0.15), "depth": (0.03, 0.15), "crown": (0.008, 0.06), "sole": (0.008, 0.06),
     "rounding": (1e-3, 0.02), "bulge": (0.1, 10.0), "roll": (0.1, 10.0),
