@@ -50,18 +50,11 @@ pub fn dispatch_narrow<K: Kernel>(kernel: K) -> K::Output {
 /// Runs a kernel with eight lanes (AVX-512), four (AVX2) or one.
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
-    {
-        let widest = WIDEST.get();
-        if widest >= 8 && x86::has_eight() {
-            // SAFETY: the features the function enables were found on this CPU.
-            return unsafe { x86::run_eight(kernel) };
-        }
-        if widest >= 4 && x86::has_four() {
-            // SAFETY: as above.
-            return unsafe { x86::run_four(kernel) };
-        }
+    if WIDEST.get() >= 8 && x86::has_eight() {
+        // SAFETY: the features the function enables were found on this CPU.
+        return unsafe { x86::run_eight(kernel) };
     }
-    kernel.run::<f64>()
+    dispatch_narrow(kernel)
 }
 
 /// Operators, elementary functions and selection of a primal type, from its few basic operations.

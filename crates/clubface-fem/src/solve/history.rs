@@ -130,18 +130,14 @@ impl History {
             self.contact.iter().fold(start, |best, frame| pick(best, frame.tangential))
         };
         let left = !self.touching();
+        let last = self.contact.iter().rfind(|frame| left && frame.normal > 0.0);
         let f_prime = if left { self.radius_weighted(radius) } else { f64::NAN };
         let start = self.energy.first().map_or(f64::NAN, EnergyFrame::total);
         let kinetic = self.energy.first().map_or(f64::NAN, |frame| frame.kinetic);
         Figures {
             peak_force: top.0,
             peak_force_time: top.1,
-            contact_time: self
-                .contact
-                .iter()
-                .rev()
-                .find(|f| left && f.normal > 0.0)
-                .map_or(f64::NAN, |f| f.time),
+            contact_time: last.map_or(f64::NAN, |frame| frame.time),
             tangential_max: fold(0.0, f64::max),
             tangential_min: fold(0.0, f64::min),
             reversal_time: self.reversal(),
