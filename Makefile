@@ -68,7 +68,7 @@ benchmark-identification: build ## identify every model on the benchmark shots: 
 benchmark-identification-speed: build ## time of P1's whole identification of the volumetric driver, and its cost
 	$(PYTHON) benchmarks/identification_speed.py
 
-fem-figures: build ## the figures of docs/finite-elements.md, computed again; some five minutes
+fem-figures: build ## the figures of docs/finite-elements.md, computed again; some three minutes
 	$(PYTHON) benchmarks/fem_figures.py
 
 identification-coverage: build ## how often intervals of identified parameters hold the truth, over 400 repeats
