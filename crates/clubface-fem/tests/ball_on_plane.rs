@@ -70,13 +70,19 @@ fn derivatives_are_those_of_the_same_run() {
 
 #[test]
 fn lattices_give_the_forces_of_elements_in_any_order() {
-    let mesh = cubed_sphere(&[0.02], &Fineness { cube: 6, layers: vec![3] });
+    // Rows of one pack of four, rows that do not fill packs, and rows that do in patches whose last pack is not full.
+    for (cube, count) in [(4, 352), (6, 864), (20, 15200)] {
+        lattices_give_the_forces_of_elements(cube, count);
+    }
+}
+
+fn lattices_give_the_forces_of_elements(cube: usize, count: usize) {
+    let mesh = cubed_sphere(&[0.02], &Fineness { cube, layers: vec![3] });
+    assert_eq!(mesh.elements.len(), count);
     let mut mixed = mesh.clone();
     // A step that shares no factor with the number of elements visits all of them, neighbours far apart.
-    let count = mesh.elements.len();
-    assert_eq!(count, 864);
     for (place, element) in mixed.elements.iter_mut().enumerate() {
-        *element = mesh.elements[place * 205 % count];
+        *element = mesh.elements[place * 211 % count];
     }
     let positions: Vec<Row<f64>> = mesh
         .nodes
@@ -105,7 +111,7 @@ fn lattices_give_the_forces_of_elements_in_any_order() {
     for (node, force) in &first.0 {
         for c in 0..3 {
             // Sums in another order, and constants of a block shared with the blocks that are turned: rounding.
-            assert!((force[c] - second.0[node][c]).abs() < 1e-11 * largest, "node {node}");
+            assert!((force[c] - second.0[node][c]).abs() < 1e-11 * largest, "node {node} of cube {cube}");
         }
     }
     assert!((first.1 / second.1 - 1.0).abs() < 1e-12);

@@ -32,8 +32,22 @@ pub fn shape(elements: &[[u32; CORNERS]]) -> [usize; 3] {
     shape
 }
 
+/// Lanes that stand side by side in every pack: where rows are a multiple of them, no lane is empty.
+const QUAD: usize = 4;
+
+/// Nodes to which elements of a lattice belong as they fill the lanes: all those of a row but the last, if the row fills whole packs of four. Otherwise
+/// there are no breaks: the last node of a row makes an element with the first of the next, which does not exist.
+pub fn unbroken(shape: [usize; 3]) -> usize {
+    let [ni, nj, _] = shape;
+    if ni.is_multiple_of(QUAD) {
+        ni
+    } else {
+        ((ni + 1) * nj).next_multiple_of(BLOCK)
+    }
+}
+
 /// Nodes of a lattice of elements, given by their corners, row by row and plane by plane; and the element in every lane of the blocks, column by column up
-/// through the layers. The last node of a row makes an element with the first of the next, which does not exist.
+/// through the layers.
 pub fn order(shape: [usize; 3], elements: &[[u32; CORNERS]]) -> (Vec<u32>, Vec<Option<usize>>) {
     let [ni, nj, nk] = shape;
     let mut nodes = Vec::new();
@@ -46,10 +60,9 @@ pub fn order(shape: [usize; 3], elements: &[[u32; CORNERS]]) -> (Vec<u32>, Vec<O
             }
         }
     }
-    let row = ni + 1;
-    let columns = (row * nj).div_ceil(BLOCK);
+    let row = unbroken(shape).min(ni + 1);
     let mut lanes = Vec::new();
-    for column in 0..columns {
+    for column in 0..(row * nj).div_ceil(BLOCK) {
         for k in 0..nk {
             for lane in 0..BLOCK {
                 let at = column * BLOCK + lane;

@@ -1,8 +1,8 @@
 //! Elements in rows, columns and layers: neighbours share what they read and write.
 //!
 //! Positions and forces stand component by component in the order of the lattice, so that the corners of consecutive elements are
-//! consecutive numbers. The last node of a row makes an element with the first of the next, which exists only to keep the packs full: it has no
-//! volume. Each pack of elements walks up through the layers and carries the side it shares with the next one along.
+//! consecutive numbers. Where rows do not fill whole packs, the last node of one makes an element with the first of the next, which exists only to keep
+//! the packs full: it has no volume. Each pack of elements walks up through the layers and carries the side it shares with the next one along.
 
 use super::arrangement::order;
 use super::field::{Field, Layout, Scratch};
@@ -10,12 +10,13 @@ use super::motion::Motion;
 use super::one_point::{Component, Hexahedron, Stress};
 use super::one_point_constants::Constants;
 use super::point::{Block, Look, Points, Ratios};
-use super::side::{empty, spread, sums, Face, Sums};
+use super::quads::{add, face, side, Places};
+use super::side::empty;
 use super::BLOCK;
 use crate::material::{Deformation, Symmetric};
 use crate::mesh::CORNERS;
 use clubface_math::pack::prefetch;
-use clubface_math::{Mat3, Pack, Real, Row};
+use clubface_math::{Mat3, Pack, Real, Row, Scalar};
 
 /// Most layers.
 pub const DEPTH: usize = 6;
@@ -40,8 +41,9 @@ impl<R: Real> Lattice<R> {
         assert!(nk <= DEPTH);
         let (nodes, lanes) = order(shape, elements);
         let row = ni + 1;
-        // A pack reads as far as the corner after the next row.
-        let stride = ((row * nj).next_multiple_of(BLOCK) + row + 1).next_multiple_of(BLOCK);
+        // The last pack reads as far as the corner after the next row.
+        let last = lanes.len() / nk - 1;
+        let stride = (Places::new(shape).at(last) + row + 2).next_multiple_of(BLOCK);
         let layout = Layout { row, plane: row * (nj + 1), planes: nk + 1, stride };
         let rows = vec![Row::zero(); nodes.len() + BLOCK];
         (Self { shape, layout, rows, motion: None }, nodes, lanes)
@@ -110,20 +112,21 @@ impl<R: Real> Lattice<R> {
         constants: &[Block<R>],
         look: &mut W,
     ) {
-        let [_, nj, nk] = self.shape;
+        let nk = self.shape[2];
+        let places = Places::new(self.shape);
         let mut scratch = Scratch::new();
         let mut field = scratch.positions.field(self.layout);
         for k in 0..self.layout.planes {
             // SAFETY: the caller's promise.
             unsafe { field.load::<P>(k, positions, nodes) };
         }
-        for column in 0..(self.layout.row * nj).div_ceil(BLOCK) {
+        for column in 0..constants.len() / nk {
             for first in (0..BLOCK).step_by(P::LANES) {
-                let at = column * BLOCK + first;
+                let at = places.quads::<P>(column * BLOCK + first);
                 for layer in 0..nk {
                     // SAFETY: `at` is within the columns.
                     let (low, high) =
-                        unsafe { (face::<P>(&mut field, layer, at), face(&mut field, layer + 1, at)) };
+                        unsafe { (face::<P>(&mut field, layer, &at), face(&mut field, layer + 1, &at)) };
                     let block = column * nk + layer;
                     let constants = Constants::new(&constants[block].0, first);
                     let element = Hexahedron::new(&constants, &low, &high);
@@ -150,9 +153,9 @@ unsafe fn walk<P: Pack, W: Points<P>>(
     constants: &[Block<P::Real>],
     mut points: W,
 ) -> bool {
-    let [ni, nj, nk] = shape;
+    let [ni, _, nk] = shape;
     assert!(nk <= DEPTH);
-    let row = ni + 1;
+    let (row, places) = (ni + 1, Places::new(shape));
     for k in 0..=nk {
         for axis in 0..3 {
             for at in (0..row).step_by(P::LANES) {
@@ -161,24 +164,23 @@ unsafe fn walk<P: Pack, W: Points<P>>(
             }
         }
     }
-    let mut carry = [[[P::zero(); 2]; DEPTH + 1]; 3];
+    let mut carry = [[[P::Quad::zero(); 2]; DEPTH + 1]; 3];
     let mut below = [empty(); BLOCK];
     let mut elements = [Hexahedron::<P>::zero(); RUN];
     let mut deformations = [Deformation::new(Mat3::diagonal(P::one())); RUN];
     let mut seconds = [Symmetric::diagonal(P::zero()); RUN];
     let mut stresses = [Stress::zero(); RUN];
     let mut ratios = Ratios::new();
-    for column in 0..(row * nj).div_ceil(BLOCK) {
-        let blocks = &constants[column * nk..(column + 1) * nk];
+    for (column, blocks) in constants.chunks_exact(nk).enumerate() {
         for start in (0..nk).step_by(RUN) {
             let run = &blocks[start..(start + RUN).min(nk)];
             for first in (0..BLOCK).step_by(P::LANES) {
-                let at = column * BLOCK + first;
+                let at = places.quads::<P>(column * BLOCK + first);
                 for axis in 0..3 {
                     // SAFETY of these: `at` is within the columns.
-                    let mut low = unsafe { side::<P>(positions, start, axis, at) };
+                    let mut low = unsafe { side::<P>(positions, start, axis, &at) };
                     for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
-                        let high = unsafe { side(positions, start + layer + 1, axis, at) };
+                        let high = unsafe { side(positions, start + layer + 1, axis, &at) };
                         let constants = Constants::new(&block.0, first);
                         element.components[axis] = Component::new(&constants, &low, &high);
                         low = high;
@@ -207,66 +209,16 @@ unsafe fn walk<P: Pack, W: Points<P>>(
                         let (force, above) =
                             element.components[axis].forces(&constants, &stresses[layer], &under);
                         let k = start + layer;
-                        unsafe { add(forces, row, k, axis, at, force, &mut carry[axis][k]) };
+                        unsafe { add(forces, row, k, axis, &at, force, &mut carry[axis][k]) };
                         under = above;
                     }
                     below[first][axis] = under;
                     if start + run.len() == nk {
-                        unsafe { add(forces, row, nk, axis, at, under, &mut carry[axis][nk]) };
+                        unsafe { add(forces, row, nk, axis, &at, under, &mut carry[axis][nk]) };
                     }
                 }
             }
         }
     }
     ratios.sound()
-}
-
-/// A component of one side of a pack of elements from place `at` of plane `k` on.
-///
-/// # Safety
-/// `at + LANES` is within the columns, and `k` is a plane.
-#[inline(always)]
-unsafe fn side<P: Pack>(positions: &mut Field<P::Real>, k: usize, axis: usize, at: usize) -> Sums<P> {
-    let row = positions.row();
-    // SAFETY: the stride has room for a pack of the next row.
-    unsafe {
-        let from = positions.at(k, axis).add(at);
-        let next = from.add(row);
-        sums([P::read(from), P::read(from.add(1)), P::read(next), P::read(next.add(1))])
-    }
-}
-
-/// All components of it.
-///
-/// # Safety
-/// As for [`side`].
-#[inline(always)]
-unsafe fn face<P: Pack>(positions: &mut Field<P::Real>, k: usize, at: usize) -> Face<P> {
-    // SAFETY: the caller's promise.
-    unsafe { [side(positions, k, 0, at), side(positions, k, 1, at), side(positions, k, 2, at)] }
-}
-
-/// Adds a component of the forces to one side of a pack of elements. Every number is written first from the row before it, then added to from its own row; what
-/// belongs to the node after the last lane waits in `carry` for the next pack.
-///
-/// # Safety
-/// As for [`side`].
-#[inline(always)]
-unsafe fn add<P: Pack>(
-    forces: &mut Field<P::Real>,
-    row: usize,
-    k: usize,
-    axis: usize,
-    at: usize,
-    force: Sums<P>,
-    carry: &mut [P; 2],
-) {
-    let [c0, c1, c2, c3] = spread(force);
-    // SAFETY: as in `side`.
-    unsafe {
-        let to = forces.at(k, axis).add(at);
-        (c2 + c3.after(carry[1])).write(to.add(row));
-        (P::read(to) + (c0 + c1.after(carry[0]))).write(to);
-    }
-    *carry = [c1, c3];
 }

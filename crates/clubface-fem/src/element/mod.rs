@@ -17,6 +17,7 @@ mod one_point_constants;
 mod point;
 mod quadrature;
 mod quadrilateral;
+mod quads;
 mod section;
 mod shell;
 mod shell_look;

@@ -1,6 +1,6 @@
 //! Packs of numbers with derivatives: a pack of values, and one of each derivative.
 
-use super::{Pack, PackKernel, Real, Row};
+use super::{single_quad, Pack, PackKernel, Real, Row};
 use crate::lanes::{dispatch_narrow, Kernel, Lanes};
 use crate::{Dual, Scalar, Vec3};
 
@@ -29,6 +29,7 @@ impl<const N: usize> Real for Dual<f64, N> {
 /// A number with derivatives in each lane: a pack of values and one of every derivative.
 impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
     type Real = Dual<f64, N>;
+    single_quad!();
     #[inline(always)]
     fn splat(value: Self::Real) -> Self {
         let mut pack = Self::constant(S::splat(value.value));

@@ -75,6 +75,15 @@ pub trait PackKernel<R> {
 pub trait Pack: Scalar {
     /// The number stored in arrays.
     type Real: Real;
+    /// What a pack is made of: packs of at most four lanes.
+    type Quad: Pack<Real = Self::Real>;
+    /// One of the first lanes, the next, and so on.
+    fn quad(self, which: usize) -> Self::Quad;
+    /// Each quad from an address of its own; those of quads that the pack does not have are not used.
+    ///
+    /// # Safety
+    /// As for [`Pack::read`].
+    unsafe fn read_quads(at: [*const Self::Real; 2]) -> Self;
     /// The same number in every lane.
     fn splat(value: Self::Real) -> Self;
     /// `LANES` consecutive numbers.
@@ -110,6 +119,23 @@ pub trait Pack: Scalar {
     fn put_rows(rows: &mut [Row<Self::Real>], value: Vec3<Self>);
 }
 
+/// Packs that are themselves a quad.
+macro_rules! single_quad {
+    () => {
+        type Quad = Self;
+        #[inline(always)]
+        fn quad(self, _which: usize) -> Self {
+            self
+        }
+        #[inline(always)]
+        unsafe fn read_quads(at: [*const Self::Real; 2]) -> Self {
+            // SAFETY: the caller's promise.
+            unsafe { Self::read(at[0]) }
+        }
+    };
+}
+use single_quad;
+
 impl Real for f64 {
     fn derivatives(&self) -> &[f64] {
         &[]
@@ -134,6 +160,7 @@ impl Real for f64 {
 /// A number on its own as a pack of one lane.
 impl Pack for f64 {
     type Real = Self;
+    single_quad!();
     #[inline(always)]
     fn splat(value: Self) -> Self {
         value
@@ -177,5 +204,36 @@ impl Pack for f64 {
     #[inline(always)]
     fn put_rows(rows: &mut [Row<Self>], value: Vec3<Self>) {
         rows[0] = Row::from_vec(value);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::with_lanes;
+
+    /// Reads quads that stand apart, and tells the lanes of the whole and of each of its quads.
+    struct Apart;
+    impl PackKernel<f64> for Apart {
+        type Output = (Vec<f64>, Vec<f64>);
+        fn run<P: Pack<Real = f64>>(self) -> Self::Output {
+            let values: Vec<f64> = (0..24).map(f64::from).collect();
+            let quad = P::Quad::LANES;
+            // SAFETY: each place is followed by as many numbers as a pack has.
+            let pack = unsafe { P::read_quads([&raw const values[3], &raw const values[13]]) };
+            let lanes = (0..P::LANES).map(|lane| pack.real(lane)).collect();
+            let quads = (0..P::LANES).map(|lane| pack.quad(lane / quad).real(lane % quad)).collect();
+            (lanes, quads)
+        }
+    }
+
+    #[test]
+    fn quads_of_a_pack_stand_where_they_are_read() {
+        for width in [1, 4, 8] {
+            let (lanes, quads) = with_lanes(width, || f64::dispatch(Apart));
+            let places = [3.0, 4.0, 5.0, 6.0, 13.0, 14.0, 15.0, 16.0];
+            assert_eq!(lanes, places[..lanes.len()]);
+            assert_eq!(quads, lanes);
+        }
     }
 }

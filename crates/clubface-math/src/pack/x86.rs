@@ -1,6 +1,6 @@
 //! Packs of four numbers (AVX2) and of eight (AVX-512).
 
-use super::{Pack, Row, Vec3};
+use super::{single_quad, Pack, Row, Vec3};
 use crate::lanes::x86::{F64x4, F64x8};
 use crate::Scalar;
 use core::arch::x86_64::*;
@@ -90,6 +90,26 @@ unsafe fn pair(rows: &[Row<f64>], index: &[u32], i: usize, j: usize) -> __m512d 
 
 impl Pack for F64x8 {
     storage!(_mm512_set1_pd, _mm512_loadu_pd, _mm512_storeu_pd);
+    type Quad = F64x4;
+    #[inline(always)]
+    fn quad(self, which: usize) -> F64x4 {
+        // SAFETY: as above.
+        F64x4(unsafe {
+            if which == 0 {
+                _mm512_castpd512_pd256(self.0)
+            } else {
+                _mm512_extractf64x4_pd::<1>(self.0)
+            }
+        })
+    }
+    #[inline(always)]
+    unsafe fn read_quads(at: [*const f64; 2]) -> Self {
+        // SAFETY: the caller's promise.
+        Self(unsafe {
+            let (low, high) = (_mm256_loadu_pd(at[0]), _mm256_loadu_pd(at[1]));
+            _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(low), high)
+        })
+    }
     #[inline(always)]
     unsafe fn gather(rows: &[Row<f64>], index: &[u32]) -> Vec3<Self> {
         // SAFETY: as above.
@@ -147,6 +167,7 @@ impl F64x8 {
 
 impl Pack for F64x4 {
     storage!(_mm256_set1_pd, _mm256_loadu_pd, _mm256_storeu_pd);
+    single_quad!();
     #[inline(always)]
     unsafe fn gather(rows: &[Row<f64>], index: &[u32]) -> Vec3<Self> {
         // SAFETY: as above.
