@@ -91,6 +91,22 @@ impl<R: Real> Field<'_, R> {
         unsafe { self.memory.as_mut_ptr().cast::<R>().add((3 * k + axis) * self.layout.stride) }
     }
 
+    /// The vectors of a pack of nodes from place `at` of plane `k` on.
+    ///
+    /// # Safety
+    /// They are within the stride of a plane.
+    #[inline(always)]
+    pub unsafe fn vector<P: Pack<Real = R>>(&mut self, k: usize, at: usize) -> Vec3<P> {
+        // SAFETY: the caller's promise.
+        unsafe {
+            Vec3::new(
+                P::read(self.at(k, 0).add(at)),
+                P::read(self.at(k, 1).add(at)),
+                P::read(self.at(k, 2).add(at)),
+            )
+        }
+    }
+
     /// The vector whose first component stands at `place`.
     ///
     /// # Safety
@@ -153,13 +169,7 @@ impl<R: Real> Field<'_, R> {
         assert!(k < planes && rows.len() >= plane + BLOCK);
         for at in (0..plane).step_by(P::LANES) {
             // SAFETY: a component has room for a whole pack at the end of its plane.
-            let value = unsafe {
-                Vec3::new(
-                    P::read(self.at(k, 0).add(at)),
-                    P::read(self.at(k, 1).add(at)),
-                    P::read(self.at(k, 2).add(at)),
-                )
-            };
+            let value = unsafe { self.vector::<P>(k, at) };
             P::put_rows(&mut rows[at..], value);
         }
     }

@@ -3,7 +3,7 @@
 
 use super::field::{Field, Layout, Memory};
 use crate::moments::{Moments, Origin};
-use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
+use clubface_math::{Pack, PackKernel, Real, Row};
 
 /// Motion of the nodes inside a lattice.
 pub struct Motion<R> {
@@ -161,11 +161,7 @@ impl<R: Real> PackKernel<R> for Sum<'_, R> {
                 unsafe {
                     let inverse = P::read(inverse_masses.as_ptr().add(k * stride + at));
                     let mass = P::select(inverse.gt(P::zero()), inverse.recip(), P::zero());
-                    let read = |field: &mut Field<R>| {
-                        let [a, b, c] = [0, 1, 2].map(|axis| P::read(field.at(k, axis).add(at)));
-                        Vec3::new(a, b, c)
-                    };
-                    sum.add(&origin, mass, read(&mut x), read(&mut v));
+                    sum.add(&origin, mass, x.vector(k, at), v.vector(k, at));
                 }
             }
         }

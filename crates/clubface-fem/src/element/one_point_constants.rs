@@ -9,9 +9,9 @@ pub const CONSTANTS: usize = 35;
 
 /// Where they stand: `J^-1 / 8` (rows of base vectors, upper triangle), the negative of each hourglass shape in base vectors, what a pattern adds
 /// to each base vector in the mean gradient, reciprocal squares of the edges, volume.
-const SKEW: usize = 6;
+pub const SKEW: usize = 6;
 const MEAN: usize = 18;
-/// Numbers that tell the shape: those above.
+/// Numbers that tell the shape: those above, of which the first have a unit, 1/m.
 pub const SHAPES: usize = 27;
 const PLATE: usize = 27;
 const SHEAR: usize = 30;

@@ -2,7 +2,7 @@
 
 use super::bulk_viscosity::{BulkViscosity, Drag};
 use super::one_point::Hexahedron;
-use super::one_point_constants::{Constants, CONSTANTS, SHAPES};
+use super::one_point_constants::{Constants, CONSTANTS, SHAPES, SKEW};
 use super::{Aligned, Energy, BLOCK, RATIOS};
 use crate::material::{Deformation, History, Isochoric, Kinematics, Remembering, Symmetric};
 use clubface_math::{Pack, Real};
@@ -12,11 +12,12 @@ pub type Block<R> = Aligned<[R; CONSTANTS * BLOCK]>;
 
 /// Whether constants and their derivatives are the same to rounding.
 pub fn alike<R: Real>(a: &[Block<R>], b: &[Block<R>]) -> bool {
-    // Beside the largest of its kind: values and derivatives of a constant are kinds of their own.
-    let kinds = numbers(&R::zero()).count();
-    let mut largest = vec![0.0_f64; CONSTANTS * kinds];
+    // Beside the largest of its kind: values and derivatives of a constant are kinds of their own. Those of the inverse Jacobian are of one kind.
+    let count = numbers(&R::zero()).count();
+    let kind = |at: usize| if at < SKEW * BLOCK { 0 } else { at / BLOCK * count };
+    let mut largest = vec![0.0_f64; CONSTANTS * count];
     for (at, value) in a.iter().flat_map(|block| block.0.iter().enumerate()) {
-        for (largest, number) in largest[at / BLOCK * kinds..].iter_mut().zip(numbers(value)) {
+        for (largest, number) in largest[kind(at)..].iter_mut().zip(numbers(value)) {
             *largest = largest.max(number.abs());
         }
     }
@@ -24,8 +25,8 @@ pub fn alike<R: Real>(a: &[Block<R>], b: &[Block<R>]) -> bool {
         && a.iter().zip(b).all(|(a, b)| {
             (0..CONSTANTS * BLOCK).all(|at| {
                 // Shapes of hourglass patterns are relative to the edges; they may all be zero but for rounding.
-                let least = if at < SHAPES * BLOCK { 1e-3 } else { 0.0 };
-                let sizes = &largest[at / BLOCK * kinds..];
+                let least = if (SKEW * BLOCK..SHAPES * BLOCK).contains(&at) { 1.0 } else { 0.0 };
+                let sizes = &largest[kind(at)..];
                 numbers(&(a.0[at] - b.0[at]))
                     .zip(sizes)
                     .all(|(off, size)| off.abs() <= 1e-12 * size.max(least))
@@ -156,6 +157,37 @@ impl<P: Pack, M: Remembering<P>> Look<P> for Tally<'_, P, M> {
                 self.energy.plastic += plastic.lane(lane);
                 self.ratios.0 = self.ratios.0.min(ratio.lane(lane));
                 self.ratios.1 = self.ratios.1.max(ratio.lane(lane));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::element::solid_patches;
+    use crate::material::{Material, NeoHookean, Shape};
+    use crate::mesh::{cubed_sphere, Fineness};
+
+    #[test]
+    fn sides_of_a_ball_share_their_constants() {
+        let material = Material {
+            shape: Shape::NeoHookean(NeoHookean { shear: 1e7 }),
+            bulk: 5e8,
+            maxwell: vec![],
+            density: 1150.0,
+        };
+        for fine in [1, 2] {
+            let (cube, layers) = (12 * fine, vec![6 * fine, 3 * fine]);
+            let mesh = cubed_sphere(&[0.0196, 0.0214], &Fineness { cube, layers: layers.clone() });
+            let mut from = cube.pow(3);
+            for piece in layers {
+                let to = from + 6 * cube * cube * piece;
+                let patches = solid_patches(&mesh, from..to, &material);
+                let mut kinds: Vec<_> = patches.iter().map(|patch| patch.constants.as_ptr()).collect();
+                // Those that share follow each other.
+                kinds.dedup();
+                assert_eq!((patches.len() % 6, kinds.len()), (0, patches.len() / 6), "{fine} times as fine");
+                from = to;
             }
         }
     }

@@ -29,10 +29,8 @@ impl Places {
     pub fn quads<P: Pack>(self, lane: usize) -> Quads {
         let quad = P::Quad::LANES;
         let last = lane + P::LANES - quad;
-        Quads {
-            places: [self.at(lane), self.at(last)],
-            breaks: [lane, last].map(|lane| (lane + quad).is_multiple_of(self.unbroken)),
-        }
+        let breaks = |lane: usize| (lane + quad).is_multiple_of(self.unbroken);
+        Quads { places: [self.at(lane), self.at(last)], breaks: [breaks(lane), breaks(last)] }
     }
 }
 

@@ -47,7 +47,7 @@ pub struct SolidPatch<R> {
 }
 
 /// Patches of some elements of a mesh, of one material, in their undeformed shape. Where elements follow each other as in a lattice, the patches are
-/// lattices, and those that differ by a rotation share their constants.
+/// lattices, and those that differ by a rotation share their constants and follow each other.
 pub fn solid_patches<R: Real>(
     mesh: &SolidMesh<R>,
     elements: std::ops::Range<usize>,
@@ -74,10 +74,12 @@ pub fn solid_patches<R: Real>(
                     }
                 }
                 let mut patch = SolidPatch::new(mesh, &list, Some([ni, rows.len(), layers.len()]), material);
-                if let Some(alike) = patches.iter().find(|p| alike(&p.constants, &patch.constants)) {
-                    patch.constants = Arc::clone(&alike.constants);
+                let mut place = patches.len();
+                if let Some(last) = patches.iter().rposition(|p| alike(&p.constants, &patch.constants)) {
+                    patch.constants = Arc::clone(&patches[last].constants);
+                    place = last + 1;
                 }
-                patches.push(patch);
+                patches.insert(place, patch);
             }
         }
     }

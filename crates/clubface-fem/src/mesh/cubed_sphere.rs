@@ -83,7 +83,8 @@ impl<R: Scalar> Builder<R> {
         let n = self.n;
         let nodes = &mut self.nodes;
         *self.index.entry((at, level)).or_insert_with(|| {
-            nodes.push(position(at.map(|i| 2.0 * i as f64 / n as f64 - 1.0)));
+            // Exactly opposite on opposite sides.
+            nodes.push(position(at.map(|i| (2.0 * i as f64 - n as f64) / n as f64)));
             (nodes.len() - 1) as u32
         })
     }
@@ -115,8 +116,11 @@ fn inner(q: [f64; 3]) -> Vec3<f64> {
 
 /// Point of the unit sphere for a point of the cube's surface, equal angles apart.
 fn outer(q: [f64; 3]) -> Vec3<f64> {
-    let p = Vec3::from_f64(q.map(|c| (c * std::f64::consts::FRAC_PI_4).tan()));
-    p * (1.0 / p.norm())
+    let p = q.map(|c| (c * std::f64::consts::FRAC_PI_4).tan());
+    // In the order of their size, so that sides differ by a rotation to the last bit: their elements then share their constants.
+    let mut squares = p.map(|c| c * c);
+    squares.sort_by(f64::total_cmp);
+    Vec3::from_f64(p) * (1.0 / squares.iter().sum::<f64>().sqrt())
 }
 
 /// A point in units of a radius.
