@@ -32,11 +32,11 @@ pub fn shape(elements: &[[u32; CORNERS]]) -> [usize; 3] {
     shape
 }
 
-/// Lanes that stand side by side in every pack: where rows are a multiple of them, no lane is empty.
-const QUAD: usize = 4;
+/// Most lanes of a quad, which a row's end does not cut in two: rows of a multiple of them leave no lane empty.
+pub const QUAD: usize = 4;
 
-/// Nodes to which elements of a lattice belong as they fill the lanes: all those of a row but the last, if the row fills whole packs of four. Otherwise
-/// there are no breaks: the last node of a row makes an element with the first of the next, which does not exist.
+/// Lanes that follow each other before the last node of a row is left out: the elements of a row, if they fill whole quads. Otherwise all lanes of a layer:
+/// the last node of a row makes an element with the first of the next, which does not exist.
 pub fn unbroken(shape: [usize; 3]) -> usize {
     let [ni, nj, _] = shape;
     if ni.is_multiple_of(QUAD) {

@@ -41,9 +41,9 @@ impl<R: Real> Lattice<R> {
         assert!(nk <= DEPTH);
         let (nodes, lanes) = order(shape, elements);
         let row = ni + 1;
-        // The last pack reads as far as the corner after the next row.
-        let last = lanes.len() / nk - 1;
-        let stride = (Places::new(shape).at(last) + row + 2).next_multiple_of(BLOCK);
+        // The last pack reads as far as the corner after the next row, and one that begins in the last row but one overruns by less than a block.
+        let last = Places::new(shape).at(lanes.len() / nk - 1);
+        let stride = (last + row + 2).max(row * nj + BLOCK).next_multiple_of(BLOCK);
         let layout = Layout { row, plane: row * (nj + 1), planes: nk + 1, stride };
         let rows = vec![Row::zero(); nodes.len() + BLOCK];
         (Self { shape, layout, rows, motion: None }, nodes, lanes)

@@ -124,7 +124,7 @@ impl<R: Real> Motion<R> {
         for k in 1..planes - 1 {
             // Whole rows, whose ends have neither velocity nor inverse mass; a pack may overrun into the last row, which has none either.
             for at in (row..plane - row).step_by(P::LANES) {
-                // SAFETY: a row and more follow within the stride.
+                // SAFETY: a whole block follows within the stride.
                 unsafe {
                     let scale = P::read(self.inverse_masses.as_ptr().add(k * stride + at)) * step;
                     for axis in 0..3 {

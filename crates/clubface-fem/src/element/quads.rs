@@ -2,7 +2,7 @@
 //!
 //! A pack is made of quads, packs of at most four lanes, whose elements follow each other in a row.
 
-use super::arrangement::unbroken;
+use super::arrangement::{unbroken, QUAD};
 use super::field::Field;
 use super::side::{spread, sums, Face, Sums};
 use clubface_math::{Pack, Scalar};
@@ -10,7 +10,7 @@ use clubface_math::{Pack, Scalar};
 /// Where elements find their first corner in a field's component.
 #[derive(Clone, Copy)]
 pub struct Places {
-    /// Elements after which one is left out, the last node of a row.
+    /// Lanes after which a node is left out, the last of a row.
     unbroken: usize,
 }
 
@@ -27,7 +27,10 @@ impl Places {
     /// Places of the quads of a pack from a lane on.
     #[inline(always)]
     pub fn quads<P: Pack>(self, lane: usize) -> Quads {
-        let quad = P::Quad::LANES;
+        let quad = const {
+            assert!(P::Quad::LANES <= QUAD);
+            P::Quad::LANES
+        };
         let last = lane + P::LANES - quad;
         let breaks = |lane: usize| (lane + quad).is_multiple_of(self.unbroken);
         Quads { places: [self.at(lane), self.at(last)], breaks: [breaks(lane), breaks(last)] }
