@@ -123,16 +123,16 @@ fn relax_component<P: Pack>(
 fn add_work<P: Pack>(c: &Symmetric<P>, stress: &Symmetric<P>, account: &mut Numbers<P::Real>) {
     let [mut stretch, mut shear] = [P::zero(); 2];
     for component in 0..6 {
-        let places = [component, STRESS + component];
-        let [[c_last], [stress_last]]: [[P; 1]; 2] = places.map(|place| account.load(place));
+        let [c_last]: [P; 1] = account.load(component);
+        let [stress_last]: [P; 1] = account.load(STRESS + component);
         let power = (stress.0[component] + stress_last) * (c.0[component] - c_last);
         if component < 3 {
             stretch += power;
         } else {
             shear += power;
         }
-        account.store(places[0], [c.0[component]]);
-        account.store(places[1], [stress.0[component]]);
+        account.store(component, [c.0[component]]);
+        account.store(STRESS + component, [stress.0[component]]);
     }
     let [done]: [P; 1] = account.load(WORK);
     account.store(WORK, [(stretch + shear + shear).mul_add(P::from_f64(0.25), done)]);
