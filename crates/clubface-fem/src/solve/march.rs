@@ -1,15 +1,14 @@
 //! Many steps at a time: the threads stay together from step to step, and patches move the nodes inside them as they go.
 
+use super::roster::chunks_of;
 use super::shares::{Fields, Forces};
 use super::team::{Round, Team};
+use super::together::Shared;
 use super::Structure;
 use crate::contact::Contact;
 use crate::element::Scratch;
 use crate::moments::{Moments, Nodes};
 use clubface_math::{Real, Row};
-
-/// Rough time of the contact, ns a node.
-const CONTACT: usize = 8;
 
 /// Rounds: the first of the two of a whole step, the first of one in which some rest, that before all steps, that after them.
 const WHOLE: usize = 0;
@@ -19,32 +18,6 @@ const AFTER: usize = 5;
 
 /// Sees the contact after it has computed its forces in a step, and the positions of all nodes but those that patches have adopted; says whether to go on.
 pub type Watch<'a, R> = dyn FnMut(&dyn Contact<R>, &[Row<R>]) -> bool + 'a;
-
-/// Things of which each task uses one.
-struct Shared<T> {
-    start: *mut T,
-    count: usize,
-}
-
-// SAFETY: whoever takes a part promises that nobody else does.
-unsafe impl<T: Send> Sync for Shared<T> {}
-
-impl<T> Shared<T> {
-    fn of(values: &mut [T]) -> Self {
-        Self { start: values.as_mut_ptr(), count: values.len() }
-    }
-    fn base(&self) -> *const T {
-        self.start
-    }
-    /// # Safety
-    /// Nobody else uses this part, and it is still there.
-    #[allow(clippy::mut_from_ref)]
-    unsafe fn part(&self, index: usize) -> &mut T {
-        assert!(index < self.count);
-        // SAFETY: the caller's promise.
-        unsafe { &mut *self.start.add(index) }
-    }
-}
 
 impl<R: Real> Structure<R> {
     /// At most `count` steps of `dt` seconds; returns their number. The last is one in which `watch` returns false, or elements fail. The same as
@@ -59,7 +32,9 @@ impl<R: Real> Structure<R> {
         let members = rayon::current_num_threads();
         self.scratches.resize_with(members, Scratch::new);
         let held: Vec<f64> = (0..self.patches.len()).map(|patch| self.held(patch, dt)).collect();
-        let [whole, awake] = self.rosters(members);
+        let [whole, awake] = self.rosters();
+        let (whole_chunks, awake_chunks) =
+            (chunks_of(&whole, &self.outer, true), chunks_of(&whole, &self.outer, false));
         let followed: Vec<bool> = (0..=held.len()).map(|patch| self.follows(patch)).collect();
         let measures = followed.contains(&true);
         self.moments.clear();
@@ -117,12 +92,12 @@ impl<R: Real> Structure<R> {
             }
         };
         let rounds = [
-            Round { task: &assemble, shares: &whole.tasks },
-            Round { task: &advance_all, shares: &whole.chunks },
-            Round { task: &assemble, shares: &awake.tasks },
-            Round { task: &advance_awake, shares: &awake.chunks },
-            Round { task: &take_over, shares: &whole.tasks },
-            Round { task: &measure, shares: &whole.tasks },
+            Round { task: &assemble, shares: &whole },
+            Round { task: &advance_all, shares: &whole_chunks },
+            Round { task: &assemble, shares: &awake },
+            Round { task: &advance_awake, shares: &awake_chunks },
+            Round { task: &take_over, shares: &whole },
+            Round { task: &measure, shares: &whole },
         ];
         let rests = self.resting.contains(&true);
         let mut done = 0;
@@ -148,72 +123,5 @@ impl<R: Real> Structure<R> {
         });
         (self.pause, self.away) = (pause, true);
         done
-    }
-}
-
-/// Who does what in one kind of step, by member.
-struct Roster {
-    /// Patches, and the contact under the number after the last.
-    tasks: Vec<Vec<usize>>,
-    chunks: Vec<Vec<usize>>,
-}
-
-impl<R: Real> Structure<R> {
-    /// Of a step of everything, and of one in which some rest. Each member has the same patches in both, and moves their nodes: its caches keep their data.
-    fn rosters(&self, members: usize) -> [Roster; 2] {
-        let count = self.patches.len();
-        let costs: Vec<usize> = self.patches.iter().map(|patch| patch.cost()).collect();
-        let (asleep, mut awake): (Vec<usize>, Vec<usize>) =
-            (0..count).partition(|&patch| self.resting[patch]);
-        // The contact first: it is one task, however long it takes. Patches in their order: those of a piece have constants in common.
-        awake.insert(0, count);
-        let cost = |task: usize| costs.get(task).copied().unwrap_or(CONTACT * self.touching.len());
-        let awake = portions(&awake, cost, members);
-        let all = awake.iter().zip(portions(&asleep, cost, members)).map(|(a, b)| [&a[..], &b].concat());
-        let all: Vec<Vec<usize>> = all.collect();
-        let chunks = |rested: bool| -> Vec<Vec<usize>> {
-            let of = |tasks: &Vec<usize>| {
-                let mine = |&chunk: &usize| {
-                    tasks.contains(&self.outer[chunk].owner) && (rested || !self.outer[chunk].rest())
-                };
-                (0..self.outer.len()).filter(mine).collect()
-            };
-            all.iter().map(of).collect()
-        };
-        let (of_all, of_awake) = (chunks(true), chunks(false));
-        [Roster { tasks: all, chunks: of_all }, Roster { tasks: awake, chunks: of_awake }]
-    }
-}
-
-/// Tasks in the order given, in portions of about the same cost.
-fn portions(tasks: &[usize], cost: impl Fn(usize) -> usize, count: usize) -> Vec<Vec<usize>> {
-    let all: usize = tasks.iter().map(|&task| cost(task)).sum();
-    let (mut start, mut sum) = (0, 0);
-    (1..=count)
-        .map(|portion| {
-            let mut end = start;
-            while end < tasks.len()
-                && (portion == count || (sum + cost(tasks[end]) / 2) * count < all * portion)
-            {
-                sum += cost(tasks[end]);
-                end += 1;
-            }
-            let part = tasks[start..end].to_vec();
-            start = end;
-            part
-        })
-        .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::portions;
-
-    #[test]
-    fn portions_hold_every_task_once_and_cost_about_the_same() {
-        let costs = [1, 4, 4, 4, 4, 1];
-        assert_eq!(portions(&[0, 1, 2, 3, 4, 5], |task| costs[task], 2), [[0, 1, 2], [3, 4, 5]]);
-        assert_eq!(portions(&[7, 8], |task| if task == 7 { 9 } else { 1 }, 3), [vec![], vec![7], vec![8]]);
-        assert_eq!(portions(&[], |_| 1, 2), [vec![], vec![]]);
     }
 }

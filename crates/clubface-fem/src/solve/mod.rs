@@ -6,10 +6,12 @@ mod kinetics;
 mod march;
 mod options;
 mod rest;
+mod roster;
 mod shares;
 mod stable_step;
 mod structure;
 mod team;
+mod together;
 mod view;
 
 pub use history::{ContactFrame, EnergyFrame, Figures, History, MotionFrame};

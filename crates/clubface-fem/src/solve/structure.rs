@@ -4,12 +4,10 @@
 //! on it and moves.
 
 use super::kinetics::Kinetics;
-use super::shares::{split, Fields, Forces, Shares, PERIOD};
-use crate::contact::Contact;
+use super::shares::{split, Shares, PERIOD};
 use crate::element::{Energy, Patch, Scratch, Tell};
 use crate::moments::{Moments, Nodes, Origin};
 use clubface_math::{Real, Row, Vec3};
-use rayon::prelude::*;
 
 /// Nodes with mass, and patches of elements between them.
 pub struct Structure<R> {
@@ -25,7 +23,7 @@ pub struct Structure<R> {
     pub(super) patches: Vec<Box<dyn Patch<R>>>,
     /// Where the forces on the nodes stand: on all nodes, on those of one patch alone, and on the others; the last two without those that a
     /// patch moves by itself.
-    shares: Vec<Shares>,
+    pub(super) shares: Vec<Shares>,
     pub(super) inner: Vec<Shares>,
     pub(super) outer: Vec<Shares>,
     /// Number of forces of each patch, and of the contact.
@@ -143,41 +141,6 @@ impl<R: Real> Structure<R> {
         }
     }
 
-    /// Forces of all patches that do not rest, and of the contact, at the current positions.
-    pub fn assemble(&mut self, contact: &mut dyn Contact<R>, dt: f64) {
-        self.settle();
-        let held: Vec<f64> = (0..self.patches.len()).map(|patch| self.held(patch, dt)).collect();
-        let (positions, velocities, patches) = (&self.positions, &self.velocities, &mut self.patches);
-        let awake: Vec<_> = patches
-            .iter_mut()
-            .zip(&held)
-            .zip(&self.resting)
-            .filter(|(_, rests)| !(**rests && self.pause))
-            .map(|(patch, _)| patch)
-            .collect();
-        rayon::join(
-            || contact.assemble(positions, velocities, dt),
-            || awake.into_par_iter().for_each(|(patch, &held)| patch.assemble(positions, velocities, held)),
-        );
-    }
-
-    /// One step under the forces of the last [`Structure::assemble`]: velocities from half a step before the positions to half a step after,
-    /// then positions.
-    pub fn advance(&mut self, contact: &dyn Contact<R>, dt: f64) {
-        self.settle();
-        let rows = self.patches.iter().map(|p| p.forces()).chain([contact.forces()]);
-        let forces: Vec<_> =
-            rows.zip(&self.lengths).map(|(rows, &length)| Forces::new(rows, length)).collect();
-        let fields = Fields::new(&mut self.positions, &mut self.velocities, &self.inverse_masses);
-        let step = R::from_f64(dt);
-        // SAFETY: the shares were made for these lists, and no node is in two of them.
-        let whole = !self.pause;
-        self.shares
-            .par_iter()
-            .for_each(|shares| unsafe { shares.advance(fields, forces.as_ptr(), step, whole) });
-        self.turn();
-    }
-
     /// Goes on to the next step.
     pub(super) fn turn(&mut self) {
         self.pause = !self.pause && self.resting.contains(&true);
@@ -187,18 +150,6 @@ impl<R: Real> Structure<R> {
     #[must_use]
     pub fn into_patches(self) -> Vec<Box<dyn Patch<R>>> {
         self.patches
-    }
-
-    /// Energies of the elements, J, at the current positions, and the smallest and largest volume ratio of each patch.
-    pub fn look(&mut self) -> (Energy, Vec<(f64, f64)>) {
-        self.settle();
-        let positions = &self.positions;
-        let seen: Vec<_> = self.patches.par_iter_mut().map(|p| p.look(positions)).collect();
-        let mut sum = Energy::default();
-        for (energy, _) in &seen {
-            sum += *energy;
-        }
-        (sum, seen.into_iter().map(|(_, ratios)| ratios).collect())
     }
 
     /// Whether all elements were as large as their laws bear when the last forces were made.
@@ -243,18 +194,6 @@ impl<R: Real> Structure<R> {
     pub(super) fn follows(&self, patch: usize) -> bool {
         let nodes = self.patches.get(patch).map_or(&self.own[patch][..], |patch| patch.nodes());
         nodes.first().is_some_and(|&node| self.followed.contains(&(node as usize)))
-    }
-
-    /// Brings the fields of all nodes up to date after a march.
-    pub fn settle(&mut self) {
-        if !std::mem::take(&mut self.away) {
-            return;
-        }
-        let fields = Fields::new(&mut self.positions, &mut self.velocities, &self.inverse_masses);
-        self.patches.par_iter_mut().for_each(|patch| {
-            // SAFETY: every node that is away is with one patch.
-            patch.hand_back(&mut |node, position, velocity| unsafe { fields.set(node, position, velocity) });
-        });
     }
 
     /// Mass, mass centre, velocity and spin of some nodes, at least one.
