@@ -3,6 +3,7 @@
 use super::history::{ContactFrame, EnergyFrame, History, MotionFrame};
 use super::options::LONGEST;
 use super::rest::Pace;
+use super::team::Team;
 use super::{Options, Progress, Structure, View};
 use crate::contact::Contact;
 use crate::element::RATIOS;
@@ -80,7 +81,8 @@ impl<R: Real> Impact<R> {
         self.structure.follow(0..self.ball_nodes);
         let start = std::time::Instant::now();
         let mut run = Run { history: History::default(), touched: None, dt, step: 0 };
-        let stopped = loop {
+        // One team for all marches: to wake threads takes longer than a step.
+        let stopped = Team::with(|_| loop {
             let time = run.step as f64 * dt;
             if !run.goes_on(options) {
                 break None;
@@ -99,7 +101,7 @@ impl<R: Real> Impact<R> {
             } else {
                 run.march(self, motion, every - run.step % every, options);
             }
-        };
+        });
         self.structure.settle();
         if stopped.as_ref().is_some_and(FemError::failed) {
             run.history.cut();

@@ -101,24 +101,24 @@ impl<R: Real> Structure<R> {
         ];
         let rests = self.resting.contains(&true);
         let mut done = 0;
-        Team::with(&rounds, |team| {
+        Team::with(|team| {
             let mut go = true;
             if !away {
-                team.run(BEFORE);
+                team.run(&rounds[BEFORE]);
             }
             while go && done < count {
                 let first = if pause { AWAKE } else { WHOLE };
-                team.run(first);
+                team.run(&rounds[first]);
                 // SAFETY: between rounds.
                 go = unsafe { watch(*contact.part(0), fields.read().0) };
                 let sound = (0..patches.count).all(|patch| unsafe { patches.part(patch).sound() });
                 go = go && sound;
-                team.run(first + 1);
+                team.run(&rounds[first + 1]);
                 pause = rests && !pause;
                 done += 1;
             }
             if measures {
-                team.run(AFTER);
+                team.run(&rounds[AFTER]);
             }
         });
         (self.pause, self.away) = (pause, true);

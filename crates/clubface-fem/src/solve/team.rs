@@ -4,7 +4,8 @@
 //! awake from round to round. Each has a queue of its own, the same tasks every time, whose data its caches keep; whoever has
 //! waited for a while takes from the others. The leader needs nobody: members that the machine has no time for just do not take part.
 
-use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
+use std::cell::Cell;
+use std::sync::atomic::{AtomicBool, AtomicPtr, AtomicU32, AtomicU64, AtomicUsize, Ordering};
 use std::time::Duration;
 
 /// Tries before a waiting thread goes to sleep, some 0.1 ms: whom it waits for may need its core.
@@ -14,13 +15,20 @@ const NAP: Duration = Duration::from_micros(20);
 /// Tries before a waiting thread does what others have not begun: they are held up, by other programs or by their tasks. Not at once, since what
 /// moves from core to core takes longer.
 const LENIENCE: usize = 150;
-/// The round after the last.
+/// The number after that of the last round.
 const OVER: u32 = u32::MAX;
 
-/// Round in the upper half, place of the next task in the lower, on cache lines of its own.
-#[derive(Debug)]
+thread_local! {
+    /// The team that this thread leads.
+    static LED: Cell<*const Team> = const { Cell::new(std::ptr::null()) };
+}
+
+/// Number of the round in the upper half, tasks that nobody has taken yet in the lower, on cache lines of its own.
 #[repr(align(128))]
 struct Queue(AtomicU64);
+
+/// The lower half.
+const LEFT: u64 = u32::MAX as u64;
 
 /// A round of tasks: what to do with each, and the tasks of each member, in their order.
 pub struct Round<'a> {
@@ -31,19 +39,30 @@ pub struct Round<'a> {
 }
 
 /// The members' meeting place.
-pub struct Team<'a> {
-    rounds: &'a [Round<'a>],
+pub struct Team {
     queues: Vec<Queue>,
-    round: AtomicU32,
+    /// The round that is on.
+    current: AtomicPtr<Round<'static>>,
+    number: AtomicU32,
     done: AtomicUsize,
+    busy: AtomicBool,
 }
 
-impl<'a> Team<'a> {
-    /// Runs `lead` with the threads of the current pool ready to take part in the rounds it calls for.
-    pub fn with<T>(rounds: &'a [Round<'a>], lead: impl FnOnce(&Self) -> T) -> T {
-        let members = rounds.iter().map(|round| round.shares.len()).max().unwrap_or(1);
-        let queues = (0..members).map(|_| Queue(AtomicU64::new(0))).collect();
-        let team = Self { rounds, queues, round: AtomicU32::new(0), done: AtomicUsize::new(0) };
+impl Team {
+    /// Runs `lead` with the threads of the current pool ready to take part in the rounds it calls for. Within it the same team is at hand.
+    pub fn with<T>(lead: impl FnOnce(&Self) -> T) -> T {
+        // SAFETY: `End` forgets the team before it is gone.
+        if let Some(team) = unsafe { LED.get().as_ref() } {
+            return lead(team);
+        }
+        let members = rayon::current_num_threads();
+        let team = Self {
+            queues: (0..members).map(|_| Queue(AtomicU64::new(0))).collect(),
+            current: AtomicPtr::default(),
+            number: AtomicU32::new(0),
+            done: AtomicUsize::new(0),
+            busy: AtomicBool::new(false),
+        };
         rayon::in_place_scope(|scope| {
             // Also when `lead` panics, or the members would wait for ever.
             let _end = End(&team);
@@ -51,24 +70,28 @@ impl<'a> Team<'a> {
                 let team = &team;
                 scope.spawn(move |_| team.help(member));
             }
+            LED.set(&team);
             lead(&team)
         })
     }
 
-    /// Does every task of a round; to be called by the leader.
-    pub fn run(&self, which: usize) {
-        let rounds = self.rounds.len();
-        // The next number that stands for this round.
-        let last = self.round.load(Ordering::Relaxed) as usize;
-        let number = (last / rounds + 1) * rounds + which;
-        let shares = self.rounds[which].shares;
+    /// Does every task of a round; to be called by the leader, and by no task.
+    pub fn run(&self, round: &Round<'_>) {
+        assert!(round.shares.len() <= self.queues.len(), "a round for a larger team");
+        assert!(!self.busy.swap(true, Ordering::Relaxed), "a round within a round");
+        let number = self.number.load(Ordering::Relaxed).wrapping_add(1) % OVER;
         self.done.store(0, Ordering::Relaxed);
-        for queue in &self.queues {
-            queue.0.store((number as u64) << 32, Ordering::Release);
+        self.current.store(std::ptr::from_ref(round).cast_mut().cast(), Ordering::Release);
+        let mut all = 0;
+        for (member, queue) in self.queues.iter().enumerate() {
+            let tasks = round.shares.get(member).map_or(0, Vec::len);
+            queue.0.store(u64::from(number) << 32 | tasks as u64, Ordering::Release);
+            all += tasks;
         }
-        self.round.store(number as u32, Ordering::Release);
+        // Whatever happens, nobody is at a task of this round when it is gone.
+        let _rest = Rest { team: self, all };
+        self.number.store(number, Ordering::Release);
         self.take(0, 0);
-        let all: usize = shares.iter().map(Vec::len).sum();
         let mut tries = 0;
         while self.done.load(Ordering::Acquire) < all {
             self.wait(0, &mut tries);
@@ -77,13 +100,14 @@ impl<'a> Team<'a> {
 
     /// Does the tasks of `owner` as `member`, until there are none.
     fn take(&self, owner: usize, member: usize) {
-        loop {
-            let ticket = self.queues[owner].0.fetch_add(1, Ordering::AcqRel);
-            let (number, place) = ((ticket >> 32) as usize, (ticket & u64::from(u32::MAX)) as usize);
-            let round = &self.rounds[number % self.rounds.len()];
-            let Some(&task) = round.shares[owner].get(place).filter(|_| number > 0) else { break };
+        let queue = &self.queues[owner].0;
+        let next = |ticket: u64| (ticket & LEFT > 0).then(|| ticket - 1);
+        while let Ok(ticket) = queue.fetch_update(Ordering::AcqRel, Ordering::Acquire, next) {
             let _done = Done(&self.done);
-            (round.task)(task, member);
+            // SAFETY: a round is there until all of its tasks are done, of which this is one.
+            let round = unsafe { &*self.current.load(Ordering::Acquire) };
+            let tasks = &round.shares[owner];
+            (round.task)(tasks[tasks.len() - (ticket & LEFT) as usize], member);
         }
     }
 
@@ -104,14 +128,14 @@ impl<'a> Team<'a> {
         let mut seen = 0;
         let mut tries = 0;
         loop {
-            let round = self.round.load(Ordering::Acquire);
-            if round == OVER {
+            let number = self.number.load(Ordering::Acquire);
+            if number == OVER {
                 return;
             }
-            if round == seen {
+            if number == seen {
                 self.wait(member, &mut tries);
             } else {
-                (seen, tries) = (round, 0);
+                (seen, tries) = (number, 0);
                 self.take(member, member);
             }
         }
@@ -128,10 +152,102 @@ impl Drop for Done<'_> {
 }
 
 /// Sends the members home.
-struct End<'a, 'b>(&'b Team<'a>);
+struct End<'a>(&'a Team);
 
-impl Drop for End<'_, '_> {
+impl Drop for End<'_> {
     fn drop(&mut self) {
-        self.0.round.store(OVER, Ordering::Release);
+        LED.set(std::ptr::null());
+        self.0.number.store(OVER, Ordering::Release);
+    }
+}
+
+/// Waits for those who are at a task of the round, and lets nobody begin another.
+struct Rest<'a> {
+    team: &'a Team,
+    all: usize,
+}
+
+impl Drop for Rest<'_> {
+    fn drop(&mut self) {
+        let left = |queue: &Queue| queue.0.fetch_and(!LEFT, Ordering::AcqRel) & LEFT;
+        let left: u64 = self.team.queues.iter().map(left).sum();
+        while self.team.done.load(Ordering::Acquire) + (left as usize) < self.all {
+            std::hint::spin_loop();
+        }
+        self.team.busy.store(false, Ordering::Relaxed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Round, Team};
+    use std::panic::{catch_unwind, AssertUnwindSafe};
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// With a team of three.
+    fn three<T: Send>(lead: impl FnOnce() -> T + Send) -> T {
+        rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("threads").install(lead)
+    }
+
+    #[test]
+    fn every_task_of_a_round_is_done_once_before_the_next() {
+        three(|| {
+            Team::with(|team| {
+                for turn in 0..2000 {
+                    // Rounds of all sizes, each gone when the next begins.
+                    let shares = [(0..turn % 5).collect(), vec![], (5..5 + turn % 7).collect::<Vec<_>>()];
+                    let counts: Vec<AtomicUsize> = (0..12).map(|_| AtomicUsize::new(0)).collect();
+                    let task = |task: usize, _: usize| {
+                        counts[task].fetch_add(1, Ordering::Relaxed);
+                    };
+                    team.run(&Round { task: &task, shares: &shares });
+                    for (task, count) in counts.iter().enumerate() {
+                        let expected = usize::from(task < turn % 5 || (5..5 + turn % 7).contains(&task));
+                        assert_eq!(count.load(Ordering::Relaxed), expected, "task {task} of round {turn}");
+                    }
+                }
+            });
+        });
+    }
+
+    #[test]
+    fn a_team_is_at_hand_within_and_gone_afterwards() {
+        three(|| {
+            let outer = Team::with(|team| {
+                let outer = std::ptr::from_ref(team);
+                Team::with(|inner| assert!(std::ptr::eq(outer, inner)));
+                outer as usize
+            });
+            // Nothing is left of it: another one works.
+            let _elsewhere = [outer; 64];
+            Team::with(|team| team.run(&Round { task: &|_, _| (), shares: &[vec![0, 1, 2]] }));
+        });
+    }
+
+    #[test]
+    fn a_task_that_panics_ends_the_team_without_waiting_for_ever() {
+        three(|| {
+            let done = AtomicUsize::new(0);
+            let found = catch_unwind(AssertUnwindSafe(|| {
+                Team::with(|team| {
+                    let task = |task: usize, _: usize| {
+                        assert!(task != 1, "planted");
+                        done.fetch_add(1, Ordering::Relaxed);
+                    };
+                    team.run(&Round { task: &task, shares: &[vec![0, 1, 2], vec![3], vec![4]] });
+                });
+            }));
+            assert!(found.is_err());
+            assert!(done.load(Ordering::Relaxed) <= 4);
+            Team::with(|team| {
+                let task = |_, _| {
+                    let nested = catch_unwind(AssertUnwindSafe(|| {
+                        team.run(&Round { task: &|_, _| (), shares: &[vec![0]] });
+                    }));
+                    assert!(nested.is_err(), "no round within a round");
+                };
+                team.run(&Round { task: &task, shares: &[vec![0]] });
+            });
+        });
     }
 }

@@ -36,7 +36,7 @@ impl<T> Shared<T> {
 
 /// Does every task once, with whoever has its data at hand.
 fn together(shares: &Roster, task: &(dyn Fn(usize, usize) + Sync)) {
-    Team::with(&[Round { task, shares }], |team| team.run(0));
+    Team::with(|team| team.run(&Round { task, shares }));
 }
 
 // SAFETY of all that is shared: each patch, the contact and each chunk of nodes is one task, and a roster has every task once.
