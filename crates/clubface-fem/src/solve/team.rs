@@ -183,6 +183,7 @@ mod tests {
     use super::{Round, Team};
     use std::panic::{catch_unwind, AssertUnwindSafe};
     use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::time::{Duration, Instant};
 
     /// With a team of three.
     fn three<T: Send>(lead: impl FnOnce() -> T + Send) -> T {
@@ -225,28 +226,40 @@ mod tests {
     }
 
     #[test]
-    fn a_task_that_panics_ends_the_team_without_waiting_for_ever() {
+    fn no_task_is_left_when_another_panics() {
         three(|| {
-            let done = AtomicUsize::new(0);
-            let found = catch_unwind(AssertUnwindSafe(|| {
-                Team::with(|team| {
-                    let task = |task: usize, _: usize| {
-                        assert!(task != 1, "planted");
-                        done.fetch_add(1, Ordering::Relaxed);
-                    };
-                    team.run(&Round { task: &task, shares: &[vec![0, 1, 2], vec![3], vec![4]] });
-                });
-            }));
-            assert!(found.is_err());
-            assert!(done.load(Ordering::Relaxed) <= 4);
             Team::with(|team| {
+                let [begun, ended] = [AtomicUsize::new(0), AtomicUsize::new(0)];
+                let task = |task: usize, _: usize| {
+                    if task == 0 {
+                        // Another member is at its task, unless the machine has no time for any.
+                        let start = Instant::now();
+                        while begun.load(Ordering::Relaxed) == 0 && start.elapsed() < Duration::from_secs(5) {
+                            std::hint::spin_loop();
+                        }
+                        panic!("planted");
+                    }
+                    begun.fetch_add(1, Ordering::Relaxed);
+                    std::thread::sleep(Duration::from_millis(200));
+                    ended.fetch_add(1, Ordering::Relaxed);
+                };
+                let round = Round { task: &task, shares: &[vec![0, 1], vec![2, 3], vec![4, 5]] };
+                assert!(catch_unwind(AssertUnwindSafe(|| team.run(&round))).is_err());
+                assert_eq!(begun.load(Ordering::Relaxed), ended.load(Ordering::Relaxed));
+            });
+        });
+    }
+
+    #[test]
+    fn no_round_begins_within_a_round() {
+        three(|| {
+            Team::with(|team| {
+                let empty = Round { task: &|_, _| (), shares: &[vec![0]] };
                 let task = |_, _| {
-                    let nested = catch_unwind(AssertUnwindSafe(|| {
-                        team.run(&Round { task: &|_, _| (), shares: &[vec![0]] });
-                    }));
-                    assert!(nested.is_err(), "no round within a round");
+                    assert!(catch_unwind(AssertUnwindSafe(|| team.run(&empty))).is_err());
                 };
                 team.run(&Round { task: &task, shares: &[vec![0]] });
+                team.run(&empty);
             });
         });
     }
