@@ -100,7 +100,8 @@ impl<P: Scalar> Hexahedron<P> {
     }
     #[inline(always)]
     fn at(&self, point: usize) -> [Vec3<P>; 3] {
-        [0, 1, 2].map(|axis| self.base[axis][edge(axis, point)])
+        let [x, y, z] = &self.base;
+        [x[edge(0, point)], y[edge(1, point)], z[edge(2, point)]]
     }
     /// Deformation gradient at a point.
     #[inline(always)]

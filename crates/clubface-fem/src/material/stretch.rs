@@ -111,7 +111,8 @@ impl<S: Scalar> Function<S> {
     #[inline(always)]
     #[must_use]
     pub fn scale(self, s: S) -> Self {
-        Self(self.0.map(|factor| factor * s))
+        let [one, linear, square] = self.0;
+        Self([one * s, linear * s, square * s])
     }
     /// With `s` times another.
     #[inline(always)]
