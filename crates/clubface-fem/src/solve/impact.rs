@@ -81,7 +81,7 @@ impl<R: Real> Impact<R> {
         self.structure.follow(0..self.ball_nodes);
         let start = std::time::Instant::now();
         let mut run = Run { history: History::default(), touched: None, dt, step: 0 };
-        // One team for all marches: to wake threads takes longer than a step.
+        // One team for all marches and ledgers: its threads are awake, and have their data at hand.
         let stopped = Team::with(|_| loop {
             let time = run.step as f64 * dt;
             if !run.goes_on(options) {

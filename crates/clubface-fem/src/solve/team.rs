@@ -180,7 +180,7 @@ impl Drop for Rest<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Round, Team};
+    use super::{Round, Team, LED};
     use std::panic::{catch_unwind, AssertUnwindSafe};
     use std::sync::atomic::{AtomicUsize, Ordering};
     use std::time::{Duration, Instant};
@@ -214,14 +214,10 @@ mod tests {
     #[test]
     fn a_team_is_at_hand_within_and_gone_afterwards() {
         three(|| {
-            let outer = Team::with(|team| {
-                let outer = std::ptr::from_ref(team);
-                Team::with(|inner| assert!(std::ptr::eq(outer, inner)));
-                outer as usize
-            });
-            // Nothing is left of it: another one works.
-            let _elsewhere = [outer; 64];
-            Team::with(|team| team.run(&Round { task: &|_, _| (), shares: &[vec![0, 1, 2]] }));
+            Team::with(|outer| Team::with(|inner| assert!(std::ptr::eq(outer, inner))));
+            assert!(LED.get().is_null());
+            assert!(catch_unwind(|| Team::with(|_| panic!("planted"))).is_err());
+            assert!(LED.get().is_null(), "whatever has happened");
         });
     }
 
