@@ -132,7 +132,7 @@ impl<R: Real> Patch<R> for FullPatch<R> {
         self.viscosity = Some(BulkViscosity::new(coefficient, &self.material, size, self.corners.len()));
     }
     fn cost(&self) -> usize {
-        self.elements * 400
+        self.elements * 230
     }
     fn forces(&self) -> &[Row<R>] {
         &self.forces[..self.real_nodes]

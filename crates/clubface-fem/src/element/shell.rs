@@ -140,7 +140,7 @@ impl<R: Real> Patch<R> for ShellPatch<R> {
         self.history = history;
     }
     fn cost(&self) -> usize {
-        self.elements * (45 + 15 * self.points.len())
+        self.elements * (45 + 2 * self.points.len())
     }
     fn forces(&self) -> &[Row<R>] {
         &self.forces
