@@ -6,6 +6,7 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 from clubface import units
@@ -153,6 +154,10 @@ class Ball:
 
     def properties(self) -> Mapping[str, float]:
         """Return what was meshed: mass [kg], inertia [kg m2], core density [kg/m3], radius [m], nodes, elements."""
+        return dict(self._meshed)
+
+    @cached_property
+    def _meshed(self) -> Mapping[str, float]:
         from clubface import _core
 
         return _core.fem_ball(self.values())

@@ -4,7 +4,8 @@
 //! mesh is that of a box, wrapped round the body and smoothed, so it has no triangles, no seams, and no corner that lies in one plane with
 //! its neighbours.
 
-use super::{convexity, ShellMesh};
+use super::driver_surface::DriverSurface;
+use super::ShellMesh;
 use clubface_math::{Real, Vec3};
 
 /// Part of a head.
@@ -92,164 +93,62 @@ pub struct DriverMesh<R> {
     pub regions: Vec<Region>,
 }
 
-/// Share of the depth that lies in front of the widest section.
-const WIDEST: f64 = 0.42;
-/// Exponents of the outline from above, and of the sections up and down.
-const OUTLINE: f64 = 2.5;
-const SECTION: f64 = 2.3;
-/// Share of the sum of pulls by which a node moves in a round of smoothing.
-const RELAXATION: f64 = 0.15;
-/// Convexity below which smoothing leaves a node where it is, unless it helps: well above the 0.02 below which a head is refused.
-const FOLDED: f64 = 0.15;
-/// Rounds of smoothing.
-const SMOOTHING: usize = 150;
-
 impl DriverShape {
-    /// Unit normal of the face at its centre, and its up direction.
-    fn face_axes(&self) -> (Vec3<f64>, Vec3<f64>) {
-        let (s, c) = self.loft.sin_cos();
-        (Vec3::new(c, s, 0.0), Vec3::new(-s, c, 0.0))
-    }
-    /// Point inside from which the whole surface is seen.
-    fn centre(&self) -> Vec3<f64> {
-        Vec3::new(-self.depth * WIDEST, 0.0, 0.0)
-    }
-    /// Distance of the body without a face from the centre along a unit direction.
-    fn body(&self, d: Vec3<f64>) -> f64 {
-        let back = self.depth * (1.0 - WIDEST);
-        let height = if d.y > 0.0 { self.crown } else { self.sole };
-        let outline = (d.x / back).abs().powf(OUTLINE) + (d.z / (0.5 * self.width)).abs().powf(OUTLINE);
-        (outline.powf(SECTION / OUTLINE) + (d.y / height).abs().powf(SECTION)).powf(-1.0 / SECTION)
-    }
-    /// How far a point is in front of the face, along its normal at the centre: a torus, the roll arc revolved about an axis `bulge` behind.
-    fn in_front(&self, p: Vec3<f64>) -> f64 {
-        let (normal, up) = self.face_axes();
-        let height = p.dot(up);
-        let radius = self.bulge - self.roll + (self.roll * self.roll - height * height).max(0.0).sqrt();
-        p.dot(normal) + self.bulge - (radius * radius - p.z * p.z).max(0.0).sqrt()
-    }
-    /// Distance of the face from the centre along a unit direction, or `far` if that is less.
-    fn face(&self, d: Vec3<f64>, far: f64) -> f64 {
-        let (normal, _) = self.face_axes();
-        let slope = d.dot(normal);
-        if slope * far < self.in_front(self.centre()).abs() * 0.5 {
-            return far;
-        }
-        let mut t = far;
-        for _ in 0..8 {
-            // The face is nearly flat: the slope at its centre will do.
-            t = (t - self.in_front(self.centre() + d * t) / slope).clamp(0.0, far);
-        }
-        t
-    }
-    /// Point of the surface in a direction from the centre.
-    fn point(&self, direction: Vec3<f64>) -> Vec3<f64> {
-        let d = direction * (1.0 / direction.norm());
-        let body = self.body(d);
-        let face = self.face(d, body + self.rounding);
-        let near = (1.0 - (body - face).abs() / self.rounding).max(0.0);
-        let t = body.min(face) - 0.25 * self.rounding * near * near;
-        self.centre() + d * t
-    }
-
     /// Meshes the head, its thickness by region.
     #[must_use]
     pub fn mesh<R: Real>(&self, fineness: DriverFineness, thickness: &DriverThickness) -> DriverMesh<R> {
         let (mut nodes, quads) = boxed(fineness.0);
+        let surface = DriverSurface::of(self);
         let half = Vec3::new(0.5 * self.depth, 0.5 * (self.crown + self.sole), 0.5 * self.width);
         for p in &mut nodes {
-            *p = self.point(Vec3::new(p.x * half.x, p.y * half.y, p.z * half.z));
+            *p = surface.point(Vec3::new(p.x * half.x, p.y * half.y, p.z * half.z));
         }
-        self.smooth(&mut nodes, &quads);
-        let (normal, _) = self.face_axes();
+        surface.smooth(&mut nodes, &quads);
         let mut shells = ShellMesh { nodes, quads, thickness: Vec::new() };
-        let mut order: Vec<_> = (0..shells.quads.len()).map(|e| (self.region(&shells, e), e)).collect();
+        let mut order: Vec<_> =
+            (0..shells.quads.len()).map(|e| (region(&shells, e, surface.normal), e)).collect();
         order.sort_unstable();
         shells.quads = order.iter().map(|&(_, element)| shells.quads[element]).collect();
         let regions: Vec<Region> = order.into_iter().map(|(region, _)| region).collect();
         for element in 0..shells.quads.len() {
             let middle =
                 shells.quads[element].iter().fold(Vec3::zero(), |sum, &n| sum + shells.nodes[n as usize]);
-            let t = self.thickness(regions[element], middle * 0.25, thickness);
+            let t = self.thickness(regions[element], middle * 0.25, surface.up, thickness);
             shells.thickness.push(R::from_f64(t));
         }
         for p in &mut shells.nodes {
-            *p += normal * (-0.5 * thickness.face_centre);
+            *p += surface.normal * (-0.5 * thickness.face_centre);
         }
         DriverMesh { shells, regions }
     }
 
-    /// Pulls sides and diagonals of all elements to one length each, as springs would, the nodes staying on the surface: the smallest
-    /// element governs the time step.
-    fn smooth(&self, nodes: &mut [Vec3<f64>], quads: &[[u32; 4]]) {
-        let mut partners = vec![Vec::new(); nodes.len()];
-        let mut around = vec![Vec::new(); nodes.len()];
-        for quad in quads {
-            for k in 0..4 {
-                around[quad[k] as usize].push(*quad);
-                // Every side is met twice, once from either end.
-                partners[quad[k] as usize].push((quad[(k + 1) % 4] as usize, 1.0));
-                partners[quad[k] as usize].push((quad[(k + 2) % 4] as usize, std::f64::consts::SQRT_2));
-            }
-        }
-        let area = |quad: &[u32; 4]| {
-            let [a, b, c, d] = quad.map(|n| nodes[n as usize]);
-            (c - a).cross(d - b).norm() * 0.5
-        };
-        let length = (quads.iter().map(area).sum::<f64>() / quads.len() as f64).sqrt();
-        let centre = self.centre();
-        for _ in 0..SMOOTHING {
-            for node in 0..nodes.len() {
-                let here = nodes[node];
-                let pull = partners[node].iter().fold(Vec3::zero(), |sum, &(other, ratio)| {
-                    let away = nodes[other] - here;
-                    sum + away * (1.0 - ratio * length / away.norm())
-                });
-                let worst = |nodes: &[Vec3<f64>]| {
-                    let each = around[node].iter().map(|&quad| convexity(quad.map(|n| nodes[n as usize])));
-                    each.fold(f64::INFINITY, f64::min)
-                };
-                nodes[node] = self.point(here + pull * RELAXATION - centre);
-                // Springs would fold small elements at the edges of the box.
-                let now = worst(nodes);
-                if now < FOLDED {
-                    let there = std::mem::replace(&mut nodes[node], here);
-                    if now > worst(nodes) {
-                        nodes[node] = there;
-                    }
-                }
-            }
-        }
-    }
-
-    fn region<R: Real>(&self, shells: &ShellMesh<R>, element: usize) -> Region {
-        let area = shells.area_vector(element);
-        let out = area * (1.0 / area.norm());
-        let (normal, _) = self.face_axes();
-        if out.dot(normal) > 0.85 {
-            Region::Face
-        } else if out.y > 0.5 {
-            Region::Crown
-        } else if out.y < -0.5 {
-            Region::Sole
-        } else {
-            Region::Skirt
-        }
-    }
-
-    fn thickness(&self, region: Region, p: Vec3<f64>, t: &DriverThickness) -> f64 {
+    fn thickness(&self, region: Region, p: Vec3<f64>, up: Vec3<f64>, t: &DriverThickness) -> f64 {
         match region {
             Region::Crown => t.crown,
             Region::Sole => t.sole,
             Region::Skirt => t.skirt,
             Region::Face => {
-                let (_, up) = self.face_axes();
                 let (y, z) = (p.dot(up) / (0.5 * (self.crown + self.sole)), p.z / (0.5 * self.width));
                 // Full thickness to a third of the way out, then evenly down to the edge.
                 let out = (1.5 * (y * y + z * z).sqrt() - 0.5).clamp(0.0, 1.0);
                 t.face_centre + (t.face_edge - t.face_centre) * out
             }
         }
+    }
+}
+
+/// Region of an element of a head whose face has the given normal.
+fn region<R: Real>(shells: &ShellMesh<R>, element: usize, normal: Vec3<f64>) -> Region {
+    let area = shells.area_vector(element);
+    let out = area * (1.0 / area.norm());
+    if out.dot(normal) > 0.85 {
+        Region::Face
+    } else if out.y > 0.5 {
+        Region::Crown
+    } else if out.y < -0.5 {
+        Region::Sole
+    } else {
+        Region::Skirt
     }
 }
 

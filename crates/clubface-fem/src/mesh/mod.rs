@@ -2,6 +2,7 @@
 
 mod cubed_sphere;
 mod driver;
+mod driver_surface;
 mod iron;
 mod quads;
 mod tuning;

@@ -33,9 +33,14 @@ pub(super) struct Pace {
 impl<R: Real> Impact<R> {
     /// Chooses the step, and what rests.
     pub(super) fn pace(&mut self, options: &Options) -> Pace {
-        // A rigid head needs no steps of its own.
-        let limit =
-            if self.contact.head().is_some() { self.ball_limit } else { self.structure.stable_step(40) };
+        // A rigid head needs no steps of its own; one that deforms hangs on the ball by the contact alone, which bears the ball's.
+        let of_head: Vec<bool> =
+            self.parts.iter().enumerate().map(|(patch, _)| !self.of_ball(patch)).collect();
+        let limit = if of_head.contains(&true) {
+            self.structure.stable_step_of(&of_head, 40).min(self.ball_limit)
+        } else {
+            self.ball_limit
+        };
         let usual = BALL.map(|share| (self.ball_limit / limit * share).min(ALL));
         let share = stable_share(options.bulk_viscosity);
         let mut pace = |safety: f64| {
@@ -61,8 +66,7 @@ impl<R: Real> Impact<R> {
         let parts = &self.parts;
         let mut resting = vec![false; parts.len()];
         if held <= RESONANCE * SLACK * self.ball_limit {
-            let first = |patch: usize| self.structure.patches[patch].nodes()[0] as usize;
-            let ball: Vec<usize> = (0..parts.len()).filter(|&patch| first(patch) < self.ball_nodes).collect();
+            let ball: Vec<usize> = (0..parts.len()).filter(|&patch| self.of_ball(patch)).collect();
             let pieces: Vec<&[usize]> = ball.chunk_by(|&a, &b| parts[a] == parts[b]).collect();
             for end in 1..pieces.len() {
                 let (inside, outside) = (pieces[..end].concat(), pieces[end..].concat());
@@ -79,6 +83,10 @@ impl<R: Real> Impact<R> {
         let any = resting.contains(&true);
         self.structure.rest(resting);
         any
+    }
+
+    fn of_ball(&self, patch: usize) -> bool {
+        (self.structure.patches[patch].nodes()[0] as usize) < self.ball_nodes
     }
 
     /// Layers of elements of the outer ones of two lists of patches: they have as many nodes on every surface as where the lists meet.

@@ -35,26 +35,23 @@ impl<R: Real> Structure<R> {
         let rest = self.positions.clone();
         let mut displacements = vec![Row::zero(); rest.len()];
         let masses: Vec<f64> = self.masses.iter().map(|m| m.re()).collect();
+        let inverse: Vec<f64> = masses.iter().map(|m| 1.0 / m).collect();
         // A deterministic start with a part along every mode.
         let mut seed = 1_u64;
         let mut random = || {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (seed >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
         };
-        let mut current: Vec<[f64; 3]> = masses.iter().map(|_| [random(), random(), random()]).collect();
-        let mut before = vec![[0.0; 3]; masses.len()];
+        let mut current: Vec<_> = masses.iter().map(|_| Row([random(), random(), random(), 0.0])).collect();
+        let mut before = vec![Row::zero(); masses.len()];
         let (mut diagonal, mut beside) = (Vec::new(), Vec::new());
         let mut norm = dot(&current, &current, &masses).sqrt();
         for _ in 0..iterations {
-            for v in current.iter_mut().flatten() {
-                *v /= norm;
-            }
-            let largest = current.iter().flatten().fold(0.0_f64, |most, v| most.max(v.abs()));
-            let scale = DISPLACEMENT / largest;
+            let scale = DISPLACEMENT / normalise(&mut current, norm);
             for (((x, u), r), v) in self.positions.iter_mut().zip(&mut displacements).zip(&rest).zip(&current)
             {
-                for c in 0..3 {
-                    u.0[c] = R::from_f64(v[c] * scale);
+                for c in 0..4 {
+                    u.0[c] = R::from_f64(v.0[c] * scale);
                     x.0[c] = r.0[c] + u.0[c];
                 }
             }
@@ -63,20 +60,20 @@ impl<R: Real> Structure<R> {
             probed.for_each(|(patch, _)| patch.probe(positions, &displacements));
             // The next vector: accelerations, without what lies along the last two.
             let last = beside.last().copied().unwrap_or(0.0);
-            for v in before.iter_mut().flatten() {
-                *v *= -last;
-            }
+            before.iter_mut().for_each(|v| v.0 = v.0.map(|v| -last * v));
             for (patch, _) in self.patches.iter().zip(chosen).filter(|(_, chosen)| **chosen) {
                 for (&node, force) in patch.nodes().iter().zip(patch.forces()) {
-                    let factor = -1.0 / (masses[node as usize] * scale);
+                    let factor = inverse[node as usize] / scale;
                     for c in 0..3 {
-                        before[node as usize][c] += force.0[c].re() * factor;
+                        before[node as usize].0[c] -= force.0[c].re() * factor;
                     }
                 }
             }
             let along = dot(&before, &current, &masses);
-            for (v, w) in before.iter_mut().flatten().zip(current.iter().flatten()) {
-                *v -= along * w;
+            for (v, w) in before.iter_mut().zip(&current) {
+                for c in 0..4 {
+                    v.0[c] -= along * w.0[c];
+                }
             }
             std::mem::swap(&mut before, &mut current);
             norm = dot(&current, &current, &masses).sqrt();
@@ -89,9 +86,26 @@ impl<R: Real> Structure<R> {
 }
 
 /// Product of two fields, weighted by mass.
-fn dot(a: &[[f64; 3]], b: &[[f64; 3]], masses: &[f64]) -> f64 {
-    let terms = a.iter().zip(b).zip(masses);
-    terms.map(|((a, b), m)| (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * m).sum()
+fn dot(a: &[Row<f64>], b: &[Row<f64>], masses: &[f64]) -> f64 {
+    let mut sums = [0.0; 4];
+    for ((a, b), m) in a.iter().zip(b).zip(masses) {
+        for c in 0..4 {
+            sums[c] += a.0[c] * b.0[c] * m;
+        }
+    }
+    sums.iter().sum()
+}
+
+/// Divides a field by its norm; returns its largest component.
+fn normalise(field: &mut [Row<f64>], norm: f64) -> f64 {
+    let mut most = [0.0_f64; 4];
+    for v in field {
+        for c in 0..4 {
+            v.0[c] /= norm;
+            most[c] = if v.0[c].abs() > most[c] { v.0[c].abs() } else { most[c] };
+        }
+    }
+    most.into_iter().fold(0.0, f64::max)
 }
 
 /// Largest eigenvalue of a symmetric tridiagonal matrix, plus its residual: the last number beside the diagonal, which belongs to the next row,

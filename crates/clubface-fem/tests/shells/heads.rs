@@ -69,7 +69,8 @@ fn thrown(layers: usize) -> Impact<f64> {
 #[test]
 fn a_core_that_rests_in_every_second_step_changes_nothing() {
     let mut alone = struck();
-    alone.ball_limit = 0.0;
+    // Of one piece, none of the ball is inside.
+    alone.parts.fill("ball".into());
     // The last two on both sides of the longest step at which the core may rest.
     let pairs = [[(struck(), 0.75), (alone, 0.75)], [(thrown(2), 0.75), (thrown(2), 0.76)]];
     for pair in pairs {
