@@ -9,7 +9,7 @@ import pytest
 import clubface
 from clubface import fem
 from clubface.equipment import builtin_path
-from clubface.errors import FileError, InputError, TargetWarning
+from clubface.errors import EdgeWarning, FileError, InputError, TargetWarning
 from clubface.fem import head_tests
 from clubface.fem.case import case
 from clubface.fem.heads.read import from_toml
@@ -47,6 +47,12 @@ def test_a_ball_that_reaches_round_the_edge_of_the_face_is_told():
     found = fem.strike(fem.head("p2"), speed="40 m/s", toe="44 mm")
     assert found.stopped is not None
     assert "reached round the edge of the face" in found.stopped
+    # Nearer the centre it costs less than the energies show.
+    with pytest.warns(EdgeWarning, match="reached round the edge of the face.* its launch is in doubt"):
+        found = fem.strike(fem.head("p2"), speed="35 m/s", loft="11.5 deg", toe="40 mm", which="paper")
+    assert found.over_edge
+    assert found.stopped is None
+    assert not fem.strike(fem.head("p2"), speed="35 m/s", toe="30 mm").over_edge
 
 
 def test_a_head_of_shells_is_a_club_for_every_model():

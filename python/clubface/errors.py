@@ -154,6 +154,10 @@ class TargetWarning(UserWarning):
     """A meshed head that misses what it was to reach; it is made as near as its bounds allow."""
 
 
+class EdgeWarning(UserWarning):
+    """A ball that reached round the edge of a meshed face, where contact ends; its launch is in doubt."""
+
+
 class CaptureWarning(UserWarning):
     """A recorded swing in which something had to be mended or is in doubt; its delivery is given all the same."""
 

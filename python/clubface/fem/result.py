@@ -61,6 +61,8 @@ class Impact:
     stopped
         Why there is no launch: a run that failed or was ``interrupted``, or is ``unfinished``, its ball still on the
         face at its end; or None.
+    over_edge
+        Whether the ball reached round the edge of a meshed face, where contact ends: crown and sole are not touched.
     contact
         Arrays over the steps: time, normal, tangential, toe [N], area [m2].
     motion
@@ -134,6 +136,7 @@ class Impact:
         self.stopped: str | None = found["stopped"]
         self.interrupted: bool = found["interrupted"]
         self.unfinished: bool = found["unfinished"]
+        self.over_edge: bool = found["over_edge"]
         self.axes: NDArray[Any] = found["axes"]
         self.ball = ball
         self.given = given

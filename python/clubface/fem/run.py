@@ -12,8 +12,8 @@ from clubface import units
 from clubface.balls import Ball as RigidBall
 from clubface.clubs import Club
 from clubface.delivery import Delivery
-from clubface.equipment import builtin_names, check_choice, check_count
-from clubface.errors import InputError, RuleWarning
+from clubface.equipment import builtin_names, check_choice, check_count, warn_once
+from clubface.errors import EdgeWarning, InputError, RuleWarning
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress, core_call
 from clubface.fem.heads.meshed import MeshedHead
@@ -203,6 +203,12 @@ def strike(
         hit = one_shot(club, given, made)
         arguments = (_core.fem_head, made.values(), inputs_of(hit))
     found, used = simulate(*arguments, mu, how=how, progress=progress)
+    if found["over_edge"] and not found["failed"]:
+        warn_once(
+            "the ball reached round the edge of the face, where contact ends, so that its launch is in doubt; "
+            "strike nearer the face centre",
+            EdgeWarning,
+        )
     return Impact(found, made, given, mu, used, hit, club if isinstance(club, MeshedHead) else None)
 
 

@@ -44,6 +44,8 @@ pub struct Outcome<R> {
     pub history: History,
     /// Why there is no launch, if there is none.
     pub stopped: Option<FemError>,
+    /// Whether the ball has reached round the edge of the face, where contact ends.
+    pub over_edge: bool,
     /// Time step over the stable step of the undeformed structure, but for rounding and bulk viscosity.
     pub safety: f64,
     /// Time step, s.
@@ -114,6 +116,7 @@ impl<R: Real> Impact<R> {
             head: self.head(),
             history: run.history,
             stopped: stopped.or(missed).or(unfinished),
+            over_edge: self.contact.wrapped(),
             safety,
             step: dt,
             steps: run.step,

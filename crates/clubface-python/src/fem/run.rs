@@ -165,6 +165,7 @@ pub(super) fn to_dict<'py>(
     dict.set_item("wall", outcome.wall)?;
     dict.set_item("stopped", outcome.stopped.as_ref().map(ToString::to_string))?;
     dict.set_item("failed", ran.failed)?;
+    dict.set_item("over_edge", outcome.over_edge)?;
     let unfinished = matches!(outcome.stopped, Some(FemError::Unfinished { .. }));
     dict.set_item("unfinished", unfinished)?;
     dict.set_item("interrupted", matches!(outcome.stopped, Some(FemError::Interrupted { .. })))?;
