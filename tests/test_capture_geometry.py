@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import clubface
+from clubface.face import face_point, nearest
 from clubface.motion_capture.attitude import angles, delivered, face_axes
-from clubface.motion_capture.face import face_point, nearest
 from clubface.motion_capture.rotations import about, exponential, left_jacobian, logarithm, skew
 
 ANGLE = st.floats(-0.6, 0.6)

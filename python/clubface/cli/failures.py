@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import traceback
 import warnings
+from collections.abc import Sequence
 from typing import Any
 
 from clubface.errors import ClubfaceError, RuleWarning
@@ -35,6 +36,12 @@ class ReaderGone(BaseException):
 def say(message: str) -> None:
     """Write one message on the error stream."""
     print(f"clubface: {message}", file=sys.stderr)
+
+
+def say_written(files: Sequence[object]) -> None:
+    """Tell which files were written, if any."""
+    if files:
+        say(f"wrote {', '.join(map(str, files))}")
 
 
 def report(error: BaseException) -> int:

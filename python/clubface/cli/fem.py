@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from clubface.cli import options, output
-from clubface.cli.failures import Interrupted, say
+from clubface.cli.failures import Interrupted, say, say_written
 from clubface.cli.fem_parts import ball as report_ball
+from clubface.cli.fem_parts import face as report_face
 from clubface.cli.fem_parts import head as report_head
 from clubface.cli.fem_progress import progress_bar, run_with_progress
 from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RPM, RUN_ROWS
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Finite elements: impacts of meshed balls.")
 app.command("ball")(report_ball)
 app.command("head")(report_head)
+app.command("face")(report_face)
 
 Friction = Annotated[float, typer.Option("--friction", metavar="NUMBER", help="Coulomb's coefficient.")]
 Refine = Annotated[int, typer.Option("--refine", metavar="TIMES", help="Finer along every edge, 1 to 8 times.")]
@@ -124,7 +126,7 @@ def run(
         print_numbers(("", ""), _rows_of(found), title=chosen.description or chosen.name)
         print(_cost(found))
     if folder is not None:
-        _tell(files.write_run(found, folder, animation=animate))
+        say_written(files.write_run(found, folder, animation=animate))
     _end(found)
 
 
@@ -161,11 +163,11 @@ def paper(
         print_numbers(("", "P2", "clubface"), rows, title="P2's case, as published and as computed")
         print(_cost(found))
     if folder is not None:
-        _tell(files.write_paper(found, folder))
+        say_written(files.write_paper(found, folder))
     _end(found)
     if folder is not None and swept:
         _, written = _sweep(base, SPEEDS, LOFTS, folder, published=True)
-        _tell(written)
+        say_written(written)
 
 
 @app.command("sweep")
@@ -190,7 +192,7 @@ def sweep(
         keys = (("speed_mps", 1), ("loft_deg", 1), ("ball_speed_mps", 1), ("launch_deg", 2), ("spin_rpm", 0),
                 ("club_speed_after_mps", 1), ("peak_force_n", 0), ("f", 4))  # fmt: skip
         print_numbers(heads, [[output.number(row[key], digits) for key, digits in keys] for row in rows])
-    _tell(written)
+    say_written(written)
 
 
 @app.command("export")
@@ -210,11 +212,11 @@ def export(
     chosen = cases.case(case)
     target = files.prepare(folder)
     if form == "lsdyna":
-        _tell([keyword.write(chosen, target / f"{vtu.file_stem(chosen.name)}.k")])
+        say_written([keyword.write(chosen, target / f"{vtu.file_stem(chosen.name)}.k")])
         return
     wanted = chosen.replace(settings={"frames": chosen.settings.frames or 51, "fields": True})
     found = run_with_progress(lambda progress: wanted.run(progress))
-    _tell(vtu.write_series(found, target, chosen.name)[-1:])
+    say_written(vtu.write_series(found, target, chosen.name)[-1:])
     _end(found)
 
 
@@ -270,8 +272,3 @@ def _end(found: Any) -> None:
         say(found.stopped)
     elif found.stopped:
         raise RunError(found.stopped)
-
-
-def _tell(files: list[Any]) -> None:
-    if files:
-        say(f"wrote {', '.join(str(each) for each in files)}")

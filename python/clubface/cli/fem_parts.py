@@ -1,4 +1,4 @@
-"""``clubface fem ball`` and ``clubface fem head``: what a run is made of."""
+"""``clubface fem ball``, ``head`` and ``face``: what a run is made of, and how a head rebounds."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output
-from clubface.cli.fem_progress import run_with_progress
+from clubface.cli.failures import say, say_written
+from clubface.cli.fem_progress import progress_bar, run_with_progress
 from clubface.units import from_si
 
 RULES = {"mass": 0.04593, "diameter": 0.04267}
@@ -111,3 +112,42 @@ def head(
         rows.append(["characteristic time, us", output.number(document["characteristic_time_s"] * 1e6, 0), ""])
     header = ("", "", "asked for") if asked else ("", "")
     print_numbers(header, [each[: len(header)] for each in rows], title=made.description or made.name)
+
+
+def face(
+    name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="A meshed head.")],
+    toe: Annotated[str, typer.Option("--toe", metavar="FIRST:LAST:STEP", help="Points, mm to the toe.")] = "-20:20:10",
+    high: Annotated[
+        str, typer.Option("--high", metavar="FIRST:LAST:STEP", help="Points, mm above the centre.")
+    ] = "-8:8:8",
+    ball: Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball of finite elements.")] = "modern",
+    folder: Annotated[
+        str | None, typer.Option("--output", "-o", metavar="FOLDER", help="Write table and picture there.")
+    ] = None,
+    workers: Annotated[int | None, typer.Option("--workers", help="Points at a time; all cores unless given.")] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Simulate restitution and characteristic time over the face of a head, a point a core."""
+    from clubface import fem
+    from clubface.fem import face_map, files
+    from clubface.fem.sweep import grid
+
+    toes, highs = grid(toe, "length", "--toe"), grid(high, "length", "--high")
+    target = None if folder is None else files.prepare(folder)
+    with progress_bar() as update:
+        rows = face_map.face_map(
+            fem.head(name), toes=toes, highs=highs, which=ball, workers=workers,
+            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} points")),
+        )  # fmt: skip
+    if as_json:
+        output.print_json(rows)
+    else:
+        from clubface.cli.tables import print_numbers
+
+        shown = (("toe_mm", 1), ("high_mm", 1), ("restitution", 3), ("characteristic_time_us", 0))
+        heads = ("to the toe\nmm", "above centre\nmm", "restitution", "characteristic\ntime, us")
+        print_numbers(heads, [[output.number(row[key], digits) for key, digits in shown] for row in rows])
+    for reason in dict.fromkeys(row["stopped"] for row in rows if row["stopped"]):
+        say(reason)
+    if target is not None:
+        say_written(files.write_face(rows, target))

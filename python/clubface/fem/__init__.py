@@ -59,7 +59,7 @@ __all__ = [
     "variables",
 ]
 
-_MODULES = ("case", "files", "head_tests", "keyword", "paper", "reduced", "sweep", "vtu")
+_MODULES = ("case", "face_map", "files", "head_tests", "keyword", "paper", "reduced", "sweep", "vtu")
 
 
 def __getattr__(name: str) -> Any:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 import os
 from typing import Any
 
 from clubface import units
 from clubface.clubs import Club, club
 from clubface.errors import RunError
-from clubface.fem.balls import Ball, Piece, ball
+from clubface.fem.balls import Ball, Piece
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead
 from clubface.fem.materials import Material
@@ -29,10 +28,13 @@ def restitution(
     *,
     which: str | os.PathLike[str] | Ball = "modern",
     speed: Any = COR_SPEED,
+    toe: Any = None,
+    high: Any = None,
     friction: Any = 0.35,
+    threads: int = 0,
     progress: Progress | None = None,
 ) -> float:
-    """Return the coefficient of restitution of a free head, struck in front of its CG along the normal there.
+    """Return the coefficient of restitution of a free head.
 
     Parameters
     ----------
@@ -41,41 +43,62 @@ def restitution(
     which
         The ball.
     speed
-        Of approach [m/s].
+        Of approach [m/s], with the face centre level.
+    toe, high
+        Where the ball is struck [m]; unless either is given, in front of the CG, as the rules had it.
     friction
         Coulomb's coefficient.
+    threads
+        0 for all cores.
     progress
         Called with simulated time and duration [s].
 
     Returns
     -------
     float
-        The ball's speed v after from e = v (M + m) / (M V) - 1, for a head of mass M that comes with the speed V.
+        How fast ball and head part along the normal of first touch, over how fast they met; of the head, as a rigid
+        body, where it was touched. Struck in front of its CG it is e = v (M + m) / (M V) - 1, for a ball that leaves
+        with v and a head of mass M that comes with V.
 
     Raises
     ------
     RunError
         A run that failed.
     """
-    made = ball(which)
+    import numpy as np
+
+    from clubface.face import face_point, turn_to_sole
+
     shaped = head if isinstance(head, MeshedHead) else club(head)
     rigid = shaped.club if isinstance(shaped, MeshedHead) else shaped
     approach = units.parse(speed, "speed", name="speed")
-    settings = Settings(duration=1.5e-3, until_separation=True)
-    # Level face: the CG's place behind it decides where the impact is central.
-    up = [-math.sin(rigid.loft), math.cos(rigid.loft), 0.0]
-    toe, high = -rigid.cg_z, -(rigid.cg_x * up[0] + rigid.cg_y * up[1])
+    cg = turn_to_sole(rigid.loft).T @ np.asarray(rigid.cg)
+    if toe is None and high is None:
+        toe, high = -cg[2], -cg[1]
+    across = units.parse(toe or 0.0, "length", name="toe")
+    up = units.parse(high or 0.0, "length", name="high")
     found = strike(
-        shaped, which=made, friction=friction, settings=settings, progress=progress,
-        speed=approach, loft=0.0, toe=toe, high=high,
+        shaped, which=which, friction=friction, settings=_settings(threads), progress=progress,
+        speed=approach, loft=0.0, toe=across, high=up,
     )  # fmt: skip
     _check_complete(found)
-    mass = made.properties()["mass"]
-    return found.launch["velocity_x"] * (rigid.mass + mass) / (rigid.mass * approach) - 1.0
+    flies, follows, spin = (
+        np.array([found.launch[f"{name}_{axis}"] for axis in "xyz"])
+        for name in ("velocity", "club_velocity", "club_spin")
+    )
+    lever = found.attitude @ (cg + face_point(across, up, rigid.bulge, rigid.roll))
+    normal = found.attitude @ found.axes[0]
+    return float((flies - follows - np.cross(spin, lever)) @ normal / (approach * normal[0]))
 
 
 def characteristic_time(
-    head: MeshedHead, *, speed: Any = STRIKER_SPEED, toe: Any = 0.0, high: Any = 0.0, progress: Progress | None = None
+    head: MeshedHead,
+    *,
+    speed: Any = STRIKER_SPEED,
+    toe: Any = 0.0,
+    high: Any = 0.0,
+    threads: int = 0,
+    progress: Progress | None = None,
 ) -> float:
     """Return the characteristic time of a head [s]: how long a small steel sphere takes to be thrown back by the face.
 
@@ -92,6 +115,8 @@ def characteristic_time(
         Of the sphere [m/s].
     toe, high
         Where it strikes [m].
+    threads
+        0 for all cores.
     progress
         Called with simulated time and duration [s].
 
@@ -101,9 +126,8 @@ def characteristic_time(
         A run that failed.
     """
     approach = units.parse(speed, "speed", name="speed")
-    settings = Settings(duration=1.5e-3, interval=1e-6, until_separation=True)
     found = strike(
-        head, which=striker(), friction=0.0, settings=settings, progress=progress,
+        head, which=striker(), friction=0.0, settings=_settings(threads, interval=1e-6), progress=progress,
         speed=approach, loft=0.0, toe=toe, high=high,
     )  # fmt: skip
     _check_complete(found)
@@ -111,6 +135,10 @@ def characteristic_time(
     share = (gained - gained[0]) / (gained[-1] - gained[0])
     first, last = (_crossing(found.motion["time"], share, level) for level in (0.05, 0.95))
     return last - first
+
+
+def _settings(threads: int, interval: float = Settings.interval) -> Settings:
+    return Settings(duration=1.5e-3, interval=interval, until_separation=True, threads=threads)
 
 
 def _check_complete(found: Impact) -> None:

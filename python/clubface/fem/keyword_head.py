@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from itertools import repeat
 from typing import TYPE_CHECKING, Any
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.clubs import Club
 from clubface.delivery import DIMENSIONS
+from clubface.face import face_point, nearest, turn_to_sole
 from clubface.fem.cards import Cards, element
 from clubface.fem.case import Case
 from clubface.fem.heads import MeshedHead, Metal, ShellHead
@@ -111,7 +111,7 @@ def _places(head: Any, hit: dict[str, Any]) -> NDArray[Any]:
     """Return the nodes of a head [m] in the axes of the deck."""
     import numpy as np
 
-    return (head.nodes @ _turn(head.loft) - hit["point"]) @ np.asarray(hit["axes"]).T
+    return (head.nodes @ turn_to_sole(head.loft) - hit["point"]) @ np.asarray(hit["axes"]).T
 
 
 def _masses_and_motion(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, last: int) -> None:
@@ -158,13 +158,13 @@ def _first_touch(case: Case, club: Club) -> dict[str, Any]:
     least = Settings(duration=1e-6, interval=1e-6, threads=1)
     hit = strike(club, case.delivery, which=coarse, friction=case.friction, settings=least)
     axes, attitude = hit.axes, hit.attitude
-    turn = _turn(club.loft)
+    turn = turn_to_sole(club.loft)
     lever = turn.T @ np.asarray(club.cg)
     delivery = {
         key: units.parse(case.delivery.get(key, 0.0), DIMENSIONS[key])
         for key in ("toe", "high", "closure", "pitch_rate", "lie_rate")
     }
-    point, _ = face_point(club, delivery["toe"], delivery["high"])
+    point = face_point(delivery["toe"], delivery["high"], club.bulge, club.roll)
     world_spin = np.array([-delivery["lie_rate"], delivery["closure"], delivery["pitch_rate"]])
     return {
         "axes": axes,
@@ -176,20 +176,6 @@ def _first_touch(case: Case, club: Club) -> dict[str, Any]:
     }
 
 
-def face_point(club: Club, toe: float, high: float) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return the point [m] of the face at offsets in the plane tangent at its centre, and its normal, face axes."""
-    import numpy as np
-
-    bulge, roll = 1.0 / club.bulge, 1.0 / club.roll
-    sine = roll * high
-    back = -(roll * high**2) / (math.sqrt(1.0 - sine**2) + 1.0)
-    radial = bulge * back + 1.0
-    level = math.sqrt(radial**2 - (bulge * toe) ** 2)
-    x = (2.0 * back + bulge * (back**2 - toe**2)) / (level + 1.0)
-    cosine = math.sqrt(1.0 - sine**2)
-    return np.array([x, high, toe]), np.array([cosine * level / radial, sine, cosine * bulge * toe / radial])
-
-
 def _face_mesh(club: Club) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return nodes [m] of the middle surface of the face's shells, face axes, and quadrangles, numbered from 0."""
     import numpy as np
@@ -198,15 +184,8 @@ def _face_mesh(club: Club) -> tuple[NDArray[Any], NDArray[Any]]:
     places = []
     for high in np.linspace(-0.5, 0.5, up + 1) * club.face_height:
         for toe in np.linspace(-0.5, 0.5, across + 1) * club.face_width:
-            point, normal = face_point(club, float(toe), float(high))
-            places.append(point - 0.5 * SHELL * normal)
+            point = face_point(toe, high, club.bulge, club.roll)
+            places.append(point - 0.5 * SHELL * nearest(point, club.bulge, club.roll)[1])
     first = (np.arange(up)[:, None] * (across + 1) + np.arange(across)).reshape(-1)
     quads = np.stack([first, first + across + 1, first + across + 2, first + 1], axis=1)
     return np.array(places), quads
-
-
-def _turn(angle: float) -> NDArray[Any]:
-    import numpy as np
-
-    sine, cosine = math.sin(angle), math.cos(angle)
-    return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])

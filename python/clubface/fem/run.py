@@ -204,9 +204,10 @@ def strike(
         arguments = (_core.fem_head, made.values(), inputs_of(hit))
     found, used = simulate(*arguments, mu, how=how, progress=progress)
     if found["over_edge"] and not found["failed"]:
+        toe, high = (units.show(units.parse(given.get(name, 0.0), "length"), "mm") for name in ("toe", "high"))
         warn_once(
-            "the ball reached round the edge of the face, where contact ends, so that its launch is in doubt; "
-            "strike nearer the face centre",
+            f"struck {toe} to the toe and {high} above the centre, the ball reached round the edge of the face, where "
+            "contact ends, so that its launch is in doubt; strike nearer the face centre",
             EdgeWarning,
         )
     return Impact(found, made, given, mu, used, hit, club if isinstance(club, MeshedHead) else None)

@@ -7,16 +7,16 @@ import hashlib
 import json
 import os
 from collections.abc import Callable, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import Any
 
 from clubface import units
-from clubface.equipment import is_count
 from clubface.errors import FileError, InputError
 from clubface.fem import paper
 from clubface.fem.case import Case, case
+from clubface.fem.core import Progress
 from clubface.fem.result import Impact
+from clubface.fem.side_by_side import side_by_side, workers_of
 
 COLUMNS = (
     "speed_mps", "loft_deg", "ball_speed_mps", "launch_deg", "spin_rpm", "club_speed_after_mps", "peak_force_n",
@@ -30,8 +30,8 @@ MOST = 10_000
 
 
 def grid(text: str, dimension: str, name: str) -> list[float]:
-    """Return the values [SI] of "first:last:step", or of values with commas; bare numbers are m/s and degrees."""
-    unit = {"speed": "m/s", "angle": "deg"}[dimension]
+    """Return the values [SI] of "first:last:step", or of values with commas, in m/s, degrees or mm."""
+    unit = {"speed": "m/s", "angle": "deg", "length": "mm"}[dimension]
     try:
         if ":" in text:
             first, last, step = (float(each) for each in text.split(":"))
@@ -76,8 +76,7 @@ def sweep(
         One mapping of ``COLUMNS`` a run, in the order of speeds, then lofts.
     """
     base = case(which)
-    if workers is not None and not is_count(workers, 1, 1024):
-        raise InputError("workers", workers, "a whole number from 1 to 1024, or left out for all cores")
+    workers = workers_of(workers)
     points = [(speed, loft) for speed in speeds for loft in lofts]
     if not 1 <= len(points) <= MOST:
         raise InputError("the runs of a sweep", len(points), f"1 to {MOST}")
@@ -86,36 +85,21 @@ def sweep(
             base.replace(speed=speed, loft=loft)
     table = _Table(base, output)
     done = {point: table.find(point) for point in points}
-    open_ = [point for point, row in done.items() if row is None]
-    count = workers or os.cpu_count() or 1
-    running: dict[Future[Impact], tuple[float, float]] = {}
-    with ThreadPoolExecutor(count) as pool:
-        stop: list[bool] = []
 
-        def keep_going(time: float, whole: float) -> None:
-            if stop:
-                raise KeyboardInterrupt
+    def run(point: tuple[float, float], keep_going: Progress) -> Impact:
+        return base.replace(speed=point[0], loft=point[1], settings={"threads": 1}).run(keep_going)
 
-        try:
-            while open_ or running:
-                while open_ and len(running) < count:
-                    point = open_.pop(0)
-                    each = base.replace(speed=point[0], loft=point[1], settings={"threads": 1})
-                    running[pool.submit(each.run, keep_going)] = point
-                finished, _ = wait(running, timeout=0.05, return_when=FIRST_COMPLETED)
-                for future in finished:
-                    point = running.pop(future)
-                    done[point] = table.add(point, future.result())
-                    if progress is not None:
-                        progress(sum(row is not None for row in done.values()), len(points))
-        except KeyboardInterrupt:
-            stop.append(True)
-            count = sum(row is not None for row in done.values())
-            kept = "" if output is None else f"; they are in {os.fspath(output)}, and the same sweep goes on after them"
-            raise KeyboardInterrupt(f"{count} of {len(points)} runs are done{kept}") from None
-        except BaseException:
-            stop.append(True)
-            raise
+    def ended(point: tuple[float, float], found: Impact) -> None:
+        done[point] = table.add(point, found)
+        if progress is not None:
+            progress(sum(row is not None for row in done.values()), len(points))
+
+    try:
+        side_by_side([point for point, row in done.items() if row is None], run, ended, workers=workers)
+    except KeyboardInterrupt:
+        count = sum(row is not None for row in done.values())
+        kept = "" if output is None else f"; they are in {os.fspath(output)}, and the same sweep goes on after them"
+        raise KeyboardInterrupt(f"{count} of {len(points)} runs are done{kept}") from None
     return [row for row in done.values() if row is not None]
 
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from clubface.clubs import Club
 from clubface.delivery import DIMENSIONS
+from clubface.face import nearest
 from clubface.motion_capture.attitude import angles, face_axes
 from clubface.motion_capture.estimators import TIME, Path
-from clubface.motion_capture.face import nearest
 from clubface.motion_capture.rotations import Array, exponential, left_jacobian
 
 QUANTITIES = tuple(DIMENSIONS)

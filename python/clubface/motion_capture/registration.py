@@ -8,8 +8,8 @@ import numpy as np
 
 from clubface.clubs import Club
 from clubface.errors import FileError
+from clubface.face import face_point, nearest
 from clubface.motion_capture.attitude import face_axes
-from clubface.motion_capture.face import face_point, nearest
 from clubface.motion_capture.mapping import MarkerMap
 from clubface.motion_capture.recording import Recording
 from clubface.motion_capture.rigid_body import FEWEST, degrees_of_freedom, fit_poses, pose_information, visible

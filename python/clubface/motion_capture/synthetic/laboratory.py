@@ -9,8 +9,8 @@ import numpy as np
 
 from clubface.clubs import Club
 from clubface.errors import InputError
+from clubface.face import face_point, nearest
 from clubface.motion_capture.attitude import delivered, face_axes
-from clubface.motion_capture.face import face_point, nearest
 from clubface.motion_capture.laboratory import axis
 from clubface.motion_capture.mapping import FacePoint, Point
 from clubface.motion_capture.recording import Recording

@@ -11,10 +11,10 @@ import numpy as np
 
 from clubface.balls import Ball, ball
 from clubface.clubs import Club
+from clubface.face import face_point, nearest
 from clubface.impact import impact
 from clubface.motion_capture.attitude import delivered, face_axes
 from clubface.motion_capture.ball_flight import GRAVITY
-from clubface.motion_capture.face import face_point, nearest
 from clubface.motion_capture.rotations import Array, exponential
 from clubface.motion_capture.synthetic.path import Chain, motion
 

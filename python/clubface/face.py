@@ -10,8 +10,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from clubface.motion_capture.rotations import Array
+Array = NDArray[Any]
 
 
 def nearest(point: Any, bulge: float, roll: float) -> tuple[Array, Array]:
@@ -37,6 +38,12 @@ def face_point(toe: Any, high: Any, bulge: float, roll: float) -> Array:
     x1 = -b * high**2 / (np.sqrt(1.0 - (b * high) ** 2) + 1.0)
     root = np.sqrt((1.0 + a * x1) ** 2 - (a * toe) ** 2)
     return np.stack([(2.0 * x1 + a * (x1**2 - toe**2)) / (root + 1.0), high, toe], -1)
+
+
+def turn_to_sole(loft: float) -> Array:
+    """Return the rotation from face axes to those of the head as soled, by its static loft [rad]."""
+    sine, cosine = np.sin(loft), np.cos(loft)
+    return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
 
 
 def _circle(x: Array, y: Array, curvature: float) -> tuple[Array, Array, Array]:

@@ -1,0 +1,60 @@
+"""Runs side by side, one a core, that Ctrl-C ends."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from typing import TypeVar
+
+from clubface.equipment import is_count
+from clubface.errors import InputError
+from clubface.fem.core import Progress
+
+P = TypeVar("P")
+R = TypeVar("R")
+
+
+def workers_of(asked: int | None) -> int:
+    """Return how many runs go side by side: as many as asked for, or as there are cores."""
+    if asked is not None and not is_count(asked, 1, 1024):
+        raise InputError("workers", asked, "a whole number from 1 to 1024, or left out for all cores")
+    return asked or os.cpu_count() or 1
+
+
+def side_by_side(
+    points: Iterable[P], run: Callable[[P, Progress], R], ended: Callable[[P, R], object], *, workers: int | None
+) -> None:
+    """Run something at each of some points.
+
+    Parameters
+    ----------
+    points
+        The points.
+    run
+        Called in other threads with a point, and what its run is to call as it proceeds.
+    ended
+        Called in this thread with every point whose run has ended, and what came out.
+    workers
+        Runs at a time; left out, as many as there are cores.
+    """
+    count, open_ = workers_of(workers), list(points)
+    running: dict[Future[R], P] = {}
+    stop: list[bool] = []
+
+    def keep_going(time: float, whole: float) -> None:
+        if stop:
+            raise KeyboardInterrupt
+
+    with ThreadPoolExecutor(count) as pool:
+        try:
+            while open_ or running:
+                while open_ and len(running) < count:
+                    point = open_.pop(0)
+                    running[pool.submit(run, point, keep_going)] = point
+                finished, _ = wait(running, timeout=0.05, return_when=FIRST_COMPLETED)
+                for future in finished:
+                    ended(running.pop(future), future.result())
+        except BaseException:
+            stop.append(True)
+            raise
