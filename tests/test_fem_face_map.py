@@ -2,13 +2,14 @@
 
 import csv
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import clubface
 from clubface import fem
-from clubface.errors import InputError, RunError, ShotError
+from clubface.errors import FileError, InputError, RunError, ShotError
 from clubface.face import face_point, nearest, turn_to_sole
 from clubface.fem import face_map, head_tests
 from fem_runs import coarse, coarse_head
@@ -106,6 +107,32 @@ def test_points_that_are_not_on_the_face_are_refused_before_any_run(monkeypatch)
         face_map.face_map(coarse_head(), toes=[0.0], highs=[0.0], workers=0)
 
 
+def test_what_was_measured_is_not_measured_again(monkeypatch, tmp_path):
+    measured = []
+
+    def interrupted_at_the_third(head, *, toe, **_):
+        if len(measured) == 2:
+            raise KeyboardInterrupt
+        measured.append(toe)
+        return 0.8 - toe
+
+    monkeypatch.setattr(head_tests, "restitution", interrupted_at_the_third)
+    monkeypatch.setattr(head_tests, "characteristic_time", lambda *_, **__: 250e-6)
+    head, table, toes = coarse_head(), tmp_path / "face.csv", [-0.0123, 0.0, 0.0123]
+    with pytest.raises(KeyboardInterrupt, match=r"2 of 3 points are done; they are in .*face\.csv, and the same"):
+        face_map.face_map(head, toes=toes, highs=[0.0], output=table, workers=1)
+    monkeypatch.setattr(head_tests, "restitution", lambda _, toe, **__: measured.append(toe) or 0.8 - toe)
+    rows = face_map.face_map(head, toes=toes, highs=[0.0], output=table)
+    assert measured == toes
+    assert [row["restitution"] for row in rows] == pytest.approx([0.8123, 0.8, 0.7877])
+    assert face_map.face_map(head, toes=toes, highs=[0.0], output=table) == rows
+    # One wall in the middle of the head is another.
+    walls = head.thickness.copy()
+    walls[len(walls) // 2] *= 1.01
+    with pytest.raises(FileError, match="not the table of this case"):
+        face_map.face_map(replace(head, thickness=walls), toes=toes, highs=[0.0], output=table)
+
+
 def test_the_command_writes_a_table_and_a_picture(clubface_, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
     monkeypatch.setattr(fem, "head", lambda _: coarse_head())
@@ -116,8 +143,10 @@ def test_the_command_writes_a_table_and_a_picture(clubface_, tmp_path, monkeypat
         (toe, high) for high in (0.0, 5.0) for toe in (-10.0, 0.0, 10.0)
     ]
     with (tmp_path / "face.csv").open() as file:
+        assert next(file).startswith("# case ")
         rows = list(csv.DictReader(file))
-    assert [float(row["restitution"]) for row in rows] == [row["restitution"] for row in ran.json]
+    # The file has them as they ended.
+    assert sorted(float(row["restitution"]) for row in rows) == sorted(row["restitution"] for row in ran.json)
     assert (tmp_path / "face.png").stat().st_size > 10_000
     assert clubface_("fem", "face", "p2", "--toe", "90").status == 2
 

@@ -133,10 +133,10 @@ def face(
     from clubface.fem.sweep import grid
 
     toes, highs = grid(toe, "length", "--toe"), grid(high, "length", "--high")
-    target = None if folder is None else files.prepare(folder)
+    target = None if folder is None else files.prepare(folder) / "face.csv"
     with progress_bar() as update:
         rows = face_map.face_map(
-            fem.head(name), toes=toes, highs=highs, which=ball, workers=workers,
+            fem.head(name), toes=toes, highs=highs, which=ball, output=target, workers=workers,
             progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} points")),
         )  # fmt: skip
     if as_json:
@@ -150,4 +150,4 @@ def face(
     for reason in dict.fromkeys(row["stopped"] for row in rows if row["stopped"]):
         say(reason)
     if target is not None:
-        say_written(files.write_face(rows, target))
+        say_written([target, files.draw_face(rows, target.with_suffix(".png"))])

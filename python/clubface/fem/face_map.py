@@ -13,6 +13,7 @@ from clubface.fem import head_tests
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead
+from clubface.fem.resumable import ResumableTable, kept_rows
 from clubface.fem.run import rigid_ball
 from clubface.fem.side_by_side import side_by_side
 from clubface.impact import impact
@@ -28,6 +29,7 @@ def face_map(
     toes: Sequence[float],
     highs: Sequence[float],
     which: str | os.PathLike[str] | Ball = "modern",
+    output: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> list[dict[str, Any]]:
@@ -41,6 +43,8 @@ def face_map(
         Offsets from the face centre [m].
     which
         The ball of the test of restitution.
+    output
+        A CSV file: each point is added as it ends, and points found there are not measured again.
     workers
         Points at a time, each on one core; left out, as many as there are cores.
     progress
@@ -49,7 +53,7 @@ def face_map(
     Returns
     -------
     list
-        One mapping of ``COLUMNS`` a point, in the order of ``highs``, then ``toes``: what
+        One mapping of ``COLUMNS`` a point, each point once, in the order of ``highs``, then ``toes``: what
         :func:`clubface.fem.head_tests.restitution` and :func:`clubface.fem.head_tests.characteristic_time` find there.
         Where a run failed both are NaN, and ``stopped`` tells why.
 
@@ -65,7 +69,8 @@ def face_map(
     for toe, high in points:
         # The quickest model refuses points outside the face.
         impact(head.club, speed=head_tests.COR_SPEED, loft=0.0, toe=toe, high=high, ball=rigid_ball(struck))
-    rows: dict[tuple[float, float], dict[str, Any]] = {}
+    table = ResumableTable(output, [head, struck.values()], COLUMNS, {"stopped": str})
+    rows = {point: table.find(*_millimetres(point)) for point in points}
 
     def measure(point: tuple[float, float], keep_going: Progress) -> dict[str, Any]:
         where: dict[str, Any] = {"toe": point[0], "high": point[1], "threads": 1, "progress": keep_going}
@@ -76,14 +81,22 @@ def face_map(
             return _row(point, math.nan, math.nan, str(error))
 
     def ended(point: tuple[float, float], row: dict[str, Any]) -> None:
-        rows[point] = row
+        rows[point] = table.add(row)
         if progress is not None:
-            progress(len(rows), len(points))
+            progress(sum(row is not None for row in rows.values()), len(rows))
 
-    side_by_side(dict.fromkeys(points), measure, ended, workers=workers)
-    return [rows[point] for point in points]
+    try:
+        side_by_side([point for point, row in rows.items() if row is None], measure, ended, workers=workers)
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(kept_rows("points", rows.values(), output)) from None
+    return [row for row in rows.values() if row is not None]
 
 
 def _row(point: tuple[float, float], restitution: float, time: float, stopped: str = "") -> dict[str, Any]:
-    places = (round(units.from_si(value, "mm"), 9) for value in point)
-    return dict(zip(COLUMNS, (*places, restitution, time * 1e6, stopped), strict=True))
+    return dict(zip(COLUMNS, (*_millimetres(point), restitution, time * 1e6, stopped), strict=True))
+
+
+def _millimetres(point: tuple[float, float]) -> tuple[float, float]:
+    """Return a point [mm] as it was given: without the rounding of the way to m and back."""
+    toe, high = (round(units.from_si(value, "mm"), 9) for value in point)
+    return toe, high

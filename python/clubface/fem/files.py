@@ -92,17 +92,12 @@ def write_sweep(
     return [plots.save(pictures.sweep_figure(rows, published=published), prepare(folder) / "sweep.png")]
 
 
-def write_face(rows: Sequence[Mapping[str, Any]], folder: str | os.PathLike[str]) -> list[Path]:
-    """Write what was measured over a face as CSV, and draw it."""
+def draw_face(rows: Sequence[Mapping[str, Any]], path: Path) -> Path:
+    """Draw what was measured over a face."""
     from clubface import plots
     from clubface.plots.fem_face import face_figure
 
-    table = prepare(folder) / "face.csv"
-    with table.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-    return [table, plots.save(face_figure(rows), table.with_suffix(".png"))]
+    return plots.save(face_figure(rows), path)
 
 
 def _columns(path: Path, arrays: Mapping[str, Any]) -> Path:

@@ -1,0 +1,105 @@
+"""Tables that grow row by row while something is computed, so that nothing done is lost and it can go on."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import json
+import os
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import Any
+
+from clubface.errors import FileError
+
+
+class ResumableTable:
+    """Rows found by their first two columns, in a CSV file where one is given; its first line tells what they are of.
+
+    Parameters
+    ----------
+    path
+        The file; None keeps the rows for this run alone.
+    content
+        What the rows are of: numbers, texts, arrays, data classes, and lists and mappings of these. A table of anything
+        else is refused.
+    columns
+        Names of the columns.
+    kinds
+        How to read columns that are no floats.
+    """
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str] | None,
+        content: Sequence[Any],
+        columns: Sequence[str],
+        kinds: Mapping[str, Callable[[str], Any]],
+    ) -> None:
+        self._path = None if path is None else Path(path)
+        self._columns, self._kinds = tuple(columns), kinds
+        self._rows: dict[tuple[float, float], dict[str, Any]] = {}
+        self._mark = "# case " + _fingerprint(content)
+        if self._path is None:
+            return
+        if self._path.exists():
+            self._read(self._path)
+        else:
+            self._path.parent.mkdir(parents=True, exist_ok=True)
+            self._path.write_text(f"{self._mark}\n{','.join(self._columns)}\n", encoding="utf-8")
+
+    def _read(self, path: Path) -> None:
+        lines = path.read_text(encoding="utf-8").split("\n")
+        if lines[:1] != [self._mark] or lines[1:2] != [",".join(self._columns)]:
+            raise FileError(str(path), 1, "this is not the table of this case; give another file, or remove it")
+        # A last line without its end was being written when the run was cut off.
+        complete = lines[2:-1]
+        for number, line in enumerate(csv.reader(complete), 3):
+            try:
+                pairs = zip(self._columns, line, strict=True)
+                self._keep({name: self._kinds.get(name, float)(text) for name, text in pairs})
+            except ValueError:
+                raise FileError(str(path), number, "this is not a row of the table; remove it") from None
+        path.write_text("\n".join([*lines[:2], *complete, ""]), encoding="utf-8")
+
+    def _keep(self, row: dict[str, Any]) -> None:
+        first, second = (row[name] for name in self._columns[:2])
+        self._rows[round(first, 9), round(second, 9)] = row
+
+    def find(self, first: float, second: float) -> dict[str, Any] | None:
+        """Return the row of the values of the first two columns, or None."""
+        return self._rows.get((round(first, 9), round(second, 9)))
+
+    def add(self, row: dict[str, Any]) -> dict[str, Any]:
+        """Add a row, and return it."""
+        self._keep(row)
+        if self._path is not None:
+            with self._path.open("a", encoding="utf-8", newline="") as file:
+                texts = [value if isinstance(value, str) else repr(value) for value in row.values()]
+                csv.writer(file, lineterminator="\n").writerow(texts)
+        return row
+
+
+def kept_rows(what: str, rows: Collection[Any], path: str | os.PathLike[str] | None) -> str:
+    """Tell how many of some rows are there, None being one that is not, and where they are."""
+    done = f"{sum(row is not None for row in rows)} of {len(rows)} {what} are done"
+    return done if path is None else f"{done}; they are in {os.fspath(path)}, and the same command goes on after them"
+
+
+def _fingerprint(content: Sequence[Any]) -> str:
+    """Return a mark of some content."""
+    return hashlib.sha256(json.dumps(content, default=_plain, sort_keys=True).encode()).hexdigest()[:16]
+
+
+def _plain(value: Any) -> Any:
+    """Return what JSON has no form for as what it has: every number of an array counts, not those its text shows."""
+    import numpy as np
+
+    if isinstance(value, np.ndarray):
+        return [str(value.dtype), value.shape, hashlib.sha256(np.ascontiguousarray(value).tobytes()).hexdigest()]
+    if isinstance(value, Mapping):
+        return dict(value)
+    if is_dataclass(value):
+        return [type(value).__name__, *((each.name, getattr(value, each.name)) for each in fields(value))]
+    return str(value)
