@@ -9,7 +9,7 @@ import pytest
 
 import clubface
 from clubface import fem
-from clubface.errors import FileError, InputError, RunError, ShotError
+from clubface.errors import FileError, InputError, RunError, ShotError, UnknownNameError
 from clubface.face import face_point, nearest, turn_to_sole
 from clubface.fem import face_map, head_tests
 from fem_runs import coarse, coarse_head
@@ -69,7 +69,7 @@ def test_a_face_gives_most_in_its_middle_and_the_same_on_both_sides():
         coarse_head(),
         toes=[-0.02, 0.0, 0.02],
         highs=[0.0],
-        which=coarse("modern"),
+        with_ball=coarse("modern"),
         progress=lambda *told: done.append(told),
     )
     assert [(row["toe_mm"], row["high_mm"]) for row in rows] == [(-20.0, 0.0), (0.0, 0.0), (20.0, 0.0)]
@@ -103,6 +103,8 @@ def test_points_that_are_not_on_the_face_are_refused_before_any_run(monkeypatch)
         face_map.face_map(coarse_head(), toes=[0.0, 0.06], highs=[0.0])
     with pytest.raises(InputError, match="points of a face"):
         face_map.face_map(coarse_head(), toes=[], highs=[0.0])
+    with pytest.raises(UnknownNameError, match="unknown head of finite elements 'p3'"):
+        face_map.face_map("p3", toes=[0.0], highs=[0.0])
     with pytest.raises(InputError, match="workers"):
         face_map.face_map(coarse_head(), toes=[0.0], highs=[0.0], workers=0)
 
@@ -135,7 +137,7 @@ def test_what_was_measured_is_not_measured_again(monkeypatch, tmp_path):
 
 def test_the_command_writes_a_table_and_a_picture(clubface_, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
-    monkeypatch.setattr(fem, "head", lambda _: coarse_head())
+    monkeypatch.setattr(face_map, "head", lambda _: coarse_head())
     monkeypatch.setattr(head_tests, "restitution", lambda _, toe, high, **__: 0.8 - toe - high)
     monkeypatch.setattr(head_tests, "characteristic_time", lambda _, toe, **__: 250e-6 - 1e-3 * toe)
     ran = clubface_("fem", "face", "p2", "--toe", "-10:10:10", "--high", "0,5", "-o", str(tmp_path), "--json")

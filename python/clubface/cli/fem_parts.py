@@ -128,7 +128,6 @@ def face(
     as_json: options.Json = False,
 ) -> None:
     """Simulate restitution and characteristic time over the face of a head, a point a core."""
-    from clubface import fem
     from clubface.fem import face_map, files
     from clubface.fem.sweep import grid
 
@@ -136,7 +135,7 @@ def face(
     target = None if folder is None else files.prepare(folder) / "face.csv"
     with progress_bar() as update:
         rows = face_map.face_map(
-            fem.head(name), toes=toes, highs=highs, which=ball, output=target, workers=workers,
+            name, toes=toes, highs=highs, with_ball=ball, output=target, workers=workers,
             progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} points")),
         )  # fmt: skip
     if as_json:

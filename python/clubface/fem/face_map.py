@@ -12,7 +12,8 @@ from clubface.errors import InputError, RunError
 from clubface.fem import head_tests
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
-from clubface.fem.heads import MeshedHead
+from clubface.fem.heads import MeshedHead, head
+from clubface.fem.heads.read import Design
 from clubface.fem.resumable import ResumableTable, kept_rows
 from clubface.fem.run import rigid_ball
 from clubface.fem.side_by_side import side_by_side
@@ -24,11 +25,11 @@ MOST = 1_000
 
 
 def face_map(
-    head: MeshedHead,
+    which: str | os.PathLike[str] | MeshedHead | Design,
     *,
     toes: Sequence[float],
     highs: Sequence[float],
-    which: str | os.PathLike[str] | Ball = "modern",
+    with_ball: str | os.PathLike[str] | Ball = "modern",
     output: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -37,11 +38,11 @@ def face_map(
 
     Parameters
     ----------
-    head
-        The head.
+    which
+        The head, as of :func:`clubface.fem.head`.
     toes, highs
         Offsets from the face centre [m].
-    which
+    with_ball
         The ball of the test of restitution.
     output
         A CSV file: each point is added as it ends, and points found there are not measured again.
@@ -62,21 +63,21 @@ def face_map(
     ShotError
         A point outside the face.
     """
-    struck = ball(which)
+    made, struck = head(which), ball(with_ball)
     points = [(float(toe), float(high)) for high in highs for toe in toes]
     if not 1 <= len(points) <= MOST:
         raise InputError("the points of a face", len(points), f"1 to {MOST}")
     for toe, high in points:
         # The quickest model refuses points outside the face.
-        impact(head.club, speed=head_tests.COR_SPEED, loft=0.0, toe=toe, high=high, ball=rigid_ball(struck))
-    table = ResumableTable(output, [head, struck.values()], COLUMNS, {"stopped": str})
+        impact(made.club, speed=head_tests.COR_SPEED, loft=0.0, toe=toe, high=high, ball=rigid_ball(struck))
+    table = ResumableTable(output, [made, struck.values()], COLUMNS, {"stopped": str})
     rows = {point: table.find(*_millimetres(point)) for point in points}
 
     def measure(point: tuple[float, float], keep_going: Progress) -> dict[str, Any]:
         where: dict[str, Any] = {"toe": point[0], "high": point[1], "threads": 1, "progress": keep_going}
         try:
-            restitution = head_tests.restitution(head, which=struck, **where)
-            return _row(point, restitution, head_tests.characteristic_time(head, **where))
+            restitution = head_tests.restitution(made, which=struck, **where)
+            return _row(point, restitution, head_tests.characteristic_time(made, **where))
         except RunError as error:
             return _row(point, math.nan, math.nan, str(error))
 

@@ -11,6 +11,8 @@ from clubface.errors import RunError
 from clubface.fem.balls import Ball, Piece
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead
+from clubface.fem.heads import head as meshed
+from clubface.fem.heads.read import Design
 from clubface.fem.materials import Material
 from clubface.fem.result import Impact
 from clubface.fem.run import Settings, strike
@@ -92,7 +94,7 @@ def restitution(
 
 
 def characteristic_time(
-    head: MeshedHead,
+    head: str | os.PathLike[str] | MeshedHead | Design,
     *,
     speed: Any = STRIKER_SPEED,
     toe: Any = 0.0,
@@ -110,7 +112,7 @@ def characteristic_time(
     Parameters
     ----------
     head
-        The head.
+        The head, as of :func:`clubface.fem.head`.
     speed
         Of the sphere [m/s].
     toe, high
@@ -127,7 +129,7 @@ def characteristic_time(
     """
     approach = units.parse(speed, "speed", name="speed")
     found = strike(
-        head, which=striker(), friction=0.0, settings=_settings(threads, interval=1e-6), progress=progress,
+        meshed(head), which=striker(), friction=0.0, settings=_settings(threads, interval=1e-6), progress=progress,
         speed=approach, loft=0.0, toe=toe, high=high,
     )  # fmt: skip
     _check_complete(found)
