@@ -73,8 +73,8 @@ def face_map(
     table = ResumableTable(output, [made, struck.values()], COLUMNS, {"stopped": str})
     rows = {point: table.find(*_millimetres(point)) for point in points}
 
-    def measure(point: tuple[float, float], keep_going: Progress) -> dict[str, Any]:
-        where: dict[str, Any] = {"toe": point[0], "high": point[1], "threads": 1, "progress": keep_going}
+    def measure(point: tuple[float, float], keep_going: Progress, threads: int) -> dict[str, Any]:
+        where: dict[str, Any] = {"toe": point[0], "high": point[1], "threads": threads, "progress": keep_going}
         try:
             restitution = head_tests.restitution(made, which=struck, **where)
             return _row(point, restitution, head_tests.characteristic_time(made, **where))

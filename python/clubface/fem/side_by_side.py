@@ -23,7 +23,7 @@ def workers_of(asked: int | None) -> int:
 
 
 def side_by_side(
-    points: Iterable[P], run: Callable[[P, Progress], R], ended: Callable[[P, R], object], *, workers: int | None
+    points: Iterable[P], run: Callable[[P, Progress, int], R], ended: Callable[[P, R], object], *, workers: int | None
 ) -> None:
     """Run something at each of some points.
 
@@ -32,13 +32,15 @@ def side_by_side(
     points
         The points.
     run
-        Called in other threads with a point, and what its run is to call as it proceeds.
+        Called in other threads with a point, what its run is to call as it proceeds, and how many threads it may use:
+        one, but more for the last points, if they are too few for all workers.
     ended
         Called in this thread with every point whose run has ended, and what came out.
     workers
         Runs at a time; left out, as many as there are cores.
     """
     count, open_ = workers_of(workers), list(points)
+    last = len(open_) % count
     running: dict[Future[R], P] = {}
     stop: list[bool] = []
 
@@ -50,8 +52,9 @@ def side_by_side(
         try:
             while open_ or running:
                 while open_ and len(running) < count:
+                    threads = count // last if len(open_) <= last else 1
                     point = open_.pop(0)
-                    running[pool.submit(run, point, keep_going)] = point
+                    running[pool.submit(run, point, keep_going, threads)] = point
                 finished, _ = wait(running, timeout=0.05, return_when=FIRST_COMPLETED)
                 for future in finished:
                     ended(running.pop(future), future.result())

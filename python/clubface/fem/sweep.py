@@ -83,8 +83,8 @@ def sweep(
     table = ResumableTable(output, _content(base), COLUMNS, _KINDS)
     done = {point: table.find(point[0], _degrees(point[1])) for point in points}
 
-    def run(point: tuple[float, float], keep_going: Progress) -> Impact:
-        return base.replace(speed=point[0], loft=point[1], settings={"threads": 1}).run(keep_going)
+    def run(point: tuple[float, float], keep_going: Progress, threads: int) -> Impact:
+        return base.replace(speed=point[0], loft=point[1], settings={"threads": threads}).run(keep_going)
 
     def ended(point: tuple[float, float], found: Impact) -> None:
         done[point] = table.add(row_of(point, found))
