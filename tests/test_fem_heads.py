@@ -109,6 +109,15 @@ def test_a_thinner_face_springs_more_and_holds_the_striker_longer():
     assert springs[0] > springs[1] > head_tests.restitution(thin.club, which=coarse("modern"))
 
 
+def test_the_striker_is_fine_enough(monkeypatch):
+    usual = head_tests.striker()
+    time = head_tests.characteristic_time("p2")
+    finer = replace(usual, cube=12, pieces=tuple(replace(piece, layers=6) for piece in usual.pieces))
+    monkeypatch.setattr(head_tests, "striker", lambda: finer)
+    # 0.05% apart; with a cube of 4 and 2 layers it would be 2.8%.
+    assert head_tests.characteristic_time("p2") == pytest.approx(time, rel=0.01)
+
+
 @pytest.mark.parametrize("elements", [(48, 16, 33), (54, 18, 38)])
 def test_a_finer_head_is_the_same_head(elements):
     design = from_toml(builtin_path("fem_head", "p2", fem.head_names()))

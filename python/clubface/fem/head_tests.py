@@ -152,10 +152,10 @@ def _check_complete(found: Impact) -> None:
 
 
 def striker() -> Ball:
-    """Return the steel sphere."""
+    """Return the steel sphere, so fine that the time on a driver is within 1% of that of one twice as fine."""
     steel = Material.linear(200e9, 0.3, density=7850.0)
     return Ball(
-        name="steel sphere", diameter=STRIKER_DIAMETER, pieces=(Piece(name="steel", material=steel, layers=2),), cube=4
+        name="steel sphere", diameter=STRIKER_DIAMETER, pieces=(Piece(name="steel", material=steel, layers=4),), cube=8
     )
 
 
