@@ -59,8 +59,8 @@ def test_restitution_before_the_cg_is_that_of_the_old_rule():
     )
     mass = ball.properties()["mass"]
     rule = hit.launch["velocity_x"] * (club.mass + mass) / (club.mass * SPEED) - 1.0
-    # The CG of the coarse head is 0.01 mm off the normal of the ball's centre.
-    assert head_tests.restitution(head, which=ball) == pytest.approx(rule, abs=1e-4)
+    # The head was tuned to have its CG there, and got it to 6 nm; momentum is exact. They are 1e-10 apart.
+    assert head_tests.restitution(head, which=ball) == pytest.approx(rule, abs=1e-8)
 
 
 def test_a_face_gives_most_in_its_middle_and_the_same_on_both_sides():
@@ -74,11 +74,11 @@ def test_a_face_gives_most_in_its_middle_and_the_same_on_both_sides():
     )
     assert [(row["toe_mm"], row["high_mm"]) for row in rows] == [(-20.0, 0.0), (0.0, 0.0), (20.0, 0.0)]
     assert done == [(1, 3), (2, 3), (3, 3)]
-    for key, close in (("restitution", 2e-3), ("characteristic_time_us", 3.0)):
+    # Shape and mass are symmetric; that nodes are smoothed one after the other makes 3e-5 and 0.2 us.
+    for key, close, more in (("restitution", 2e-4, 0.02), ("characteristic_time_us", 1.0, 40.0)):
         heel, centre, toe = (row[key] for row in rows)
-        # Shape and mass are symmetric but for the elements' size.
         assert heel == pytest.approx(toe, abs=close)
-        assert centre > heel + 3.0 * close
+        assert centre > heel + more
     assert rows[1]["restitution"] == head_tests.restitution(coarse_head(), which=coarse("modern"), toe=0.0, high=0.0)
 
 
@@ -133,6 +133,10 @@ def test_what_was_measured_is_not_measured_again(monkeypatch, tmp_path):
     walls[len(walls) // 2] *= 1.01
     with pytest.raises(FileError, match="not the table of this case"):
         face_map.face_map(replace(head, thickness=walls), toes=toes, highs=[0.0], output=table)
+    # Another test is another table.
+    monkeypatch.setattr(head_tests, "COR_SPEED", "150 ft/s")
+    with pytest.raises(FileError, match="not the table of this case"):
+        face_map.face_map(head, toes=toes, highs=[0.0], output=table)
 
 
 def test_the_command_writes_a_table_and_a_picture(clubface_, tmp_path, monkeypatch):

@@ -16,9 +16,13 @@ from clubface.fem.side_by_side import side_by_side
         (3, 8, [2, 2, 2]),
         (3, 1, [1, 1, 1]),
         (0, 2, []),
+        # More workers than cores get no more threads than there are.
+        (1, 100, [8]),
+        (20, 100, [1] * 20),
     ],
 )
-def test_no_core_is_left_without_work_at_the_end(points, workers, threads):
+def test_no_core_is_left_without_work_at_the_end(points, workers, threads, monkeypatch):
+    monkeypatch.setattr("os.cpu_count", lambda: 8)
     given, ended = {}, []
 
     def run(point, keep_going, count):

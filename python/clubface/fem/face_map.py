@@ -14,9 +14,9 @@ from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head
 from clubface.fem.heads.read import Design
-from clubface.fem.resumable import ResumableTable, kept_rows
+from clubface.fem.resumable import ResumableTable
 from clubface.fem.run import rigid_ball
-from clubface.fem.side_by_side import side_by_side
+from clubface.fem.side_by_side import workers_of
 from clubface.impact import impact
 
 COLUMNS = ("toe_mm", "high_mm", "restitution", "characteristic_time_us", "stopped")
@@ -47,7 +47,7 @@ def face_map(
     output
         A CSV file: each point is added as it ends, and points found there are not measured again.
     workers
-        Points at a time, each on one core; left out, as many as there are cores.
+        Points at a time, each on one core, the last ones on those that are left; left out, as many as there are cores.
     progress
         Called with the points done and the points in all.
 
@@ -63,6 +63,7 @@ def face_map(
     ShotError
         A point outside the face.
     """
+    workers_of(workers)
     made, struck = head(which), ball(with_ball)
     points = [(float(toe), float(high)) for high in highs for toe in toes]
     if not 1 <= len(points) <= MOST:
@@ -70,8 +71,6 @@ def face_map(
     for toe, high in points:
         # The quickest model refuses points outside the face.
         impact(made.club, speed=head_tests.COR_SPEED, loft=0.0, toe=toe, high=high, ball=rigid_ball(struck))
-    table = ResumableTable(output, [made, struck.values()], COLUMNS, {"stopped": str})
-    rows = {point: table.find(*_millimetres(point)) for point in points}
 
     def measure(point: tuple[float, float], keep_going: Progress, threads: int) -> dict[str, Any]:
         where: dict[str, Any] = {"toe": point[0], "high": point[1], "threads": threads, "progress": keep_going}
@@ -81,16 +80,11 @@ def face_map(
         except RunError as error:
             return _row(point, math.nan, math.nan, str(error))
 
-    def ended(point: tuple[float, float], row: dict[str, Any]) -> None:
-        rows[point] = table.add(row)
-        if progress is not None:
-            progress(sum(row is not None for row in rows.values()), len(rows))
-
-    try:
-        side_by_side([point for point, row in rows.items() if row is None], measure, ended, workers=workers)
-    except KeyboardInterrupt:
-        raise KeyboardInterrupt(kept_rows("points", rows.values(), output)) from None
-    return [row for row in rows.values() if row is not None]
+    # What the tests are of is part of what a row means.
+    tests = [head_tests.COR_SPEED, head_tests.STRIKER_SPEED, head_tests.striker().values()]
+    table = ResumableTable(output, [made, struck.values(), *tests], COLUMNS, {"stopped": str})
+    places = {point: _millimetres(point) for point in points}
+    return table.fill(places, measure, what="points", workers=workers, progress=progress)
 
 
 def _row(point: tuple[float, float], restitution: float, time: float, stopped: str = "") -> dict[str, Any]:

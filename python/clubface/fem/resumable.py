@@ -6,12 +6,16 @@ import csv
 import hashlib
 import json
 import os
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from clubface.errors import FileError
+from clubface.fem.core import Progress
+from clubface.fem.side_by_side import side_by_side
+
+P = TypeVar("P")
 
 
 class ResumableTable:
@@ -39,7 +43,7 @@ class ResumableTable:
     ) -> None:
         self._path = None if path is None else Path(path)
         self._columns, self._kinds = tuple(columns), kinds
-        self._rows: dict[tuple[float, float], dict[str, Any]] = {}
+        self._rows: dict[tuple[float, ...], dict[str, Any]] = {}
         self._mark = "# case " + _fingerprint(content)
         if self._path is None:
             return
@@ -63,28 +67,60 @@ class ResumableTable:
                 raise FileError(str(path), number, "this is not a row of the table; remove it") from None
         path.write_text("\n".join([*lines[:2], *complete, ""]), encoding="utf-8")
 
+    def fill(
+        self,
+        places: Mapping[P, tuple[float, float]],
+        run: Callable[[P, Progress, int], dict[str, Any]],
+        *,
+        what: str,
+        workers: int | None,
+        progress: Callable[[int, int], object] | None,
+    ) -> list[dict[str, Any]]:
+        """Run what has no row yet, side by side, a row added as each ends; return the rows of all.
+
+        Parameters
+        ----------
+        places
+            What is run, and the values of the first two columns of its row.
+        run
+            As of :func:`clubface.fem.side_by_side.side_by_side`; returns a row.
+        what
+            What is run, in the plural, for people.
+        workers
+            Runs at a time; left out, as many as there are cores.
+        progress
+            Called with the rows there are and the rows in all.
+        """
+        rows = {point: self._rows.get(_key(place)) for point, place in places.items()}
+
+        def ended(point: P, row: dict[str, Any]) -> None:
+            rows[point] = row
+            self._add(row)
+            if progress is not None:
+                progress(sum(row is not None for row in rows.values()), len(rows))
+
+        try:
+            side_by_side([point for point, row in rows.items() if row is None], run, ended, workers=workers)
+        except KeyboardInterrupt:
+            kept = "" if self._path is None else f"; they are in {self._path}, and the same command goes on after them"
+            done = sum(row is not None for row in rows.values())
+            raise KeyboardInterrupt(f"{done} of {len(rows)} {what} are done{kept}") from None
+        return [row for row in rows.values() if row is not None]
+
     def _keep(self, row: dict[str, Any]) -> None:
-        first, second = (row[name] for name in self._columns[:2])
-        self._rows[round(first, 9), round(second, 9)] = row
+        self._rows[_key([row[name] for name in self._columns[:2]])] = row
 
-    def find(self, first: float, second: float) -> dict[str, Any] | None:
-        """Return the row of the values of the first two columns, or None."""
-        return self._rows.get((round(first, 9), round(second, 9)))
-
-    def add(self, row: dict[str, Any]) -> dict[str, Any]:
-        """Add a row, and return it."""
+    def _add(self, row: dict[str, Any]) -> None:
         self._keep(row)
         if self._path is not None:
             with self._path.open("a", encoding="utf-8", newline="") as file:
                 texts = [value if isinstance(value, str) else repr(value) for value in row.values()]
                 csv.writer(file, lineterminator="\n").writerow(texts)
-        return row
 
 
-def kept_rows(what: str, rows: Collection[Any], path: str | os.PathLike[str] | None) -> str:
-    """Tell how many of some rows are there, None being one that is not, and where they are."""
-    done = f"{sum(row is not None for row in rows)} of {len(rows)} {what} are done"
-    return done if path is None else f"{done}; they are in {os.fspath(path)}, and the same command goes on after them"
+def _key(place: Sequence[float]) -> tuple[float, ...]:
+    """Return values without the rounding of units on their way."""
+    return tuple(round(value, 9) for value in place)
 
 
 def _fingerprint(content: Sequence[Any]) -> str:

@@ -33,7 +33,7 @@ def side_by_side(
         The points.
     run
         Called in other threads with a point, what its run is to call as it proceeds, and how many threads it may use:
-        one, but more for the last points, if they are too few for all workers.
+        one, but those that are left for the last points, if these are too few for all workers.
     ended
         Called in this thread with every point whose run has ended, and what came out.
     workers
@@ -41,6 +41,8 @@ def side_by_side(
     """
     count, open_ = workers_of(workers), list(points)
     last = len(open_) % count
+    # More threads than cores would wait for each other.
+    cores = min(count, os.cpu_count() or 1)
     running: dict[Future[R], P] = {}
     stop: list[bool] = []
 
@@ -52,7 +54,7 @@ def side_by_side(
         try:
             while open_ or running:
                 while open_ and len(running) < count:
-                    threads = count // last if len(open_) <= last else 1
+                    threads = max(cores // last, 1) if len(open_) <= last else 1
                     point = open_.pop(0)
                     running[pool.submit(run, point, keep_going, threads)] = point
                 finished, _ = wait(running, timeout=0.05, return_when=FIRST_COMPLETED)

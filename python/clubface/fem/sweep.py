@@ -12,8 +12,8 @@ from clubface.fem import paper
 from clubface.fem.case import Case, case
 from clubface.fem.core import Progress
 from clubface.fem.result import Impact
-from clubface.fem.resumable import ResumableTable, kept_rows
-from clubface.fem.side_by_side import side_by_side, workers_of
+from clubface.fem.resumable import ResumableTable
+from clubface.fem.side_by_side import workers_of
 
 COLUMNS = (
     "speed_mps", "loft_deg", "ball_speed_mps", "launch_deg", "spin_rpm", "club_speed_after_mps", "peak_force_n",
@@ -63,7 +63,7 @@ def sweep(
     output
         A CSV file: each run is added as it ends, and runs found there are not repeated.
     workers
-        Runs at a time, each on one core; left out, as many as there are cores.
+        Runs at a time, each on one core, the last ones on those that are left; left out, as many as there are cores.
     progress
         Called with the runs done and the runs in all.
 
@@ -73,7 +73,7 @@ def sweep(
         One mapping of ``COLUMNS`` a run, in the order of speeds, then lofts.
     """
     base = case(which)
-    workers = workers_of(workers)
+    workers_of(workers)
     points = [(speed, loft) for speed in speeds for loft in lofts]
     if not 1 <= len(points) <= MOST:
         raise InputError("the runs of a sweep", len(points), f"1 to {MOST}")
@@ -81,21 +81,13 @@ def sweep(
         for loft in (min(lofts), max(lofts)):
             base.replace(speed=speed, loft=loft)
     table = ResumableTable(output, _content(base), COLUMNS, _KINDS)
-    done = {point: table.find(point[0], _degrees(point[1])) for point in points}
 
-    def run(point: tuple[float, float], keep_going: Progress, threads: int) -> Impact:
-        return base.replace(speed=point[0], loft=point[1], settings={"threads": threads}).run(keep_going)
+    def run(point: tuple[float, float], keep_going: Progress, threads: int) -> dict[str, Any]:
+        each = base.replace(speed=point[0], loft=point[1], settings={"threads": threads})
+        return row_of(point, each.run(keep_going))
 
-    def ended(point: tuple[float, float], found: Impact) -> None:
-        done[point] = table.add(row_of(point, found))
-        if progress is not None:
-            progress(sum(row is not None for row in done.values()), len(points))
-
-    try:
-        side_by_side([point for point, row in done.items() if row is None], run, ended, workers=workers)
-    except KeyboardInterrupt:
-        raise KeyboardInterrupt(kept_rows("runs", done.values(), output)) from None
-    return [row for row in done.values() if row is not None]
+    places = {point: (point[0], _degrees(point[1])) for point in points}
+    return table.fill(places, run, what="runs", workers=workers, progress=progress)
 
 
 def row_of(point: tuple[float, float], found: Impact) -> dict[str, Any]:
