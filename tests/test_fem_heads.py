@@ -128,6 +128,24 @@ def test_a_finer_head_is_the_same_head(elements):
     assert (finer.ixx, finer.iyy, finer.cg_x) == pytest.approx((usual.ixx, usual.iyy, usual.cg_x), rel=0.02)
 
 
+@pytest.mark.parametrize(("depth", "sole"), [("150 mm", "60 mm"), ("30 mm", "8 mm")])
+def test_a_face_as_curved_as_shapes_may_be_is_meshed(depth, sole):
+    design = from_toml(builtin_path("fem_head", "p2", fem.head_names()))
+    shape = {"width": "150 mm", "depth": depth, "crown": "60 mm", "sole": sole, "rounding": "1 mm"}
+    shape |= {"bulge": "100 mm", "roll": "100 mm", "loft": "39.99 deg"}
+    with warnings.catch_warnings():
+        # Such a head weighs what it weighs.
+        warnings.simplefilter("ignore", TargetWarning)
+        head = replace(design, shape=shape, elements=(14, 8, 10)).mesh()
+    # Its nodes around the centre lie half the wall behind the roll's arc turned about the bulge's axis, which is a
+    # sphere here. Eight approximations reach so curved a face to some 0.01 mm.
+    loft = np.radians(39.99)
+    centre = -0.1 * np.array([np.cos(loft), np.sin(loft), 0.0])
+    nodes = head.nodes[np.linalg.norm(head.nodes, axis=1) < 0.005]
+    assert len(nodes)
+    np.testing.assert_allclose(np.linalg.norm(nodes - centre, axis=1), 0.1 - 0.5 * 0.00185, rtol=0, atol=3e-5)
+
+
 def test_the_name_of_a_meshed_head_is_not_that_of_a_club():
     with pytest.raises(InputError, match=r'clubface\.fem\.head\("p2"\)'):
         fem.strike("p2", speed=35.0)

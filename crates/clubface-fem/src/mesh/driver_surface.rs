@@ -22,9 +22,9 @@ pub(super) struct DriverSurface<'a> {
     pub normal: Vec3<f64>,
     /// Its up direction.
     pub up: Vec3<f64>,
-    /// Point inside from which the whole surface is seen, and the distance from there to the plane at the face centre.
+    /// Point inside from which the whole surface is seen, and half its distance from the face.
     centre: Vec3<f64>,
-    ahead: f64,
+    near: f64,
 }
 
 impl<'a> DriverSurface<'a> {
@@ -32,7 +32,9 @@ impl<'a> DriverSurface<'a> {
         let (s, c) = shape.loft.sin_cos();
         let (normal, up) = (Vec3::new(c, s, 0.0), Vec3::new(-s, c, 0.0));
         let centre = Vec3::new(-shape.depth * WIDEST, 0.0, 0.0);
-        Self { shape, normal, up, centre, ahead: -centre.dot(normal) }
+        let mut surface = Self { shape, normal, up, centre, near: 0.0 };
+        surface.near = surface.in_front(centre).abs() * 0.5;
+        surface
     }
 
     /// Distance of the body without a face from the centre along a unit direction.
@@ -43,29 +45,28 @@ impl<'a> DriverSurface<'a> {
         let outline = outlined(d.x / back) + outlined(d.z / (0.5 * shape.width));
         (outline.powf(SECTION / OUTLINE) + (d.y / height).abs().powf(SECTION)).powf(-1.0 / SECTION)
     }
-    /// How far the point of a ray from the centre is in front of the face, along its normal at the face centre, and how that grows with the distance: a
-    /// torus, the roll arc revolved about an axis `bulge` behind.
-    fn in_front(&self, d: Vec3<f64>, t: f64) -> (f64, f64) {
+    /// How far a point is in front of the face, along its normal at the centre: a torus, the roll arc revolved about an axis `bulge` behind.
+    fn in_front(&self, p: Vec3<f64>) -> f64 {
         let DriverShape { bulge, roll, .. } = *self.shape;
-        let p = self.centre + d * t;
         let height = p.dot(self.up);
-        let arc = (roll * roll - height * height).max(0.0).sqrt();
-        let radius = bulge - roll + arc;
-        let section = (radius * radius - p.z * p.z).max(0.0).sqrt();
-        let narrows = height * d.dot(self.up) / arc;
-        (p.dot(self.normal) + bulge - section, d.dot(self.normal) + (radius * narrows + p.z * d.z) / section)
+        let radius = bulge - roll + (roll * roll - height * height).max(0.0).sqrt();
+        p.dot(self.normal) + bulge - (radius * radius - p.z * p.z).max(0.0).sqrt()
     }
     /// Distance of the face from the centre along a unit direction, or `far` if that is less.
     fn face(&self, d: Vec3<f64>, far: f64) -> f64 {
         let slope = d.dot(self.normal);
-        if slope * far < 0.5 * self.ahead {
+        if slope * far < self.near {
             return far;
         }
-        // Newton's method from the plane at the face centre: the face is nearly flat.
-        let mut t = (self.ahead / slope).min(far);
-        for _ in 0..3 {
-            let (beyond, growth) = self.in_front(d, t);
-            t = (t - beyond / growth).clamp(0.0, far);
+        let mut t = far;
+        for _ in 0..8 {
+            // The face is nearly flat: the slope at its centre will do. With its own slope at every place this would be quicker, but run away
+            // where the face is as curved as the limits of shapes allow.
+            let next = (t - self.in_front(self.centre + d * t) / slope).clamp(0.0, far);
+            if next == t {
+                break;
+            }
+            t = next;
         }
         t
     }

@@ -3,10 +3,12 @@
 use crate::first_touch::{FirstTouch, Motion};
 use clubface_math::{Mat3, Scalar, Vec3};
 
-/// Coefficient of restitution at a normal approach speed in m/s: `cor + cor_slope * speed`.
+/// Coefficient of restitution at a normal approach speed in m/s: `cor + cor_slope * speed`, and never below zero, where the ball would leave through
+/// the face.
 #[inline(always)]
 pub fn restitution<S: Scalar>(cor: S, cor_slope: S, approach: S) -> S {
-    cor + cor_slope * approach
+    // In this order NaN stays.
+    S::zero().max(cor + cor_slope * approach)
 }
 
 /// Restitution along x' (normal), y' (up the face) and z' (to the toe): after impact the relative velocity at the

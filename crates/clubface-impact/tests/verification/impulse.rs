@@ -46,6 +46,22 @@ fn a_central_impact_follows_penners_closed_form() {
     }
 }
 
+/// Where the slope takes more than the restitution at rest there is none left: the ball stays at the face, and no energy is made.
+#[test]
+fn restitution_ends_at_zero() {
+    let inputs = simple_head(0.04).with(&[("speed", 60.0)]);
+    for model in [ModelKind::Standard, ModelKind::Adjusted, ModelKind::Slip, ModelKind::Jorgensen] {
+        for (cor, slope) in [(0.0, -0.02), (0.5, -0.02), (0.0, 0.0)] {
+            let parameters = changed(model, model.info().defaults(), &[("cor", cor), ("cor_slope", slope)]);
+            let (rigid, _) = impulse(model, &inputs, &parameters);
+            let (before, after) = (rigid.relative_before(), rigid.relative_after());
+            let normal = rigid.touch.normal;
+            let restitution = -after.dot(normal) / before.dot(normal);
+            assert!(restitution.abs() < ROUNDING, "{model:?}: {restitution}");
+        }
+    }
+}
+
 /// For a homogeneous ball and a head of infinite mass, rolling leaves 5/7 of the velocity along the face.
 #[test]
 fn a_homogeneous_ball_rolls_off_a_heavy_face_with_five_sevenths() {
