@@ -120,7 +120,7 @@ def test_a_mistake_is_one_line(clubface_, arguments, words):
 
 def test_a_run_whose_elements_fail_ends_with_the_element_and_what_it_has(clubface_, tmp_path):
     pytest.importorskip("matplotlib")
-    path, out = write_case(tmp_path, duration=700, old='speed = "35', new='speed = "145'), tmp_path / "out"
+    path, out = write_case(tmp_path, duration=700, old='speed = "35', new='speed = "150'), tmp_path / "out"
     # Shorter steps would save them.
     path.write_text(path.read_text().replace("[run]", "[run]\nsafety = 0.9"))
     ran = clubface_("fem", "run", str(path), "-o", str(out))

@@ -1,6 +1,6 @@
 //! Elements in any arrangement: the corners of a pack are gathered from the nodes one by one.
 
-use super::one_point::Hexahedron;
+use super::one_point::{on_bases, Hexahedron};
 use super::one_point_constants::Constants;
 use super::point::{Block, Look, Points, Ratios};
 use super::side::{spread, sums, Face};
@@ -83,7 +83,7 @@ impl<R: Real> Indexed<R> {
                 let at = Deformation::new(element.gradient(&constants));
                 ratios = ratios.and(at.volume);
                 let stress = points.stress(block, first, constants.volume(), &at);
-                let (low, high) = element.forces(&constants, &element.stress(&constants, &stress));
+                let (low, high) = element.forces(&constants, &on_bases(&constants, &stress));
                 for (bottom, face) in [(0, low), (4, high)] {
                     let (x, y, z) = (spread(face[0]), spread(face[1]), spread(face[2]));
                     for corner in 0..4 {

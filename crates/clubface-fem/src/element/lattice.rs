@@ -7,7 +7,7 @@
 use super::arrangement::order;
 use super::field::{Field, Layout, Scratch};
 use super::motion::Motion;
-use super::one_point::{Component, Hexahedron, Stress};
+use super::one_point::{on_bases, Component, Hexahedron};
 use super::one_point_constants::Constants;
 use super::point::{Block, Look, Points, Ratios};
 use super::quads::{add, face, side, Places};
@@ -168,8 +168,7 @@ unsafe fn walk<P: Pack, W: Points<P>>(
     let mut below = [empty(); BLOCK];
     let mut elements = [Hexahedron::<P>::zero(); RUN];
     let mut deformations = [Deformation::new(Mat3::diagonal(P::one())); RUN];
-    let mut seconds = [Symmetric::diagonal(P::zero()); RUN];
-    let mut stresses = [Stress::zero(); RUN];
+    let mut stresses = [Symmetric::diagonal(P::zero()); RUN];
     let mut ratios = Ratios::new();
     for (column, blocks) in constants.chunks_exact(nk).enumerate() {
         for start in (0..nk).step_by(RUN) {
@@ -191,16 +190,14 @@ unsafe fn walk<P: Pack, W: Points<P>>(
                     ratios = ratios.and(deformation.volume);
                 }
                 for (layer, block) in run.iter().enumerate() {
-                    let volume = Constants::new(&block.0, first).volume();
-                    let number = column * nk + start + layer;
-                    seconds[layer] = points.stress(number, first, volume, &deformations[layer]);
-                }
-                for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
                     // This loop computes more than it loads: time to fetch what the next ones need.
                     if first == 0 {
                         prefetch(block, RUN);
                     }
-                    stresses[layer] = element.stress(&Constants::new(&block.0, first), &seconds[layer]);
+                    let constants = Constants::new(&block.0, first);
+                    let number = column * nk + start + layer;
+                    let second = points.stress(number, first, constants.volume(), &deformations[layer]);
+                    stresses[layer] = on_bases(&constants, &second);
                 }
                 for axis in 0..3 {
                     let mut under = if start == 0 { [P::zero(); 4] } else { below[first][axis] };

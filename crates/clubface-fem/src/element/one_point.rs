@@ -2,9 +2,9 @@
 //!
 //! Positions are taken apart into eight modes by sums and differences: one of translation, three of uniform deformation (the base vectors
 //! at the centre), four of bending (hourglass), to which one point is blind (Flanagan and Belytschko, Int. J. Numer. Methods Eng. 17,
-//! 1981). The hourglass modes get the stiffness that a rectangular, incompressible block of the element's size has in bending, shear and
-//! torsion, without bulk stiffness (after Belytschko and Bindeman, Comput. Methods Appl. Mech. Eng. 105, 1993), as an energy of the
-//! products of current base vectors and modes: it knows no rotation, and forces follow as its exact derivative.
+//! 1981). The hourglass modes get an energy of the square of what is left of them beside the base vectors, the patterns: it knows no rotation, and
+//! forces follow from it in proportion. Each has one stiffness, made of those that a rectangular, incompressible block of the element's size has in
+//! bending, shear and torsion, without bulk stiffness (after Belytschko and Bindeman, Comput. Methods Appl. Mech. Eng. 105, 1993).
 //!
 //! The materials are isotropic, so each element may look at its undeformed shape from a frame of its own: one in which the first base
 //! vector lies along x and the second in the xy plane. Its Jacobian is then triangular (six numbers instead of nine), and elements that
@@ -49,24 +49,22 @@ impl<P: Pack> Component<P> {
         Self { bases, patterns }
     }
 
-    /// Forces, N, on the sides below (added to those given) and above, of a stress and of the hourglass patterns.
+    /// Forces, N, on the sides below (added to those given) and above, of the hourglass patterns and of a stress as of [`on_bases`].
     #[inline(always)]
     pub fn forces(
         &self,
         constants: &Constants<P>,
-        stress: &Stress<P>,
+        stress: &Symmetric<P>,
         below: &Sums<P>,
     ) -> (Sums<P>, Sums<P>) {
-        let [x, y, z, twisted] = self.patterns;
-        let ([aa, bb, cc, ab, ac, bc], [p, q, r]) = (stress.bases.0, stress.patterns);
-        // Sums of three terms side by side, and below the next term of each in turn: what the CPU waits for is the longest chain of operations.
-        let (bases, patterns) = (self.bases, [x, y, z]);
-        let mut on_bases = [
-            dot(bases, [aa, ab, ac]) + dot(patterns, [p[0], q[0], r[0]]),
-            dot(bases, [ab, bb, bc]) + dot(patterns, [p[1], q[1], r[1]]),
-            dot(bases, [ac, bc, cc]) + dot(patterns, [p[2], q[2], r[2]]),
-        ];
-        let mut on_patterns = [dot(bases, p), dot(bases, q), dot(bases, r), twisted * constants.twist()];
+        let [aa, bb, cc, ab, ac, bc] = stress.0;
+        let bases = self.bases;
+        // Below the next term of each sum in turn: what the CPU waits for is the longest chain of operations.
+        let mut on_bases = [dot(bases, [aa, ab, ac]), dot(bases, [ab, bb, bc]), dot(bases, [ac, bc, cc])];
+        let mut on_patterns = self.patterns;
+        for which in 0..4 {
+            on_patterns[which] = self.patterns[which] * constants.stiffness(which);
+        }
         // What acts on base vectors acts on the patterns in their means, and what acts on patterns on the base vectors they were freed of.
         for i in 0..3 {
             for which in 0..3 {
@@ -82,23 +80,6 @@ impl<P: Pack> Component<P> {
         let low =
             [below[0] - third, (below[1] - xz) + first, (below[2] - yz) + second, (below[3] - twist) + xy];
         (low, [third, first + xz, second + yz, xy + twist])
-    }
-}
-
-/// Stress of a pack of elements, N/m: factors of base vectors and of patterns in the forces on them.
-#[derive(Clone, Copy)]
-pub struct Stress<P> {
-    /// Of each base vector in the force on each.
-    bases: Symmetric<P>,
-    /// Of each base vector in the force on a pattern, and of the pattern in the force on it.
-    patterns: [[P; 3]; 3],
-}
-
-impl<P: Pack> Stress<P> {
-    /// None.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        Self { bases: Symmetric::diagonal(P::zero()), patterns: [[P::zero(); 3]; 3] }
     }
 }
 
@@ -142,31 +123,9 @@ impl<P: Pack> Hexahedron<P> {
         Mat3 { rows }
     }
 
-    /// Products of patterns and base vectors.
-    #[inline(always)]
-    fn product(&self, pattern: usize, along: usize) -> P {
-        let [x, y, z] = &self.components;
-        dot(
-            [x.bases[along], y.bases[along], z.bases[along]],
-            [x.patterns[pattern], y.patterns[pattern], z.patterns[pattern]],
-        )
-    }
-
-    /// Stress of a second Piola-Kirchhoff one (Pa) times minus the volume, and of the hourglass patterns.
-    #[inline(always)]
-    pub fn stress(&self, constants: &Constants<P>, second: &Symmetric<P>) -> Stress<P> {
-        let mut patterns = [[P::zero(); 3]; 3];
-        for which in 0..3 {
-            for along in 0..3 {
-                patterns[which][along] = constants.stiffness(which, along) * self.product(which, along);
-            }
-        }
-        Stress { bases: on_bases(constants, second), patterns }
-    }
-
     /// Forces, N, on the sides below and above.
     #[inline(always)]
-    pub fn forces(&self, constants: &Constants<P>, stress: &Stress<P>) -> (Face<P>, Face<P>) {
+    pub fn forces(&self, constants: &Constants<P>, stress: &Symmetric<P>) -> (Face<P>, Face<P>) {
         let (mut low, mut high) = (empty(), empty());
         for axis in 0..3 {
             let force = self.components[axis].forces(constants, stress, &[P::zero(); 4]);
@@ -178,21 +137,19 @@ impl<P: Pack> Hexahedron<P> {
     /// Energy of the hourglass patterns, J.
     #[inline(always)]
     pub fn hourglass_energy(&self, constants: &Constants<P>) -> P {
-        let [x, y, z] = self.components.map(|component| component.patterns[3]);
-        let mut sum = constants.twist() * (x * x + y * y + z * z);
-        for which in 0..3 {
-            for along in 0..3 {
-                let product = self.product(which, along);
-                sum += constants.stiffness(which, along) * product * product;
-            }
+        let mut sum = P::zero();
+        for which in 0..4 {
+            let pattern = self.components.map(|component| component.patterns[which]);
+            sum += constants.stiffness(which) * dot(pattern, pattern);
         }
         sum * -0.5
     }
 }
 
-/// A stress seen from the base vectors, `G^T S G` where the gradient is their matrix times `G^T`: the force on each is the sum of all with these factors.
+/// A second Piola-Kirchhoff stress (Pa, times minus the volume) seen from the base vectors, `G^T S G` where the gradient is their matrix times `G^T`: the
+/// force on each is the sum of all with these factors, N/m.
 #[inline(always)]
-fn on_bases<P: Pack>(constants: &Constants<P>, second: &Symmetric<P>) -> Symmetric<P> {
+pub fn on_bases<P: Pack>(constants: &Constants<P>, second: &Symmetric<P>) -> Symmetric<P> {
     let ([rx, ry, rz], [sy, sz], tz) = constants.inverse();
     let [xx, yy, zz, xy, xz, yz] = second.0;
     let [ax, ay, az] = [

@@ -5,18 +5,16 @@ use crate::mesh::{base_vectors, signs, CORNERS};
 use clubface_math::{Mat3, Pack, Scalar, Vec3};
 
 /// Constants an element keeps.
-pub const CONSTANTS: usize = 35;
+pub const CONSTANTS: usize = 32;
 
 /// Where they stand: `J^-1 / 8` (rows of base vectors, upper triangle), the negative of each hourglass shape in base vectors, what a pattern adds
-/// to each base vector in the mean gradient, reciprocal squares of the edges, volume.
+/// to each base vector in the mean gradient, stiffnesses of the patterns, volume.
 pub const SKEW: usize = 6;
 const MEAN: usize = 18;
 /// Numbers that tell the shape: those above, of which the first have a unit, 1/m.
 pub const SHAPES: usize = 27;
-const PLATE: usize = 27;
-const SHEAR: usize = 30;
-const TWIST: usize = 33;
-pub const VOLUME: usize = 34;
+const STIFFNESS: usize = 27;
+pub const VOLUME: usize = 31;
 
 /// Mode of each uniform deformation, and of each hourglass pattern: bits are the reference coordinates in the product.
 const LINEAR: [usize; 3] = [1, 2, 4];
@@ -49,15 +47,19 @@ pub fn constants<R: Scalar>(corners: &[Vec3<R>; CORNERS], shear: R) -> [R; CONST
         let [a, b, d] = base_vectors(corners, signs(point).map(|s| s * at));
         stored[VOLUME] += a.dot(b.cross(d));
     }
-    // Hourglass stiffness: with edges l and e = 4/l^2, half of mu V/3 (sum of e) times the square of (x.q) / (32 l), and 1/(32 l)^2 = e/4096.
-    // Eight corners a sum: a quarter of it is the edge.
+    // Hourglass stiffness: with edges l and e = 4/l^2, a pattern across two edges has mu V/48 e along either of them, and along the third a quarter of
+    // that with the sum of both. One for all directions must be neither of the stiffest, which would lock a thin element that bends, nor of the
+    // softest: its period is the mean of theirs. Eight corners a sum: a quarter of it is the edge.
     let e = [a, b, c].map(|base| base.norm_squared().recip() * 64.0);
-    let scale = shear * stored[VOLUME] * (-1.0 / (3.0 * 4096.0));
+    let scale = shear * stored[VOLUME] * (-1.0 / 48.0);
     for i in 0..3 {
-        stored[PLATE + i] = scale * e[i] * e[i] * 4.0;
-        stored[SHEAR + i] = scale * e[i] * (e[(i + 1) % 3] + e[(i + 2) % 3]);
+        let across = [e[(i + 1) % 3], e[(i + 2) % 3]];
+        let directions = [across[0], across[1], (across[0] + across[1]) * 0.25];
+        let period =
+            directions.into_iter().fold(R::zero(), |sum, one| sum + one.sqrt().recip()) * (1.0 / 3.0);
+        stored[STIFFNESS + i] = scale * (period * period).recip();
     }
-    stored[TWIST] = scale * 64.0 * (e[0] * e[1] * e[2]).powf(1.0 / 3.0);
+    stored[STIFFNESS + 3] = scale * 0.25 * (e[0] * e[1] * e[2]).powf(1.0 / 3.0);
     // The volume is 8 [a.(b x c) + (a.(m_ab x m_ac) + b.(m_bc x m_ab) + c.(m_ac x m_bc)) / 3] with a, b, c and the modes m an eighth of these
     // sums; the mean gradient is its derivative over it. The twist has no part in it.
     let [bc, ac, ab, _] = PATTERNS.map(|mode| modes[mode]);
@@ -111,14 +113,9 @@ impl<'a, P: Pack> Constants<'a, P> {
     pub(super) fn inverse(&self) -> ([P; 3], [P; 2], P) {
         ([self.load(0), self.load(1), self.load(2)], [self.load(3), self.load(4)], self.load(5))
     }
-    /// Stiffness of a pattern along a base vector.
+    /// Minus the stiffness of a pattern, N/m.
     #[inline(always)]
-    pub(super) fn stiffness(&self, pattern: usize, along: usize) -> P {
-        self.load(along + if along == pattern { SHEAR } else { PLATE })
-    }
-    /// Stiffness of the fourth pattern.
-    #[inline(always)]
-    pub(super) fn twist(&self) -> P {
-        self.load(TWIST)
+    pub(super) fn stiffness(&self, pattern: usize) -> P {
+        self.load(STIFFNESS + pattern)
     }
 }

@@ -72,6 +72,13 @@ impl<P: Pack> Ratios<P> {
     pub fn sound(self) -> bool {
         (0..P::LANES).all(|lane| self.least.lane(lane) >= RATIOS.0 && self.most.lane(lane) <= RATIOS.1)
     }
+    /// Both, of all lanes.
+    #[inline(always)]
+    pub fn range(self) -> (f64, f64) {
+        (0..P::LANES).fold((1.0, 1.0), |(least, most): (f64, f64), lane| {
+            (least.min(self.least.lane(lane)), most.max(self.most.lane(lane)))
+        })
+    }
 }
 
 /// Something that looks at packs of elements.
@@ -136,10 +143,20 @@ pub struct Tally<'a, P: Pack, M> {
     pub history: &'a mut History<P::Real>,
     /// Bulk viscosity, if there is any.
     pub viscosity: Option<&'a BulkViscosity<P::Real>>,
-    /// Energies, J.
-    pub energy: Energy,
-    /// Smallest and largest ratio of current to reference volume.
-    pub ratios: (f64, f64),
+    /// Sums by lane, J: strain, hourglass, viscous and plastic energy.
+    pub energies: [P; 4],
+    /// Smallest and largest ratio of current to reference volume, by lane.
+    pub ratios: Ratios<P>,
+}
+
+impl<P: Pack, M> Tally<'_, P, M> {
+    /// Energies, J, and the smallest and largest ratio.
+    #[inline(always)]
+    pub fn total(self) -> (Energy, (f64, f64)) {
+        let [strain, hourglass, viscous, plastic] =
+            self.energies.map(|sum| (0..P::LANES).map(|lane| sum.lane(lane)).sum());
+        (Energy { strain, hourglass, viscous, plastic }, self.ratios.range())
+    }
 }
 
 impl<P: Pack, M: Remembering<P>> Look<P> for Tally<'_, P, M> {
@@ -149,20 +166,14 @@ impl<P: Pack, M: Remembering<P>> Look<P> for Tally<'_, P, M> {
         let (reference, ratio) = (constants.volume(), kinematics.deformation.volume);
         let dilation = ratio - 1.0;
         let found = self.law.energy(&kinematics.c, &self.history.of(block, first));
-        let strain = (found.strain + self.bulk * dilation * dilation * 0.5) * reference;
+        let strain = found.strain + self.bulk * dilation * dilation * 0.5;
         let damped = self.viscosity.map_or(P::zero(), |viscosity| viscosity.work(block, first));
-        let (viscous, plastic) = ((found.viscous + damped) * reference, found.plastic * reference);
-        let hourglass = element.hourglass_energy(constants);
-        for lane in 0..P::LANES {
-            if reference.lane(lane) > 0.0 {
-                self.energy.strain += strain.lane(lane);
-                self.energy.hourglass += hourglass.lane(lane);
-                self.energy.viscous += viscous.lane(lane);
-                self.energy.plastic += plastic.lane(lane);
-                self.ratios.0 = self.ratios.0.min(ratio.lane(lane));
-                self.ratios.1 = self.ratios.1.max(ratio.lane(lane));
-            }
-        }
+        // Lanes without an element have no volume and no stiffness, and keep their shape.
+        self.energies[0] += strain * reference;
+        self.energies[1] += element.hourglass_energy(constants);
+        self.energies[2] += (found.viscous + damped) * reference;
+        self.energies[3] += found.plastic * reference;
+        self.ratios = self.ratios.and(ratio);
     }
 }
 

@@ -1,7 +1,7 @@
 //! What can be seen of a patch of hexahedra between steps: energies, stress and strain.
 
 use super::gauge::{Gauge, Tell};
-use super::point::{Block, Look, Tally};
+use super::point::{Block, Look, Ratios, Tally};
 use super::solid::{Layout, SolidPatch};
 use super::Energy;
 use crate::material::{Remembering, UseMemory};
@@ -50,12 +50,12 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Examine<'_, R> {
     #[inline(always)]
     fn with<M: Remembering<P>>(self, law: M) -> Self::Output {
         let SolidPatch { material, layout, nodes, constants, history, viscosity, .. } = self.patch;
-        let (bulk, ratios) = (P::splat(material.bulk), (f64::INFINITY, f64::NEG_INFINITY));
-        let energy = Energy::default();
-        let mut tally = Tally { law, bulk, history, viscosity: viscosity.as_ref(), energy, ratios };
+        let (bulk, viscosity) = (P::splat(material.bulk), viscosity.as_ref());
+        let (energies, ratios) = ([P::zero(); 4], Ratios::new());
+        let mut tally = Tally { law, bulk, history, viscosity, energies, ratios };
         // SAFETY: the caller has checked the nodes.
         unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, &mut tally) };
-        (tally.energy, tally.ratios)
+        tally.total()
     }
 }
 

@@ -31,7 +31,7 @@ impl Default for Options {
             duration: 1e-3,
             safety: None,
             interval: 5e-6,
-            energy_every: 8,
+            energy_every: 10,
             until_separation: false,
             contact: Method::Penalty,
             bulk_viscosity: 0.0,

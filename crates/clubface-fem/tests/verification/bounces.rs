@@ -43,13 +43,14 @@ fn drop(
     bounce(&mut body, &surface, &areas, friction, velocity, duration, SPRING)
 }
 
-/// Peak force and time of contact over those of Hertz (1882), for a largest indentation of 2% of the radius.
+/// Peak force and time of contact over those of Hertz (1882), for a largest indentation of 0.2% of the radius. His bodies are half-spaces: a ball is stiffer
+/// by some multiple of the radius of contact over its own, and presses several percent harder where it is dented by 2%.
 fn hertz(cube: usize) -> [f64; 2] {
     let (young, poisson, density) = (1e9, 0.3, 1000.0);
-    let mesh = ball(cube, cube / 2, 4.0);
+    let mesh = ball(cube, cube / 2, 20.0);
     let mass: f64 = masses(&mesh, density).iter().sum();
     let stiffness = 4.0 / 3.0 * young / (1.0 - poisson * poisson) * RADIUS.sqrt();
-    let depth: f64 = 0.02 * RADIUS;
+    let depth: f64 = 0.002 * RADIUS;
     let speed = (0.8 * stiffness * depth.powf(2.5) / mass).sqrt();
     let duration = 2.943_28 * depth / speed;
     let found = drop(
@@ -65,7 +66,7 @@ fn hertz(cube: usize) -> [f64; 2] {
 
 #[test]
 fn a_slow_ball_obeys_hertz() {
-    let (coarse, fine) = (hertz(8), hertz(16));
+    let (coarse, fine) = (hertz(8), hertz(12));
     for i in 0..2 {
         assert!(
             (fine[i] - 1.0).abs() < 0.03 && (fine[i] - 1.0).abs() < (coarse[i] - 1.0).abs(),

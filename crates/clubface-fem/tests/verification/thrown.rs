@@ -38,7 +38,8 @@ pub fn bounce(
 ) -> Bounce {
     let mut contact =
         RigidContact::new(Plane, friction, surface.to_vec(), &body.masses, areas).with_springs(springs);
-    let dt = body.stable_step(60) * 0.8;
+    // Bodies are shorter while they are pressed, and their stable step with them.
+    let dt = body.stable_step(60) * 0.7;
     body.velocities.fill(Row::from_vec(velocity));
     let mass: f64 = body.masses.iter().sum();
     let start = 0.5 * mass * velocity.norm_squared();
