@@ -25,5 +25,5 @@ def test_the_launch_converges_with_the_mesh():
     (_, default, _, finest) = found
     assert default[0] == pytest.approx(finest[0], rel=0.005)
     assert default[1] == pytest.approx(finest[1], rel=0.02)
-    # The angle changes by the 1.2% of the velocity along the plane.
-    assert default[2] == pytest.approx(finest[2], abs=math.radians(0.15))
+    # The angle changes by the 1.5% of the velocity along the plane, as with hexahedra of eight points.
+    assert default[2] == pytest.approx(finest[2], abs=math.radians(0.2))
