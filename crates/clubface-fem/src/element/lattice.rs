@@ -6,7 +6,7 @@
 
 use super::arrangement::order;
 use super::field::{Field, Layout, Scratch};
-use super::motion::Motion;
+use super::motion::{Kinetic, Motion};
 use super::one_point::{on_bases, Component, Hexahedron};
 use super::one_point_constants::Constants;
 use super::point::{Block, Look, Points, Ratios};
@@ -60,8 +60,9 @@ impl<R: Real> Lattice<R> {
         &self.rows[..self.rows.len() - BLOCK]
     }
 
-    /// Forces of all elements for the positions of their nodes, a list longer than it need be by a block. With a time step the nodes that the
-    /// lattice has adopted move on by it, and only forces on the others are written. Returns whether the laws hold for all volumes.
+    /// Forces of all elements for the positions of their nodes, a list longer than it need be by a block. If the lattice is `moving` the nodes it has
+    /// adopted, the forces on these stay in the scratch for [`Lattice::advance`], and only those on the others are written. Returns whether the laws hold
+    /// for all volumes.
     ///
     /// # Safety
     /// The nodes exist.
@@ -73,13 +74,13 @@ impl<R: Real> Lattice<R> {
         nodes: &[u32],
         constants: &[Block<R>],
         points: W,
-        step: Option<R>,
+        moving: bool,
     ) -> bool {
         let Self { shape, layout, rows, motion } = self;
         let mut forces = scratch.forces.field(*layout);
-        let mut moving = motion.as_mut().zip(step);
+        let mut motion = motion.as_mut().filter(|_| moving);
         // SAFETY of these: the caller's promise.
-        let mut field = if let Some((motion, _)) = &mut moving {
+        let mut field = if let Some(motion) = &mut motion {
             unsafe { motion.meet::<P>(positions, nodes) }
         } else {
             let mut field = scratch.positions.field(*layout);
@@ -89,9 +90,8 @@ impl<R: Real> Lattice<R> {
             field
         };
         let sound = unsafe { walk(*shape, &mut field, &mut forces, constants, points) };
-        if let Some((motion, step)) = moving {
+        if let Some(motion) = motion {
             motion.part::<P>(&mut forces, rows);
-            motion.advance::<P>(&mut forces, P::splat(step));
         } else {
             for k in 0..layout.planes {
                 forces.store::<P>(k, &mut rows[k * layout.plane..]);
@@ -100,26 +100,46 @@ impl<R: Real> Lattice<R> {
         sound
     }
 
-    /// Shows every element to `look`.
+    /// Moves the adopted nodes on by a step, s.
+    #[inline(always)]
+    pub fn advance<P: Pack<Real = R>>(&mut self, scratch: &mut Scratch<R>, step: R) {
+        if let Some(motion) = &mut self.motion {
+            motion.advance(&mut scratch.forces.field(self.layout), P::splat(step));
+        }
+    }
+
+    /// Kinetic energy of the adopted nodes between their velocities before and after such a step, J.
+    pub fn kinetic(&mut self, scratch: &mut Scratch<R>, step: R) -> R {
+        let forces = scratch.forces.field(self.layout);
+        self.motion.as_mut().map_or(R::zero(), |motion| R::dispatch(Kinetic { motion, forces, step }))
+    }
+
+    /// Shows every element to `look`, where [`Lattice::assemble`] has met it if it is at hand.
     ///
     /// # Safety
     /// As for [`Lattice::assemble`].
     #[inline(always)]
     pub unsafe fn visit<P: Pack<Real = R>, W: Look<P>>(
-        &self,
+        &mut self,
         positions: &[Row<R>],
         nodes: &[u32],
         constants: &[Block<R>],
+        at_hand: bool,
         look: &mut W,
     ) {
         let nk = self.shape[2];
         let places = Places::new(self.shape);
         let mut scratch = Scratch::new();
-        let mut field = scratch.positions.field(self.layout);
-        for k in 0..self.layout.planes {
-            // SAFETY: the caller's promise.
-            unsafe { field.load::<P>(k, positions, nodes) };
-        }
+        let mut field = if let Some(motion) = self.motion.as_mut().filter(|_| at_hand) {
+            motion.met()
+        } else {
+            let mut field = scratch.positions.field(self.layout);
+            for k in 0..self.layout.planes {
+                // SAFETY: the caller's promise.
+                unsafe { field.load::<P>(k, positions, nodes) };
+            }
+            field
+        };
         for column in 0..constants.len() / nk {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = places.quads::<P>(column * BLOCK + first);

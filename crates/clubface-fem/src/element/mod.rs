@@ -25,6 +25,7 @@ mod shell_material;
 mod side;
 mod solid;
 mod solid_look;
+mod solid_step;
 
 use crate::block::Aligned;
 pub use crate::block::BLOCK;
@@ -58,6 +59,17 @@ pub struct Energy {
     pub viscous: f64,
     /// Turned into heat by plastic flow.
     pub plastic: f64,
+}
+
+/// What a patch sees in a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    /// Energies.
+    pub energy: Energy,
+    /// Smallest and largest ratio of current to reference volume.
+    pub ratios: (f64, f64),
+    /// Kinetic energy of the adopted nodes between their velocities before and after the step, J.
+    pub kinetic: f64,
 }
 
 impl std::ops::AddAssign for Energy {
@@ -117,6 +129,18 @@ pub trait Patch<R: Real>: Send + Sync {
     /// fields of all nodes.
     fn step(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64, _scratch: &mut Scratch<R>) {
         self.assemble(positions, velocities, dt);
+    }
+    /// The same, and what there is to see at the positions from which the step goes on.
+    fn step_and_look(
+        &mut self,
+        positions: &[Row<R>],
+        velocities: &[Row<R>],
+        dt: f64,
+        scratch: &mut Scratch<R>,
+    ) -> Seen {
+        self.step(positions, velocities, dt, scratch);
+        let (energy, ratios) = self.look(positions);
+        Seen { energy, ratios, kinetic: 0.0 }
     }
     /// Moments of the adopted nodes.
     fn adopted_moments(&mut self, _origin: &Origin<R>) -> Moments<R> {

@@ -101,6 +101,11 @@ impl<R: Real> Motion<R> {
         field
     }
 
+    /// The positions that it met last.
+    pub fn met(&mut self) -> Field<'_, R> {
+        self.positions.field(self.layout)
+    }
+
     /// Writes the forces on the nodes that are not inside, one after the other in the order of all. There is room for all nodes and a block.
     #[inline(always)]
     pub fn part<P: Pack<Real = R>>(&self, forces: &mut Field<R>, rows: &mut [Row<R>]) {
@@ -138,6 +143,39 @@ impl<R: Real> Motion<R> {
                 }
             }
         }
+    }
+}
+
+/// Kinetic energy of the nodes inside between their velocities before and after a step, J.
+pub struct Kinetic<'a, R> {
+    /// Before [`Motion::advance`].
+    pub motion: &'a mut Motion<R>,
+    /// Forces, N.
+    pub forces: Field<'a, R>,
+    /// The step, s.
+    pub step: R,
+}
+
+impl<R: Real> PackKernel<R> for Kinetic<'_, R> {
+    type Output = R;
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(mut self) -> R {
+        let Motion { layout, velocities, inverse_masses, .. } = self.motion;
+        let Layout { row, plane, planes, stride } = *layout;
+        let (mut v, step, mut sum) = (velocities.field(*layout), P::splat(self.step), P::zero());
+        for k in 1..planes - 1 {
+            for at in (row..plane - row).step_by(P::LANES) {
+                // SAFETY: as in `advance`.
+                unsafe {
+                    let inverse = P::read(inverse_masses.as_ptr().add(k * stride + at));
+                    let mass = P::select(inverse.gt(P::zero()), inverse.recip(), P::zero());
+                    let before = v.vector(k, at);
+                    let after = before + self.forces.vector(k, at) * (inverse * step);
+                    sum += before.dot(after) * mass;
+                }
+            }
+        }
+        (0..P::LANES).fold(R::zero(), |total, lane| total + sum.real(lane)) * R::from_f64(0.5)
     }
 }
 

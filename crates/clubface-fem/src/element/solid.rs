@@ -1,19 +1,20 @@
 //! Patches of hexahedra of one material.
 
 use super::arrangement::shape;
-use super::bulk_viscosity::{BulkViscosity, Drag};
+use super::bulk_viscosity::BulkViscosity;
 use super::field::Scratch;
 use super::gauge::Tell;
 use super::indexed::Indexed;
 use super::lattice::{Lattice, DEPTH};
 use super::one_point_constants::{constants, CONSTANTS, VOLUME};
-use super::point::{alike, Aging, Block, Elastic};
+use super::point::{alike, Block};
 use super::solid_look::{Examine, Feel};
-use super::{parts, Aligned, Energy, Patch, BLOCK};
-use crate::material::{Clock, History, Isochoric, Material, Remembering, Shape, UseLaw, UseMemory};
+use super::solid_step::{Advance, Assemble};
+use super::{parts, Aligned, Energy, Patch, Seen, BLOCK};
+use crate::material::{Clock, History, Material, Shape};
 use crate::mesh::{SolidMesh, CORNERS};
 use crate::moments::{Moments, Origin};
-use clubface_math::{Pack, PackKernel, Real, Row};
+use clubface_math::{Real, Row};
 use std::sync::Arc;
 
 /// Elements a patch: enough to hide the cost of starting on it, few enough that its nodes stay in the fast caches. It does not depend on the
@@ -131,6 +132,13 @@ impl<R: Real> SolidPatch<R> {
         }
     }
 
+    /// Moves the adopted nodes on by a step, s.
+    fn advance(&mut self, dt: f64, scratch: &mut Scratch<R>) {
+        if let Layout::Lattice(lattice) = &mut self.layout {
+            R::dispatch(Advance { lattice, scratch, step: R::from_f64(dt) });
+        }
+    }
+
     /// The promise that every node exists, on which unchecked reads rely.
     fn check(&self, positions: &[Row<R>]) {
         assert!((self.last as usize) < positions.len(), "a patch of another mesh");
@@ -166,6 +174,24 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     fn step(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64, scratch: &mut Scratch<R>) {
         self.check(positions);
         self.sound = R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: true });
+        self.advance(dt, scratch);
+    }
+    fn step_and_look(
+        &mut self,
+        positions: &[Row<R>],
+        _velocities: &[Row<R>],
+        dt: f64,
+        scratch: &mut Scratch<R>,
+    ) -> Seen {
+        self.check(positions);
+        self.sound = R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: true });
+        let (energy, ratios) = R::dispatch(Examine { patch: self, positions, at_hand: true });
+        let kinetic = match &mut self.layout {
+            Layout::Lattice(lattice) => lattice.kinetic(scratch, R::from_f64(dt)).re(),
+            Layout::Indexed(_) => 0.0,
+        };
+        self.advance(dt, scratch);
+        Seen { energy, ratios, kinetic }
     }
     fn sound(&self) -> bool {
         self.sound
@@ -197,90 +223,10 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     }
     fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
         self.check(positions);
-        R::dispatch(Examine { patch: self, positions })
+        R::dispatch(Examine { patch: self, positions, at_hand: false })
     }
     fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>) {
         self.check(positions);
         R::singly(Feel { patch: self, positions, tell });
-    }
-}
-
-struct Assemble<'a, R> {
-    patch: &'a mut SolidPatch<R>,
-    positions: &'a [Row<R>],
-    dt: f64,
-    scratch: &'a mut Scratch<R>,
-    /// Whether nodes move that the patch has adopted.
-    moving: bool,
-}
-
-impl<R: Real> PackKernel<R> for Assemble<'_, R> {
-    type Output = bool;
-    #[inline(always)]
-    fn run<P: Pack<Real = R>>(self) -> bool {
-        let SolidPatch { material, layout, nodes, constants, history, clock, viscosity, .. } = self.patch;
-        let dt = self.dt;
-        let rest = Loop {
-            drag: viscosity.as_mut().map(|viscosity| Drag { viscosity, dt }),
-            layout,
-            scratch: self.scratch,
-            step: self.moving.then(|| R::from_f64(self.dt)),
-            positions: self.positions,
-            nodes,
-            constants,
-            history,
-            bulk: P::splat(material.bulk),
-        };
-        // Compiled apart: elements without memory have nothing to load.
-        if rest.history.is_empty() {
-            material.with_law::<P, _>(rest)
-        } else {
-            material.with_memory::<P, _>(clock.tick(dt), rest)
-        }
-    }
-}
-
-/// All that the elements of a patch need, before the law is known.
-struct Loop<'a, P: Pack> {
-    drag: Option<Drag<'a, P::Real>>,
-    layout: &'a mut Layout<P::Real>,
-    scratch: &'a mut Scratch<P::Real>,
-    step: Option<P::Real>,
-    positions: &'a [Row<P::Real>],
-    nodes: &'a [u32],
-    constants: &'a [Block<P::Real>],
-    history: &'a mut History<P::Real>,
-    bulk: P,
-}
-
-impl<P: Pack> UseLaw<P> for Loop<'_, P> {
-    type Output = bool;
-    #[inline(always)]
-    fn with<L: Isochoric<P>>(self, law: L) -> bool {
-        let Loop { drag, layout, scratch, step, positions, nodes, constants, bulk, .. } = self;
-        let points = Elastic { law, bulk, drag };
-        match layout {
-            // SAFETY: `assemble` has checked the nodes.
-            Layout::Lattice(lattice) => unsafe {
-                lattice.assemble(scratch, positions, nodes, constants, points, step)
-            },
-            Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, points),
-        }
-    }
-}
-
-impl<P: Pack> UseMemory<P> for Loop<'_, P> {
-    type Output = bool;
-    #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) -> bool {
-        let Loop { drag, layout, scratch, step, positions, nodes, constants, history, bulk } = self;
-        let points = Aging { law, bulk, history, drag };
-        match layout {
-            // SAFETY: `assemble` has checked the nodes.
-            Layout::Lattice(lattice) => unsafe {
-                lattice.assemble(scratch, positions, nodes, constants, points, step)
-            },
-            Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, points),
-        }
     }
 }

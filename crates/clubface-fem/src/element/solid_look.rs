@@ -18,11 +18,12 @@ impl<R: Real> SolidPatch<R> {
         positions: &[Row<R>],
         nodes: &[u32],
         constants: &[Block<R>],
+        at_hand: bool,
         look: &mut impl Look<P>,
     ) {
         match layout {
             // SAFETY: the caller's promise.
-            Layout::Lattice(lattice) => unsafe { lattice.visit(positions, nodes, constants, look) },
+            Layout::Lattice(lattice) => unsafe { lattice.visit(positions, nodes, constants, at_hand, look) },
             Layout::Indexed(indexed) => indexed.visit(positions, nodes, constants, look),
         }
     }
@@ -34,6 +35,8 @@ pub struct Examine<'a, R> {
     pub patch: &'a mut SolidPatch<R>,
     /// Positions of all nodes, m.
     pub positions: &'a [Row<R>],
+    /// Whether adopted nodes are looked at where they were met in the last step.
+    pub at_hand: bool,
 }
 
 impl<R: Real> PackKernel<R> for Examine<'_, R> {
@@ -54,7 +57,7 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Examine<'_, R> {
         let (energies, ratios) = ([P::zero(); 4], Ratios::new());
         let mut tally = Tally { law, bulk, history, viscosity, energies, ratios };
         // SAFETY: the caller has checked the nodes.
-        unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, &mut tally) };
+        unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, self.at_hand, &mut tally) };
         tally.total()
     }
 }
@@ -86,6 +89,6 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
         let bulk = P::splat(material.bulk);
         let mut gauge = Gauge { law, bulk, history, numbers, tell: self.tell };
         // SAFETY: as above.
-        unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, &mut gauge) };
+        unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, false, &mut gauge) };
     }
 }

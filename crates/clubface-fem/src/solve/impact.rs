@@ -1,6 +1,7 @@
 //! One impact from first touch to launch.
 
 use super::history::{ContactFrame, EnergyFrame, History, MotionFrame};
+use super::march::Watch;
 use super::options::LONGEST;
 use super::rest::Pace;
 use super::team::Team;
@@ -95,13 +96,24 @@ impl<R: Real> Impact<R> {
             if run.step.is_multiple_of(every) && !watch(view) {
                 break Some(FemError::Interrupted { microseconds: time * 1e6 });
             }
-            let fails = !self.structure.sound() || run.runs_away(&motion);
-            if (run.step).is_multiple_of(every * options.energy_every) || fails {
-                if let Err(error) = run.ledger(self, motion) {
+            let (elements, ball) = (self.structure.sound(), run.runs_away(&motion));
+            if !elements || ball {
+                let ratios = self.structure.look().1;
+                if let Err(error) = self.check(&ratios, time * 1e6) {
+                    break Some(error);
+                }
+            }
+            // In a step in which all patches take part, at the latest the next one.
+            let due = run.step.is_multiple_of(every * options.energy_every) || ball;
+            if due && !self.structure.pause {
+                if let Err(error) = run.ledger(self, motion, options) {
                     break Some(error);
                 }
             } else {
-                run.march(self, motion, every - run.step % every, options);
+                let count = if due { 1 } else { every - run.step % every };
+                run.steps(self, motion, options, |structure, contact, dt, watch| {
+                    structure.march(contact, dt, count, watch)
+                });
             }
         });
         self.structure.settle();
@@ -122,6 +134,20 @@ impl<R: Real> Impact<R> {
             steps: run.step,
             wall: start.elapsed().as_secs_f64(),
         })
+    }
+
+    /// Whether all elements are as large as their laws bear, by the smallest and largest volume ratio of each patch at some time, µs.
+    fn check(&mut self, ratios: &[(f64, f64)], microseconds: f64) -> Result<(), FemError> {
+        for (patch, ratios) in ratios.iter().enumerate() {
+            for ratio in [ratios.0, ratios.1] {
+                if !(RATIOS.0..=RATIOS.1).contains(&ratio) {
+                    let element = self.structure.most_strained(patch).0;
+                    let part = self.parts[patch].clone();
+                    return Err(FemError::ElementLost { element, part, ratio, microseconds });
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Velocity of the ball, and its angular momentum over the inertia of the undeformed ball.
@@ -195,19 +221,18 @@ impl Run {
         motion.energy > all * (1.0 + BALANCE) || motion.energy.is_nan()
     }
 
-    /// Steps, as many as given, the first with a motion frame.
-    fn march<R: Real>(
+    /// Steps, the first with a motion frame, taken by `go`.
+    fn steps<R: Real, T>(
         &mut self,
         impact: &mut Impact<R>,
         motion: BallMotion<R>,
-        count: usize,
         options: &Options,
-    ) {
+        go: impl FnOnce(&mut Structure<R>, &mut dyn Contact<R>, f64, &mut Watch<'_, R>) -> T,
+    ) -> T {
         let BallMotion { frame, centre, .. } = motion;
         let mut frame = Some(frame);
         let Impact { structure, contact, axes, .. } = impact;
-        let dt = self.dt;
-        structure.march(contact.as_mut(), dt, count, &mut |contact, positions| {
+        go(structure, contact.as_mut(), self.dt, &mut |contact, positions| {
             self.record(contact, axes);
             if let Some(frame) = frame.take() {
                 let radius = contact.nearest(positions, centre).0.re();
@@ -215,33 +240,26 @@ impl Run {
             }
             self.step += 1;
             self.goes_on(options)
-        });
+        })
     }
 
     /// A step with a motion frame and its energies.
-    fn ledger<R: Real>(&mut self, impact: &mut Impact<R>, motion: BallMotion<R>) -> Result<(), FemError> {
+    fn ledger<R: Real>(
+        &mut self,
+        impact: &mut Impact<R>,
+        motion: BallMotion<R>,
+        options: &Options,
+    ) -> Result<(), FemError> {
         let (time, microseconds) = (self.time(), self.time() * 1e6);
-        impact.structure.assemble(impact.contact.as_mut(), self.dt);
-        self.record(impact.contact.as_ref(), &impact.axes);
-        let radius = impact.contact.nearest(&impact.structure.positions, motion.centre).0.re();
-        self.history.motion.push(MotionFrame { radius, ..motion.frame });
-        let (elements, ratios) = impact.structure.look();
-        for (patch, &ratios) in ratios.iter().enumerate() {
-            for ratio in [ratios.0, ratios.1] {
-                if !(RATIOS.0..=RATIOS.1).contains(&ratio) {
-                    let element = impact.structure.most_strained(patch).0;
-                    let part = impact.parts[patch].clone();
-                    return Err(FemError::ElementLost { element, part, ratio, microseconds });
-                }
-            }
-        }
-        let before = impact.structure.velocities.clone();
+        let (elements, ratios, kinetic) =
+            self.steps(impact, motion, options, |structure, contact, dt, watch| {
+                structure.step_and_look(contact, dt, watch)
+            });
+        impact.check(&ratios, microseconds)?;
         let contact = impact.contact.energy();
-        impact.structure.advance(impact.contact.as_ref(), self.dt);
-        self.step += 1;
         let frame = EnergyFrame {
             time,
-            kinetic: impact.structure.kinetic_energy(&before) + contact.bodies,
+            kinetic: kinetic + contact.bodies,
             elements,
             contact: contact.stored,
             friction: contact.friction,

@@ -6,7 +6,7 @@ use super::team::{Round, Team};
 use super::together::Shared;
 use super::Structure;
 use crate::contact::Contact;
-use crate::element::Scratch;
+use crate::element::{Energy, Scratch, Seen};
 use crate::moments::{Moments, Nodes};
 use clubface_math::{Real, Row};
 
@@ -29,6 +29,41 @@ impl<R: Real> Structure<R> {
         count: usize,
         watch: &mut Watch<'_, R>,
     ) -> usize {
+        self.go(contact, dt, count, watch, &mut [])
+    }
+
+    /// Such a step, in which no patch may rest. Energies of the elements at the positions from which it goes on, J, and the smallest and largest volume
+    /// ratio of each patch; the kinetic energy as of [`Structure::kinetic_energy`], J.
+    pub(super) fn step_and_look(
+        &mut self,
+        contact: &mut dyn Contact<R>,
+        dt: f64,
+        watch: &mut Watch<'_, R>,
+    ) -> (Energy, Vec<(f64, f64)>, f64) {
+        assert!(!self.pause, "some patches rest");
+        let nothing = Seen { energy: Energy::default(), ratios: (1.0, 1.0), kinetic: 0.0 };
+        let mut seen = vec![nothing; self.patches.len()];
+        let before = self.velocities.clone();
+        self.go(contact, dt, 1, watch, &mut seen);
+        let own = self.own.iter().flatten();
+        let mut kinetic: f64 = own.map(|&node| self.kinetic_energy_of(node as usize, &before)).sum();
+        let mut elements = Energy::default();
+        for patch in &seen {
+            elements += patch.energy;
+            kinetic += patch.kinetic;
+        }
+        (elements, seen.into_iter().map(|patch| patch.ratios).collect(), kinetic)
+    }
+
+    /// Steps; the patches look if there is room for what they see.
+    fn go(
+        &mut self,
+        contact: &mut dyn Contact<R>,
+        dt: f64,
+        count: usize,
+        watch: &mut Watch<'_, R>,
+        seen: &mut [Seen],
+    ) -> usize {
         let members = rayon::current_num_threads();
         self.scratches.resize_with(members, Scratch::new);
         let held: Vec<f64> = (0..self.patches.len()).map(|patch| self.held(patch, dt)).collect();
@@ -48,7 +83,7 @@ impl<R: Real> Structure<R> {
         let (scratches, patches) = (Shared::of(&mut self.scratches), Shared::of(&mut self.patches));
         let (contact, inner, outer) = (Shared::of(&mut contacts), &self.inner, &self.outer);
         let (moments, own, masses) = (Shared::of(&mut self.moments), &self.own, &self.masses[..]);
-        let lengths = &self.lengths;
+        let (lengths, seen) = (&self.lengths, Shared::of(seen));
         let step = R::from_f64(dt);
         // SAFETY of all rounds: each patch, the contact and each chunk of nodes is one task, each member has a scratch of its own, and rounds of one
         // kind read the fields and write forces, those of the other kind the other way round. Only nodes of one patch alone, which no other task
@@ -61,7 +96,12 @@ impl<R: Real> Structure<R> {
                 contact.forces()
             } else {
                 let patch = patches.part(task);
-                patch.step(positions, velocities, held[task], scratches.part(member));
+                let scratch = scratches.part(member);
+                if seen.count == 0 {
+                    patch.step(positions, velocities, held[task], scratch);
+                } else {
+                    *seen.part(task) = patch.step_and_look(positions, velocities, held[task], scratch);
+                }
                 patch.forces()
             };
             *shared_forces.part(task) = Forces::new(rows, lengths[task]);
@@ -123,5 +163,45 @@ impl<R: Real> Structure<R> {
         });
         (self.pause, self.away) = (pause, true);
         done
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::ball::{Ball, Piece};
+    use crate::cases::against_plane;
+    use crate::element::Element;
+    use crate::material::{Material, Maxwell, MooneyRivlin, Shape};
+
+    #[test]
+    fn a_step_sees_what_is_seen_between_forces_and_motion() {
+        let shape = Shape::MooneyRivlin(MooneyRivlin { c10: 4e6, c01: 1e6 });
+        let maxwell = vec![Maxwell { modulus: 0.3, time: 1e-4 }];
+        let material = Material { shape, bulk: 5e8, maxwell, density: 1150.0 };
+        let pieces = vec![Piece { name: "core".into(), radius: 0.0214, layers: 3, material }];
+        let ball = Ball { pieces, cube: 6, element: Element::OnePoint, mass: None };
+        let [mut one, mut other] =
+            [(); 2].map(|()| against_plane(&ball, 35.0, 0.2, 0.35).expect("the case is valid"));
+        let dt = one.structure.stable_step(60) * 0.4;
+        for impact in [&mut one, &mut other] {
+            let cube = impact.parts.iter().enumerate().map(|(patch, _)| patch == 0).collect();
+            impact.structure.rest(cube);
+            impact.structure.march(impact.contact.as_mut(), dt, 120, &mut |_, _| true);
+        }
+        let (seen, ratios, kinetic) = one.structure.step_and_look(one.contact.as_mut(), dt, &mut |_, _| true);
+        one.structure.settle();
+        let structure = &mut other.structure;
+        structure.assemble(other.contact.as_mut(), dt);
+        let (expected, expected_ratios) = structure.look();
+        let before = structure.velocities.clone();
+        structure.advance(other.contact.as_ref(), dt);
+        assert!(expected.hourglass > 0.0 && expected.viscous > 0.0);
+        assert_eq!(format!("{seen:?} {ratios:?}"), format!("{expected:?} {expected_ratios:?}"));
+        // Summed in another order.
+        assert!((kinetic / structure.kinetic_energy(&before) - 1.0).abs() < 1e-12);
+        let bits = |rows: &[clubface_math::Row<f64>]| {
+            rows.iter().map(|row| row.0.map(f64::to_bits)).collect::<Vec<_>>()
+        };
+        assert!(bits(&one.structure.positions) == bits(&structure.positions));
     }
 }

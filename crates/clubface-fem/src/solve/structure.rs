@@ -222,7 +222,11 @@ impl<R: Real> Structure<R> {
 
     /// Kinetic energy, J, between two fields of velocities: with those before and after a step it is the one that central differences conserve.
     pub fn kinetic_energy(&self, before: &[Row<R>]) -> f64 {
-        let pairs = self.velocities.iter().zip(before).zip(&self.masses);
-        pairs.map(|((a, b), m)| 0.5 * (a.vec().dot(b.vec()) * *m).re()).sum()
+        (0..self.masses.len()).map(|node| self.kinetic_energy_of(node, before)).sum()
+    }
+
+    /// That of one node.
+    pub(super) fn kinetic_energy_of(&self, node: usize, before: &[Row<R>]) -> f64 {
+        0.5 * (self.velocities[node].vec().dot(before[node].vec()) * self.masses[node]).re()
     }
 }

@@ -1,0 +1,112 @@
+//! What a patch of hexahedra does in a step.
+
+use super::bulk_viscosity::Drag;
+use super::field::Scratch;
+use super::lattice::Lattice;
+use super::point::{Aging, Block, Elastic};
+use super::solid::{Layout, SolidPatch};
+use crate::material::{History, Isochoric, Remembering, UseLaw, UseMemory};
+use clubface_math::{Pack, PackKernel, Real, Row};
+
+/// Computes forces.
+pub struct Assemble<'a, R> {
+    /// What is computed; the caller has checked that its nodes exist.
+    pub patch: &'a mut SolidPatch<R>,
+    /// Positions of all nodes, m.
+    pub positions: &'a [Row<R>],
+    /// The step for which histories move on, s.
+    pub dt: f64,
+    /// Keeps the forces on adopted nodes.
+    pub scratch: &'a mut Scratch<R>,
+    /// Whether nodes are about to move that the patch has adopted.
+    pub moving: bool,
+}
+
+impl<R: Real> PackKernel<R> for Assemble<'_, R> {
+    type Output = bool;
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) -> bool {
+        let SolidPatch { material, layout, nodes, constants, history, clock, viscosity, .. } = self.patch;
+        let dt = self.dt;
+        let rest = Loop {
+            drag: viscosity.as_mut().map(|viscosity| Drag { viscosity, dt }),
+            layout,
+            scratch: self.scratch,
+            moving: self.moving,
+            positions: self.positions,
+            nodes,
+            constants,
+            history,
+            bulk: P::splat(material.bulk),
+        };
+        // Compiled apart: elements without memory have nothing to load.
+        if rest.history.is_empty() {
+            material.with_law::<P, _>(rest)
+        } else {
+            material.with_memory::<P, _>(clock.tick(dt), rest)
+        }
+    }
+}
+
+/// Moves adopted nodes.
+pub struct Advance<'a, R> {
+    /// Whose nodes they are.
+    pub lattice: &'a mut Lattice<R>,
+    /// The forces on them.
+    pub scratch: &'a mut Scratch<R>,
+    /// The step, s.
+    pub step: R,
+}
+
+impl<R: Real> PackKernel<R> for Advance<'_, R> {
+    type Output = ();
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) {
+        self.lattice.advance::<P>(self.scratch, self.step);
+    }
+}
+
+/// All that the elements of a patch need, before the law is known.
+struct Loop<'a, P: Pack> {
+    drag: Option<Drag<'a, P::Real>>,
+    layout: &'a mut Layout<P::Real>,
+    scratch: &'a mut Scratch<P::Real>,
+    moving: bool,
+    positions: &'a [Row<P::Real>],
+    nodes: &'a [u32],
+    constants: &'a [Block<P::Real>],
+    history: &'a mut History<P::Real>,
+    bulk: P,
+}
+
+impl<P: Pack> UseLaw<P> for Loop<'_, P> {
+    type Output = bool;
+    #[inline(always)]
+    fn with<L: Isochoric<P>>(self, law: L) -> bool {
+        let Loop { drag, layout, scratch, moving, positions, nodes, constants, bulk, .. } = self;
+        let points = Elastic { law, bulk, drag };
+        match layout {
+            // SAFETY: `assemble` has checked the nodes.
+            Layout::Lattice(lattice) => unsafe {
+                lattice.assemble(scratch, positions, nodes, constants, points, moving)
+            },
+            Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, points),
+        }
+    }
+}
+
+impl<P: Pack> UseMemory<P> for Loop<'_, P> {
+    type Output = bool;
+    #[inline(always)]
+    fn with<M: Remembering<P>>(self, law: M) -> bool {
+        let Loop { drag, layout, scratch, moving, positions, nodes, constants, history, bulk } = self;
+        let points = Aging { law, bulk, history, drag };
+        match layout {
+            // SAFETY: `assemble` has checked the nodes.
+            Layout::Lattice(lattice) => unsafe {
+                lattice.assemble(scratch, positions, nodes, constants, points, moving)
+            },
+            Layout::Indexed(indexed) => indexed.assemble(positions, nodes, constants, points),
+        }
+    }
+}
