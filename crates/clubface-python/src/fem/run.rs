@@ -111,7 +111,8 @@ pub(super) fn simulate<'py>(
                 }
             }
         };
-        pool.install(|| impact.run(&options, &mut watch))
+        // What Python keeps of a thread is made once, not for every call of `progress`.
+        pool.install(|| Python::attach(|py| py.detach(|| impact.run(&options, &mut watch))))
     });
     let outcome = outcome.map_err(|e| error_of(&e))?;
     if let Some(error) = raised {
