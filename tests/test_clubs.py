@@ -189,6 +189,14 @@ def test_an_impossible_change_is_refused(changes, error):
         club("driver").replace(**changes)
 
 
+@pytest.mark.parametrize("huge", [1e155, 1e308])
+def test_numbers_whose_squares_are_beyond_all_numbers_are_no_exception(huge):
+    assert club("driver").replace(roll=huge).roll == huge
+    assert ball("conforming").replace(radius=huge).radius == huge
+    with pytest.raises(InputError, match="bulge"):
+        club("driver").replace(face_height=huge)
+
+
 def test_a_change_takes_units_and_drops_the_source_of_what_it_changed():
     changed = club("driver").replace(mass="190 g", bulge="flat", hand="left")
     assert (changed.mass, changed.bulge, changed.hand) == (0.19, math.inf, -1)

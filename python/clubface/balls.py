@@ -75,7 +75,7 @@ class Ball(Described):
         check_text("description", self.description)
         for each, symbol in (("mass", "kg"), ("radius", "m"), ("inertia", "kg m2")):
             check_positive(each, getattr(self, each), symbol)
-        shell = 2.0 / 3.0 * self.mass * self.radius**2
+        shell = 2.0 / 3.0 * self.mass * self.radius * self.radius
         if self.inertia > shell * (1.0 + 1e-9):
             allowed = f"at most that of a thin shell of this mass and radius, {units.show(shell, 'g cm2')}"
             raise InputError("inertia", units.show(self.inertia, "g cm2"), allowed)

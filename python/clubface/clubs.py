@@ -155,7 +155,9 @@ class Club(Described):
         half_width, half_height = self.face_width / 2.0, self.face_height / 2.0
         if half_height <= self.roll:
             # How far the roll arc falls back at the edge of the face, which shortens the radius it is revolved with.
-            drop = half_height**2 / (self.roll + math.sqrt(self.roll**2 - half_height**2))
+            # Products, since powers of huge numbers raise OverflowError.
+            across = math.sqrt((self.roll - half_height) * (self.roll + half_height))
+            drop = half_height * half_height / (self.roll + across)
             if half_width <= self.bulge - drop:
                 return
         size = " x ".join(units.show(each, "mm") for each in (self.face_width, self.face_height))
