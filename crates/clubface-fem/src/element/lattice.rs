@@ -6,7 +6,7 @@
 
 use super::arrangement::order;
 use super::field::{Field, Layout, Scratch};
-use super::motion::{Kinetic, Motion};
+use super::motion::{Advance, Kinetic, Motion};
 use super::one_point::{on_bases, Component, Hexahedron};
 use super::one_point_constants::Constants;
 use super::point::{Block, Look, Points, Ratios};
@@ -101,10 +101,10 @@ impl<R: Real> Lattice<R> {
     }
 
     /// Moves the adopted nodes on by a step, s.
-    #[inline(always)]
-    pub fn advance<P: Pack<Real = R>>(&mut self, scratch: &mut Scratch<R>, step: R) {
+    pub fn advance(&mut self, scratch: &mut Scratch<R>, step: R) {
+        let forces = scratch.forces.field(self.layout);
         if let Some(motion) = &mut self.motion {
-            motion.advance(&mut scratch.forces.field(self.layout), P::splat(step));
+            R::dispatch(Advance { motion, forces, step });
         }
     }
 

@@ -126,21 +126,20 @@ pub trait Patch<R: Real>: Send + Sync {
     /// Takes the motion of adopted nodes from the fields of all nodes, m and m/s.
     fn take_over(&mut self, _positions: &[Row<R>], _velocities: &[Row<R>]) {}
     /// As [`Patch::assemble`], with forces on the nodes that are not adopted alone, in their order; the others move on by `dt` seconds, unseen in the
-    /// fields of all nodes.
-    fn step(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64, _scratch: &mut Scratch<R>) {
-        self.assemble(positions, velocities, dt);
-    }
-    /// The same, and what there is to see at the positions from which the step goes on.
-    fn step_and_look(
+    /// fields of all nodes. If asked for, tells what there is to see at the positions from which they go on.
+    fn step(
         &mut self,
         positions: &[Row<R>],
         velocities: &[Row<R>],
         dt: f64,
-        scratch: &mut Scratch<R>,
-    ) -> Seen {
-        self.step(positions, velocities, dt, scratch);
-        let (energy, ratios) = self.look(positions);
-        Seen { energy, ratios, kinetic: 0.0 }
+        _scratch: &mut Scratch<R>,
+        seen: Option<&mut Seen>,
+    ) {
+        self.assemble(positions, velocities, dt);
+        if let Some(seen) = seen {
+            let (energy, ratios) = self.look(positions);
+            *seen = Seen { energy, ratios, kinetic: 0.0 };
+        }
     }
     /// Moments of the adopted nodes.
     fn adopted_moments(&mut self, _origin: &Origin<R>) -> Moments<R> {

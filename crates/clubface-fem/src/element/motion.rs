@@ -119,22 +119,35 @@ impl<R: Real> Motion<R> {
         }
         forces.store::<P>(planes - 1, last);
     }
+}
 
-    /// Moves the nodes inside by a step, s.
+/// Moves the nodes inside by a step.
+pub struct Advance<'a, R> {
+    /// Whose nodes they are.
+    pub motion: &'a mut Motion<R>,
+    /// Forces, N.
+    pub forces: Field<'a, R>,
+    /// The step, s.
+    pub step: R,
+}
+
+impl<R: Real> PackKernel<R> for Advance<'_, R> {
+    type Output = ();
     #[inline(always)]
-    pub fn advance<P: Pack<Real = R>>(&mut self, forces: &mut Field<R>, step: P) {
-        let Layout { row, plane, planes, stride } = self.layout;
-        let mut x = self.positions.field(self.layout);
-        let mut v = self.velocities.field(self.layout);
+    fn run<P: Pack<Real = R>>(mut self) {
+        let Motion { layout, positions, velocities, inverse_masses, .. } = self.motion;
+        let Layout { row, plane, planes, stride } = *layout;
+        let (mut x, mut v) = (positions.field(*layout), velocities.field(*layout));
+        let step = P::splat(self.step);
         for k in 1..planes - 1 {
             // Whole rows, whose ends have neither velocity nor inverse mass; a pack may overrun into the last row, which has none either.
             for at in (row..plane - row).step_by(P::LANES) {
                 // SAFETY: a whole block follows within the stride.
                 unsafe {
-                    let scale = P::read(self.inverse_masses.as_ptr().add(k * stride + at)) * step;
+                    let scale = P::read(inverse_masses.as_ptr().add(k * stride + at)) * step;
                     for axis in 0..3 {
                         let (f, v, x) =
-                            (forces.at(k, axis).add(at), v.at(k, axis).add(at), x.at(k, axis).add(at));
+                            (self.forces.at(k, axis).add(at), v.at(k, axis).add(at), x.at(k, axis).add(at));
                         // Product and sum apart, as where all nodes move: the same bits.
                         let velocity = P::read(v) + P::read(f) * scale;
                         velocity.write(v);
@@ -148,7 +161,7 @@ impl<R: Real> Motion<R> {
 
 /// Kinetic energy of the nodes inside between their velocities before and after a step, J.
 pub struct Kinetic<'a, R> {
-    /// Before [`Motion::advance`].
+    /// Before [`Advance`].
     pub motion: &'a mut Motion<R>,
     /// Forces, N.
     pub forces: Field<'a, R>,
@@ -165,7 +178,7 @@ impl<R: Real> PackKernel<R> for Kinetic<'_, R> {
         let (mut v, step, mut sum) = (velocities.field(*layout), P::splat(self.step), P::zero());
         for k in 1..planes - 1 {
             for at in (row..plane - row).step_by(P::LANES) {
-                // SAFETY: as in `advance`.
+                // SAFETY: as in `Advance`.
                 unsafe {
                     let inverse = P::read(inverse_masses.as_ptr().add(k * stride + at));
                     let mass = P::select(inverse.gt(P::zero()), inverse.recip(), P::zero());
@@ -195,7 +208,7 @@ impl<R: Real> PackKernel<R> for Sum<'_, R> {
         let mut sum = Moments::zero();
         for k in 1..planes - 1 {
             for at in (row..plane - row).step_by(P::LANES) {
-                // SAFETY: as in `advance`.
+                // SAFETY: as in `Advance`.
                 unsafe {
                     let inverse = P::read(inverse_masses.as_ptr().add(k * stride + at));
                     let mass = P::select(inverse.gt(P::zero()), inverse.recip(), P::zero());

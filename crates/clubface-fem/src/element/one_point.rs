@@ -2,9 +2,9 @@
 //!
 //! Positions are taken apart into eight modes by sums and differences: one of translation, three of uniform deformation (the base vectors
 //! at the centre), four of bending (hourglass), to which one point is blind (Flanagan and Belytschko, Int. J. Numer. Methods Eng. 17,
-//! 1981). The hourglass modes get an energy of the square of what is left of them beside the base vectors, the patterns: it knows no rotation, and
-//! forces follow from it in proportion. Each has one stiffness, made of those that a rectangular, incompressible block of the element's size has in
-//! bending, shear and torsion, without bulk stiffness (after Belytschko and Bindeman, Comput. Methods Appl. Mech. Eng. 105, 1993).
+//! 1981). What the base vectors leave of these, the patterns, are held by springs of one stiffness each, whatever the direction: their energy knows no
+//! rotation. The stiffness is made of those that a rectangular, incompressible block of the element's size has in bending, shear and torsion, without
+//! bulk stiffness (after Belytschko and Bindeman, Comput. Methods Appl. Mech. Eng. 105, 1993).
 //!
 //! The materials are isotropic, so each element may look at its undeformed shape from a frame of its own: one in which the first base
 //! vector lies along x and the second in the xy plane. Its Jacobian is then triangular (six numbers instead of nine), and elements that

@@ -9,7 +9,7 @@ use super::lattice::{Lattice, DEPTH};
 use super::one_point_constants::{constants, CONSTANTS, VOLUME};
 use super::point::{alike, Block};
 use super::solid_look::{Examine, Feel};
-use super::solid_step::{Advance, Assemble};
+use super::solid_step::Assemble;
 use super::{parts, Aligned, Energy, Patch, Seen, BLOCK};
 use crate::material::{Clock, History, Material, Shape};
 use crate::mesh::{SolidMesh, CORNERS};
@@ -132,13 +132,6 @@ impl<R: Real> SolidPatch<R> {
         }
     }
 
-    /// Moves the adopted nodes on by a step, s.
-    fn advance(&mut self, dt: f64, scratch: &mut Scratch<R>) {
-        if let Layout::Lattice(lattice) = &mut self.layout {
-            R::dispatch(Advance { lattice, scratch, step: R::from_f64(dt) });
-        }
-    }
-
     /// The promise that every node exists, on which unchecked reads rely.
     fn check(&self, positions: &[Row<R>]) {
         assert!((self.last as usize) < positions.len(), "a patch of another mesh");
@@ -171,27 +164,28 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
             motion.take_over(positions, velocities, &self.nodes);
         }
     }
-    fn step(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64, scratch: &mut Scratch<R>) {
-        self.check(positions);
-        self.sound = R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: true });
-        self.advance(dt, scratch);
-    }
-    fn step_and_look(
+    fn step(
         &mut self,
         positions: &[Row<R>],
         _velocities: &[Row<R>],
         dt: f64,
         scratch: &mut Scratch<R>,
-    ) -> Seen {
+        seen: Option<&mut Seen>,
+    ) {
         self.check(positions);
         self.sound = R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: true });
-        let (energy, ratios) = R::dispatch(Examine { patch: self, positions, at_hand: true });
-        let kinetic = match &mut self.layout {
-            Layout::Lattice(lattice) => lattice.kinetic(scratch, R::from_f64(dt)).re(),
-            Layout::Indexed(_) => 0.0,
-        };
-        self.advance(dt, scratch);
-        Seen { energy, ratios, kinetic }
+        let step = R::from_f64(dt);
+        if let Some(seen) = seen {
+            let (energy, ratios) = R::dispatch(Examine { patch: self, positions, at_hand: true });
+            let kinetic = match &mut self.layout {
+                Layout::Lattice(lattice) => lattice.kinetic(scratch, step).re(),
+                Layout::Indexed(_) => 0.0,
+            };
+            *seen = Seen { energy, ratios, kinetic };
+        }
+        if let Layout::Lattice(lattice) = &mut self.layout {
+            lattice.advance(scratch, step);
+        }
     }
     fn sound(&self) -> bool {
         self.sound

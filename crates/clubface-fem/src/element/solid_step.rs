@@ -2,7 +2,6 @@
 
 use super::bulk_viscosity::Drag;
 use super::field::Scratch;
-use super::lattice::Lattice;
 use super::point::{Aging, Block, Elastic};
 use super::solid::{Layout, SolidPatch};
 use crate::material::{History, Isochoric, Remembering, UseLaw, UseMemory};
@@ -45,24 +44,6 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
         } else {
             material.with_memory::<P, _>(clock.tick(dt), rest)
         }
-    }
-}
-
-/// Moves adopted nodes.
-pub struct Advance<'a, R> {
-    /// Whose nodes they are.
-    pub lattice: &'a mut Lattice<R>,
-    /// The forces on them.
-    pub scratch: &'a mut Scratch<R>,
-    /// The step, s.
-    pub step: R,
-}
-
-impl<R: Real> PackKernel<R> for Advance<'_, R> {
-    type Output = ();
-    #[inline(always)]
-    fn run<P: Pack<Real = R>>(self) {
-        self.lattice.advance::<P>(self.scratch, self.step);
     }
 }
 

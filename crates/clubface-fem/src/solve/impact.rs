@@ -96,15 +96,15 @@ impl<R: Real> Impact<R> {
             if run.step.is_multiple_of(every) && !watch(view) {
                 break Some(FemError::Interrupted { microseconds: time * 1e6 });
             }
-            let (elements, ball) = (self.structure.sound(), run.runs_away(&motion));
-            if !elements || ball {
+            let fails = !self.structure.sound() || run.runs_away(&motion);
+            if fails {
                 let ratios = self.structure.look().1;
                 if let Err(error) = self.check(&ratios, time * 1e6) {
                     break Some(error);
                 }
             }
             // In a step in which all patches take part, at the latest the next one.
-            let due = run.step.is_multiple_of(every * options.energy_every) || ball;
+            let due = run.step.is_multiple_of(every * options.energy_every) || fails;
             if due && !self.structure.pause {
                 if let Err(error) = run.ledger(self, motion, options) {
                     break Some(error);

@@ -29,7 +29,7 @@ impl<R: Real> Structure<R> {
         count: usize,
         watch: &mut Watch<'_, R>,
     ) -> usize {
-        self.go(contact, dt, count, watch, &mut [])
+        self.go(contact, dt, count, watch, None)
     }
 
     /// Such a step, in which no patch may rest. Energies of the elements at the positions from which it goes on, J, and the smallest and largest volume
@@ -44,7 +44,7 @@ impl<R: Real> Structure<R> {
         let nothing = Seen { energy: Energy::default(), ratios: (1.0, 1.0), kinetic: 0.0 };
         let mut seen = vec![nothing; self.patches.len()];
         let before = self.velocities.clone();
-        self.go(contact, dt, 1, watch, &mut seen);
+        self.go(contact, dt, 1, watch, Some(&mut seen));
         let own = self.own.iter().flatten();
         let mut kinetic: f64 = own.map(|&node| self.kinetic_energy_of(node as usize, &before)).sum();
         let mut elements = Energy::default();
@@ -55,14 +55,14 @@ impl<R: Real> Structure<R> {
         (elements, seen.into_iter().map(|patch| patch.ratios).collect(), kinetic)
     }
 
-    /// Steps; the patches look if there is room for what they see.
+    /// Steps; the patches tell what they see if there is room for it.
     fn go(
         &mut self,
         contact: &mut dyn Contact<R>,
         dt: f64,
         count: usize,
         watch: &mut Watch<'_, R>,
-        seen: &mut [Seen],
+        seen: Option<&mut [Seen]>,
     ) -> usize {
         let members = rayon::current_num_threads();
         self.scratches.resize_with(members, Scratch::new);
@@ -83,7 +83,7 @@ impl<R: Real> Structure<R> {
         let (scratches, patches) = (Shared::of(&mut self.scratches), Shared::of(&mut self.patches));
         let (contact, inner, outer) = (Shared::of(&mut contacts), &self.inner, &self.outer);
         let (moments, own, masses) = (Shared::of(&mut self.moments), &self.own, &self.masses[..]);
-        let (lengths, seen) = (&self.lengths, Shared::of(seen));
+        let (lengths, seen) = (&self.lengths, seen.map(Shared::of));
         let step = R::from_f64(dt);
         // SAFETY of all rounds: each patch, the contact and each chunk of nodes is one task, each member has a scratch of its own, and rounds of one
         // kind read the fields and write forces, those of the other kind the other way round. Only nodes of one patch alone, which no other task
@@ -96,12 +96,8 @@ impl<R: Real> Structure<R> {
                 contact.forces()
             } else {
                 let patch = patches.part(task);
-                let scratch = scratches.part(member);
-                if seen.count == 0 {
-                    patch.step(positions, velocities, held[task], scratch);
-                } else {
-                    *seen.part(task) = patch.step_and_look(positions, velocities, held[task], scratch);
-                }
+                let seen = seen.as_ref().map(|seen| seen.part(task));
+                patch.step(positions, velocities, held[task], scratches.part(member), seen);
                 patch.forces()
             };
             *shared_forces.part(task) = Forces::new(rows, lengths[task]);

@@ -21,7 +21,7 @@ use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use run::{options_of, pool_of, simulate, to_dict};
+use run::{on_threads, options_of, pool_of, simulate, to_dict};
 use values::{any_head, ball_of, error_of, head_of, AnyHead, BallValues, HeadValues, RunValues};
 
 /// The laws of materials: [{name, constants, dimensions: one a constant, needed: how many of them, summary}, ...].
@@ -192,7 +192,7 @@ pub fn fem_sensitivity<'py>(
             });
             looked.map_err(|error| raised = Some(error)).is_ok()
         };
-        pool.install(|| setting.sensitivity(&variables, &options, &mut watch))
+        on_threads(&pool, || setting.sensitivity(&variables, &options, &mut watch))
     });
     if let Some(error) = raised {
         return Err(error);

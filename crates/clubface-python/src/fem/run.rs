@@ -30,6 +30,11 @@ pub(super) fn pool_of(run: &RunValues) -> PyResult<rayon::ThreadPool> {
         .map_err(|e| PyValueError::new_err(("threads", "", e.to_string())))
 }
 
+/// Does something with the threads of a pool that calls Python now and then: what Python keeps of a thread is made once, not for every call.
+pub(super) fn on_threads<T: Send>(pool: &rayon::ThreadPool, work: impl FnOnce() -> T + Send) -> T {
+    pool.install(|| Python::attach(|py| py.detach(work)))
+}
+
 /// A finished run with the shapes and contact patches kept on the way.
 pub(super) struct Ran {
     outcome: Outcome<f64>,
@@ -111,8 +116,7 @@ pub(super) fn simulate<'py>(
                 }
             }
         };
-        // What Python keeps of a thread is made once, not for every call of `progress`.
-        pool.install(|| Python::attach(|py| py.detach(|| impact.run(&options, &mut watch))))
+        on_threads(&pool, || impact.run(&options, &mut watch))
     });
     let outcome = outcome.map_err(|e| error_of(&e))?;
     if let Some(error) = raised {
