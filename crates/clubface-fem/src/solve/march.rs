@@ -6,7 +6,7 @@ use super::team::{Round, Team};
 use super::together::Shared;
 use super::Structure;
 use crate::contact::Contact;
-use crate::element::{Energy, Scratch, Seen};
+use crate::element::{Energy, Scratch, StepOutput};
 use crate::moments::{Moments, Nodes};
 use clubface_math::{Real, Row};
 
@@ -41,7 +41,7 @@ impl<R: Real> Structure<R> {
         watch: &mut Watch<'_, R>,
     ) -> (Energy, Vec<(f64, f64)>, f64) {
         assert!(!self.pause, "some patches rest");
-        let nothing = Seen { energy: Energy::default(), ratios: (1.0, 1.0), kinetic: 0.0 };
+        let nothing = StepOutput { energy: Energy::default(), ratios: (1.0, 1.0), kinetic: 0.0 };
         let mut seen = vec![nothing; self.patches.len()];
         let before = self.velocities.clone();
         self.go(contact, dt, 1, watch, Some(&mut seen));
@@ -62,7 +62,7 @@ impl<R: Real> Structure<R> {
         dt: f64,
         count: usize,
         watch: &mut Watch<'_, R>,
-        seen: Option<&mut [Seen]>,
+        seen: Option<&mut [StepOutput]>,
     ) -> usize {
         let members = rayon::current_num_threads();
         self.scratches.resize_with(members, Scratch::new);
@@ -114,7 +114,7 @@ impl<R: Real> Structure<R> {
         let take_over = |task: usize, _: usize| unsafe {
             let (positions, velocities) = fields.read();
             if task < patches.count {
-                patches.part(task).take_over(positions, velocities);
+                patches.part(task).load_interior(positions, velocities);
             }
         };
         let measure = |task: usize, _: usize| unsafe {
@@ -122,7 +122,7 @@ impl<R: Real> Structure<R> {
                 let (positions, velocities) = fields.read();
                 let mut sum = Nodes { positions, velocities, masses }.moments(&own[task], origin);
                 if task < patches.count {
-                    sum = sum.plus(&patches.part(task).adopted_moments(&origin));
+                    sum = sum.plus(&patches.part(task).interior_moments(&origin));
                 }
                 *moments.part(task) = sum;
             }
@@ -147,7 +147,7 @@ impl<R: Real> Structure<R> {
                 team.run(&rounds[first]);
                 // SAFETY: between rounds.
                 go = unsafe { watch(*contact.part(0), fields.read().0) };
-                let sound = (0..patches.count).all(|patch| unsafe { patches.part(patch).sound() });
+                let sound = (0..patches.count).all(|patch| unsafe { patches.part(patch).volumes_valid() });
                 go = go && sound;
                 team.run(&rounds[first + 1]);
                 pause = rests && !pause;

@@ -57,7 +57,7 @@ impl<R: Real> Structure<R> {
             }
             let positions = &self.positions;
             let probed = self.patches.par_iter_mut().zip(chosen).filter(|(_, chosen)| **chosen);
-            probed.for_each(|(patch, _)| patch.probe(positions, &displacements));
+            probed.for_each(|(patch, _)| patch.perturbed_forces(positions, &displacements));
             // The next vector: accelerations, without what lies along the last two.
             let last = beside.last().copied().unwrap_or(0.0);
             before.iter_mut().for_each(|v| v.0 = v.0.map(|v| -last * v));

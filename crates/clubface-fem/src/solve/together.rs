@@ -54,7 +54,7 @@ impl<R: Real> Structure<R> {
                 // Every node that is away is with one patch.
                 patches
                     .part(task)
-                    .hand_back(&mut |node, position, velocity| fields.set(node, position, velocity));
+                    .store_interior(&mut |node, position, velocity| fields.set(node, position, velocity));
             }
         });
     }
@@ -102,7 +102,7 @@ impl<R: Real> Structure<R> {
         let found = Shared::of(&mut seen);
         together(&all, &|task, _| unsafe {
             if task < patches.count {
-                *found.part(task) = patches.part(task).look(positions);
+                *found.part(task) = patches.part(task).energies(positions);
             }
         });
         let mut sum = Energy::default();
