@@ -6,8 +6,10 @@
 use super::kinetics::Kinetics;
 use super::shares::{split, Shares, PERIOD};
 use crate::element::{Energy, OutputSink, Patch, Scratch};
+use crate::environment::{Environment, Executor};
 use crate::moments::{Moments, Nodes, Origin};
 use clubface_math::{Real, Row, Vec3};
+use std::sync::Arc;
 
 /// Nodes with mass, and patches of elements between them.
 pub struct Structure<R> {
@@ -44,15 +46,19 @@ pub struct Structure<R> {
     pub(super) touching: Vec<u32>,
     /// Memory to work in, one a thread.
     pub(super) scratches: Vec<Scratch<R>>,
+    /// Threads that work on it.
+    pub(super) executor: Arc<dyn Executor>,
 }
 
 impl<R: Real> Structure<R> {
-    /// Nodes at rest with the given masses, and patches; `contact` names the nodes of the contact that will act on them.
+    /// Nodes at rest with the given masses, and patches; `contact` names the nodes of the contact that will act on them. The threads of the
+    /// environment work on them.
     pub fn new(
         positions: Vec<Row<R>>,
         masses: Vec<R>,
         mut patches: Vec<Box<dyn Patch<R>>>,
         contact: &[u32],
+        environment: &Environment,
     ) -> Self {
         let count = positions.len();
         let inverse_masses: Vec<R> = masses.iter().map(|m| m.recip()).collect();
@@ -96,6 +102,7 @@ impl<R: Real> Structure<R> {
             outer: Vec::new(),
             lengths,
             scratches: Vec::new(),
+            executor: environment.executor.clone(),
         };
         structure.share();
         structure
