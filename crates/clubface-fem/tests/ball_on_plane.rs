@@ -1,7 +1,7 @@
 //! The ball on a rigid plane: the same on any number of threads, with any order of elements, and with derivatives.
 
-use clubface_fem::ball::{Ball, Piece};
-use clubface_fem::cases::against_plane;
+use clubface_fem::ball::{BallConstruction, BallPiece};
+use clubface_fem::cases::ball_against_plane;
 use clubface_fem::element::Element;
 use clubface_fem::element::{solid_patches, Patch};
 use clubface_fem::environment::Environment;
@@ -28,19 +28,19 @@ fn fly<R: Real>(speed: R, c10: R, steps: usize) -> [R; 3] {
         density: R::from_f64(950.0),
     };
     let pieces = vec![
-        Piece { name: "core".into(), radius: R::from_f64(0.0196), layers: 2, material: rubber(c10) },
-        Piece { name: "cover".into(), radius: R::from_f64(0.0214), layers: 1, material: cover },
+        BallPiece { name: "core".into(), radius: R::from_f64(0.0196), layers: 2, material: rubber(c10) },
+        BallPiece { name: "cover".into(), radius: R::from_f64(0.0214), layers: 1, material: cover },
     ];
-    let ball = Ball { pieces, cube: 4, element: Element::OnePoint, mass: Some(0.046) };
+    let ball = BallConstruction { pieces, cube: 4, element: Element::OnePoint, mass: Some(0.046) };
     let friction = R::from_f64(0.35);
-    let impact = against_plane(&ball, speed, R::from_f64(0.2), friction, &Environment::native())
+    let impact = ball_against_plane(&ball, speed, R::from_f64(0.2), friction, &Environment::native())
         .expect("the case is valid");
     let (mut structure, mut contact) = (impact.structure, impact.contact);
     for _ in 0..steps {
         structure.assemble(contact.as_mut(), 1e-6);
         structure.advance(contact.as_ref(), 1e-6);
     }
-    let kinetics = structure.kinetics(0..structure.positions.len());
+    let kinetics = structure.body_motion(0..structure.positions.len());
     [kinetics.velocity.x, kinetics.velocity.y, kinetics.spin.z]
 }
 

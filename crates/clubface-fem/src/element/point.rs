@@ -179,7 +179,7 @@ impl<P: Pack, M: InelasticLaw<P>> Visitor<P> for EnergyVisitor<'_, P, M> {
 
 #[cfg(test)]
 mod tests {
-    use crate::ball::{Ball, Piece};
+    use crate::ball::{BallConstruction as Ball, BallPiece as Piece};
     use crate::element::{solid_patches, Element};
     use crate::material::{Material, NeoHookean, Shape};
     use clubface_math::{Mat3, Vec3};

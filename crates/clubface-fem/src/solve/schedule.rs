@@ -1,6 +1,6 @@
 //! Which worker does what. Every worker has patches of its own, whose data its caches keep from step to step.
 
-use super::shares::Shares;
+use super::gather::GatherList;
 use super::worker_pool::WorkerPool;
 use super::Structure;
 use clubface_math::Real;
@@ -18,10 +18,10 @@ impl<R: Real> Structure<R> {
         let (count, workers) = (self.patches.len(), WorkerPool::size(&*self.executor));
         let costs: Vec<usize> = self.patches.iter().map(|patch| patch.cost()).collect();
         let (subcycled, mut others): (Vec<usize>, Vec<usize>) =
-            (0..count).partition(|&patch| self.resting[patch]);
+            (0..count).partition(|&patch| self.subcycled[patch]);
         // The contact comes first: it is one task, however long it takes. Patches keep their order: those of a piece have constants in common.
         others.insert(0, count);
-        let cost = |task: usize| costs.get(task).copied().unwrap_or(CONTACT_COST * self.touching.len());
+        let cost = |task: usize| costs.get(task).copied().unwrap_or(CONTACT_COST * self.contact_nodes.len());
         let others = balanced(&others, cost, workers);
         let all = others.iter().zip(balanced(&subcycled, cost, workers)).map(|(a, b)| [&a[..], &b].concat());
         [all.collect(), others]
@@ -29,10 +29,11 @@ impl<R: Real> Structure<R> {
 }
 
 /// Chunks of nodes by worker: each worker has those of its own patches. Chunks whose nodes are all subcycled only where `subcycled` is true.
-pub(super) fn chunks_of(schedule: &Schedule, chunks: &[Shares], subcycled: bool) -> Schedule {
+pub(super) fn chunks_of(schedule: &Schedule, chunks: &[GatherList], subcycled: bool) -> Schedule {
     let of = |tasks: &Vec<usize>| {
-        let own =
-            |&chunk: &usize| tasks.contains(&chunks[chunk].owner) && (subcycled || !chunks[chunk].rest());
+        let own = |&chunk: &usize| {
+            tasks.contains(&chunks[chunk].owner) && (subcycled || !chunks[chunk].subcycled())
+        };
         (0..chunks.len()).filter(own).collect()
     };
     schedule.iter().map(of).collect()
@@ -67,6 +68,6 @@ mod tests {
         let costs = [1, 4, 4, 4, 4, 1];
         assert_eq!(balanced(&[0, 1, 2, 3, 4, 5], |task| costs[task], 2), [[0, 1, 2], [3, 4, 5]]);
         assert_eq!(balanced(&[7, 8], |task| if task == 7 { 9 } else { 1 }, 3), [vec![], vec![7], vec![8]]);
-        assert_eq!(balanced(&[], |_| 1, 2), [vec![], vec![]]);
+        assert_eq!(balanced(&[], |_| 1, 2), vec![vec![0; 0]; 2]);
     }
 }

@@ -1,6 +1,6 @@
 //! Plates of shells, and what the checks do with them.
 
-use clubface_fem::contact::{Contact, ContactEnergy, Method, Resultant};
+use clubface_fem::contact::{Contact, ContactEnergy, ContactMethod, Resultant};
 use clubface_fem::element::{Isotropic, Patch, ShellMaterial, ShellPatch, ShellRows, SHELL_PATCH};
 use clubface_fem::environment::Environment;
 use clubface_fem::mesh::ShellMesh;
@@ -90,7 +90,7 @@ impl Contact<f64> for Loads {
     fn nodes(&self) -> &[u32] {
         &self.nodes
     }
-    fn keep_out(&mut self, _: Method) {}
+    fn set_method(&mut self, _: ContactMethod) {}
     fn assemble(&mut self, _: &[Row<f64>], _: &[Row<f64>], _: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &self.forces
@@ -104,7 +104,7 @@ impl Contact<f64> for Loads {
     fn nearest(&self, _: &[Row<f64>], _: Vec3<f64>) -> (f64, Vec3<f64>) {
         (0.0, Vec3::zero())
     }
-    fn head(&self) -> Option<Motion<f64>> {
+    fn head_motion(&self) -> Option<Motion<f64>> {
         None
     }
 }

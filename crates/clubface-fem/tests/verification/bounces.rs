@@ -2,7 +2,7 @@
 
 use super::support::{elastic, masses, outside, patches, rows, SPRING};
 use super::thrown::{bounce, Bounce};
-use clubface_fem::contact::Springs;
+use clubface_fem::contact::PenaltySprings;
 use clubface_fem::element::Element;
 use clubface_fem::environment::Environment;
 use clubface_fem::material::{Material, MooneyRivlin, Shape};
@@ -131,7 +131,7 @@ fn reference(element: Element) {
         0.35,
         Vec3::new(-35.0 * c, 35.0 * s, 0.0),
         1e-3,
-        Springs::default(),
+        PenaltySprings::default(),
     );
     // As spin the angular momentum over the inertia, free of vibration: that of the whole meshed ball, two thirds of the polar moment.
     let centre = Vec3::new(0.0214, 0.0, 0.0);

@@ -135,7 +135,7 @@ fn a_march_ends_with_the_step_in_which_an_element_leaves_its_law() {
             for x in body.positions.iter_mut().filter(|x| x.0[0] > EDGE - 0.5 * edge) {
                 x.0[0] += (share - 1.0) * edge;
             }
-            let steps = body.march(&mut Free, dt, 5, &mut |_, _| true);
+            let steps = body.integrate(&mut Free, dt, 5, &mut |_, _| true);
             assert_eq!(steps, if within { 5 } else { 1 }, "{kind:?} {ni} {share}");
         }
     }

@@ -1,6 +1,6 @@
 //! Bodies of one material, and what the checks measure on them.
 
-use clubface_fem::contact::{Contact, ContactEnergy, Method, Resultant, Springs};
+use clubface_fem::contact::{Contact, ContactEnergy, ContactMethod, PenaltySprings, Resultant};
 use clubface_fem::element::{Element, Patch};
 use clubface_fem::environment::Environment;
 use clubface_fem::material::{Hencky, Material, Shape};
@@ -138,7 +138,7 @@ impl Contact<f64> for Free {
     fn nodes(&self) -> &[u32] {
         &[]
     }
-    fn keep_out(&mut self, _: Method) {}
+    fn set_method(&mut self, _: ContactMethod) {}
     fn assemble(&mut self, _positions: &[Row<f64>], _velocities: &[Row<f64>], _dt: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &[]
@@ -152,7 +152,7 @@ impl Contact<f64> for Free {
     fn nearest(&self, _: &[Row<f64>], _point: Vec3<f64>) -> (f64, Vec3<f64>) {
         (f64::INFINITY, Vec3::new(1.0, 0.0, 0.0))
     }
-    fn head(&self) -> Option<Motion<f64>> {
+    fn head_motion(&self) -> Option<Motion<f64>> {
         None
     }
 }
@@ -199,7 +199,8 @@ pub fn root(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
 }
 
 /// Stiff, undamped contact springs, for comparison with closed forms that have none.
-pub const SPRING: Springs = Springs { stiffness: 0.25, damping: 0.0, step: None, multiplier: None };
+pub const SPRING: PenaltySprings =
+    PenaltySprings { stiffness: 0.25, damping: 0.0, step: None, multiplier: None };
 
 /// Outer nodes of a mesh, and the share of each node in its surface, m2.
 pub fn outside(mesh: &SolidMesh) -> (Vec<u32>, Vec<f64>) {

@@ -1,11 +1,11 @@
-//! Mass, momentum and spin of some nodes.
+//! The motion of a body as a whole, from the moments of its nodes.
 
 use crate::moments::{Moments, Origin};
 use clubface_math::{Mat3, Real, Vec3};
 
-/// Mass, momentum and the like of some nodes.
+/// Mass and mean motion of some nodes.
 #[derive(Clone, Copy, Debug)]
-pub struct Kinetics<R> {
+pub struct BodyMotion<R> {
     /// Mass, kg.
     pub mass: R,
     /// Mass centre, m.
@@ -20,9 +20,9 @@ pub struct Kinetics<R> {
     pub energy: R,
 }
 
-impl<R: Real> Kinetics<R> {
+impl<R: Real> BodyMotion<R> {
     /// From moments about an origin, of at least one node.
-    pub(super) fn of(moments: &Moments<R>, origin: &Origin<R>) -> Self {
+    pub(super) fn from_moments(moments: &Moments<R>, origin: &Origin<R>) -> Self {
         let Moments { mass, first, momentum, angular, second, square } = *moments;
         let (x, v) = (origin.position, origin.velocity);
         let (centre, velocity) = (first * mass.recip(), momentum * mass.recip());
@@ -50,7 +50,7 @@ impl<R: Real> Kinetics<R> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Kinetics, Origin};
+    use super::{BodyMotion, Origin};
     use crate::moments::Nodes;
     use clubface_math::{lanes::with_lanes, Row, Vec3};
 
@@ -85,7 +85,7 @@ mod tests {
             let sums = with_lanes(lanes, || {
                 nodes.moments(&all[..8], origin).plus(&nodes.moments(&all[8..], origin))
             });
-            let found = Kinetics::of(&sums, &origin);
+            let found = BodyMotion::from_moments(&sums, &origin);
             // Rounding, as large as the products are.
             assert!((found.mass - mass).abs() < 1e-16, "{found:?}");
             assert!((found.centre - centre).norm() < 1e-15, "{found:?}");

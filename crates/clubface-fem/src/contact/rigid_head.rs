@@ -9,14 +9,14 @@ use clubface_math::{Mat3, Quat, Real, Vec3};
 #[derive(Clone, Debug)]
 pub struct RigidHead<R> {
     face: Face<R>,
-    /// CG to face centre, face axes, m.
-    lever: Vec3<R>,
+    /// Vector from CG to face centre in face axes, m.
+    centre_to_face: Vec3<R>,
     mass: R,
     inverse_inertia: Mat3<R>,
     position: Vec3<R>,
     attitude: Quat<R>,
     /// Rotation from face axes to those of first touch.
-    turn: Mat3<R>,
+    rotation: Mat3<R>,
     velocity: Vec3<R>,
     angular_momentum: Vec3<R>,
     spin: Vec3<R>,
@@ -31,12 +31,12 @@ impl<R: Real> RigidHead<R> {
     pub fn new(touch: &FirstTouch<R>) -> Self {
         Self {
             face: touch.face,
-            lever: touch.lever,
+            centre_to_face: touch.lever,
             mass: touch.club_mass,
             inverse_inertia: touch.inertia.inverse(),
             position: Vec3::zero(),
             attitude: Quat::identity(),
-            turn: Mat3::diagonal(R::one()),
+            rotation: Mat3::diagonal(R::one()),
             velocity: touch.club_velocity,
             angular_momentum: touch.inertia * touch.club_spin,
             spin: touch.club_spin,
@@ -49,14 +49,14 @@ impl<R: Real> RigidHead<R> {
 
 impl<R: Real> RigidSurface<R> for RigidHead<R> {
     fn nearest(&self, point: Vec3<R>) -> (R, Vec3<R>) {
-        let local = self.turn.transpose() * (point - self.position) - self.lever;
+        let local = self.rotation.transpose() * (point - self.position) - self.centre_to_face;
         let nearest = self.face.nearest(local);
-        (nearest.distance, self.turn * nearest.normal)
+        (nearest.distance, self.rotation * nearest.normal)
     }
     fn velocity(&self, point: Vec3<R>) -> Vec3<R> {
         self.velocity + self.spin.cross(point - self.position)
     }
-    fn push(&mut self, force: Vec3<R>, point: Vec3<R>) {
+    fn apply_force(&mut self, force: Vec3<R>, point: Vec3<R>) {
         self.force += force;
         self.torque += (point - self.position).cross(force);
     }
@@ -65,11 +65,11 @@ impl<R: Real> RigidSurface<R> for RigidHead<R> {
         self.before = (self.velocity, self.spin);
         self.velocity += self.force * (step / self.mass);
         self.angular_momentum += self.torque * step;
-        // Attitude by a half step with the old rotation, then with the rotation found there (midpoint rule).
-        let middle = self.turned(self.body_spin(self.turn), dt * 0.5);
-        self.attitude = self.turned(self.body_spin(middle.matrix()), dt);
-        self.turn = self.attitude.matrix();
-        self.spin = self.turn * self.body_spin(self.turn);
+        // Midpoint rule: half a step with the old rotation, then the whole step with the rotation found there.
+        let middle = self.rotated(self.body_spin(self.rotation), dt * 0.5);
+        self.attitude = self.rotated(self.body_spin(middle.matrix()), dt);
+        self.rotation = self.attitude.matrix();
+        self.spin = self.rotation * self.body_spin(self.rotation);
         self.position += self.velocity * step;
         self.force = Vec3::zero();
         self.torque = Vec3::zero();
@@ -84,12 +84,12 @@ impl<R: Real> RigidSurface<R> for RigidHead<R> {
 }
 
 impl<R: Real> RigidHead<R> {
-    /// Angular velocity in body axes, for a rotation.
-    fn body_spin(&self, turn: Mat3<R>) -> Vec3<R> {
-        self.inverse_inertia * (turn.transpose() * self.angular_momentum)
+    /// Angular velocity in body axes, given the rotation of the body.
+    fn body_spin(&self, rotation: Mat3<R>) -> Vec3<R> {
+        self.inverse_inertia * (rotation.transpose() * self.angular_momentum)
     }
-    /// Attitude after turning for `dt` seconds, of unit length.
-    fn turned(&self, body_spin: Vec3<R>, dt: f64) -> Quat<R> {
+    /// Attitude after a rotation of `dt` seconds, of unit length.
+    fn rotated(&self, body_spin: Vec3<R>, dt: f64) -> Quat<R> {
         let rate = self.attitude.rate(body_spin);
         let step = R::from_f64(dt);
         let (w, v) = (self.attitude.w + rate.w * step, self.attitude.v + rate.v * step);

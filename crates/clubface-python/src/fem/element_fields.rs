@@ -1,13 +1,13 @@
-//! Stress and strain in the elements of both bodies at the times of the frames.
+//! Stress and strain in the elements of both bodies, frame by frame.
 
 use clubface_fem::element::ElementOutput;
-use clubface_fem::solve::Impact;
+use clubface_fem::solve::Simulation;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ops::Range;
 
-/// What the elements of a body felt, frame after frame, in single precision.
+/// Stress and strain in the elements of a body, frame after frame, in single precision.
 #[derive(Default)]
 struct Body {
     stress: Vec<f32>,
@@ -16,20 +16,22 @@ struct Body {
 }
 
 impl Body {
-    fn add(&mut self, now: &mut Impact<f64>, nodes: Range<usize>) {
+    fn add(&mut self, simulation: &mut Simulation<f64>, nodes: Range<usize>) {
         let mut all: Vec<ElementOutput> = Vec::new();
-        now.structure.feel(nodes, &mut |number, felt| {
+        simulation.structure.element_output(nodes, &mut |number, output| {
             if all.len() <= number {
                 all.resize(number + 1, ElementOutput::default());
             }
-            all[number] = *felt;
+            all[number] = *output;
         });
-        self.stress.extend(all.iter().flat_map(|felt| felt.stress.as_flattened().iter().map(|&v| v as f32)));
-        self.strain.extend(all.iter().flat_map(|felt| felt.strain.as_flattened().iter().map(|&v| v as f32)));
-        self.plastic_strain.extend(all.iter().map(|felt| felt.plastic_strain as f32));
+        self.stress
+            .extend(all.iter().flat_map(|output| output.stress.as_flattened().iter().map(|&v| v as f32)));
+        self.strain
+            .extend(all.iter().flat_map(|output| output.strain.as_flattened().iter().map(|&v| v as f32)));
+        self.plastic_strain.extend(all.iter().map(|output| output.plastic_strain as f32));
     }
 
-    /// {stress [Pa], strain: frames by elements by side by component (xx, yy, zz, xy, xz, yz), `plastic_strain`: frames by elements}, all flat.
+    /// Flat arrays: stress (Pa) and strain by frame, element, side and component (xx, yy, zz, xy, xz, yz); `plastic_strain` by frame and element.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
         dict.set_item("stress", PyArray1::from_slice(py, &self.stress))?;
@@ -41,19 +43,19 @@ impl Body {
 
 /// Ball and head.
 #[derive(Default)]
-pub(super) struct Fields([Body; 2]);
+pub(super) struct ElementFields([Body; 2]);
 
-impl Fields {
+impl ElementFields {
     /// Adds a frame.
-    pub(super) fn add(&mut self, now: &mut Impact<f64>) {
-        let (ball, all) = (now.ball_nodes, now.structure.translations);
+    pub(super) fn add(&mut self, simulation: &mut Simulation<f64>) {
+        let (ball, all) = (simulation.ball_nodes, simulation.structure.translations);
         for (body, nodes) in self.0.iter_mut().zip([0..ball, ball..all]) {
-            body.add(now, nodes);
+            body.add(simulation, nodes);
         }
     }
 
-    /// Keeps the first of all frames.
-    pub(super) fn keep(&mut self, kept: usize, all: usize) {
+    /// Keeps the first `kept` of `all` frames.
+    pub(super) fn truncate(&mut self, kept: usize, all: usize) {
         for Body { stress, strain, plastic_strain } in &mut self.0 {
             for numbers in [stress, strain, plastic_strain] {
                 numbers.truncate(numbers.len() / all.max(1) * kept);

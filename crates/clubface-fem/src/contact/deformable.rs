@@ -1,47 +1,49 @@
-//! Nodes of the ball against a face of shells or hexahedra: penalty with Coulomb friction that sticks, both sides deforming.
+//! Nodes of the ball against a face of shells or hexahedra, both sides deforming: penalty springs, and Coulomb friction that sticks.
 //!
-//! The force on a ball node acts at that node on both sides: the corners of the quadrilateral below it take its opposite by their bilinear
-//! weights, with the moment of the distance between the middle surface and the node (forces along the normal where nodes do not turn), so
-//! that impulse and angular momentum balance to rounding.
+//! The force on a ball node acts at that node on both sides: its opposite is distributed to the corners of the quadrilateral below by their
+//! bilinear weights, together with the moment of the distance between the middle surface and the node (as forces along the normal where nodes
+//! have no rotations), so that momentum and angular momentum balance to rounding.
 
-use super::rests::Rests;
-use super::surface::{Foot, Surface};
-use super::{Contact, ContactEnergy, Grooves, Held, Method, Resultant, Springs, Touch};
+use super::search_interval::SearchIntervals;
+use super::surface::{Projection, Surface};
+use super::{
+    Contact, ContactEnergy, ContactMethod, Grooves, NodeState, PenaltySprings, Penetration, Resultant,
+};
 use crate::material::{cross, dot};
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
 
-/// Steps for which a node beyond the edge is left alone.
+/// Steps for which a node beyond the edge is left out of the search.
 const BEYOND: u32 = 4;
 
-/// A ball node that may touch.
+/// A node of the ball that may touch the face.
 struct Candidate<R> {
     mass: R,
     area: f64,
-    held: Held<R>,
+    state: NodeState<R>,
     quad: u32,
     at: [R; 2],
-    /// Whether it was beyond the edge of the face when last looked at.
+    /// Whether it was beyond the edge of the face when last searched.
     beyond: bool,
 }
 
-/// The nodes of one side of a contact.
+/// The ball's side of a contact.
 pub struct BallSide<'a, R> {
-    /// Nodes that may touch.
+    /// Nodes that may touch the face.
     pub nodes: &'a [u32],
     /// Masses of all nodes, kg.
     pub masses: &'a [R],
-    /// Shares of all nodes in the surface, m2.
+    /// Parts of the surface that belong to the nodes, all nodes, m2.
     pub areas: &'a [f64],
 }
 
-/// The shells of the other side.
+/// The face's side of a contact.
 pub struct FaceSide<'a, R> {
     /// Rows of the corners' positions, by quadrilateral, counterclockwise seen from outside.
     pub quads: Vec<[u32; 4]>,
     /// Thickness of each quadrilateral, m.
     pub thickness: Vec<R>,
-    /// Row of a node's rotation less the row of its position, if nodes turn.
+    /// Row of a node's rotation less the row of its position, if nodes have rotations.
     pub rotations: Option<u32>,
     /// Masses of all rows, kg or kg m2.
     pub masses: &'a [R],
@@ -50,13 +52,13 @@ pub struct FaceSide<'a, R> {
 }
 
 /// Contact of ball nodes with a deformable face.
-pub struct FaceContact<R> {
+pub struct DeformableContact<R> {
     coefficient: R,
-    springs: Springs,
+    springs: PenaltySprings,
     /// Ball nodes, face positions, face rotations.
     nodes: Vec<u32>,
     candidates: Vec<Candidate<R>>,
-    rests: Rests,
+    intervals: SearchIntervals,
     /// Candidates that touched in the last step.
     touching: Vec<u32>,
     surface: Surface<R>,
@@ -65,19 +67,19 @@ pub struct FaceContact<R> {
     forces: Vec<Row<R>>,
     /// Quadrilateral from which searches without a guess start.
     centre: u32,
-    /// Whether nodes have passed the edge while they were pressed, or come back below the surface.
-    wrapped: bool,
+    /// Whether nodes under load have passed the edge, or come back below the surface.
+    passed_edge: bool,
     resultant: Resultant<R>,
     energy: ContactEnergy,
 }
 
-impl<R: Real> FaceContact<R> {
-    /// Contact of ball and face under a coefficient of friction, for rows at the given positions.
+impl<R: Real> DeformableContact<R> {
+    /// Contact of ball and face with a coefficient of friction, for rows at the given positions.
     pub fn new(
         ball: &BallSide<R>,
         face: &FaceSide<R>,
         coefficient: R,
-        springs: Springs,
+        springs: PenaltySprings,
         positions: &[Row<R>],
     ) -> Self {
         let mut rows: Vec<u32> = face.quads.iter().flatten().copied().collect();
@@ -94,7 +96,7 @@ impl<R: Real> FaceContact<R> {
             .map(|&n| Candidate {
                 mass: ball.masses[n as usize],
                 area: ball.areas[n as usize],
-                held: Held::free(),
+                state: NodeState::free(),
                 quad: surface.closest(positions, positions[n as usize].vec()),
                 at: [R::zero(); 2],
                 beyond: false,
@@ -110,8 +112,8 @@ impl<R: Real> FaceContact<R> {
             .collect();
         // The ball touches first where a node of it is nearest.
         let gap = |c: &Candidate<R>, n: u32| {
-            let foot = surface.foot_from(positions, positions[n as usize].vec(), c.quad);
-            foot.map_or(f64::INFINITY, |foot| foot.gap.re())
+            let projection = surface.projection_from(positions, positions[n as usize].vec(), c.quad);
+            projection.map_or(f64::INFINITY, |projection| projection.gap.re())
         };
         let nearest = candidates
             .iter()
@@ -123,13 +125,13 @@ impl<R: Real> FaceContact<R> {
             springs,
             forces: vec![Row::zero(); nodes.len()],
             nodes,
-            rests: Rests::new(candidates.len()),
+            intervals: SearchIntervals::new(candidates.len()),
             touching: Vec::new(),
             candidates,
             surface,
             mobilities,
             centre: nearest.1,
-            wrapped: false,
+            passed_edge: false,
             resultant: Resultant::default(),
             energy: ContactEnergy::default(),
         }
@@ -141,32 +143,37 @@ impl<R: Real> FaceContact<R> {
         self.candidates
             .iter()
             .zip(&self.nodes)
-            .filter_map(|(c, &n)| self.surface.foot_from(positions, positions[n as usize].vec(), c.quad))
-            .fold(
-                R::from_f64(f64::INFINITY),
-                |least, foot| if foot.gap.re() < least.re() { foot.gap } else { least },
-            )
+            .filter_map(|(c, &n)| {
+                self.surface.projection_from(positions, positions[n as usize].vec(), c.quad)
+            })
+            .fold(R::from_f64(f64::INFINITY), |least, projection| {
+                if projection.gap.re() < least.re() {
+                    projection.gap
+                } else {
+                    least
+                }
+            })
     }
 }
 
-impl<R: Real> Contact<R> for FaceContact<R> {
+impl<R: Real> Contact<R> for DeformableContact<R> {
     fn nodes(&self) -> &[u32] {
         &self.nodes
     }
     fn area(&self, index: usize) -> f64 {
         self.candidates.get(index).map_or(0.0, |candidate| candidate.area)
     }
-    fn keep_out(&mut self, method: Method) {
+    fn set_method(&mut self, method: ContactMethod) {
         self.springs.multiplier = method.multiplier();
     }
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64) {
         let balls = self.candidates.len();
         let count = self.mobilities.len();
         let (face, rotations) = self.nodes[balls..].split_at(count);
-        self.surface.turn();
+        self.surface.begin_step();
         let (on_ball, on_face) = self.forces.split_at_mut(balls);
         let (on_nodes, moments) = on_face.split_at_mut(count);
-        // Nothing is written but where something acts or has acted: who adds up the forces has the others in a cache.
+        // Write only where something acts or has acted: all other forces stay in the caches of the workers that add them up.
         for touching in self.touching.drain(..) {
             on_ball[touching as usize] = Row::zero();
             for corner in self.surface.quads[self.candidates[touching as usize].quad as usize] {
@@ -179,26 +186,26 @@ impl<R: Real> Contact<R> for FaceContact<R> {
         self.resultant = Resultant::default();
         self.energy.stored = 0.0;
         for (index, candidate) in self.candidates.iter_mut().enumerate() {
-            if !self.rests.due(index) {
+            if !self.intervals.due(index) {
                 continue;
             }
             let node = self.nodes[index];
             let x = positions[node as usize].vec();
-            let Some(foot) = self.surface.foot(positions, x, candidate.quad, candidate.at) else {
-                self.wrapped |= candidate.held.touches();
-                (candidate.held, candidate.beyond) = (Held::free(), true);
-                self.rests.pause(index, BEYOND);
+            let Some(projection) = self.surface.projection(positions, x, candidate.quad, candidate.at) else {
+                self.passed_edge |= candidate.state.touches();
+                (candidate.state, candidate.beyond) = (NodeState::free(), true);
+                self.intervals.skip(index, BEYOND);
                 continue;
             };
-            (candidate.quad, candidate.at) = (foot.quad, foot.at);
+            (candidate.quad, candidate.at) = (projection.quad, projection.at);
             let returned = std::mem::take(&mut candidate.beyond);
-            // Sideways the floor of a groove may rise as far as the lands at once.
-            let land = foot;
-            let foot = self.surface.in_grooves(positions, land);
-            let corners = self.surface.quads[foot.quad as usize].map(|n| n as usize);
+            // Sideways, the floor of a groove may rise to the lands at once.
+            let land = projection;
+            let projection = self.surface.in_grooves(positions, land);
+            let corners = self.surface.quads[projection.quad as usize].map(|n| n as usize);
             let mut velocity = velocities[node as usize].vec();
             let (mut mobility, mut spin, mut arm) = (R::zero(), Vec3::zero(), x);
-            for (&corner, &weight) in corners.iter().zip(&foot.weights) {
+            for (&corner, &weight) in corners.iter().zip(&projection.weights) {
                 velocity += velocities[face[corner] as usize].vec() * -weight;
                 if let Some(&row) = rotations.get(corner) {
                     spin += velocities[row as usize].vec() * weight;
@@ -207,13 +214,13 @@ impl<R: Real> Contact<R> for FaceContact<R> {
                 arm += positions[face[corner] as usize].vec() * -weight;
             }
             velocity += cross(arm, spin);
-            if foot.gap.re() >= 0.0 {
-                candidate.held = Held::free();
-                self.rests.apart(index, land.gap.re(), velocity.norm_squared().re(), dt);
+            if projection.gap.re() >= 0.0 {
+                candidate.state = NodeState::free();
+                self.intervals.skip_gap(index, land.gap.re(), velocity.norm_squared().re(), dt);
                 continue;
             }
-            self.wrapped |= returned;
-            // Where nodes do not turn, the surface does: the tip of its normal moves with the slope of the velocity along the normal.
+            self.passed_edge |= returned;
+            // Where nodes have no rotations, the surface has: the tip of its normal moves with the slope of the velocity along the normal.
             let height = dot(arm, land.normal);
             let slopes = rotations.is_empty().then(|| self.surface.slopes(positions, &land));
             for (slope, &corner) in slopes.iter().flatten().zip(&corners) {
@@ -222,20 +229,26 @@ impl<R: Real> Contact<R> for FaceContact<R> {
             }
             // The reduced mass of node and face gives the stability that the node's mass gives against a rigid face.
             let mass = (candidate.mass.recip() + mobility).recip();
-            let touch = Touch { mass, area: candidate.area, gap: foot.gap, normal: foot.normal, velocity };
-            let total = touch.force(
+            let penetration = Penetration {
+                mass,
+                area: candidate.area,
+                gap: projection.gap,
+                normal: projection.normal,
+                velocity,
+            };
+            let total = penetration.force(
                 self.springs,
                 self.coefficient,
-                &mut candidate.held,
+                &mut candidate.state,
                 dt,
                 &mut self.resultant,
                 &mut self.energy,
             );
             self.touching.push(index as u32);
             on_ball[index] = Row::from_vec(total);
-            spread(&foot, &corners, total, on_nodes);
+            distribute(&projection, &corners, total, on_nodes);
             match slopes {
-                None => spread(&foot, &corners, cross(arm, total), moments),
+                None => distribute(&projection, &corners, cross(arm, total), moments),
                 Some(slopes) => {
                     for (slope, &corner) in slopes.iter().zip(&corners) {
                         on_nodes[corner].add(land.normal * (dot(*slope, total) * height));
@@ -255,21 +268,26 @@ impl<R: Real> Contact<R> for FaceContact<R> {
     }
     fn nearest(&self, positions: &[Row<R>], point: Vec3<R>) -> (R, Vec3<R>) {
         self.surface
-            .foot_from(positions, point, self.centre)
-            .map_or((R::from_f64(f64::NAN), Vec3::zero()), |foot| (foot.gap, foot.normal))
+            .projection_from(positions, point, self.centre)
+            .map_or((R::from_f64(f64::NAN), Vec3::zero()), |projection| (projection.gap, projection.normal))
     }
-    fn wrapped(&self) -> bool {
-        self.wrapped
+    fn passed_edge(&self) -> bool {
+        self.passed_edge
     }
-    fn head(&self) -> Option<Motion<R>> {
+    fn head_motion(&self) -> Option<Motion<R>> {
         None
     }
 }
 
-/// Takes a vector from the corners of a quadrilateral by their weights.
+/// Subtracts a vector from the rows of a quadrilateral's corners, by their weights.
 #[inline(always)]
-fn spread<R: Real>(foot: &Foot<R>, corners: &[usize; 4], value: Vec3<R>, rows: &mut [Row<R>]) {
-    for (&corner, &weight) in corners.iter().zip(&foot.weights) {
+fn distribute<R: Real>(
+    projection: &Projection<R>,
+    corners: &[usize; 4],
+    value: Vec3<R>,
+    rows: &mut [Row<R>],
+) {
+    for (&corner, &weight) in corners.iter().zip(&projection.weights) {
         rows[corner].add(value * -weight);
     }
 }

@@ -1,6 +1,6 @@
-//! What Python says about balls, heads and runs.
+//! Balls, heads and runs as Python describes them.
 
-use clubface_fem::ball::{Ball, Piece};
+use clubface_fem::ball::{BallConstruction, BallPiece};
 use clubface_fem::contact::Grooves;
 use clubface_fem::element::{Element, Isotropic, Rule, ShellMaterial, DEFAULT_POINTS};
 use clubface_fem::head::{DeformableHead, ShellHead, ShellPart, SolidHead};
@@ -60,16 +60,21 @@ pub(super) fn error_of(error: &FemError) -> PyErr {
     }
 }
 
-pub(super) fn ball_of(values: &BallValues) -> PyResult<Ball<f64>> {
+pub(super) fn ball_of(values: &BallValues) -> PyResult<BallConstruction<f64>> {
     let mut pieces = Vec::new();
     for piece in &values.pieces {
         let shape = Shape::from_name(&piece.law, &piece.constants).map_err(|e| error_of(&e))?;
         let maxwell = piece.maxwell.iter().map(|&(modulus, time)| Maxwell { modulus, time }).collect();
         let material = Material { shape, bulk: piece.bulk, maxwell, density: piece.density };
-        pieces.push(Piece { name: piece.name.clone(), radius: piece.radius, layers: piece.layers, material });
+        pieces.push(BallPiece {
+            name: piece.name.clone(),
+            radius: piece.radius,
+            layers: piece.layers,
+            material,
+        });
     }
     let element = Element::from_name(&values.element).map_err(|e| error_of(&e))?;
-    Ok(Ball { pieces, cube: values.cube, element, mass: values.mass })
+    Ok(BallConstruction { pieces, cube: values.cube, element, mass: values.mass })
 }
 
 /// When and how a metal yields.

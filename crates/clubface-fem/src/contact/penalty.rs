@@ -1,5 +1,5 @@
-//! The contact law of one node: a damped penalty spring along the normal, and Coulomb friction that sticks; if asked for, a multiplier that takes
-//! the load over from the springs.
+//! The contact law of one node: a damped penalty spring along the normal and Coulomb friction that sticks; optionally a Lagrange multiplier that
+//! takes the load over from the springs.
 
 use super::{ContactEnergy, Resultant};
 use crate::error::FemError;
@@ -7,21 +7,22 @@ use clubface_math::{Real, Vec3};
 
 /// How contact springs follow from a node's mass and the time step.
 #[derive(Clone, Copy, Debug)]
-pub struct Springs {
+pub struct PenaltySprings {
     /// Stiffness over mass over the square of the time step. A node of stiffness `k` and mass `m` alone is stable up to 4.
     pub stiffness: f64,
-    /// Damping over critical damping: nodes that arrive one ring after the other at full speed would ring, and the force with them.
+    /// Damping over critical damping. Without damping, nodes that arrive at full speed, one circle after the other, would oscillate, and the force
+    /// with them.
     pub damping: f64,
-    /// The time step they refer to, s; if there is none, that of the run.
+    /// The time step to which they refer, s; without one, that of the run.
     pub step: Option<f64>,
-    /// Time in which a multiplier takes the load over, s (augmented Lagrange method); none for springs alone.
+    /// Time in which a multiplier takes over the load, s (augmented Lagrangian method); none for springs alone.
     pub multiplier: Option<f64>,
 }
 
-impl Default for Springs {
-    /// About the stiffness with which the surface elements hold their nodes. A stiffer spring lets every ring of nodes that arrives ring the
-    /// force (peak of the reference case 3% higher at 0.25), a softer one delays the contact (at 0.05 its tangential force turns 3% later, and the peak
-    /// is 3% lower). Half or twice the damping changes the peak by 0.3%.
+impl Default for PenaltySprings {
+    /// About the stiffness with which the surface elements hold their nodes. With a stiffer spring the force oscillates with every circle of nodes
+    /// that arrives (peak of the reference case 3% higher at 0.25); a softer one delays the contact (at 0.05 its tangential force reverses 3%
+    /// later, and the peak is 3% lower). Half or twice the damping changes the peak by 0.3%.
     fn default() -> Self {
         Self { stiffness: 0.127, damping: 0.4, step: None, multiplier: None }
     }
@@ -30,29 +31,29 @@ impl Default for Springs {
 /// Tangential stiffness over normal stiffness.
 pub const TANGENTIAL_STIFFNESS: f64 = 0.5;
 
-/// How nodes are kept out of the other side.
+/// How nodes are kept out of the other side of the contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Method {
-    /// Damped springs: nodes sink in until these carry the load.
+pub enum ContactMethod {
+    /// Damped springs alone: nodes penetrate until the springs carry the load.
     #[default]
     Penalty,
-    /// Damped springs, and a multiplier a node that takes the load over from them, so that nodes come out again.
+    /// Damped springs and, for every node, a multiplier that takes the load over from them, so that nodes come out again.
     AugmentedLagrange,
 }
 
-impl Method {
-    /// Time in which multipliers take over, s: a third of a contact. In 60 us the force of the reference case rings as nodes arrive (peak
-    /// 8% higher), and in 30 us its energies no longer close.
-    const TAKE_OVER: f64 = 200e-6;
+impl ContactMethod {
+    /// Time in which multipliers take over, s: a third of a contact. With 60 us the force of the reference case oscillates as nodes arrive (peak
+    /// 8% higher), and with 30 us its energy balance is off.
+    const TIME_CONSTANT: f64 = 200e-6;
 
-    /// As written in files.
+    /// Its name in files and options.
     pub fn name(self) -> &'static str {
         match self {
             Self::Penalty => "penalty",
             Self::AugmentedLagrange => "augmented-lagrange",
         }
     }
-    /// The inverse of [`Method::name`].
+    /// The inverse of [`ContactMethod::name`].
     ///
     /// # Errors
     /// [`FemError::Input`] for an unknown name.
@@ -65,22 +66,22 @@ impl Method {
     /// Time in which multipliers take over, s, if there are any.
     #[must_use]
     pub fn multiplier(self) -> Option<f64> {
-        (self == Self::AugmentedLagrange).then_some(Self::TAKE_OVER)
+        (self == Self::AugmentedLagrange).then_some(Self::TIME_CONSTANT)
     }
 }
 
-/// What a node in contact remembers.
+/// State of the contact of one node.
 #[derive(Clone, Copy, Debug)]
-pub struct Held<R> {
+pub struct NodeState<R> {
     /// Force of the tangential spring, N.
     spring: Vec3<R>,
-    /// The multiplier: what of its load the node is held against, N.
+    /// The multiplier: the part of the load that it carries, N.
     multiplier: Vec3<R>,
     /// Force of the last step, N, and velocity before it, m/s; none in the first step.
     last: Option<(Vec3<R>, Vec3<R>)>,
 }
 
-impl<R: Real> Held<R> {
+impl<R: Real> NodeState<R> {
     /// Not in contact.
     #[must_use]
     pub fn free() -> Self {
@@ -93,13 +94,13 @@ impl<R: Real> Held<R> {
     }
 }
 
-/// A node below the surface of the other side.
-pub struct Touch<R> {
+/// A node that has penetrated the surface of the other side.
+pub struct Penetration<R> {
     /// Mass that the spring moves, kg.
     pub mass: R,
-    /// Share of the node in its surface, m2.
+    /// Part of the surface that belongs to the node, m2.
     pub area: f64,
-    /// Distance from the other side, m: below zero.
+    /// Distance from the other side, m; negative.
     pub gap: R,
     /// Normal of the other side.
     pub normal: Vec3<R>,
@@ -107,14 +108,14 @@ pub struct Touch<R> {
     pub velocity: Vec3<R>,
 }
 
-impl<R: Real> Touch<R> {
-    /// Force on the node, N; adds to the sum and to the energies, and renews what the node remembers.
+impl<R: Real> Penetration<R> {
+    /// Force on the node, N. Adds to the sum and to the energies, and updates the state of the node.
     #[inline(always)]
     pub fn force(
         &self,
-        springs: Springs,
+        springs: PenaltySprings,
         coefficient: R,
-        held: &mut Held<R>,
+        state: &mut NodeState<R>,
         dt: f64,
         sum: &mut Resultant<R>,
         energy: &mut ContactEnergy,
@@ -125,17 +126,17 @@ impl<R: Real> Touch<R> {
         let spring = -(stiffness * self.gap);
         let damper = closing * self.mass * (2.0 * springs.damping * springs.stiffness.sqrt() / reference);
         if let Some(time) = springs.multiplier {
-            self.take_over(dt / time, held, dt);
+            self.update_multiplier(dt / time, state, dt);
         }
-        let carried = held.multiplier.dot(self.normal).max(R::zero());
-        let bearing = spring + carried;
-        // A damper of no more than what bears: one that acted at once would make the launch jump where a node arrives a step sooner.
-        let pressing = (bearing + damper.min(bearing)).max(R::zero());
+        let carried = state.multiplier.dot(self.normal).max(R::zero());
+        let load = spring + carried;
+        // The damper is limited by the load: acting at once, it would make the launch jump where a node arrives one step sooner.
+        let pressing = (load + damper.min(load)).max(R::zero());
         energy.damping += ((pressing - spring) * closing).re() * dt;
-        // Stick: the spring follows the node; slip: it is let out until it carries what friction allows.
+        // Stick: the spring follows the node. Slip: it is shortened until it carries what friction allows.
         let tangential = stiffness * TANGENTIAL_STIFFNESS;
-        let carried = held.multiplier.reject(self.normal);
-        let trial = (held.spring - self.velocity * (tangential * dt)).reject(self.normal) + carried;
+        let carried = state.multiplier.reject(self.normal);
+        let trial = (state.spring - self.velocity * (tangential * dt)).reject(self.normal) + carried;
         let most = coefficient * pressing;
         let size = trial.norm();
         let (mut friction, mut heat) = (trial, 0.0);
@@ -143,15 +144,15 @@ impl<R: Real> Touch<R> {
             friction = trial * (most / size);
             heat = (most * (size - most) / tangential).re();
         }
-        let before = held.spring.norm_squared();
-        held.spring = friction - carried;
-        energy.stored += 0.5 * (spring * spring / stiffness + held.spring.norm_squared() / tangential).re();
+        let before = state.spring.norm_squared();
+        state.spring = friction - carried;
+        energy.stored += 0.5 * (spring * spring / stiffness + state.spring.norm_squared() / tangential).re();
         let force = self.normal * pressing + friction;
         if springs.multiplier.is_some() {
-            // What the multiplier does is heat, too, for better or worse: it comes and goes with the load.
-            let stored = (held.spring.norm_squared() - before) / (tangential * 2.0);
+            // The work of the multiplier counts as heat, too, whatever its sign: it comes and goes with the load.
+            let stored = (state.spring.norm_squared() - before) / (tangential * 2.0);
             heat = -(friction.dot(self.velocity) * dt + stored).re();
-            held.last = Some((force, self.velocity));
+            state.last = Some((force, self.velocity));
         }
         energy.friction += heat;
         sum.force += force;
@@ -162,31 +163,32 @@ impl<R: Real> Touch<R> {
         force
     }
 
-    /// Lets the multiplier take on some of the load that it does not carry yet: the load of the last step, by what the node did under it.
+    /// Moves a fraction of the load that the multiplier does not carry yet on to it: the load of the last step, from the acceleration of the node
+    /// under it.
     #[inline(always)]
-    fn take_over(&self, share: f64, held: &mut Held<R>, dt: f64) {
-        if let Some((force, velocity)) = held.last {
+    fn update_multiplier(&self, fraction: f64, state: &mut NodeState<R>, dt: f64) {
+        if let Some((force, velocity)) = state.last {
             let opposed = force - (self.velocity - velocity) * (self.mass * (1.0 / dt));
-            held.multiplier += (opposed - held.multiplier) * R::from_f64(share);
+            state.multiplier += (opposed - state.multiplier) * R::from_f64(fraction);
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Held, Springs, Touch};
+    use super::{NodeState, PenaltySprings, Penetration};
     use crate::contact::{ContactEnergy, Resultant};
     use clubface_math::Vec3;
 
-    /// Force along the normal of a node just behind the face that arrives, or leaves, at a speed.
+    /// Force along the normal of a node just below the face that arrives, or leaves, at a speed.
     fn pressing(gap: f64, closing: f64) -> f64 {
         let (normal, velocity) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(-closing, 3.0, 0.0));
-        let touch = Touch { mass: 1e-5, area: 1e-6, gap, normal, velocity };
+        let penetration = Penetration { mass: 1e-5, area: 1e-6, gap, normal, velocity };
         let mut sum = Resultant::default();
-        touch.force(
-            Springs::default(),
+        penetration.force(
+            PenaltySprings::default(),
             0.35,
-            &mut Held::free(),
+            &mut NodeState::free(),
             5e-7,
             &mut sum,
             &mut ContactEnergy::default(),
