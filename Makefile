@@ -28,17 +28,24 @@ $(VENV)/.setup: constraints-dev.txt scripts/find-tools.sh
 	@$(PYTHON) -m pip install --quiet maturin
 	@touch $@
 
+# The packages of Python arrive while the core compiles.
 $(VENV)/.build: $(VENV)/.setup pyproject.toml $(RUST_SOURCES)
-	$(BIN)/maturin develop --release --extras cli,tables,plots,fem,capture,fit,dev
+	@$(PYTHON) scripts/requirements.py cli tables plots fem capture fit | $(PYTHON) -m pip install --quiet -r /dev/stdin & \
+	cargo build --release --locked -p clubface-fem && wait $$!
+	$(BIN)/maturin develop --release
+	@touch $@
+
+$(VENV)/.dev: $(VENV)/.build constraints-dev.txt
+	@$(PYTHON) scripts/requirements.py dev | $(PYTHON) -m pip install --quiet -r /dev/stdin
 	@touch $@
 
 demo: build ## the published tour averages by every model; tables and pictures in out/
 	$(BIN)/clubface tour --output out/
 
-test: build ## all tests; the last line is "N passed, N failed"
+test: $(VENV)/.dev ## all tests; the last line is "N passed, N failed"
 	@$(PYTHON) scripts/run_tests.py
 
-check: build ## formatting, lints, types, documentation
+check: $(VENV)/.dev ## formatting, lints, types, documentation
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 	$(BIN)/ruff format --check .
@@ -46,15 +53,15 @@ check: build ## formatting, lints, types, documentation
 	$(BIN)/pyright --pythonpath $(PYTHON)
 	$(BIN)/sphinx-build -W --keep-going -q -E docs docs/_build
 
-docs: build ## the documentation as web pages in docs/_build
+docs: $(VENV)/.dev ## the documentation as web pages in docs/_build
 	$(BIN)/sphinx-build -W --keep-going -q docs docs/_build
 	@echo "docs/_build/index.html"
 
-bench: build ## speed, printed beside the computed results
+bench: $(VENV)/.dev ## speed, printed beside the computed results
 	cargo bench $(RUST_TESTED)
 	$(PYTHON) -m pytest benchmarks --benchmark-only
 
-study: build ## the tests that take minutes
+study: $(VENV)/.dev ## the tests that take minutes
 	cargo test $(RUST_TESTED) -- --ignored
 	$(PYTHON) -m pytest -m study
 
@@ -65,16 +72,16 @@ benchmark-identification: build ## identify every model on the benchmark shots: 
 	@mkdir -p out
 	$(PYTHON) -m clubface.findings out/benchmark-identification docs/findings.json
 
-benchmark-identification-speed: build ## time of P1's whole identification of the volumetric driver, and its cost
+benchmark-identification-speed: $(VENV)/.dev ## time of P1's whole identification of the volumetric driver, and its cost
 	$(PYTHON) benchmarks/identification_speed.py
 
-fem-figures: build ## the figures of docs/finite-elements.md, computed again; some three minutes
+fem-figures: $(VENV)/.dev ## the figures of docs/finite-elements.md, computed again; some three minutes
 	$(PYTHON) benchmarks/fem_figures.py
 
-identification-coverage: build ## how often intervals of identified parameters hold the truth, over 400 repeats
+identification-coverage: $(VENV)/.dev ## how often intervals of identified parameters hold the truth, over 400 repeats
 	$(PYTHON) -m pytest -m study tests/test_identify_coverage.py -s
 
-capture-coverage: build ## errors and coverage of motion capture on 200 and 400 synthetic swings; some minutes
+capture-coverage: $(VENV)/.dev ## errors and coverage of motion capture on 200 and 400 synthetic swings; some minutes
 	$(PYTHON) -m pytest -q -m study tests/test_capture_study.py
 
 clean: ## remove everything that was built
