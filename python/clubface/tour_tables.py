@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.shots import DEFAULT_BALL
+from clubface.balls import DEFAULT_BALL
 from clubface.tour import LOFT_MODEL, QUANTITIES, SOURCE, Tour
 
 TITLES = {"ball_speed": "Ball speed", "launch": "Launch angle", "spin": "Spin", "carry": "Carry"}

@@ -76,7 +76,7 @@ def prepare(
     *,
     estimator: str = "smoother",
     roughness: float = ROUGHNESS,
-    ball: str | os.PathLike[str] | Ball = "published",
+    ball: str | os.PathLike[str] | Ball | None = None,
     hand: str | None = None,
     target: str | None = None,
     up: str | None = None,
@@ -96,7 +96,7 @@ def prepare(
     roughness
         Of the smoother: how much the path may depart from a quartic.
     ball
-        Its radius counts.
+        Its radius counts; the published one unless given.
     hand
         "right" or "left"; that of the club unless given.
     target, up
