@@ -72,10 +72,10 @@ fem-figures: build ## the figures of docs/finite-elements.md, computed again; so
 	$(PYTHON) benchmarks/fem_figures.py
 
 identification-coverage: build ## how often intervals of identified parameters hold the truth, over 400 repeats
-	$(PYTHON) -m pytest -m study tests/test_identify_coverage.py -s
+	$(PYTHON) -m pytest -m study tests/identification/test_coverage.py -s
 
 capture-coverage: build ## errors and coverage of motion capture on 200 and 400 synthetic swings; some minutes
-	$(PYTHON) -m pytest -q -m study tests/test_capture_study.py
+	$(PYTHON) -m pytest -q -m study tests/motion_capture/test_study.py
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks

@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 import clubface
-from clubface import tour, units
+from clubface import units
+from clubface.tour import averages as tour
 
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md"))]

@@ -57,8 +57,8 @@ def shot(
     sets = given.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
     conditions = given.conditions(texts)
 
-    from clubface.flight import fly
-    from clubface.impact import impact
+    from clubface.simulation.flight import fly
+    from clubface.simulation.impact import impact
 
     launches = {
         name: impact(head, delivery, model=name, parameters=each, ball=texts["ball"], accuracy=texts["accuracy"])
@@ -113,9 +113,9 @@ def _notes(launches: Mapping[str, Any], flights: Mapping[str, Any]) -> list[str]
 def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any], delivery: Mapping[str, float]) -> None:
     """Draw forces and flights of all models into one file."""
     from clubface import plots, units
-    from clubface.history import history
-    from clubface.models import FEM, model
-    from clubface.trajectory import trajectory
+    from clubface.equipment.models import FEM, model
+    from clubface.simulation.history import history
+    from clubface.simulation.trajectory import trajectory
 
     positions = {name: trajectory(launch, **conditions).position for name, launch in launches.items()}
     histories: dict[str, Any] = {
@@ -141,7 +141,7 @@ def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any],
 
 def _finite_elements(launch: Any, delivery: Mapping[str, float]) -> Mapping[str, Any]:
     """Return the forces of a shot by finite elements."""
-    from clubface.fem.as_model import force_history, meshed_ball
+    from clubface.fem.backend import force_history, meshed_ball
     from clubface.fem.run import Settings, strike
 
     made, _ = meshed_ball(launch.ball)
