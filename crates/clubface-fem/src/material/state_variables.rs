@@ -43,86 +43,92 @@ impl<'a, R> Numbers<'a, R> {
 }
 
 /// What the points of a pack remember.
-pub struct Memory<'a, R> {
+pub struct State<'a, R> {
     /// For every step.
-    pub often: Numbers<'a, R>,
+    pub every_step: Numbers<'a, R>,
     /// For some steps only.
-    pub seldom: Numbers<'a, R>,
+    pub energy_only: Numbers<'a, R>,
 }
 
 /// What blocks of eight points remember. What few steps need stands apart, so that the caches are full of what all steps do.
 #[derive(Clone, Debug)]
-pub struct History<R> {
-    often: Vec<Eight<R>>,
-    seldom: Vec<Eight<R>>,
+pub struct StateVariables<R> {
+    every_step: Vec<Eight<R>>,
+    energy_only: Vec<Eight<R>>,
     /// Numbers a point.
     counts: [usize; 2],
 }
 
-impl<R: Real> History<R> {
+impl<R: Real> StateVariables<R> {
     /// Undeformed points of a material, in as many blocks.
     pub fn new(material: &Material<R>, blocks: usize) -> Self {
-        let memory = material.memory();
-        let counts = memory.each_ref().map(Vec::len);
-        let [often, seldom] = memory.map(|numbers| eight_alike(&numbers).repeat(blocks));
-        Self { often, seldom, counts }
+        let state = material.state();
+        let counts = state.each_ref().map(Vec::len);
+        let [every_step, energy_only] = state.map(|numbers| eight_alike(&numbers).repeat(blocks));
+        Self { every_step, energy_only, counts }
     }
     /// Whether there is nothing to remember.
     pub fn is_empty(&self) -> bool {
-        self.often.is_empty()
+        self.every_step.is_empty()
     }
     /// What the points of a pack remember, which begins with the point `first` of a block.
     #[inline(always)]
-    pub fn of(&mut self, block: usize, first: usize) -> Memory<'_, R> {
-        let [often, seldom] = self.counts;
-        Memory {
-            often: Numbers::new(&mut self.often[block * often..(block + 1) * often], first),
-            seldom: Numbers::new(&mut self.seldom[block * seldom..(block + 1) * seldom], first),
+    pub fn of(&mut self, block: usize, first: usize) -> State<'_, R> {
+        let [every_step, energy_only] = self.counts;
+        State {
+            every_step: Numbers::new(
+                &mut self.every_step[block * every_step..(block + 1) * every_step],
+                first,
+            ),
+            energy_only: Numbers::new(
+                &mut self.energy_only[block * energy_only..(block + 1) * energy_only],
+                first,
+            ),
         }
     }
     /// A copy of one block, to try what comes of a step.
     pub fn copy(&self, block: usize) -> Self {
-        let [often, seldom] = self.counts;
+        let [every_step, energy_only] = self.counts;
         Self {
-            often: self.often[block * often..(block + 1) * often].to_vec(),
-            seldom: self.seldom[block * seldom..(block + 1) * seldom].to_vec(),
+            every_step: self.every_step[block * every_step..(block + 1) * every_step].to_vec(),
+            energy_only: self.energy_only[block * energy_only..(block + 1) * energy_only].to_vec(),
             counts: self.counts,
         }
     }
 }
 
-/// Steps after which the work on viscoelastic branches is added up: numbers that are read seldom leave their place in the caches to others. By default energies
+/// Steps after which the work on viscoelastic branches is added up: numbers that are seldom read leave their place in the caches to others. By default energies
 /// are recorded after a multiple of so many, and see all of the work.
-const TALLY: usize = 4;
+const WORK_PERIOD: usize = 4;
 
 /// A step of what points remember.
 #[derive(Clone, Copy, Debug)]
-pub struct Step {
+pub struct Update {
     /// Its time, s.
     pub(super) dt: f64,
     /// Whether the work on branches is added up.
-    pub(super) tally: bool,
+    pub(super) add_work: bool,
 }
 
 /// The steps of some points.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Clock {
+pub struct Updates {
     steps: usize,
     last: f64,
 }
 
-impl Clock {
+impl Updates {
     /// The next step, of `dt` seconds; in no time nothing is remembered.
-    pub fn tick(&mut self, dt: f64) -> Step {
+    pub fn next(&mut self, dt: f64) -> Update {
         if dt == 0.0 {
-            return Step { dt, tally: false };
+            return Update { dt, add_work: false };
         }
         (self.steps, self.last) = (self.steps + 1, dt);
-        Step { dt, tally: self.steps % TALLY == 1 }
+        Update { dt, add_work: self.steps % WORK_PERIOD == 1 }
     }
     /// One more step like the last, to see what comes of it.
     #[must_use]
-    pub fn ahead(&self) -> Step {
-        Step { dt: self.last, tally: false }
+    pub fn preview(&self) -> Update {
+        Update { dt: self.last, add_work: false }
     }
 }
