@@ -1,6 +1,6 @@
 //! One shot with exact derivatives, by dual numbers through the same code.
 
-use super::{Run, MOST_PARAMETERS};
+use super::run::{Run, MOST_PARAMETERS};
 use crate::check::{check, check_approach, check_parameters, unseparated};
 use crate::contact::Unrecorded;
 use crate::error::ImpactError;

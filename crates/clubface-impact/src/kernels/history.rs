@@ -1,6 +1,6 @@
 //! One shot with every step of its contact.
 
-use super::Run;
+use super::run::Run;
 use crate::check::{check, check_approach, check_parameters, unseparated};
 use crate::contact::History;
 use crate::error::ImpactError;

@@ -1,6 +1,6 @@
 //! Launches of many shots, in packs as wide as the CPU has them.
 
-use super::{Run, MOST_PARAMETERS};
+use super::run::{Run, MOST_PARAMETERS};
 use crate::check::{
     check_approach, check_delivery, check_equipment, check_parameters, good_delivery, good_parameters,
     unseparated,

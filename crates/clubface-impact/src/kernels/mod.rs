@@ -5,32 +5,9 @@
 mod derivatives;
 mod history;
 mod launches;
+mod run;
 
 pub use derivatives::{derivatives, Differentiated};
 pub use history::history;
 pub use launches::launches;
-
-use crate::contact::Recorder;
-use crate::first_touch::FirstTouch;
-use crate::impact::{Accuracy, Impact};
-use crate::model::Model;
-use clubface_math::{Computation, Scalar};
-
-/// Largest number of parameters a model may have.
-pub const MOST_PARAMETERS: usize = 16;
-
-/// The impact of a model, a function of its own for each kind of number.
-struct Run<'a, M, S, R> {
-    model: M,
-    touch: &'a FirstTouch<S>,
-    accuracy: Accuracy,
-    recorder: &'a mut R,
-}
-
-impl<M: Model<S>, S: Scalar, R: Recorder<S>> Computation for Run<'_, M, S, R> {
-    type Output = Impact<S>;
-    #[inline(always)]
-    fn run(self) -> Impact<S> {
-        self.model.impact(self.touch, self.accuracy, self.recorder)
-    }
-}
+pub use run::MOST_PARAMETERS;
