@@ -1,9 +1,9 @@
 //! Bounces and roll against closed forms of rigid impact and Penner's published points.
 
 use super::{assert_close, drive, launch, value, with};
-use crate::ball::Ball;
-use crate::flight::ground::{bounce, restitution, roll, rolling_friction_of_stimp, run, Ground};
-use crate::flight::trajectory::GRAVITY;
+use clubface_impact::ball::Ball;
+use clubface_impact::flight::ground::{bounce, restitution, roll, rolling_friction_of_stimp, run, Ground};
+use clubface_impact::flight::trajectory::GRAVITY;
 use clubface_math::Vec3;
 use proptest::prelude::*;
 

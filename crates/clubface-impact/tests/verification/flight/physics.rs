@@ -1,9 +1,9 @@
 //! Flight against closed forms and symmetry.
 
 use super::{assert_close, column, drive, flown, launch, value, with, INPUT_COUNT};
-use crate::ball::Ball;
-use crate::flight::aerodynamics::{air_load, drag_coefficient, LOWEST_SPIN_PARAMETER, SPIN_DECAY};
-use crate::flight::trajectory::{fly_to_ground, Air, Flight, Landing, GRAVITY};
+use clubface_impact::ball::Ball;
+use clubface_impact::flight::aerodynamics::{air_load, drag_coefficient, LOWEST_SPIN_PARAMETER, SPIN_DECAY};
+use clubface_impact::flight::trajectory::{fly_to_ground, Air, Flight, Landing, GRAVITY};
 use clubface_math::Vec3;
 use core::f64::consts::PI;
 
@@ -137,7 +137,7 @@ fn the_mirror_image_of_a_shot_flies_the_mirror_image() {
         mirrored[column(name)] = -mirrored[column(name)];
     }
     let (a, b) = (flown(&shot).outputs(), flown(&mirrored).outputs());
-    for (i, output) in crate::flight::OUTPUTS.iter().enumerate() {
+    for (i, output) in clubface_impact::flight::OUTPUTS.iter().enumerate() {
         let sign = if output.name.ends_with("side") { -1.0 } else { 1.0 };
         assert_eq!(a[i], sign * b[i], "{}", output.name);
     }
@@ -169,7 +169,7 @@ fn carry_grows_with_tailwind_altitude_and_warmth() {
     assert!(rising(carries("temperature", &[273.15, 283.15, 298.15, 308.15])));
     assert!(rising(carries("humidity", &[0.0, 0.5, 1.0])));
     let altitudes = [0.0, 500.0, 1000.0, 2000.0, 2500.0];
-    assert!(rising(carries("pressure", &altitudes.map(crate::flight::air::pressure_at_altitude))));
+    assert!(rising(carries("pressure", &altitudes.map(clubface_impact::flight::air::pressure_at_altitude))));
     // Headwind costs more than tailwind gives.
     let carry = carries("wind_x", &[-10.0, 0.0, 10.0]);
     assert!(carry[1] - carry[0] > carry[2] - carry[1]);

@@ -1,8 +1,10 @@
 //! Batches: the same bits as one shot alone, and an answer for every row.
 
 use super::{column, drive, flown, launch, with, INPUT_COUNT};
-use crate::batch::{Column, Reject};
-use crate::flight::{check, trajectory, FlightBatch, OUTPUT_COUNT};
+use clubface_impact::batch::CHUNK;
+use clubface_impact::columns::{Column, Reject};
+use clubface_impact::flight::{check, trajectory, FlightBatch, OUTPUT_COUNT};
+use clubface_impact::parallel::in_parallel;
 
 /// Shots from chips to drives, in all kinds of air, some with sidespin, some struck into the ground.
 fn shots(count: usize) -> Vec<[f64; INPUT_COUNT]> {
@@ -29,7 +31,8 @@ fn fly(inputs: &[Column<'_>], rows: usize) -> (Vec<Vec<f64>>, Vec<Reject>) {
     let batch = FlightBatch { inputs };
     batch.validate(rows).unwrap();
     let mut outputs = vec![vec![0.0; rows]; OUTPUT_COUNT];
-    let rejects = batch.run(0..rows, outputs.iter_mut().map(Vec::as_mut_slice).collect());
+    let columns = outputs.iter_mut().map(Vec::as_mut_slice).collect();
+    let rejects = in_parallel(CHUNK, 0..rows, columns, |rows, part| batch.run(rows, part));
     (outputs, rejects)
 }
 
@@ -120,7 +123,7 @@ fn every_input_is_checked_and_named_with_its_value_and_what_is_allowed() {
         error("pressure", -5.0).to_string(),
         "pressure: -5 Pa is not allowed; allowed is 30000 to 120000 Pa"
     );
-    for input in &crate::flight::INPUTS {
+    for input in &clubface_impact::flight::INPUTS {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert_eq!(error(input.name, value).input, input.name);
         }
@@ -135,7 +138,7 @@ fn every_input_is_checked_and_named_with_its_value_and_what_is_allowed() {
     let mut still = drive();
     still[3..6].fill(0.0);
     assert_eq!(check(&still).unwrap_err().input, "velocity_x");
-    assert!(check(&crate::flight::default_inputs()).is_err(), "a launch has no default");
+    assert!(check(&clubface_impact::flight::default_inputs()).is_err(), "a launch has no default");
     assert!(check(&drive()).is_ok());
 }
 

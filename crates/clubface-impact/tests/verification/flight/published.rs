@@ -1,8 +1,8 @@
 //! Published figures: air, coefficients, carries.
 
 use super::{assert_close, launch, value, YARD};
-use crate::flight::aerodynamics::{drag_coefficient, lift_coefficient};
-use crate::flight::air::{density, pressure_at_altitude, saturation_pressure};
+use clubface_impact::flight::aerodynamics::{drag_coefficient, lift_coefficient};
+use clubface_impact::flight::air::{density, pressure_at_altitude, saturation_pressure};
 
 /// PGA Tour averages measured with TrackMan, 2023 (trackman.com/blog/golf/introducing-updated-tour-averages):
 /// club, ball speed [mph], launch angle [deg], spin [rpm], height [yd], angle of descent [deg], carry [yd].

@@ -1,7 +1,7 @@
 //! Steps, lanes and derivatives.
 
 use super::{assert_close, column, drive, flown, launch, with, INPUT_COUNT};
-use crate::flight::{fly, sensitivity, FlightShot, INPUTS, OUTPUTS};
+use clubface_impact::flight::{fly, sensitivity, FlightShot, INPUTS, OUTPUTS};
 use clubface_math::{dispatch, Kernel, Lanes};
 
 /// Chip, wedge, 7-iron, drive, drive in wind: different numbers of steps.
@@ -107,7 +107,7 @@ fn derivatives_are_those_of_finite_differences() {
 /// pressure allowed is no vacuum, so the density is set to zero in the shot itself.
 #[test]
 fn derivatives_through_the_landing_are_exact_without_air() {
-    use crate::flight::trajectory::GRAVITY;
+    use clubface_impact::flight::trajectory::GRAVITY;
     use clubface_math::Dual;
     let (vx, vy) = (50.0, 20.0);
     let mut inputs = launch(100.0, 10.0, 0.0, 0.0).map(Dual::<f64, 2>::constant);

@@ -1,12 +1,14 @@
 //! Flight against closed forms, symmetry, published figures and itself.
 
 mod batch;
+mod event;
 mod ground;
 mod numerics;
 mod physics;
 mod published;
 
-use super::{default_inputs, fly, FlightShot, Flown, INPUTS, INPUT_COUNT, OUTPUTS};
+use clubface_impact::flight::trajectory::TOLERANCE;
+use clubface_impact::flight::{default_inputs, fly, FlightShot, Flown, INPUTS, INPUT_COUNT, OUTPUTS};
 use core::f64::consts::PI;
 
 const MPH: f64 = 0.447_04;
@@ -44,7 +46,7 @@ fn drive() -> [f64; INPUT_COUNT] {
 }
 
 fn flown(inputs: &[f64; INPUT_COUNT]) -> Flown<f64> {
-    fly(&FlightShot::from_inputs(inputs), super::trajectory::TOLERANCE)
+    fly(&FlightShot::from_inputs(inputs), TOLERANCE)
 }
 
 fn value(inputs: &[f64; INPUT_COUNT], name: &str) -> f64 {
