@@ -1,8 +1,9 @@
 //! Steps, lanes and derivatives.
 
 use super::{assert_close, column, drive, flown, launch, with, INPUT_COUNT};
-use clubface_impact::flight::{fly, sensitivity, FlightShot, INPUTS, OUTPUTS};
-use clubface_math::{dispatch, Kernel, Lanes};
+use clubface_impact::columns::Column;
+use clubface_impact::flight::{fly, sensitivity, FlightBatch, FlightShot, INPUTS, OUTPUTS};
+use clubface_math::with_lanes;
 
 /// Chip, wedge, 7-iron, drive, drive in wind: different numbers of steps.
 fn mixed() -> [[f64; INPUT_COUNT]; 5] {
@@ -40,33 +41,22 @@ fn the_landing_does_not_depend_on_where_steps_end() {
     }
 }
 
-struct Rotated(usize);
-
-impl Kernel for Rotated {
-    type Output = Vec<[u64; 10]>;
-    #[inline(always)]
-    fn run<S: Lanes>(self) -> Self::Output {
-        let shots = mixed();
-        let of = |lane: usize| (lane + self.0) % shots.len();
-        let inputs: [S; INPUT_COUNT] = core::array::from_fn(|i| S::from_fn(|lane| shots[of(lane)][i]));
-        let outputs = fly(&FlightShot::from_inputs(&inputs), 1e-7).outputs();
-        (0..S::LANES).map(|lane| outputs.map(|output| output.lane(lane).to_bits())).collect()
-    }
-}
-
 #[test]
 fn every_lane_gives_the_bits_of_its_shot_alone_whatever_its_neighbours() {
     for rotation in 0..5 {
-        let mut packs = vec![dispatch(Rotated(rotation))];
-        #[cfg(target_arch = "x86_64")]
-        if clubface_math::lanes::x86::has_four() {
-            // SAFETY: the CPU has been asked.
-            packs.push(unsafe { clubface_math::lanes::x86::run_four(Rotated(rotation)) });
-        }
-        for pack in packs {
-            for (lane, bits) in pack.into_iter().enumerate() {
-                let alone = flown(&mixed()[(lane + rotation) % 5]).outputs().map(f64::to_bits);
-                assert_eq!(bits, alone, "lane {lane} of a pack of shot {rotation} and on");
+        let shots: Vec<_> = (0..8).map(|lane| mixed()[(lane + rotation) % 5]).collect();
+        let columns: Vec<Vec<f64>> =
+            (0..INPUT_COUNT).map(|i| shots.iter().map(|shot| shot[i]).collect()).collect();
+        let columns: Vec<Column> = columns.iter().map(|values| Column::Values(values)).collect();
+        for width in [4, 8] {
+            let mut outputs = vec![vec![0.0; shots.len()]; OUTPUTS.len()];
+            let slices = outputs.iter_mut().map(Vec::as_mut_slice).collect();
+            let batch = FlightBatch { inputs: &columns };
+            assert!(with_lanes(width, || batch.run(0..shots.len(), slices)).is_empty());
+            for (lane, shot) in shots.iter().enumerate() {
+                let bits: Vec<u64> = outputs.iter().map(|output| output[lane].to_bits()).collect();
+                let alone = flown(shot).outputs().map(f64::to_bits);
+                assert_eq!(bits, alone, "lane {lane} of {width}, shot {rotation} and on");
             }
         }
     }

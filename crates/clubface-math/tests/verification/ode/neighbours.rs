@@ -1,6 +1,6 @@
 //! Every lane steps on its own: what it computes does not depend on the lanes beside it.
 
-use crate::problems::Until;
+use super::problems::Until;
 use clubface_math::ode::{
     integrate, Control, Rosenbrock, StiffSystem, System, BOGACKI_SHAMPINE, DORMAND_PRINCE, RK4,
 };

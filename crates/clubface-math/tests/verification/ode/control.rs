@@ -1,6 +1,6 @@
 //! Steps sized by the estimated error.
 
-use crate::problems::{curves_at, distance, Curves, Linearization, Until};
+use super::problems::{curves_at, distance, Curves, Linearization, Until};
 use clubface_math::ode::{
     integrate, Control, Method, Outcome, Rosenbrock, BOGACKI_SHAMPINE, DORMAND_PRINCE, RK4,
 };

@@ -1,7 +1,7 @@
 //! The Rosenbrock method on stiff decay: any step is stable, and a step much longer than the decay ends on the slow
 //! solution.
 
-use crate::problems::Until;
+use super::problems::Until;
 use clubface_math::ode::{integrate, Control, Method, Rosenbrock, StiffSystem, System, DORMAND_PRINCE};
 
 /// z' = lambda z for a complex lambda = a + ib, as two real equations.

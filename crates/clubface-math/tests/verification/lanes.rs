@@ -1,6 +1,6 @@
 //! A pack gives in every lane the bits that the same numbers give alone, for every operation of `Scalar`.
 
-use clubface_math::{dispatch, Dual, Kernel, Lanes, Mask, Mat3, Quat, Scalar, Vec3};
+use clubface_math::{dispatch, with_lanes, Dual, Kernel, Lanes, Mask, Mat3, Quat, Scalar, Vec3};
 use proptest::prelude::*;
 
 /// Every operation of two numbers, by name.
@@ -90,23 +90,9 @@ impl Kernel for Rows<'_> {
     }
 }
 
-/// Runs a kernel with every width this CPU has: four, eight, and what `dispatch` chooses.
-fn every_width<K: Kernel + Copy>(kernel: K) -> Vec<(usize, K::Output)> {
-    #[allow(unused_mut)]
-    let mut outputs = vec![(0, dispatch(kernel))];
-    #[cfg(target_arch = "x86_64")]
-    {
-        use clubface_math::lanes::x86;
-        if x86::has_four() {
-            // SAFETY: the CPU has the features of this width.
-            outputs.push((4, unsafe { x86::run_four(kernel) }));
-        }
-        if x86::has_eight() {
-            // SAFETY: as above.
-            outputs.push((8, unsafe { x86::run_eight(kernel) }));
-        }
-    }
-    outputs
+/// Runs a kernel with every width this CPU has.
+fn every_width<K: Kernel + Copy>(kernel: K) -> [(usize, K::Output); 3] {
+    [1, 4, 8].map(|width| (width, with_lanes(width, || dispatch(kernel))))
 }
 
 impl Clone for Rows<'_> {

@@ -1,6 +1,6 @@
 //! Order of convergence: halving the step divides the error by 2^order.
 
-use crate::problems::{curves_at, distance, in_equal_steps, Curves, Linearization};
+use super::problems::{curves_at, distance, in_equal_steps, Curves, Linearization};
 use clubface_math::ode::{Method, Rosenbrock, System, BOGACKI_SHAMPINE, DORMAND_PRINCE, RK4};
 
 const END: f64 = 3.0;

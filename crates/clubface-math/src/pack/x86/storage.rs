@@ -1,8 +1,9 @@
-//! Packs of four numbers (AVX2) and of eight (AVX-512).
+//! Four numbers (AVX2) and eight (AVX-512) in and out of arrays and nodes.
 
-use super::{single_quad, Pack, Row, Vec3};
-use crate::lanes::x86::{F64x4, F64x8};
-use crate::Scalar;
+use super::arithmetic::{F64x4, F64x8};
+use crate::pack::row::Row;
+use crate::pack::traits::{single_quad, Pack};
+use crate::{Scalar, Vec3};
 use core::arch::x86_64::*;
 
 /// Numbers, loads and stores alike for both widths. SAFETY of all: packs exist only where the CPU has the feature.
