@@ -10,12 +10,12 @@ from findings_results import UNITS, heads, results, shown
 from sphinx.application import Sphinx
 
 from clubface import units
-from clubface.evaluation.published import published
+from clubface.equipment.models import model as model_named
+from clubface.equipment.parameters import ParameterSet
+from clubface.evaluation.published_accuracy import published
 from clubface.evaluation.tables import TITLES, duration, percent
 from clubface.findings.implied_bias import bias_of, bias_of_magnitudes
-from clubface.measured_shots import QUANTITIES
-from clubface.models import model as model_named
-from clubface.parameters import ParameterSet
+from clubface.measured.shots import QUANTITIES
 
 SOURCES = {
     "all": "everything, as measured",

@@ -14,6 +14,7 @@ from typer.core import TyperGroup
 
 from clubface.cli.failures import Interrupted, ReaderGone, report, show_warnings
 from clubface.errors import UnknownNameError
+from clubface.support.version import __version__
 
 COMMANDS = {
     "shot": "shot",
@@ -75,8 +76,6 @@ app = typer.Typer(cls=Commands, help="From delivery to launch: how a golf club m
 
 def _version(wanted: bool) -> None:
     if wanted:
-        from clubface import __version__
-
         print(f"clubface {__version__}")
         raise typer.Exit
 

@@ -218,7 +218,7 @@ def study(
         _print_study(found)
     if picture is not None:
         from clubface import plots
-        from clubface.plots.capture import study_figure
+        from clubface.motion_capture.figures import study_figure
 
         told = "no noise" if cameras.noise == 0.0 else f"{cameras.noise * 1e3:g} mm noise"
         say(f"wrote {plots.save(study_figure({told: found}), picture)}")

@@ -29,7 +29,7 @@ def new(
     ] = None,
 ) -> None:
     """Write a template of a club file."""
-    from clubface.clubs import Club, club
+    from clubface.equipment.clubs import Club, club
 
     text = Club.template(name) if like is None else club(like).replace(name=name).to_toml()
     if target is None:
@@ -50,7 +50,7 @@ def check(
 ) -> None:
     """Check a club file: mass, inertia, face, rule limits."""
     from clubface.cli.clubs import describe, print_club
-    from clubface.clubs import Club
+    from clubface.equipment.clubs import Club
 
     found = Club.from_toml(file)
     if as_json:

@@ -56,8 +56,8 @@ def evaluate(
         # Before the work: a folder that cannot be made, or a missing library, is found at once.
         Path(folder).mkdir(parents=True, exist_ok=True)
         import clubface.plots as plots  # noqa: F401
-    from clubface.evaluation import evaluate as compute
     from clubface.evaluation import report, tables
+    from clubface.evaluation.evaluation import evaluate as compute
 
     if folder is not None:
         report.refuse_input(folder, shots)

@@ -204,9 +204,9 @@ def export(
     folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Where to write.")] = "out",
 ) -> None:
     """Write a case as a keyword deck, or run it and write its shapes for ParaView."""
-    from clubface.equipment import check_choice
     from clubface.fem import case as cases
     from clubface.fem import files, keyword, vtu
+    from clubface.support.checks import check_choice
 
     check_choice("--format", form, ("lsdyna", "vtu"))
     chosen = cases.case(case)

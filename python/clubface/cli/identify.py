@@ -113,7 +113,7 @@ def identify(
 
         output.check_target("--plot", str(check_ending(plot, name="--plot")), read)
 
-    from clubface.identify.run import identify as fit
+    from clubface.identification.run import identify as fit
 
     recorded, head = recorded_shots(shots, texts)
     sets = given.parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])
@@ -141,14 +141,14 @@ def _write(found: Any, target: str | None, plot: str | None) -> None:
     if target is not None:
         Path(target).write_text(found.to_toml(), encoding="utf-8")
     if plot is not None:
-        from clubface.plots.identification import identification_figure
+        from clubface.identification.figures import identification_figure
         from clubface.plots.style import save
 
         save(identification_figure(found), plot)
 
 
 def _print(found: Any) -> None:
-    from clubface.identify import report
+    from clubface.identification import report
 
     share = f"{100 * found.confidence:g}% interval"
     heads = ["parameter", "value", f"{share}\nfrom", "\nto", "profile\nlikelihood", "\nidentified"]

@@ -47,7 +47,7 @@ def infer(
     **texts: Any,
 ) -> None:
     """Sample the deliveries that can have made a launch: what it tells, and what it cannot."""
-    from clubface.quantities import outputs
+    from clubface.simulation.quantities import outputs
 
     dimensions = {name: outputs()[name].dimension for name in options.MEASURED_LAUNCH}
     launch = given.quantities(texts, dimensions, {})
@@ -59,7 +59,7 @@ def infer(
         if launch or picture:
             option = "plot" if picture else next(iter(launch)).replace("_", "-")
             raise ClubfaceError(f"--{option} is of one launch, not of a file")
-        from clubface.other_club import check_club
+        from clubface.measured.other_club import check_club
 
         recorded, head = recorded_shots(shots, texts)
         names = recorded.clubs if texts["only"] is None else None
@@ -76,8 +76,8 @@ def infer(
         from clubface.plots.style import check_ending
 
         check_ending(picture)
-    from clubface.inference import infer as compute
     from clubface.inference import words
+    from clubface.inference.posterior import infer as compute
 
     found = compute(launch, club=head, **settings, **_parameters(settings["model"], head, texts))
     if target is not None:
@@ -85,7 +85,7 @@ def infer(
         say(f"wrote {target}")
     if picture is not None:
         from clubface import plots
-        from clubface.plots.inference import pairs_figure
+        from clubface.inference.figures import pairs_figure
 
         say(f"wrote {plots.save(pairs_figure(found), picture)}")
     if as_json:

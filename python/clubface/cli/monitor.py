@@ -14,7 +14,7 @@ from clubface.errors import InputError
 from clubface.units import display_unit, from_si
 
 if TYPE_CHECKING:
-    from clubface.recorded import RecordedShots
+    from clubface.recorded.shots import RecordedShots
 
 app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Launch monitors: their files, and their shots live."
@@ -200,7 +200,7 @@ def _layout(of: Any) -> dict[str, Any]:
 def _write_rejects(shots: RecordedShots, path: Path) -> None:
     import csv
 
-    from clubface.table_writer import open_text
+    from clubface.tables.writer import open_text
 
     with open_text(path, None) as file:
         csv.writer(file, lineterminator="\n").writerows([("line", "reason"), *shots.rejected])

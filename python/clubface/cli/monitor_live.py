@@ -41,7 +41,7 @@ def listen(
 ) -> None:
     """Receive the shots of launch monitors that speak GSPro Open Connect, as the simulator does."""
     from clubface.launch_monitor.open_connect import Listener, recorded
-    from clubface.table_writer import is_parquet
+    from clubface.tables.writer import is_parquet
 
     if target is not None:
         is_parquet(Path(target))

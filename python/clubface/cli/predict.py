@@ -44,7 +44,7 @@ def predict(
     sets = given.parameter_sets([chosen], head.parameters, texts["parameters"], texts["setting"])
     conditions = given.conditions(texts)
 
-    from clubface.predict import predict as compute
+    from clubface.prediction.predict import predict as compute
 
     with _progress() as progress:
         report = compute(

@@ -33,7 +33,7 @@ def recorded_shots(path: str, texts: Mapping[str, str | None]) -> tuple[Any, Any
     Velocities and angles that a launch monitor takes elsewhere are referred to the points of clubface.
     """
     from clubface import launch_monitor
-    from clubface.measured_shots import club_of, of_one_club
+    from clubface.measured.shots import club_of, of_one_club
 
     shots = launch_monitor.read(path, texts["format"], texts["hand"], texts["mapping"])
     shots = shots.select(of_one_club(shots, texts["only"]))

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.delivery import DIMENSIONS
 from clubface.errors import InputError, UnknownNameError
-from clubface.measured_shots import QUANTITIES
+from clubface.measured.shots import QUANTITIES
+from clubface.simulation.delivery import DIMENSIONS
 
 Values = NDArray[np.float64]
 

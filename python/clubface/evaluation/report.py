@@ -16,10 +16,10 @@ from typing import Any, NamedTuple
 from clubface import units
 from clubface.errors import FileError
 from clubface.evaluation import tables
-from clubface.evaluation.evaluate import Evaluation
+from clubface.evaluation.evaluation import Evaluation
 from clubface.evaluation.tables import Table
-from clubface.measured_shots import QUANTITIES
-from clubface.plain_json import plain
+from clubface.measured.shots import QUANTITIES
+from clubface.support.plain_json import plain
 
 PICTURES = {
     "errors": "Mean absolute error of every model with its 95% interval, as published (hollow), and what measurement"
@@ -210,7 +210,7 @@ def write(of: Evaluation, folder: str | os.PathLike[str]) -> list[Path]:
         One of the files is that of the shots.
     """
     from clubface import plots
-    from clubface.plots import evaluation as draw
+    from clubface.evaluation import figures as draw
 
     target = Path(folder)
     refuse_input(target, of.shots.source)

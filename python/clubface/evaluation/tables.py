@@ -6,10 +6,10 @@ import math
 from typing import NamedTuple
 
 from clubface import units
-from clubface.evaluation.evaluate import Evaluation
+from clubface.evaluation.evaluation import Evaluation
 from clubface.evaluation.statistics import Interval
 from clubface.evaluation.trends import COVARIATES
-from clubface.measured_shots import QUANTITIES
+from clubface.measured.shots import QUANTITIES
 
 TITLES = {
     "ball_speed": "Ball speed", "launch": "Launch angle", "azimuth": "Azimuth", "backspin": "Backspin",

@@ -10,10 +10,11 @@ from functools import cached_property
 from typing import Any
 
 from clubface import units
-from clubface.equipment import builtin_names, builtin_path, check_choice, check_count, check_name, check_text, is_path
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.fem.materials import Material, Maxwell, laws
-from clubface.strict_toml import Document
+from clubface.support.checks import check_choice, check_count, check_name, check_text
+from clubface.support.shipped import builtin_names, builtin_path, is_path
+from clubface.support.strict_toml import Document
 
 FOLDER = "fem_balls"
 MAX_PIECES = 5

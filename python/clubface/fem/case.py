@@ -8,17 +8,18 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
-from clubface.clubs import Club, club
-from clubface.delivery import DIMENSIONS
-from clubface.equipment import builtin_names, builtin_path, check_choice, check_name, check_text, is_path
+from clubface.equipment.clubs import Club, club
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
 from clubface.fem.run import Settings, friction_value, rigid_ball, strike, throw, throw_values
-from clubface.impact import impact
-from clubface.strict_toml import Document
+from clubface.simulation.delivery import DIMENSIONS
+from clubface.simulation.impact import impact
+from clubface.support.checks import check_choice, check_name, check_text
+from clubface.support.shipped import builtin_names, builtin_path, is_path
+from clubface.support.strict_toml import Document
 
 T = TypeVar("T")
 FOLDER = "fem_cases"

@@ -17,7 +17,7 @@ from clubface.fem.heads.read import Design
 from clubface.fem.resumable import ResumableTable
 from clubface.fem.run import rigid_ball
 from clubface.fem.side_by_side import workers_of
-from clubface.impact import impact
+from clubface.simulation.impact import impact
 
 COLUMNS = ("toe_mm", "high_mm", "restitution", "characteristic_time_us", "stopped")
 """Columns of the table, one row a point."""

@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from typing import TypeVar
 
-from clubface.equipment import is_count
 from clubface.errors import InputError
 from clubface.fem.core import Progress
+from clubface.support.checks import is_count
 
 P = TypeVar("P")
 R = TypeVar("R")

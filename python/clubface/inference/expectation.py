@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
-from clubface.measured_shots import QUANTITIES
+from clubface.measured.shots import QUANTITIES
 
 Values = NDArray[np.float64]
 

@@ -13,14 +13,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from clubface import units
-from clubface.clubs import club
+from clubface.equipment.clubs import club
 from clubface.errors import FileError, InputError
 from clubface.inference.expectation import UnreachableLaunchError
-from clubface.inference.infer import infer
+from clubface.inference.posterior import infer
 from clubface.inference.prior import prior_of
 from clubface.inference.words import unit_of
-from clubface.measured_shots import QUANTITIES
-from clubface.recorded import RecordedShots
+from clubface.measured.shots import QUANTITIES
+from clubface.recorded.shots import RecordedShots
 
 REMARK = "remark"
 

@@ -26,11 +26,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.clubs import Club
-from clubface.delivery import DIMENSIONS
-from clubface.equipment import is_path
+from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
-from clubface.strict_toml import Document
+from clubface.simulation.delivery import DIMENSIONS
+from clubface.support.shipped import is_path
+from clubface.support.strict_toml import Document
 
 Values = NDArray[np.float64]
 
@@ -190,7 +190,7 @@ def tour(head: Club) -> Prior:
     Speed and attack are published; the dynamic loft of most clubs is the one that gives the published launch angle by
     ``standard``. The rest and the spreads are those of the benchmark shots, of the driver for woods, else the 7-iron.
     """
-    from clubface.tour import averages, dynamic_loft
+    from clubface.tour.averages import averages, dynamic_loft
 
     known = {each.club: each for each in averages()}
     if head.name not in known:

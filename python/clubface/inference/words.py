@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface import units
-from clubface.delivery import DIMENSIONS
-from clubface.measured_shots import QUANTITIES
+from clubface.measured.shots import QUANTITIES
+from clubface.simulation.delivery import DIMENSIONS
 
 if TYPE_CHECKING:
-    from clubface.inference.infer import Posterior
+    from clubface.inference.posterior import Posterior
 
 CLOSE = 0.5
 """Correlation from which two quantities are said to go together."""
@@ -84,7 +84,7 @@ def not_learned(of: Posterior) -> list[str]:
 
 def warnings(of: Posterior) -> list[str]:
     """Return what speaks against trusting the sample."""
-    from clubface.inference.infer import FEWEST_EFFECTIVE, SURPRISING
+    from clubface.inference.posterior import FEWEST_EFFECTIVE, SURPRISING
 
     found = []
     if of.surprise < SURPRISING:

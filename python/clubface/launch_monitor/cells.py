@@ -7,8 +7,8 @@ import unicodedata
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from clubface.csv_rows import is_number
 from clubface.errors import UnitError
+from clubface.tables.csv_rows import is_number
 from clubface.units import unit
 
 MISSING = frozenset({"", "-", "--", "---", "–", "—", "n/a", "na", "nan", "null", "none"})

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from clubface.csv_rows import Row
 from clubface.errors import FileError
 from clubface.launch_monitor.cells import heading
 from clubface.launch_monitor.columns import is_units_row
 from clubface.launch_monitor.formats import Format
 from clubface.launch_monitor.registry import FORMATS
-from clubface.table_columns import layout, listed, shot_words
-from clubface.table_reader import Reject
+from clubface.tables.csv_rows import Row
+from clubface.tables.headings import layout, listed, shot_words
+from clubface.tables.reader import Reject
 
 OWN = "clubface"
 """The name of the layout of clubface's own tables."""

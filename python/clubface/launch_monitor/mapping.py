@@ -29,8 +29,8 @@ from typing import Any, NamedTuple
 from clubface.errors import UnitError, UnknownNameError
 from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, plain
 from clubface.launch_monitor.formats import CG, CONTACT, FACE, UNKNOWN, Field, Format
-from clubface.strict_toml import Document
-from clubface.table_columns import HAND, shot_words
+from clubface.support.strict_toml import Document
+from clubface.tables.headings import HAND, shot_words
 from clubface.units import DIMENSIONLESS, unit
 
 KEYS = ("name", "delimiter", "decimal", "club", "hand", "speed_at", "face_at", "columns")

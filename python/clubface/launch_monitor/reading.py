@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from clubface.csv_rows import CsvRows, Row
-from clubface.equipment import HANDS, check_choice
+from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.launch_monitor.cells import FACE_TO_PATH, uses_decimal_comma
 from clubface.launch_monitor.detection import OWN, asked_for, detected, others
@@ -20,11 +19,13 @@ from clubface.launch_monitor.formats import POINTS, Format
 from clubface.launch_monitor.mapping import Mapped, mapping_of
 from clubface.launch_monitor.registry import FORMATS
 from clubface.launch_monitor.rows import Session, SessionReader, Shot
-from clubface.quantities import inputs
-from clubface.recorded import SIDES, RecordedShots, read_shots
-from clubface.recorded_file import refuse_empty
-from clubface.table_columns import shot_words
-from clubface.table_reader import PARQUET, Reject
+from clubface.recorded.file import refuse_empty
+from clubface.recorded.shots import SIDES, RecordedShots, read_shots
+from clubface.simulation.quantities import inputs
+from clubface.support.checks import check_choice
+from clubface.tables.csv_rows import CsvRows, Row
+from clubface.tables.headings import shot_words
+from clubface.tables.reader import PARQUET, Reject
 from clubface.units import unit
 
 HEAD_ROWS = 30

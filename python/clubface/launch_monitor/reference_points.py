@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from clubface.clubs import Club
-from clubface.clubs import club as club_named
-from clubface.equipment import HANDS
+from clubface.equipment.clubs import Club
+from clubface.equipment.clubs import club as club_named
+from clubface.equipment.described import HANDS
 from clubface.errors import UnknownNameError
 from clubface.launch_monitor.formats import CG, CONTACT, FACE, UNKNOWN
-from clubface.recorded import RecordedShots
+from clubface.recorded.shots import RecordedShots
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

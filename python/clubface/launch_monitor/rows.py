@@ -7,13 +7,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isclose, nan
 
-from clubface.csv_rows import Row
 from clubface.launch_monitor.cells import MIRRORED, NOT_MEASURED, WORLD, CellError, heading, plain, reading
 from clubface.launch_monitor.columns import Columns, Used, columns_of, is_units_row
 from clubface.launch_monitor.formats import Format
-from clubface.quantities import inputs
-from clubface.recorded import RejectedRow
-from clubface.table_reader import Reject
+from clubface.recorded.shots import RejectedRow
+from clubface.simulation.quantities import inputs
+from clubface.tables.csv_rows import Row
+from clubface.tables.reader import Reject
 from clubface.units import unit
 
 SUMMARIES = frozenset(

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
 from clubface.errors import FileError
 from clubface.motion_capture.estimators import TIME, TURN, Path, estimator
 from clubface.motion_capture.impact_frame import Interval

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.clubs import Club
-from clubface.delivery import DIMENSIONS, Delivery
+from clubface.equipment.clubs import Club
 from clubface.errors import InputError, UnknownNameError
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.rotations import Array
+from clubface.simulation.delivery import DIMENSIONS, Delivery
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

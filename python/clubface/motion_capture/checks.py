@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError
 from clubface.motion_capture.ball_flight import Launched
 from clubface.motion_capture.registration import Registration
@@ -69,7 +69,7 @@ def of_launch(values: Mapping[str, float], club: Club, ball: Any, seen: Launched
             f"the ball starts {late * 1e3:.2f} ms after the face touches it, not the 0.2 ms of a real impact: a wrong"
             " club, mapping or calibration"
         )
-    from clubface.impact import impact
+    from clubface.simulation.impact import impact
 
     try:
         with warnings.catch_warnings():

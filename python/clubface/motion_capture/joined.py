@@ -14,7 +14,7 @@ import numpy as np
 
 from clubface import units
 from clubface.errors import InputError
-from clubface.recorded import RecordedShots, RejectedRow
+from clubface.recorded.shots import RecordedShots, RejectedRow
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

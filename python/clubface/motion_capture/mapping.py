@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from clubface.errors import InputError
 from clubface.motion_capture.rigid_body import FEWEST
-from clubface.strict_toml import Document
+from clubface.support.strict_toml import Document
 
 AXES = ("+x", "-x", "+y", "-y", "+z", "-z")
 Point = tuple[float, float, float]

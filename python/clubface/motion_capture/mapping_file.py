@@ -7,7 +7,7 @@ from typing import Any
 from clubface import units
 from clubface.errors import ClubfaceError, InputError
 from clubface.motion_capture.mapping import FacePoint, MarkerMap, Point
-from clubface.strict_toml import Document, quoted
+from clubface.support.strict_toml import Document, quoted
 
 TABLES = {
     "cluster": None,

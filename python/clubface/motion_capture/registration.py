@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
+from clubface.equipment.face import face_point, nearest
 from clubface.errors import FileError
-from clubface.face import face_point, nearest
 from clubface.motion_capture.attitude import face_axes
 from clubface.motion_capture.mapping import MarkerMap
 from clubface.motion_capture.recording import Recording

@@ -9,9 +9,9 @@ from typing import Any, TypedDict
 import numpy as np
 
 from clubface import units
-from clubface.balls import Ball
-from clubface.clubs import Club
-from clubface.equipment import HANDS, check_choice
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.described import HANDS
 from clubface.errors import InputError
 from clubface.motion_capture.estimators import ROUGHNESS, check_roughness
 from clubface.motion_capture.estimators import estimator as estimator_of
@@ -20,6 +20,7 @@ from clubface.motion_capture.mapping import MarkerMap, marker_map
 from clubface.motion_capture.recording import Recording, read_c3d
 from clubface.motion_capture.registration import Registration, calibrated, given_positions
 from clubface.motion_capture.rotations import Array
+from clubface.support.checks import check_choice
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -76,7 +77,7 @@ def prepare(
     *,
     estimator: str = "smoother",
     roughness: float = ROUGHNESS,
-    ball: str | os.PathLike[str] | Ball = "published",
+    ball: str | os.PathLike[str] | Ball | None = None,
     hand: str | None = None,
     target: str | None = None,
     up: str | None = None,
@@ -96,7 +97,7 @@ def prepare(
     roughness
         Of the smoother: how much the path may depart from a quartic.
     ball
-        Its radius counts.
+        Its radius counts; the published one unless given.
     hand
         "right" or "left"; that of the club unless given.
     target, up
@@ -113,8 +114,8 @@ def prepare(
     InputError
         An option that cannot be used, another club than the mapping's.
     """
-    from clubface.balls import ball as ball_of
-    from clubface.clubs import club as club_of
+    from clubface.equipment.balls import ball as ball_of
+    from clubface.equipment.clubs import club as club_of
 
     estimator_of(estimator)
     told: dict[str, Any] = {key: value for key, value in (("target", target), ("up", up)) if value is not None}

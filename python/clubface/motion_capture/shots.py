@@ -10,7 +10,7 @@ from typing import Unpack
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
 from clubface.errors import FileError, InputError
 from clubface.motion_capture.captured import CapturedDelivery
 from clubface.motion_capture.mapping import MarkerMap
@@ -18,7 +18,7 @@ from clubface.motion_capture.recording import read_c3d
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.setup import Options, prepare
 from clubface.motion_capture.swing import capture
-from clubface.recorded import RecordedShots, RejectedRow
+from clubface.recorded.shots import RecordedShots, RejectedRow
 
 LAUNCHES = ("ball_speed", "launch", "azimuth")
 

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.clubs import Club
-from clubface.delivery import DIMENSIONS
+from clubface.equipment.clubs import Club
 from clubface.motion_capture.estimators import ESTIMATORS, ROUGHNESS, estimator
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.rotations import Array
@@ -19,7 +18,8 @@ from clubface.motion_capture.swing import capture
 from clubface.motion_capture.synthetic.files import check_count, positions_map
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
-from clubface.motion_capture.synthetic.swing import LAUNCH
+from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH
+from clubface.simulation.delivery import DIMENSIONS
 
 UNITS = {
     name: "m/s" if name == "speed" else units.display_unit(name, units.SI_UNITS[dimension])
@@ -95,7 +95,7 @@ class Study:
         dict
             ``ball_speed``, ``launch``, ``azimuth``, ``backspin``, ``sidespin`` [SI], shape (swings,).
         """
-        from clubface.impact import impact
+        from clubface.simulation.impact import impact
 
         true, seen = (
             impact(self.club, dict(zip(QUANTITIES, values.T, strict=True)), model=model)

@@ -9,8 +9,7 @@ from typing import Unpack
 
 import numpy as np
 
-from clubface.clubs import Club
-from clubface.delivery import Delivery
+from clubface.equipment.clubs import Club
 from clubface.errors import CaptureWarning, FileError
 from clubface.motion_capture import checks
 from clubface.motion_capture.approach import follow
@@ -24,6 +23,7 @@ from clubface.motion_capture.rigid_body import visible
 from clubface.motion_capture.rotations import Array
 from clubface.motion_capture.setup import Options, Setup, prepare
 from clubface.motion_capture.tracking import LEAST_MISFIT, Track, look_alikes, track
+from clubface.simulation.delivery import Delivery
 
 FLOOR = 1e-6
 """Metres; the least noise of a marker, above the rounding of a file in single precision."""

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from clubface import units
-from clubface.equipment import check_choice, check_count
 from clubface.errors import InputError
 from clubface.fem.heads.hardening import Hardening
+from clubface.support.checks import check_choice, check_count
 
 RULES = {"gauss": 2, "lobatto": 3}
 """Rules of points through the thickness, and the fewest points of each."""

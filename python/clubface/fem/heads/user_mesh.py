@@ -9,12 +9,13 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
-from clubface.equipment import FLAT, check_name, check_text
+from clubface.equipment.described import FLAT
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.fem.heads.mesh_file import group_names, read_mesh
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import Place, parsed_places, spread
 from clubface.fem.heads.shells import Part, ShellHead
+from clubface.support.checks import check_name, check_text
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -20,7 +20,7 @@ from clubface.launch_monitor.open_connect.fields import BALL, CLUB, LARGEST_NUMB
 from clubface.units import unit
 
 if TYPE_CHECKING:
-    from clubface.recorded import RecordedShots
+    from clubface.recorded.shots import RecordedShots
 
 
 class MessageError(ClubfaceError, ValueError):
@@ -167,7 +167,7 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None, source: st
     """Return the shots among messages as :class:`RecordedShots`; ``rows`` are the shot numbers."""
     import numpy as np
 
-    from clubface.recorded import RecordedShots
+    from clubface.recorded.shots import RecordedShots
 
     shots = [each for each in messages if each.kind == "shot"]
 

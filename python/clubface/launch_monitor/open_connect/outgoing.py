@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from clubface.errors import InputError, UnknownNameError
-from clubface.launch import Launch
 from clubface.launch_monitor.open_connect.fields import BALL, CLUB, HANDS, VERSION
+from clubface.simulation.launch import Launch
 from clubface.units import from_si, parse, unit
 
 

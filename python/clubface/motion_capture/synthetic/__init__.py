@@ -9,7 +9,7 @@ from clubface.motion_capture.synthetic.files import calibration_map, positions_m
 from clubface.motion_capture.synthetic.golfer import random_chain, random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.motion_capture.synthetic.path import Chain, Turn, motion
-from clubface.motion_capture.synthetic.swing import SyntheticSwing, swing
+from clubface.motion_capture.synthetic.synthetic_swing import SyntheticSwing, swing
 
 __all__ = [
     "Cameras",

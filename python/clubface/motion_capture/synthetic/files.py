@@ -8,15 +8,15 @@ from pathlib import Path
 
 import numpy as np
 
-from clubface.clubs import Club
-from clubface.delivery import DIMENSIONS
+from clubface.equipment.clubs import Club
 from clubface.errors import InputError
 from clubface.motion_capture.mapping import MarkerMap
 from clubface.motion_capture.recording import write_c3d
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import BALL, CLUSTERS, FACE, Cameras, kind_of
-from clubface.motion_capture.synthetic.swing import LAUNCH, SyntheticSwing
-from clubface.recorded import RecordedShots
+from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH, SyntheticSwing
+from clubface.recorded.shots import RecordedShots
+from clubface.simulation.delivery import DIMENSIONS
 
 MOST = 100_000
 MAPPING, CALIBRATION, TRUTH = "markers.toml", "calibration.c3d", "truth.csv"
@@ -73,7 +73,7 @@ def synthesize(
     list
         The files, those of the swings first.
     """
-    from clubface.clubs import club as club_of
+    from clubface.equipment.clubs import club as club_of
     from clubface.fem.files import prepare
 
     check_count(count)

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
 from clubface.motion_capture.synthetic.path import Chain, Turn
-from clubface.motion_capture.synthetic.swing import SyntheticSwing, swing
+from clubface.motion_capture.synthetic.synthetic_swing import SyntheticSwing, swing
 
 DELIVERIES: Mapping[str, Mapping[str, tuple[float, float]]] = {
     "wood": {
@@ -47,7 +47,7 @@ def random_swing(
         Values to take in place of random ones, SI: ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``,
         ``toe``, ``high``; path and face as of a right-hander.
     """
-    from clubface.clubs import club as club_of
+    from clubface.equipment.clubs import club as club_of
 
     random = np.random.default_rng(seed)
     head = club_of(club) if hand is None else club_of(club).replace(hand=hand)

@@ -7,15 +7,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
+from clubface.equipment.face import face_point, nearest
 from clubface.errors import InputError
-from clubface.face import face_point, nearest
 from clubface.motion_capture.attitude import delivered, face_axes
 from clubface.motion_capture.laboratory import axis
 from clubface.motion_capture.mapping import FacePoint, Point
 from clubface.motion_capture.recording import Recording
 from clubface.motion_capture.rotations import Array
-from clubface.motion_capture.synthetic.swing import MIRROR, SyntheticSwing
+from clubface.motion_capture.synthetic.synthetic_swing import MIRROR, SyntheticSwing
 
 CLUSTERS: Mapping[str, Mapping[str, Point]] = {
     "wood": {
