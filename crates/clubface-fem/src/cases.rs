@@ -2,17 +2,18 @@
 
 use crate::ball::Ball;
 use crate::contact::{Plane, RigidContact, RigidHead, RigidSurface};
+use crate::element::Kernels;
 use crate::error::FemError;
 use crate::head::touch_check;
 use crate::solve::{springs_of, Impact, Structure};
 use clubface_impact::first_touch::FirstTouch;
-use clubface_math::{Mat3, Real, Row, Vec3};
+use clubface_math::{Mat3, Row, Vec3};
 
 /// A ball thrown at a rigid plane, at `speed` (m/s) and `angle` (rad) from the normal, up the plane.
 ///
 /// # Errors
 /// [`FemError::Input`] for a ball that cannot be meshed.
-pub fn against_plane<R: Real>(
+pub fn against_plane<R: Kernels>(
     ball: &Ball<R>,
     speed: R,
     angle: R,
@@ -29,7 +30,7 @@ pub fn against_plane<R: Real>(
 ///
 /// # Errors
 /// [`FemError::Input`] for a ball that cannot be meshed, or a head that moves away from it.
-pub fn against_head<R: Real>(
+pub fn against_head<R: Kernels>(
     ball: &Ball<R>,
     touch: &FirstTouch<R>,
     friction: R,
@@ -43,7 +44,7 @@ pub fn against_head<R: Real>(
 }
 
 /// A ball at rest that touches a rigid surface at a point with the given normal, up and toe directions.
-fn against_rigid<R: Real, T: RigidSurface<R> + 'static>(
+fn against_rigid<R: Kernels, T: RigidSurface<R> + 'static>(
     ball: &Ball<R>,
     surface: T,
     axes: [Vec3<R>; 3],

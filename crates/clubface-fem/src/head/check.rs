@@ -1,9 +1,10 @@
 //! What no head can be made of.
 
 use super::{DeformableHead, ShellHead};
+use crate::element::Kernels;
 use crate::error::FemError;
 use crate::mesh::convexity;
-use clubface_math::{Real, Vec3};
+use clubface_math::Vec3;
 use std::collections::HashMap;
 
 /// Largest size of a head, m: beyond it the unit of length is likely to be another.
@@ -11,7 +12,7 @@ const SIZES: (f64, f64) = (0.02, 0.4);
 /// Walls, m.
 const WALLS: (f64, f64) = (2e-4, 0.02);
 
-impl<R: Real> ShellHead<R> {
+impl<R: Kernels> ShellHead<R> {
     /// Checks the mesh, its thickness and its metals.
     ///
     /// # Errors

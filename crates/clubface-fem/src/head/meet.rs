@@ -2,7 +2,7 @@
 
 use crate::ball::Ball;
 use crate::contact::{BallSide, Contact, FaceContact, FaceSide, Grooves};
-use crate::element::Patch;
+use crate::element::{Kernels, Patch};
 use crate::error::FemError;
 use crate::mesh::{mass_properties, MassProperties, ShellMasses};
 use crate::solve::{springs_of, Impact, Structure};
@@ -69,7 +69,7 @@ pub fn face_axes(loft: f64) -> [Vec3<f64>; 3] {
 ///
 /// # Errors
 /// [`FemError::Input`] for a ball or a head that cannot be meshed, or a head that moves away from the ball.
-pub fn against_ball<R: Real>(
+pub fn against_ball<R: Kernels>(
     head: &dyn DeformableHead<R>,
     ball: &Ball<R>,
     touch: &FirstTouch<R>,

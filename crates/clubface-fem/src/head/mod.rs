@@ -9,7 +9,7 @@ pub use driver::{Driver, MeshedDriver};
 pub use meet::{against_ball, face_axes, touch_check, DeformableHead};
 pub use solid::SolidHead;
 
-use crate::element::{parts, Patch, ShellMaterial, ShellPatch, ShellRows, SHELL_PATCH};
+use crate::element::{parts, Kernels, Patch, ShellMaterial, ShellRows, SHELL_PATCH};
 use crate::error::FemError;
 use crate::mesh::{ShellMasses, ShellMesh};
 use clubface_math::{Real, Vec3};
@@ -41,7 +41,7 @@ pub struct ShellHead<R> {
     pub loft: f64,
 }
 
-impl<R: Real> DeformableHead<R> for ShellHead<R> {
+impl<R: Kernels> DeformableHead<R> for ShellHead<R> {
     fn check(&self) -> Result<(), FemError> {
         self.check_shells()
     }
@@ -64,8 +64,8 @@ impl<R: Real> DeformableHead<R> for ShellHead<R> {
             let start = part.elements.start;
             for some in parts(part.elements.len(), SHELL_PATCH) {
                 let elements = start + some.start..start + some.end;
-                let patch = ShellPatch::new(&self.shells, elements, part.material.clone(), rows);
-                patches.push((part.name.clone(), Box::new(patch) as Box<dyn Patch<R>>));
+                let patch = R::shell(&self.shells, elements, part.material.clone(), rows);
+                patches.push((part.name.clone(), patch));
             }
         }
         patches

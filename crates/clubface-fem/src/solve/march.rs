@@ -167,13 +167,13 @@ mod tests {
     use crate::ball::{Ball, Piece};
     use crate::cases::against_plane;
     use crate::element::Element;
-    use crate::material::{Material, Maxwell, MooneyRivlin, Shape};
+    use crate::material::{Material, Maxwell, MooneyRivlin};
 
     #[test]
     fn a_step_sees_what_is_seen_between_forces_and_motion() {
-        let shape = Shape::MooneyRivlin(MooneyRivlin { c10: 4e6, c01: 1e6 });
+        let law = MooneyRivlin { c10: 4e6, c01: 1e6 }.law();
         let maxwell = vec![Maxwell { modulus: 0.3, time: 1e-4 }];
-        let material = Material { shape, bulk: 5e8, maxwell, density: 1150.0 };
+        let material = Material { law, bulk: 5e8, maxwell, density: 1150.0 };
         let pieces = vec![Piece { name: "core".into(), radius: 0.0214, layers: 3, material }];
         let ball = Ball { pieces, cube: 6, element: Element::OnePoint, mass: None };
         let [mut one, mut other] =
