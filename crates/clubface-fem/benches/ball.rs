@@ -11,7 +11,7 @@ use clubface_fem::cases::ball_against_plane;
 use clubface_fem::contact::Contact;
 use clubface_fem::element::Element;
 use clubface_fem::environment::Environment;
-use clubface_fem::material::{Hencky, Material, MooneyRivlin, Shape};
+use clubface_fem::material::{Hencky, Material, MooneyRivlin};
 use clubface_fem::solve::{Options, Simulation, SimulationResult, Structure};
 use clubface_math::Vec3;
 use criterion::Criterion;
@@ -36,18 +36,14 @@ fn bulk(shear: f64, poisson: f64) -> f64 {
 /// The reference case, `refine` times as fine.
 fn impact(refine: usize) -> Simulation<f64> {
     let core = Material {
-        shape: Shape::MooneyRivlin(MooneyRivlin { c10: 4e6, c01: 1e6 }),
+        law: MooneyRivlin { c10: 4e6, c01: 1e6 }.law(),
         bulk: bulk(10e6, 0.49),
         maxwell: vec![],
         density: 1150.0,
     };
     let shear = 350e6 / 2.8;
-    let cover = Material {
-        shape: Shape::Hencky(Hencky { shear }),
-        bulk: bulk(shear, 0.4),
-        maxwell: vec![],
-        density: 950.0,
-    };
+    let cover =
+        Material { law: Hencky { shear }.law(), bulk: bulk(shear, 0.4), maxwell: vec![], density: 950.0 };
     let piece = |name: &str, radius: f64, layers: usize, material: Material<f64>| BallPiece {
         name: name.into(),
         radius,

@@ -13,7 +13,7 @@ use clubface_fem::cases::{ball_against_deformable_head, ball_against_rigid_head}
 use clubface_fem::element::Element;
 use clubface_fem::environment::Environment;
 use clubface_fem::head::Driver;
-use clubface_fem::material::{Hencky, Material, Maxwell, MooneyRivlin, Shape};
+use clubface_fem::material::{Hencky, Material, Maxwell, MooneyRivlin};
 use clubface_fem::mesh::DriverThickness;
 use clubface_fem::solve::{Options, Simulation};
 use std::time::Instant;
@@ -26,14 +26,14 @@ fn ball() -> BallConstruction<f64> {
     let bulk = |shear: f64, poisson: f64| 2.0 * shear * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson));
     let (c10, c01) = (6.44e6, 0.344e6);
     let core = Material {
-        shape: Shape::MooneyRivlin(MooneyRivlin { c10, c01 }),
+        law: MooneyRivlin { c10, c01 }.law(),
         bulk: bulk(2.0 * (c10 + c01), 0.49),
         maxwell: vec![Maxwell { modulus: 5.07, time: 5.02e-6 }],
         density: 1150.0,
     };
     let shear = 200e6 / (2.0 * 1.45);
     let cover = Material {
-        shape: Shape::Hencky(Hencky { shear }),
+        law: Hencky { shear }.law(),
         bulk: bulk(shear, 0.45),
         maxwell: vec![Maxwell { modulus: 4.25, time: 1.68e-6 }],
         density: 950.0,

@@ -1,6 +1,6 @@
 //! The ball: pieces of material, meshed, with its mass distributed to the nodes.
 
-use crate::element::{Element, Patch};
+use crate::element::{Element, Kernels, Patch};
 use crate::error::FemError;
 use crate::material::Material;
 use crate::mesh::{cubed_sphere, Fineness, SolidMesh};
@@ -61,7 +61,7 @@ pub struct MeshedBall<R> {
     pub core_density: R,
 }
 
-impl<R: Real> BallConstruction<R> {
+impl<R: Kernels> BallConstruction<R> {
     /// Outer radius, m.
     #[must_use]
     pub fn radius(&self) -> f64 {

@@ -2,17 +2,17 @@
 
 use crate::ball::{BallConstruction, BallPiece};
 use crate::cases::{ball_against_deformable_head, ball_against_rigid_head};
-use crate::element::{Isotropic, ShellMaterial};
+use crate::element::{Isotropic, Kernels, ShellMaterial};
 use crate::environment::Environment;
 use crate::error::FemError;
 use crate::head::{ShellHead, ShellPart};
-use crate::material::{Material, Maxwell};
+use crate::material::{map_law, Material, Maxwell};
 use crate::mesh::ShellMesh;
 use crate::solve::{Options, Progress, Simulation};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::launch::OUTPUT_COUNT;
 use clubface_impact::shot::{Shot, INPUTS, INPUT_COUNT};
-use clubface_math::{Dual, Real};
+use clubface_math::Dual;
 
 /// Number of derivatives in one run.
 const WIDTH: usize = 4;
@@ -53,7 +53,7 @@ impl Setting {
     }
 
     /// The same setting in another number, each variable made by `number` from its name and value.
-    fn lift<R: Real>(&self, number: &mut dyn FnMut(&str, f64) -> R) -> Lifted<R> {
+    fn lift<R: Kernels>(&self, number: &mut dyn FnMut(&str, f64) -> R) -> Lifted<R> {
         let groups = if self.head.is_some() { &["delivery"][..] } else { &["delivery", "club"] };
         let inputs = std::array::from_fn(|i| {
             let input = &INPUTS[i];
@@ -122,7 +122,7 @@ struct Lifted<R> {
     friction: R,
 }
 
-impl<R: Real> Lifted<R> {
+impl<R: Kernels> Lifted<R> {
     #[inline]
     fn simulation(&self, environment: &Environment) -> Result<Simulation<R>, FemError> {
         match &self.head {
@@ -134,7 +134,7 @@ impl<R: Real> Lifted<R> {
     }
 }
 
-fn lift_head<R: Real>(head: &ShellHead<f64>, number: &mut dyn FnMut(&str, f64) -> R) -> ShellHead<R> {
+fn lift_head<R: Kernels>(head: &ShellHead<f64>, number: &mut dyn FnMut(&str, f64) -> R) -> ShellHead<R> {
     let mut thickness: Vec<R> = head.shells.thickness.iter().map(|&t| R::from_f64(t)).collect();
     let mut parts = Vec::new();
     for part in head.parts.iter().filter(|part| !part.elements.is_empty()) {
@@ -161,7 +161,7 @@ fn lift_head<R: Real>(head: &ShellHead<f64>, number: &mut dyn FnMut(&str, f64) -
     ShellHead { shells, parts, added: head.added.clone(), loft: head.loft }
 }
 
-fn lift_piece<R: Real>(piece: &BallPiece<f64>, number: &mut dyn FnMut(&str, f64) -> R) -> BallPiece<R> {
+fn lift_piece<R: Kernels>(piece: &BallPiece<f64>, number: &mut dyn FnMut(&str, f64) -> R) -> BallPiece<R> {
     let name = &piece.name;
     let BallPiece { radius, layers, material, .. } = piece;
     let mut of = |constant: &str, value: f64| number(&format!("{name}.{constant}"), value);
@@ -174,13 +174,9 @@ fn lift_piece<R: Real>(piece: &BallPiece<f64>, number: &mut dyn FnMut(&str, f64)
             time: of(&format!("maxwell.{i}.time"), branch.time),
         })
         .collect();
-    let shape = material.shape.map(&mut of);
-    let material = Material {
-        shape,
-        bulk: of("bulk", material.bulk),
-        maxwell,
-        density: of("density", material.density),
-    };
+    let law = map_law(&*material.law, &mut of);
+    let material =
+        Material { law, bulk: of("bulk", material.bulk), maxwell, density: of("density", material.density) };
     let radius = of("radius", *radius);
     BallPiece { name: name.clone(), radius, layers: *layers, material }
 }

@@ -3,19 +3,20 @@
 use super::approach::check_approach;
 use crate::ball::BallConstruction;
 use crate::contact::{BallSide, Contact, DeformableContact, FaceSide};
+use crate::element::Kernels;
 use crate::environment::Environment;
 use crate::error::FemError;
 use crate::head::{face_axes, DeformableHead};
 use crate::solve::{springs_for_stable_step, Simulation, Structure};
 use clubface_impact::first_touch::FirstTouch;
-use clubface_math::{Mat3, Real, Row, Vec3};
+use clubface_math::{Mat3, Row, Vec3};
 
 /// A ball at rest, met by the head of a shot, whose mass properties are those of this head; in face axes of first touch with the origin at the
 /// head's CG.
 ///
 /// # Errors
 /// [`FemError::Input`] for a ball or a head that cannot be meshed, or a head that moves away from the ball.
-pub fn ball_against_deformable_head<R: Real>(
+pub fn ball_against_deformable_head<R: Kernels>(
     head: &dyn DeformableHead<R>,
     ball: &BallConstruction<R>,
     touch: &FirstTouch<R>,

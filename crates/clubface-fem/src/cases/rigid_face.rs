@@ -3,17 +3,18 @@
 use super::approach::check_approach;
 use crate::ball::BallConstruction;
 use crate::contact::{Plane, RigidContact, RigidHead, RigidSurface};
+use crate::element::Kernels;
 use crate::environment::Environment;
 use crate::error::FemError;
 use crate::solve::{springs_for_stable_step, Simulation, Structure};
 use clubface_impact::first_touch::FirstTouch;
-use clubface_math::{Mat3, Real, Row, Vec3};
+use clubface_math::{Mat3, Row, Vec3};
 
 /// A ball thrown at a rigid plane, at `speed` (m/s) and `angle` (rad) from the normal, up the plane.
 ///
 /// # Errors
 /// [`FemError::Input`] for a ball that cannot be meshed.
-pub fn ball_against_plane<R: Real>(
+pub fn ball_against_plane<R: Kernels>(
     ball: &BallConstruction<R>,
     speed: R,
     angle: R,
@@ -35,7 +36,7 @@ pub fn ball_against_plane<R: Real>(
 ///
 /// # Errors
 /// [`FemError::Input`] for a ball that cannot be meshed, or a head that moves away from it.
-pub fn ball_against_rigid_head<R: Real>(
+pub fn ball_against_rigid_head<R: Kernels>(
     ball: &BallConstruction<R>,
     touch: &FirstTouch<R>,
     friction: R,
@@ -51,7 +52,7 @@ pub fn ball_against_rigid_head<R: Real>(
 }
 
 /// A ball at rest that touches a rigid surface at a point with the given normal, up and toe directions.
-fn against_rigid<R: Real, T: RigidSurface<R> + 'static>(
+fn against_rigid<R: Kernels, T: RigidSurface<R> + 'static>(
     ball: &BallConstruction<R>,
     surface: T,
     axes: [Vec3<R>; 3],

@@ -2,10 +2,10 @@
 
 use super::deformable::add_masses;
 use super::DeformableHead;
-use crate::element::{parts, Patch, ShellMaterial, ShellPatch, ShellRows, SHELL_PATCH};
+use crate::element::{parts, Kernels, Patch, ShellMaterial, ShellRows, SHELL_PATCH};
 use crate::error::FemError;
 use crate::mesh::{check_wall, ShellMasses, ShellMesh};
-use clubface_math::{Real, Vec3};
+use clubface_math::Vec3;
 use std::ops::Range;
 
 /// Consecutive shells of a head.
@@ -34,7 +34,7 @@ pub struct ShellHead<R> {
     pub loft: f64,
 }
 
-impl<R: Real> DeformableHead<R> for ShellHead<R> {
+impl<R: Kernels> DeformableHead<R> for ShellHead<R> {
     fn check(&self) -> Result<(), FemError> {
         for part in &self.parts {
             part.material.check(&part.name)?;
@@ -75,8 +75,8 @@ impl<R: Real> DeformableHead<R> for ShellHead<R> {
             let start = part.elements.start;
             for some in parts(part.elements.len(), SHELL_PATCH) {
                 let elements = start + some.start..start + some.end;
-                let patch = ShellPatch::new(&self.shells, elements, part.material.clone(), rows);
-                patches.push((part.name.clone(), Box::new(patch) as Box<dyn Patch<R>>));
+                let patch = R::shell(&self.shells, elements, part.material.clone(), rows);
+                patches.push((part.name.clone(), patch));
             }
         }
         patches

@@ -3,11 +3,11 @@
 use super::deformable::add_masses;
 use super::DeformableHead;
 use crate::contact::Grooves;
-use crate::element::{Element, Patch};
+use crate::element::{Element, Kernels, Patch};
 use crate::error::FemError;
 use crate::material::Material;
 use crate::mesh::{ShellMasses, SolidMesh};
-use clubface_math::{Real, Vec3};
+use clubface_math::Vec3;
 
 /// A head of hexahedra of one material, in the axes of [`DeformableHead`].
 #[derive(Clone, Debug)]
@@ -28,7 +28,7 @@ pub struct SolidHead<R> {
     pub loft: f64,
 }
 
-impl<R: Real> DeformableHead<R> for SolidHead<R> {
+impl<R: Kernels> DeformableHead<R> for SolidHead<R> {
     fn check(&self) -> Result<(), FemError> {
         self.material.check("head")?;
         for element in 0..self.solid.elements.len() {

@@ -177,13 +177,13 @@ mod tests {
     use crate::cases::ball_against_plane;
     use crate::element::Element;
     use crate::environment::Environment;
-    use crate::material::{Material, Maxwell, MooneyRivlin, Shape};
+    use crate::material::{Material, Maxwell, MooneyRivlin};
 
     #[test]
     fn a_step_with_energies_gives_those_between_assembly_and_motion() {
-        let shape = Shape::MooneyRivlin(MooneyRivlin { c10: 4e6, c01: 1e6 });
+        let law = MooneyRivlin { c10: 4e6, c01: 1e6 }.law();
         let maxwell = vec![Maxwell { modulus: 0.3, time: 1e-4 }];
-        let material = Material { shape, bulk: 5e8, maxwell, density: 1150.0 };
+        let material = Material { law, bulk: 5e8, maxwell, density: 1150.0 };
         let pieces = vec![BallPiece { name: "core".into(), radius: 0.0214, layers: 3, material }];
         let ball = BallConstruction { pieces, cube: 6, element: Element::OnePoint, mass: None };
         let environment = Environment::single_threaded();

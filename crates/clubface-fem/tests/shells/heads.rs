@@ -6,7 +6,7 @@ use clubface_fem::cases::{ball_against_deformable_head, ball_against_plane, ball
 use clubface_fem::element::Element;
 use clubface_fem::environment::Environment;
 use clubface_fem::head::{DeformableHead, Driver, ShellHead};
-use clubface_fem::material::{Hencky, Material, Maxwell, NeoHookean, Shape};
+use clubface_fem::material::{Hencky, Material, Maxwell, NeoHookean};
 use clubface_fem::mesh::DriverFineness;
 use clubface_fem::solve::{Options, Simulation, Structure};
 use clubface_fem::FemError;
@@ -29,12 +29,8 @@ fn momenta(s: &Structure<f64>) -> (Vec3<f64>, Vec3<f64>) {
 
 /// A rubber ball of few elements.
 fn rubber_ball() -> BallConstruction<f64> {
-    let rubber = Material {
-        shape: Shape::NeoHookean(NeoHookean { shear: 20e6 }),
-        bulk: 400e6,
-        maxwell: vec![],
-        density: 1100.0,
-    };
+    let rubber =
+        Material { law: NeoHookean { shear: 20e6 }.law(), bulk: 400e6, maxwell: vec![], density: 1100.0 };
     BallConstruction {
         pieces: vec![BallPiece { name: "core".into(), radius: 0.0214, layers: 3, material: rubber }],
         cube: 6,
@@ -47,9 +43,8 @@ fn rubber_ball() -> BallConstruction<f64> {
 fn covered_ball(layers: usize) -> BallConstruction<f64> {
     let mut ball = rubber_ball();
     let (shear, bulk) = (200e6, 600e6);
-    let shape = Shape::Hencky(Hencky { shear });
-    let plastic =
-        Material { shape, bulk, maxwell: vec![Maxwell { modulus: 0.5, time: 2e-5 }], density: 950.0 };
+    let law = Hencky { shear }.law();
+    let plastic = Material { law, bulk, maxwell: vec![Maxwell { modulus: 0.5, time: 2e-5 }], density: 950.0 };
     ball.pieces[0].radius = 0.0202;
     ball.pieces.push(BallPiece { name: "cover".into(), radius: 0.0214, layers, material: plastic });
     ball

@@ -1,7 +1,7 @@
 //! Shells that yield, against closed forms of plasticity.
 
 use super::support::{patch_of, plate, rows, titanium, Body, Loads, DENSITY, YOUNG};
-use clubface_fem::element::{Isotropic, Patch, Rule, ShellMaterial, ShellPatch};
+use clubface_fem::element::{Isotropic, Patch, Rule, ShellMaterial};
 use clubface_fem::material::{Hardening, PlaneState, PlaneStress, Symmetric};
 use clubface_math::{Row, Vec3};
 
@@ -17,7 +17,7 @@ fn incompressible(hardening: Hardening<f64>) -> ShellMaterial<f64> {
 
 /// A square element whose strain and curvature are given.
 struct Strip {
-    patch: ShellPatch<f64>,
+    patch: Box<dyn Patch<f64>>,
     sides: [f64; 2],
     /// Work done on it, J.
     work: f64,

@@ -4,15 +4,15 @@ use super::support::{
     block, distorted_cube, elastic, forces, largest, patches, rows, structure, Free, Random, ELEMENTS,
 };
 use clubface_fem::element::{Element, Energy};
-use clubface_fem::material::{Material, Maxwell, MooneyRivlin, Shape};
+use clubface_fem::material::{Material, Maxwell, MooneyRivlin};
 use clubface_math::{Row, Vec3};
 
 const EDGE: f64 = 0.01;
 
 /// Every element, with a nearly incompressible rubber and with a stiff cover.
 fn cases() -> Vec<(Element, Material<f64>)> {
-    let rubber = Shape::MooneyRivlin(MooneyRivlin { c10: 4e6, c01: 1e6 });
-    let rubber = Material { shape: rubber, bulk: 500e6, maxwell: vec![], density: 1000.0 };
+    let rubber = MooneyRivlin { c10: 4e6, c01: 1e6 }.law();
+    let rubber = Material { law: rubber, bulk: 500e6, maxwell: vec![], density: 1000.0 };
     let cover = elastic(350e6, 0.4, 950.0);
     ELEMENTS.into_iter().flat_map(|element| [(element, rubber.clone()), (element, cover.clone())]).collect()
 }

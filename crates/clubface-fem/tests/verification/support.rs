@@ -3,7 +3,7 @@
 use clubface_fem::contact::{Contact, ContactEnergy, ContactMethod, PenaltySprings, Resultant};
 use clubface_fem::element::{Element, Patch};
 use clubface_fem::environment::Environment;
-use clubface_fem::material::{Hencky, Material, Shape};
+use clubface_fem::material::{Hencky, Material};
 use clubface_fem::mesh::{SolidMesh, CORNERS};
 use clubface_fem::solve::Structure;
 use clubface_impact::first_touch::Motion;
@@ -40,7 +40,7 @@ impl Random {
 pub fn elastic(young: f64, poisson: f64, density: f64) -> Material<f64> {
     let shear = young / (2.0 * (1.0 + poisson));
     let bulk = young / (3.0 * (1.0 - 2.0 * poisson));
-    Material { shape: Shape::Hencky(Hencky { shear }), bulk, maxwell: vec![], density }
+    Material { law: Hencky { shear }.law(), bulk, maxwell: vec![], density }
 }
 
 /// A block of `counts` elements and `size` metres with a corner at the origin.

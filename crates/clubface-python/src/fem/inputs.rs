@@ -4,7 +4,7 @@ use clubface_fem::ball::{BallConstruction, BallPiece};
 use clubface_fem::contact::Grooves;
 use clubface_fem::element::{Element, Isotropic, Rule, ShellMaterial, DEFAULT_POINTS};
 use clubface_fem::head::{DeformableHead, ShellHead, ShellPart, SolidHead};
-use clubface_fem::material::{Hardening, Hencky, Material, Maxwell, Shape, VonMises};
+use clubface_fem::material::{law_from_name, Hardening, Hencky, Material, Maxwell, VonMises};
 use clubface_fem::mesh::{ShellMesh, SolidMesh};
 use clubface_fem::FemError;
 use clubface_math::Vec3;
@@ -63,9 +63,9 @@ pub(super) fn error_of(error: &FemError) -> PyErr {
 pub(super) fn ball_of(values: &BallValues) -> PyResult<BallConstruction<f64>> {
     let mut pieces = Vec::new();
     for piece in &values.pieces {
-        let shape = Shape::from_name(&piece.law, &piece.constants).map_err(|e| error_of(&e))?;
+        let law = law_from_name(&piece.law, &piece.constants).map_err(|e| error_of(&e))?;
         let maxwell = piece.maxwell.iter().map(|&(modulus, time)| Maxwell { modulus, time }).collect();
-        let material = Material { shape, bulk: piece.bulk, maxwell, density: piece.density };
+        let material = Material { law, bulk: piece.bulk, maxwell, density: piece.density };
         pieces.push(BallPiece {
             name: piece.name.clone(),
             radius: piece.radius,
@@ -185,11 +185,11 @@ fn solid_of(values: &SolidValues<'_>) -> PyResult<SolidHead<f64>> {
     let named = elements.iter().flatten().chain(face.iter().flatten());
     one_mesh(added.len() == count && named.into_iter().all(|&n| (n as usize) < count))?;
     let shear = values.shear;
-    let shape = match &values.plastic {
-        None => Shape::Hencky(Hencky { shear }),
-        Some(plastic) => Shape::VonMises(VonMises { shear, hardening: hardening_of(plastic, "head")? }),
+    let law = match &values.plastic {
+        None => Hencky { shear }.law(),
+        Some(plastic) => VonMises { shear, hardening: hardening_of(plastic, "head")? }.law(),
     };
-    let material = Material { shape, bulk: values.bulk, maxwell: vec![], density: values.density };
+    let material = Material { law, bulk: values.bulk, maxwell: vec![], density: values.density };
     let element = Element::from_name(&values.element).map_err(|e| error_of(&e))?;
     let layer = vec![0; elements.len()];
     let solid = SolidMesh { nodes, elements, layer };

@@ -12,11 +12,12 @@ pub use metals::{fem_thickness_points, fem_yield_stress};
 use crate::columns::Derivatives;
 use clubface_fem::cases::{ball_against_deformable_head, ball_against_plane, ball_against_rigid_head};
 use clubface_fem::environment::Environment;
-use clubface_fem::material::LAWS;
+use clubface_fem::material::{law_from_name, DERIVATIVES, LAWS};
 use clubface_fem::sensitivity::Setting;
 use clubface_fem::solve::Progress;
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::shot::{Shot, INPUT_COUNT};
+use clubface_math::Dual;
 use inputs::{any_head, ball_of, error_of, head_of, AnyHead, BallValues, HeadValues, RunValues};
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyValueError;
@@ -24,20 +25,51 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use run::{on_threads, options_of, pool_of, run_simulation, to_dict};
 
-/// The laws of materials: [{name, constants, dimensions: one a constant, needed: how many of them, summary}, ...].
+/// The laws that files choose by name: [{name, summary, source, constants, dimensions, meanings, bounds: (least, most), each one a constant, needed: how many
+/// of them, group: how many more at a time, cards: [{keyword, branches: fewest and most, names, rows, branch}]}, ...].
 #[pyfunction]
 pub fn fem_laws(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     let list = PyList::empty(py);
-    for law in LAWS {
+    for law in LAWS.iter().map(|entry| entry.description).filter(|law| law.listed) {
         let entry = PyDict::new(py);
         entry.set_item("name", law.name)?;
         entry.set_item("constants", law.constants.iter().map(|c| c.name).collect::<Vec<_>>())?;
         entry.set_item("dimensions", law.constants.iter().map(|c| c.dimension).collect::<Vec<_>>())?;
         entry.set_item("needed", law.needed)?;
+        entry.set_item("group", law.group)?;
         entry.set_item("summary", law.summary)?;
+        entry.set_item("source", law.source)?;
+        entry.set_item("meanings", law.constants.iter().map(|c| c.meaning).collect::<Vec<_>>())?;
+        entry.set_item("bounds", law.constants.iter().map(|c| (c.least, c.most)).collect::<Vec<_>>())?;
+        let cards = PyList::empty(py);
+        for card in law.cards {
+            let dict = PyDict::new(py);
+            dict.set_item("keyword", card.keyword)?;
+            dict.set_item("branches", card.branches)?;
+            dict.set_item("names", card.names)?;
+            dict.set_item("rows", card.rows)?;
+            dict.set_item("branch", card.branch)?;
+            cards.append(dict)?;
+        }
+        entry.set_item("cards", cards)?;
         list.append(entry)?;
     }
     Ok(list)
+}
+
+/// Shear modulus of a law by name (Pa), and its derivatives by the constants (SI).
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_shear(law: &str, constants: Vec<f64>) -> PyResult<(f64, Vec<f64>)> {
+    let plain = law_from_name(law, &constants).map_err(|e| error_of(&e))?;
+    let mut slopes = Vec::new();
+    for i in 0..constants.len() {
+        let mut lifted: Vec<_> =
+            constants.iter().map(|&value| Dual::<f64, DERIVATIVES>::constant(value)).collect();
+        lifted[i].tangent[0] = 1.0;
+        slopes.push(law_from_name(law, &lifted).map_err(|e| error_of(&e))?.shear().tangent[0]);
+    }
+    Ok((plain.shear(), slopes))
 }
 
 /// Mass properties of a meshed ball: {mass, inertia, core_density, radius, nodes, elements}.
