@@ -128,15 +128,15 @@ def test_the_sentences_on_azimuth_and_sidespin_are_those_of_the_budget():
     assert budget["all"]["azimuth"] < 0.5 * given.mae["azimuth"]
     assert budget["all"]["sidespin"] / given.mae["sidespin"] == pytest.approx(2 / 3, abs=0.05)
     # Of synthetic swings, the figures of the page on motion capture, and how much less the sum of squares is without.
-    quiet, noisy = says(r"say ([\d.]+)° and 10 rpm for P1's extrapolation without noise, and ([\d.]+)° and 72 rpm")
+    quiet, noisy = says(r"say ([\d.]+)° and 10 rpm for straight-line extrapolation without noise, and ([\d.]+)° and 72 rpm")
     rows = [row for row in CAPTURE.splitlines() if row.startswith(("| azimuth, deg |", "| sidespin, rpm |"))]
     azimuth, sidespin = ([float(cell) for cell in row.split("|")[2:11]] for row in rows[:2])
     assert [azimuth[0], azimuth[2], sidespin[0], sidespin[2]] == [quiet, noisy, 10, 72]
     assert azimuth[2] / azimuth[8] == pytest.approx(1 / 3, abs=0.05)
     assert sidespin[2] / sidespin[8] == pytest.approx(1 / 2, abs=0.05)
     falls = [100 * (1 - math.sqrt(1 - (each[2] / each[8]) ** 2)) for each in (azimuth, sidespin)]
-    assert says(r"P1's would fall by (\d+)% and (\d+)%") == pytest.approx(falls, abs=0.5)
-    # A random face error that lifts the mean magnitude to P1's; a degree of face is 0.85 degrees of azimuth.
+    assert says(r"published errors would fall by (\d+)% and (\d+)%") == pytest.approx(falls, abs=0.5)
+    # A random face error that lifts the mean magnitude to that of the paper; a degree of face is 0.85 degrees of azimuth.
     missing = math.sqrt(given.mae["azimuth"] ** 2 - budget["all"]["azimuth"] ** 2) * math.sqrt(math.pi / 2) / 0.85
     assert missing / DEG == pytest.approx(1.0, abs=0.1)
 
@@ -188,7 +188,7 @@ def test_the_sentences_on_impulse_models_are_those_of_the_fits():
     (slope,) = says(r"the one they were made with, (-[\d.]+) s/m")
     assert slope == pytest.approx(recipe("driver").restitution_slope)
     assert driver["fits"]["standard"]["parameters"]["cor_slope"] == pytest.approx(slope, abs=5e-5)
-    (published_y,) = says(r"P1's (-[\d.]+) mm for `dcg_y`")
+    (published_y,) = says(r"published (-[\d.]+) mm for `dcg_y`")
     assert ParameterSet.builtin("adjusted", "driver").values["dcg_y"] == pytest.approx(published_y * 1e-3)
     low, high = driver["fits"]["adjusted"]["intervals"]["dcg_y"]
     assert published_y * 1e-3 < low - 10 * (high - low)
@@ -236,7 +236,7 @@ def test_what_cannot_be_known_is_what_the_identification_says():
     driver = clubs["driver"]
     fit, own = driver["fits"]["volumetric"], driver["own"]["volumetric"]
     assert own["parameters"]["stiffness"] / own["true"]["stiffness"] == pytest.approx(1.5, abs=0.05)
-    likelihood, cost = says(r"puts it at (\d+) GN/m³ or more, and the fit by P1's cost at (\d+)\.")
+    likelihood, cost = says(r"puts it at (\d+) GN/m³ or more, and the fit by the published cost at (\d+)\.")
     assert fit["profile_intervals"]["stiffness"][0] / unit == pytest.approx(likelihood, rel=0.03)
     assert fit["parameters"]["stiffness"] / unit == pytest.approx(cost, abs=0.5)
     told = says(r"made with ([\d.]+) N m s/rad and a friction of ([\d.]+) are fitted best by ([\d.]+) and ([\d.]+)\.")
@@ -246,7 +246,7 @@ def test_what_cannot_be_known_is_what_the_identification_says():
         area = found["fits"]["area"]
         assert any("poisson" in each and "no launch changes" in each for each in area["weak"])
         assert area["parameters"]["area_damping"] > 999
-    low, high = says(r"In `rings`, `shear_modulus` ends at its upper bound, (\d+) to (\d+) times P1's value")
+    low, high = says(r"In `rings`, `shear_modulus` ends at its upper bound, (\d+) to (\d+) times the published value")
     for club, found in clubs.items():
         ratio = (
             found["fits"]["rings"]["parameters"]["shear_modulus"]

@@ -10,6 +10,7 @@ use clubface_fem::ball::{Ball, Piece};
 use clubface_fem::cases::against_plane;
 use clubface_fem::contact::Contact;
 use clubface_fem::element::Element;
+use clubface_fem::environment::Environment;
 use clubface_fem::material::{Hencky, Material, MooneyRivlin, Shape};
 use clubface_fem::solve::{Impact, Options, Outcome, Structure};
 use clubface_math::Vec3;
@@ -55,7 +56,8 @@ fn impact(refine: usize) -> Impact<f64> {
     };
     let pieces = vec![piece("core", 0.0196, 6, core), piece("cover", 0.0214, 3, cover)];
     let ball = Ball { pieces, cube: 12 * refine, element: Element::OnePoint, mass: Some(0.046) };
-    against_plane(&ball, 35.0, 11.5_f64.to_radians(), 0.35).expect("the reference case")
+    against_plane(&ball, 35.0, 11.5_f64.to_radians(), 0.35, &Environment::native())
+        .expect("the reference case")
 }
 
 fn elements(refine: usize) -> usize {

@@ -11,6 +11,7 @@ mod delivered;
 use clubface_fem::ball::{Ball, Piece};
 use clubface_fem::cases::against_head;
 use clubface_fem::element::Element;
+use clubface_fem::environment::Environment;
 use clubface_fem::head::{against_ball, Driver};
 use clubface_fem::material::{Hencky, Material, Maxwell, MooneyRivlin, Shape};
 use clubface_fem::mesh::DriverThickness;
@@ -90,8 +91,9 @@ fn main() {
     let head = driver.mesh().expect("P2's head").head;
     println!("head meshed in {:.3} s", start.elapsed().as_secs_f64());
     let touch = delivered::delivered(&head, 0.0, 0.0);
-    let shells = || against_ball(&head, &ball(), &touch, FRICTION).expect("P2's case");
-    let rigid = || against_head(&ball(), &touch, FRICTION).expect("P2's ball");
+    let shells =
+        || against_ball(&head, &ball(), &touch, FRICTION, &Environment::native()).expect("P2's case");
+    let rigid = || against_head(&ball(), &touch, FRICTION, &Environment::native()).expect("P2's ball");
     // As in the case that is shipped.
     let whole = Options { safety: Some(0.99), ..Options::default() };
     let short = Options { until_separation: true, ..Options::default() };

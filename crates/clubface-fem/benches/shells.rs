@@ -6,6 +6,7 @@
 
 use clubface_fem::contact::{Contact, ContactEnergy, Method, Resultant};
 use clubface_fem::element::{Patch, Rule, ShellMaterial};
+use clubface_fem::environment::Environment;
 use clubface_fem::head::{DeformableHead, Driver, ShellHead};
 use clubface_fem::material::Hardening;
 use clubface_fem::solve::Structure;
@@ -61,7 +62,7 @@ fn struck(
     let mut rows: Vec<_> = head.nodes().iter().map(|p| Row::from_vec(*p)).collect();
     rows.resize(2 * count, Row::zero());
     let all = masses.translation.into_iter().chain(masses.rotation).collect();
-    let mut structure = Structure::new(rows, all, patches, &[]);
+    let mut structure = Structure::new(rows, all, patches, &[], &Environment::native());
     structure.translations = count;
     let axis = Vec3::new(head.loft.cos(), head.loft.sin(), 0.0);
     for (v, p) in structure.velocities.iter_mut().zip(head.nodes()) {

@@ -2,6 +2,7 @@
 
 use crate::ball::Ball;
 use crate::contact::{Plane, RigidContact, RigidHead, RigidSurface};
+use crate::environment::Environment;
 use crate::error::FemError;
 use crate::head::touch_check;
 use crate::solve::{springs_of, Impact, Structure};
@@ -17,9 +18,10 @@ pub fn against_plane<R: Real>(
     speed: R,
     angle: R,
     friction: R,
+    environment: &Environment,
 ) -> Result<Impact<R>, FemError> {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from_f64);
-    let mut impact = against_rigid(ball, Plane, axes, Vec3::zero(), friction)?;
+    let mut impact = against_rigid(ball, Plane, axes, Vec3::zero(), friction, environment)?;
     let (sine, cosine) = angle.sin_cos();
     impact.structure.velocities.fill(Row::from_vec(Vec3::new(-(speed * cosine), speed * sine, R::zero())));
     Ok(impact)
@@ -33,11 +35,12 @@ pub fn against_head<R: Real>(
     ball: &Ball<R>,
     touch: &FirstTouch<R>,
     friction: R,
+    environment: &Environment,
 ) -> Result<Impact<R>, FemError> {
     touch_check(touch)?;
     let (up, toe) = touch.tangents();
     let axes = [touch.normal, up, toe];
-    let mut impact = against_rigid(ball, RigidHead::new(touch), axes, touch.contact, friction)?;
+    let mut impact = against_rigid(ball, RigidHead::new(touch), axes, touch.contact, friction, environment)?;
     impact.head_velocity = touch.club_velocity;
     Ok(impact)
 }
@@ -49,6 +52,7 @@ fn against_rigid<R: Real, T: RigidSurface<R> + 'static>(
     axes: [Vec3<R>; 3],
     point: Vec3<R>,
     friction: R,
+    environment: &Environment,
 ) -> Result<Impact<R>, FemError> {
     let [normal, up, toe] = axes;
     // A ball without pieces is refused by `mesh`.
@@ -56,7 +60,8 @@ fn against_rigid<R: Real, T: RigidSurface<R> + 'static>(
     let meshed = ball.mesh(&Mat3::from_columns(normal, up, toe), point + normal * radius)?;
     let (radius, inertia, parts) = (meshed.radius, meshed.inertia, meshed.parts.clone());
     let contact = RigidContact::new(surface, friction, meshed.surface.clone(), &meshed.masses, &meshed.areas);
-    let mut structure = Structure::new(meshed.positions(), meshed.masses, meshed.patches, &meshed.surface);
+    let mut structure =
+        Structure::new(meshed.positions(), meshed.masses, meshed.patches, &meshed.surface, environment);
     let limit = structure.stable_step(40);
     Ok(Impact {
         ball_nodes: structure.positions.len(),
@@ -68,5 +73,6 @@ fn against_rigid<R: Real, T: RigidSurface<R> + 'static>(
         head_velocity: Vec3::zero(),
         parts,
         ball_limit: limit,
+        clock: environment.clock,
     })
 }

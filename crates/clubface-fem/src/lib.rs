@@ -7,6 +7,7 @@ mod block;
 pub mod cases;
 pub mod contact;
 pub mod element;
+pub mod environment;
 pub mod error;
 pub mod head;
 pub mod material;

@@ -3,6 +3,7 @@
 use crate::ball::{Ball, Piece};
 use crate::cases::against_head;
 use crate::element::{Isotropic, ShellMaterial};
+use crate::environment::Environment;
 use crate::error::FemError;
 use crate::head::{against_ball, ShellHead, ShellPart};
 use crate::material::{Material, Maxwell};
@@ -80,6 +81,7 @@ impl Setting {
         &self,
         variables: &[String],
         options: &Options,
+        environment: &Environment,
         watch: &mut dyn FnMut(usize, &Progress) -> bool,
     ) -> Result<Sensitivity, FemError> {
         let known = self.variables();
@@ -93,7 +95,7 @@ impl Setting {
                 let place = group.iter().position(|each| each == name);
                 place.map_or_else(|| Dual::<f64, WIDTH>::constant(value), |i| Dual::variable(value, i))
             });
-            let mut impact = lifted.impact()?;
+            let mut impact = lifted.impact(environment)?;
             let outcome = impact.run(options, &mut |view| watch(run, &view.progress))?;
             if let Some(stopped) = outcome.stopped {
                 return Err(stopped);
@@ -118,10 +120,10 @@ struct Lifted<R> {
 
 impl<R: Real> Lifted<R> {
     #[inline]
-    fn impact(&self) -> Result<Impact<R>, FemError> {
+    fn impact(&self, environment: &Environment) -> Result<Impact<R>, FemError> {
         match &self.head {
-            Some(head) => against_ball(head, &self.ball, &self.touch, self.friction),
-            None => against_head(&self.ball, &self.touch, self.friction),
+            Some(head) => against_ball(head, &self.ball, &self.touch, self.friction, environment),
+            None => against_head(&self.ball, &self.touch, self.friction, environment),
         }
     }
 }

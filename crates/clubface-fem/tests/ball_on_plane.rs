@@ -4,6 +4,7 @@ use clubface_fem::ball::{Ball, Piece};
 use clubface_fem::cases::against_plane;
 use clubface_fem::element::Element;
 use clubface_fem::element::{solid_patches, Patch};
+use clubface_fem::environment::Environment;
 use clubface_fem::material::{Hencky, Material, Maxwell, MooneyRivlin, Shape};
 use clubface_fem::mesh::{cubed_sphere, Fineness};
 use clubface_math::{Dual, Real, Row};
@@ -32,7 +33,8 @@ fn fly<R: Real>(speed: R, c10: R, steps: usize) -> [R; 3] {
     ];
     let ball = Ball { pieces, cube: 4, element: Element::OnePoint, mass: Some(0.046) };
     let friction = R::from_f64(0.35);
-    let impact = against_plane(&ball, speed, R::from_f64(0.2), friction).expect("the case is valid");
+    let impact = against_plane(&ball, speed, R::from_f64(0.2), friction, &Environment::native())
+        .expect("the case is valid");
     let (mut structure, mut contact) = (impact.structure, impact.contact);
     for _ in 0..steps {
         structure.assemble(contact.as_mut(), 1e-6);

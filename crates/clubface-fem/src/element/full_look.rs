@@ -1,10 +1,10 @@
-//! What can be seen of a patch of fully integrated hexahedra between steps: energies, stress and strain.
+//! What can be output of a patch of fully integrated hexahedra between steps: energies, stress and strain.
 
 use super::full::{Point, POINTS};
 use super::full_patch::FullPatch;
-use super::gauge::{cauchy, logarithmic, Felt, Tell};
+use super::gauge::{cauchy, logarithmic, ElementOutput, OutputSink};
 use super::{Energy, BLOCK};
-use crate::material::{Kinematics, Remembering, Symmetric, UseMemory};
+use crate::material::{InelasticLaw, Kinematics, Symmetric, UseInelastic};
 use clubface_math::{Pack, PackKernel, Real};
 
 /// Adds up energies.
@@ -18,14 +18,14 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) -> Self::Output {
         let material = self.patch.material.clone();
-        material.with_memory::<P, _>(self.patch.clock.ahead(), self)
+        material.with_inelastic::<P, _>(self.patch.updates.preview(), self)
     }
 }
 
-impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
+impl<R: Real, P: Pack<Real = R>> UseInelastic<P> for Energies<'_, R> {
     type Output = (Energy, (f64, f64));
     #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) -> Self::Output {
+    fn with<M: InelasticLaw<P>>(self, law: M) -> Self::Output {
         let patch = self.patch;
         let bulk = P::splat(patch.material.bulk);
         let mut energy = Energy::default();
@@ -39,7 +39,7 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let f = element.gradient(point, &constants);
                     let at = Kinematics::new(f);
-                    let found = law.energy(&at.c, &patch.history.of(block * POINTS + point, first));
+                    let found = law.energy(&at.c, &patch.state.of(block * POINTS + point, first));
                     strain += found.strain * constants.volume;
                     viscous += found.viscous * constants.volume;
                     plastic += found.plastic * constants.volume;
@@ -66,26 +66,26 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Energies<'_, R> {
 }
 
 /// Tells stress and strain.
-pub struct Feel<'a, 'b, R> {
+pub struct Output<'a, 'b, R> {
     /// As of [`Energies`].
     pub patch: &'a mut FullPatch<R>,
     /// Who is told.
-    pub tell: &'a mut Tell<'b>,
+    pub sink: &'a mut OutputSink<'b>,
 }
 
-impl<R: Real> PackKernel<R> for Feel<'_, '_, R> {
+impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
     type Output = ();
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
         let material = self.patch.material.clone();
-        material.with_memory::<P, _>(self.patch.clock.ahead(), self);
+        material.with_inelastic::<P, _>(self.patch.updates.preview(), self);
     }
 }
 
-impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
+impl<R: Real, P: Pack<Real = R>> UseInelastic<P> for Output<'_, '_, R> {
     type Output = ();
     #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) {
+    fn with<M: InelasticLaw<P>>(self, law: M) {
         let patch = self.patch;
         let bulk = P::splat(patch.material.bulk);
         for block in 0..patch.corners.len() {
@@ -99,12 +99,12 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
                     let f = element.gradient(point, &constants);
                     let at = Kinematics::new(f);
                     // A copy: who looks changes nothing.
-                    let mut history = patch.history.copy(block * POINTS + point);
-                    let mut memory = history.of(0, first);
-                    let shape = law.advance(&at, &mut memory);
+                    let mut state = patch.state.copy(block * POINTS + point);
+                    let mut state = state.of(0, first);
+                    let shape = law.advance(&at, &mut state);
                     stress = stress.plus(constants.volume, &cauchy(&f, &at, &shape, P::zero()));
                     strain = strain.plus(constants.volume, &logarithmic(&f, &at));
-                    plastic = plastic.max(law.plastic_strain(&memory));
+                    plastic = plastic.max(law.plastic_strain(&state));
                     volume += constants.volume;
                 }
                 let share = volume.recip();
@@ -112,7 +112,7 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
                 let (stress, strain) = (stress.scale(share).plus_diagonal(pressure), strain.scale(share));
                 for which in 0..P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first)) {
                     let number = patch.first + block * BLOCK + first + which;
-                    (self.tell)(number, &Felt::of([&stress; 2], [&strain; 2], plastic, which));
+                    (self.sink)(number, &ElementOutput::of([&stress; 2], [&strain; 2], plastic, which));
                 }
             }
         }

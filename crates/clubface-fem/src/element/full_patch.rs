@@ -2,11 +2,11 @@
 
 use super::bulk_viscosity::BulkViscosity;
 use super::full::{constants, reference_volume, Forces, Hexahedron, Point, CONSTANTS, POINTS};
-use super::full_look::{Energies, Feel};
-use super::gauge::Tell;
+use super::full_look::{Energies, Output};
+use super::gauge::OutputSink;
 use super::point::Ratios;
 use super::{Energy, Patch, BLOCK};
-use crate::material::{Clock, History, Kinematics, Material, Remembering, UseMemory};
+use crate::material::{InelasticLaw, Kinematics, Material, StateVariables, Updates, UseInelastic};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 use std::collections::HashMap;
@@ -21,10 +21,10 @@ pub struct FullPatch<R> {
     pub(super) corners: Vec<[u32; CORNERS * BLOCK]>,
     pub(super) constants: Vec<[R; CONSTANTS * BLOCK]>,
     /// By block and point.
-    pub(super) history: History<R>,
-    pub(super) clock: Clock,
+    pub(super) state: StateVariables<R>,
+    pub(super) updates: Updates,
     pub(super) viscosity: Option<BulkViscosity<R>>,
-    sound: bool,
+    volumes_valid: bool,
     /// Number of the first element in the mesh, and how many there are.
     pub(super) first: usize,
     pub(super) elements: usize,
@@ -77,17 +77,17 @@ impl<R: Real> FullPatch<R> {
         if blocks * BLOCK == elements.len() {
             real_nodes = nodes.len();
         }
-        let history = History::new(&material, blocks * POINTS);
+        let state = StateVariables::new(&material, blocks * POINTS);
         let rows = vec![Row::zero(); nodes.len()];
         Self {
             material,
             real_nodes,
             corners,
             constants: stored,
-            history,
-            clock: Clock::default(),
+            state,
+            updates: Updates::default(),
             viscosity: None,
-            sound: true,
+            volumes_valid: true,
             first: elements.start,
             elements: elements.len(),
             positions: rows.clone(),
@@ -121,12 +121,12 @@ impl<R: Real> Patch<R> for FullPatch<R> {
     fn assemble(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64) {
         self.load(positions);
         self.forces.fill(Row::zero());
-        self.sound = R::dispatch(Assemble { patch: self, dt });
+        self.volumes_valid = R::dispatch(Assemble { patch: self, dt });
     }
-    fn sound(&self) -> bool {
-        self.sound
+    fn volumes_valid(&self) -> bool {
+        self.volumes_valid
     }
-    fn damp(&mut self, coefficient: f64) {
+    fn set_bulk_viscosity(&mut self, coefficient: f64) {
         let volume = |at: usize| reference_volume(&self.constants[at / BLOCK], at % BLOCK);
         let size = f64::cbrt((0..self.elements).map(volume).sum::<f64>() / self.elements as f64);
         self.viscosity = Some(BulkViscosity::new(coefficient, &self.material, size, self.corners.len()));
@@ -137,13 +137,13 @@ impl<R: Real> Patch<R> for FullPatch<R> {
     fn forces(&self) -> &[Row<R>] {
         &self.forces[..self.real_nodes]
     }
-    fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
+    fn energies(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
         self.load(positions);
         R::dispatch(Energies { patch: self })
     }
-    fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>) {
+    fn element_output(&mut self, positions: &[Row<R>], sink: &mut OutputSink<'_>) {
         self.load(positions);
-        R::singly(Feel { patch: self, tell });
+        R::singly(Output { patch: self, sink });
     }
 }
 
@@ -157,14 +157,14 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) -> bool {
         let material = self.patch.material.clone();
-        material.with_memory::<P, _>(self.patch.clock.tick(self.dt), self)
+        material.with_inelastic::<P, _>(self.patch.updates.next(self.dt), self)
     }
 }
 
-impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
+impl<R: Real, P: Pack<Real = R>> UseInelastic<P> for Assemble<'_, R> {
     type Output = bool;
     #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) -> bool {
+    fn with<M: InelasticLaw<P>>(self, law: M) -> bool {
         let mut ratios = Ratios::new();
         let patch = self.patch;
         let bulk = P::splat(patch.material.bulk);
@@ -177,7 +177,7 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let f = element.gradient(point, &constants);
                     let at = Kinematics::new(f);
-                    let stress = law.advance(&at, &mut patch.history.of(block * POINTS + point, first));
+                    let stress = law.advance(&at, &mut patch.state.of(block * POINTS + point, first));
                     forces.add_stress(point, &constants, &at.first_piola(&f, &stress, P::zero()));
                     volume += constants.volume;
                 }
@@ -196,6 +196,6 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Assemble<'_, R> {
                 }
             }
         }
-        ratios.sound()
+        ratios.valid()
     }
 }

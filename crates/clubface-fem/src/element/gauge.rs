@@ -2,14 +2,14 @@
 
 use super::one_point::Hexahedron;
 use super::one_point_constants::Constants;
-use super::point::Look;
+use super::point::Visitor;
 use super::BLOCK;
-use crate::material::{stretch::Stretches, History, Kinematics, Remembering, Symmetric};
+use crate::material::{stretch::Stretches, InelasticLaw, Kinematics, StateVariables, Symmetric};
 use clubface_math::{Mat3, Pack, Scalar};
 
 /// What an element feels, in the axes of the positions.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Felt {
+pub struct ElementOutput {
     /// Cauchy stress, Pa, components as of [`Symmetric`]: on the outer and the inner side of a shell, twice that of a solid element.
     pub stress: [[f64; 6]; 2],
     /// Logarithmic strain in the same places; of a shell only the elastic part.
@@ -18,7 +18,7 @@ pub struct Felt {
     pub plastic_strain: f64,
 }
 
-impl Felt {
+impl ElementOutput {
     /// One lane, outer and inner side.
     #[inline(always)]
     pub fn of<P: Pack>(
@@ -37,7 +37,7 @@ impl Felt {
 }
 
 /// Who is told, by the number of an element in its mesh.
-pub type Tell<'a> = dyn FnMut(usize, &Felt) + 'a;
+pub type OutputSink<'a> = dyn FnMut(usize, &ElementOutput) + 'a;
 
 /// Cauchy stress, Pa, from `2 dW/dC̄` and `dW/dJ`.
 #[inline(always)]
@@ -62,33 +62,33 @@ pub fn logarithmic<S: Scalar>(f: &Mat3<S>, at: &Kinematics<S>) -> Symmetric<S> {
 }
 
 /// Looks at one-point elements.
-pub struct Gauge<'a, 'b, P: Pack, M> {
+pub struct OutputVisitor<'a, 'b, P: Pack, M> {
     /// Law of the change of shape.
     pub law: M,
     /// Bulk modulus, Pa.
     pub bulk: P,
-    /// History of all blocks.
-    pub history: &'a History<P::Real>,
+    /// StateVariables of all blocks.
+    pub state: &'a StateVariables<P::Real>,
     /// Number of the element in every lane of the blocks, if there is one.
     pub numbers: &'a [Option<u32>],
     /// Who is told.
-    pub tell: &'a mut Tell<'b>,
+    pub sink: &'a mut OutputSink<'b>,
 }
 
-impl<P: Pack, M: Remembering<P>> Look<P> for Gauge<'_, '_, P, M> {
+impl<P: Pack, M: InelasticLaw<P>> Visitor<P> for OutputVisitor<'_, '_, P, M> {
     #[inline(always)]
-    fn see(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
+    fn visit(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
         let f = element.gradient(constants);
         let at = Kinematics::new(f);
         // A copy: who looks changes nothing.
-        let mut history = self.history.copy(block);
-        let mut memory = history.of(0, first);
-        let stress = self.law.advance(&at, &mut memory);
+        let mut state = self.state.copy(block);
+        let mut state = state.of(0, first);
+        let stress = self.law.advance(&at, &mut state);
         let stress = cauchy(&f, &at, &stress, self.bulk * (at.deformation.volume - 1.0));
-        let (strain, plastic) = (logarithmic(&f, &at), self.law.plastic_strain(&memory));
+        let (strain, plastic) = (logarithmic(&f, &at), self.law.plastic_strain(&state));
         for which in 0..P::LANES {
             let Some(number) = self.numbers[block * BLOCK + first + which] else { continue };
-            (self.tell)(number as usize, &Felt::of([&stress; 2], [&strain; 2], plastic, which));
+            (self.sink)(number as usize, &ElementOutput::of([&stress; 2], [&strain; 2], plastic, which));
         }
     }
 }

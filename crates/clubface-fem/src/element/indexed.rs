@@ -2,7 +2,7 @@
 
 use super::one_point::{on_bases, Hexahedron};
 use super::one_point_constants::Constants;
-use super::point::{Block, Look, Points, Ratios};
+use super::point::{Block, Points, Ratios, Visitor};
 use super::side::{spread, sums, Face};
 use super::BLOCK;
 use crate::material::Deformation;
@@ -95,24 +95,24 @@ impl<R: Real> Indexed<R> {
                 }
             }
         }
-        ratios.sound()
+        ratios.valid()
     }
 
-    /// Shows every element to `point`.
+    /// Shows every element to `visitor`.
     #[inline(always)]
-    pub fn visit<P: Pack<Real = R>, W: Look<P>>(
+    pub fn visit<P: Pack<Real = R>, W: Visitor<P>>(
         &mut self,
         positions: &[Row<R>],
         nodes: &[u32],
         constants: &[Block<R>],
-        point: &mut W,
+        visitor: &mut W,
     ) {
         self.load(positions, nodes);
         for block in 0..self.corners.len() {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let (low, high) = self.sides::<P>(block, first);
                 let constants = Constants::new(&constants[block].0, first);
-                point.see(block, first, &constants, &Hexahedron::new(&constants, &low, &high));
+                visitor.visit(block, first, &constants, &Hexahedron::new(&constants, &low, &high));
             }
         }
     }

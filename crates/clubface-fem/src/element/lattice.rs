@@ -9,7 +9,7 @@ use super::field::{Field, Layout, Scratch};
 use super::motion::{Advance, Kinetic, Motion};
 use super::one_point::{on_bases, Component, Hexahedron};
 use super::one_point_constants::Constants;
-use super::point::{Block, Look, Points, Ratios};
+use super::point::{Block, Points, Ratios, Visitor};
 use super::quads::{add, face, side, Places};
 use super::side::empty;
 use super::BLOCK;
@@ -50,7 +50,7 @@ impl<R: Real> Lattice<R> {
     }
 
     /// Takes charge of the nodes inside, if nothing else acts on them; returns their places.
-    pub fn adopt(&mut self, alone: &[bool], inverse_masses: &[R]) -> Vec<u32> {
+    pub fn claim_interior_nodes(&mut self, alone: &[bool], inverse_masses: &[R]) -> Vec<u32> {
         self.motion = Motion::new(self.layout, alone, inverse_masses);
         self.motion.as_ref().map_or(vec![], Motion::inside)
     }
@@ -89,7 +89,7 @@ impl<R: Real> Lattice<R> {
             }
             field
         };
-        let sound = unsafe { walk(*shape, &mut field, &mut forces, constants, points) };
+        let valid = unsafe { walk(*shape, &mut field, &mut forces, constants, points) };
         if let Some(motion) = motion {
             motion.part::<P>(&mut forces, rows);
         } else {
@@ -97,10 +97,10 @@ impl<R: Real> Lattice<R> {
                 forces.store::<P>(k, &mut rows[k * layout.plane..]);
             }
         }
-        sound
+        valid
     }
 
-    /// Moves the adopted nodes on by a step, s.
+    /// Moves the interior nodes on by a step, s.
     pub fn advance(&mut self, scratch: &mut Scratch<R>, step: R) {
         let forces = scratch.forces.field(self.layout);
         if let Some(motion) = &mut self.motion {
@@ -108,24 +108,24 @@ impl<R: Real> Lattice<R> {
         }
     }
 
-    /// Kinetic energy of the adopted nodes between their velocities before and after such a step, J.
+    /// Kinetic energy of the interior nodes between their velocities before and after such a step, J.
     pub fn kinetic(&mut self, scratch: &mut Scratch<R>, step: R) -> R {
         let forces = scratch.forces.field(self.layout);
         self.motion.as_mut().map_or(R::zero(), |motion| R::dispatch(Kinetic { motion, forces, step }))
     }
 
-    /// Shows every element to `look`, where [`Lattice::assemble`] has met it if it is at hand.
+    /// Shows every element to `visitor`, where [`Lattice::assemble`] has met it if it is at hand.
     ///
     /// # Safety
     /// As for [`Lattice::assemble`].
     #[inline(always)]
-    pub unsafe fn visit<P: Pack<Real = R>, W: Look<P>>(
+    pub unsafe fn visit<P: Pack<Real = R>, W: Visitor<P>>(
         &mut self,
         positions: &[Row<R>],
         nodes: &[u32],
         constants: &[Block<R>],
         at_hand: bool,
-        look: &mut W,
+        visitor: &mut W,
     ) {
         let nk = self.shape[2];
         let places = Places::new(self.shape);
@@ -150,7 +150,7 @@ impl<R: Real> Lattice<R> {
                     let block = column * nk + layer;
                     let constants = Constants::new(&constants[block].0, first);
                     let element = Hexahedron::new(&constants, &low, &high);
-                    look.see(block, first, &constants, &element);
+                    visitor.visit(block, first, &constants, &element);
                 }
             }
         }
@@ -237,5 +237,5 @@ unsafe fn walk<P: Pack, W: Points<P>>(
             }
         }
     }
-    ratios.sound()
+    ratios.valid()
 }

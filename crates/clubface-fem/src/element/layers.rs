@@ -19,7 +19,7 @@ pub struct Layers<'a, P> {
 }
 
 impl<R: Real> Layers<'_, R> {
-    /// Numbers of memory of an element at rest.
+    /// Numbers of state of an element at rest.
     pub fn start(points: usize, hardening: Option<&Hardening<R>>) -> Vec<R> {
         let mut numbers = vec![R::zero(); POINTS];
         let yields = hardening.map_or_else(|| Hardening::elastic().initial(), Hardening::initial);
@@ -42,8 +42,8 @@ impl<'a, P: Pack> Layers<'a, P> {
 }
 
 #[inline(always)]
-fn state<P: Pack>(memory: &Numbers<P::Real>, point: usize) -> PlaneState<P> {
-    let [x, y, xy, plastic_strain, yield_stress] = memory.load(POINTS + POINT * point);
+fn at_point<P: Pack>(state: &Numbers<P::Real>, point: usize) -> PlaneState<P> {
+    let [x, y, xy, plastic_strain, yield_stress] = state.load(POINTS + POINT * point);
     PlaneState { stress: [x, y, xy], plastic_strain, yield_stress }
 }
 
@@ -54,7 +54,7 @@ impl<P: Pack> Response<P> for Layers<'_, P> {
         section: &Section<P>,
         increment: &Increment<P>,
         area: P,
-        memory: &mut Numbers<P::Real>,
+        state: &mut Numbers<P::Real>,
     ) -> [[P; 3]; 2] {
         let half = section.thickness * 0.5;
         let (mut membrane, mut bending) = ([P::zero(); 3], [P::zero(); 3]);
@@ -65,7 +65,7 @@ impl<P: Pack> Response<P> for Layers<'_, P> {
             for i in 0..3 {
                 strain[i] = z.mul_add(increment.curvature[i], strain[i]);
             }
-            let mut at = state(memory, point);
+            let mut at = at_point(state, point);
             heat += share * self.metal.advance(&strain, &mut at);
             for i in 0..3 {
                 let force = share * at.stress[i];
@@ -73,31 +73,31 @@ impl<P: Pack> Response<P> for Layers<'_, P> {
                 bending[i] = z.mul_add(force, bending[i]);
             }
             let [x, y, xy] = at.stress;
-            memory.store(POINTS + POINT * point, [x, y, xy, at.plastic_strain, at.yield_stress]);
+            state.store(POINTS + POINT * point, [x, y, xy, at.plastic_strain, at.yield_stress]);
         }
-        let [before]: [P; 1] = memory.load(HEAT);
-        memory.store(HEAT, [before + heat * area]);
+        let [before]: [P; 1] = state.load(HEAT);
+        state.store(HEAT, [before + heat * area]);
         [membrane, bending]
     }
 
     #[inline(always)]
-    fn sides(&self, _section: &Section<P>, memory: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
+    fn sides(&self, _section: &Section<P>, state: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
         // Points go from the inner side to the outer.
         let mut plastic = P::zero();
         for point in 0..self.points.len() {
-            plastic = plastic.max(state(memory, point).plastic_strain);
+            plastic = plastic.max(at_point(state, point).plastic_strain);
         }
-        let [outer, inner] = [self.points.len() - 1, 0].map(|point| state(memory, point).stress);
+        let [outer, inner] = [self.points.len() - 1, 0].map(|point| at_point(state, point).stress);
         ([outer, inner], plastic)
     }
 
     #[inline(always)]
-    fn energy(&self, section: &Section<P>, area: P, memory: &Numbers<P::Real>) -> (P, P) {
+    fn energy(&self, section: &Section<P>, area: P, state: &Numbers<P::Real>) -> (P, P) {
         let mut density = P::zero();
         for (point, &(_, weight)) in self.points.iter().enumerate() {
-            density += section.energy(&state(memory, point).stress) * P::from_f64(0.5 * weight);
+            density += section.energy(&at_point(state, point).stress) * P::from_f64(0.5 * weight);
         }
-        let [plastic] = memory.load(HEAT);
+        let [plastic] = state.load(HEAT);
         (density * section.thickness * area, plastic)
     }
 }

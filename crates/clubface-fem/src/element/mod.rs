@@ -32,7 +32,7 @@ pub use crate::block::BLOCK;
 pub use bulk_viscosity::stable_share;
 pub use field::Scratch;
 pub use full_patch::{full_patches, FullPatch};
-pub use gauge::{Felt, Tell};
+pub use gauge::{ElementOutput, OutputSink};
 pub use quadrature::{Rule, DEFAULT_POINTS, MAX_POINTS};
 pub use section::Isotropic;
 pub use shell::{ShellPatch, ShellRows, SHELL_PATCH};
@@ -61,14 +61,14 @@ pub struct Energy {
     pub plastic: f64,
 }
 
-/// What a patch sees in a step.
+/// What a patch reports of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen {
+pub struct StepOutput {
     /// Energies.
     pub energy: Energy,
     /// Smallest and largest ratio of current to reference volume.
     pub ratios: (f64, f64),
-    /// Kinetic energy of the adopted nodes between their velocities before and after the step, J.
+    /// Kinetic energy of the interior nodes between their velocities before and after the step, J.
     pub kinetic: f64,
 }
 
@@ -93,11 +93,11 @@ impl Energy {
 pub trait Patch<R: Real>: Send + Sync {
     /// Nodes the patch exerts forces on.
     fn nodes(&self) -> &[u32];
-    /// Computes the forces for the given positions (m) and velocities (m/s) of all nodes; histories move on by `dt` seconds.
+    /// Computes the forces for the given positions (m) and velocities (m/s) of all nodes; state variables move on by `dt` seconds.
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64);
-    /// Computes the forces after small displacements (m, or rad) to the given positions, the histories left as they are. Elements whose
+    /// Computes the forces after small displacements (m, or rad) to the given positions, the state variables left as they are. Elements whose
     /// stress follows from positions alone need only those, in no time.
-    fn probe(&mut self, positions: &[Row<R>], displacements: &[Row<R>]) {
+    fn perturbed_forces(&mut self, positions: &[Row<R>], displacements: &[Row<R>]) {
         self.assemble(positions, displacements, 0.0);
     }
     /// Rough time that the forces take, ns: to give threads as much to do.
@@ -105,48 +105,48 @@ pub trait Patch<R: Real>: Send + Sync {
     /// Forces on [`Patch::nodes`], N.
     fn forces(&self) -> &[Row<R>];
     /// Whether all volumes were within [`RATIOS`] of the undeformed ones when the last forces were made.
-    fn sound(&self) -> bool {
+    fn volumes_valid(&self) -> bool {
         true
     }
-    /// Energies at the given positions, and the smallest and largest ratio of current to reference volume; the history stays as it is.
-    fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64));
-    /// Tells what every element feels at the given positions, in a step as long as the last that has passed; the history stays as it is.
-    fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>);
-    /// Energies at the given positions; the history stays as it is.
+    /// Energies at the given positions, and the smallest and largest ratio of current to reference volume; the state stays as it is.
+    fn energies(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64));
+    /// Gives the sink stress and strain of every element at the given positions, after a step as long as the last that has passed; the state stays as it is.
+    fn element_output(&mut self, positions: &[Row<R>], sink: &mut OutputSink<'_>);
+    /// Energies at the given positions; the state stays as it is.
     fn energy(&mut self, positions: &[Row<R>]) -> Energy {
-        self.look(positions).0
+        self.energies(positions).0
     }
     /// Gives its undeformed elements a linear bulk viscosity, if it has volumes: a pressure of `coefficient` times density, speed of waves, size and rate of volume.
-    fn damp(&mut self, _coefficient: f64) {}
+    fn set_bulk_viscosity(&mut self, _coefficient: f64) {}
     /// Takes charge of the motion of some nodes in [`Patch::step`], and returns their places in [`Patch::nodes`]. Given for each of them whether nothing but
     /// this patch acts on it, and its inverse mass, 1/kg.
-    fn adopt(&mut self, _alone: &[bool], _inverse_masses: &[R]) -> Vec<u32> {
+    fn claim_interior_nodes(&mut self, _alone: &[bool], _inverse_masses: &[R]) -> Vec<u32> {
         vec![]
     }
-    /// Takes the motion of adopted nodes from the fields of all nodes, m and m/s.
-    fn take_over(&mut self, _positions: &[Row<R>], _velocities: &[Row<R>]) {}
-    /// As [`Patch::assemble`], with forces on the nodes that are not adopted alone, in their order; the others move on by `dt` seconds, unseen in the
-    /// fields of all nodes. If asked for, tells what there is to see at the positions from which they go on.
+    /// Takes the motion of interior nodes from the fields of all nodes, m and m/s.
+    fn load_interior(&mut self, _positions: &[Row<R>], _velocities: &[Row<R>]) {}
+    /// As [`Patch::assemble`], with forces on the nodes that are not interior, in their order; the others move on by `dt` seconds, unseen in the
+    /// fields of all nodes. If asked for, reports energies at the positions from which they go on.
     fn step(
         &mut self,
         positions: &[Row<R>],
         velocities: &[Row<R>],
         dt: f64,
         _scratch: &mut Scratch<R>,
-        seen: Option<&mut Seen>,
+        output: Option<&mut StepOutput>,
     ) {
         self.assemble(positions, velocities, dt);
-        if let Some(seen) = seen {
-            let (energy, ratios) = self.look(positions);
-            *seen = Seen { energy, ratios, kinetic: 0.0 };
+        if let Some(output) = output {
+            let (energy, ratios) = self.energies(positions);
+            *output = StepOutput { energy, ratios, kinetic: 0.0 };
         }
     }
-    /// Moments of the adopted nodes.
-    fn adopted_moments(&mut self, _origin: &Origin<R>) -> Moments<R> {
+    /// Moments of the interior nodes.
+    fn interior_moments(&mut self, _origin: &Origin<R>) -> Moments<R> {
         Moments::zero()
     }
-    /// Tells the motion of adopted nodes: each node's number, its position and its velocity.
-    fn hand_back(&mut self, _give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {}
+    /// Stores the motion of interior nodes by `give`: each node's number, its position and its velocity.
+    fn store_interior(&mut self, _give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {}
 }
 
 /// `0..count` in equal parts of at most `most`, give or take one.

@@ -1,7 +1,7 @@
 //! Nodes inside a lattice, on which nothing else acts: the lattice moves them itself, where their positions and forces are at hand, and
 //! nobody sees them move until they are handed back.
 
-use super::field::{Field, Layout, Memory};
+use super::field::{Field, Layout, Storage};
 use crate::moments::{Moments, Origin};
 use clubface_math::{Pack, PackKernel, Real, Row};
 
@@ -13,9 +13,9 @@ pub struct Motion<R> {
     /// The others in the planes between the first and the last: places, and where the first component stands in a field.
     rim: Vec<(u32, u32)>,
     /// Of all nodes.
-    positions: Memory<R>,
+    positions: Storage<R>,
     /// Zero but inside.
-    velocities: Memory<R>,
+    velocities: Storage<R>,
     /// Plane by plane in the order of a field's component; zero but inside.
     inverse_masses: Vec<R>,
 }
@@ -40,8 +40,8 @@ impl<R: Real> Motion<R> {
             layout,
             inside: inside.into_iter().map(place).collect(),
             rim: rim.into_iter().map(place).collect(),
-            positions: Memory::new(),
-            velocities: Memory::new(),
+            positions: Storage::new(),
+            velocities: Storage::new(),
             inverse_masses: masses,
         })
     }
@@ -52,7 +52,7 @@ impl<R: Real> Motion<R> {
     }
 
     /// Takes the motion of the nodes inside from the rows of all nodes; `nodes` is the lattice's list.
-    pub fn take_over(&mut self, positions: &[Row<R>], velocities: &[Row<R>], nodes: &[u32]) {
+    pub fn load_interior(&mut self, positions: &[Row<R>], velocities: &[Row<R>], nodes: &[u32]) {
         let mut x = self.positions.field(self.layout);
         let mut v = self.velocities.field(self.layout);
         for &(place, at) in &self.inside {
@@ -71,7 +71,7 @@ impl<R: Real> Motion<R> {
     }
 
     /// Tells it: each node's number, its position and its velocity.
-    pub fn hand_back(&mut self, nodes: &[u32], give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {
+    pub fn store_interior(&mut self, nodes: &[u32], give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {
         let x = self.positions.field(self.layout);
         let v = self.velocities.field(self.layout);
         for &(place, at) in &self.inside {

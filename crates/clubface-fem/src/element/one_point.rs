@@ -107,7 +107,7 @@ impl<P: Pack> Hexahedron<P> {
         element
     }
 
-    /// Mean deformation gradient, seen from the element's own frame; the identity where there is no element.
+    /// Mean deformation gradient, output from the element's own frame; the identity where there is no element.
     #[inline(always)]
     pub fn gradient(&self, constants: &Constants<P>) -> Mat3<P> {
         // F = a r^T + b s^T + c t^T.
@@ -146,7 +146,7 @@ impl<P: Pack> Hexahedron<P> {
     }
 }
 
-/// A second Piola-Kirchhoff stress (Pa, times minus the volume) seen from the base vectors, `G^T S G` where the gradient is their matrix times `G^T`: the
+/// A second Piola-Kirchhoff stress (Pa, times minus the volume) output from the base vectors, `G^T S G` where the gradient is their matrix times `G^T`: the
 /// force on each is the sum of all with these factors, N/m.
 #[inline(always)]
 pub fn on_bases<P: Pack>(constants: &Constants<P>, second: &Symmetric<P>) -> Symmetric<P> {

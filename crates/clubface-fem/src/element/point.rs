@@ -4,7 +4,7 @@ use super::bulk_viscosity::{BulkViscosity, Drag};
 use super::one_point::Hexahedron;
 use super::one_point_constants::{Constants, CONSTANTS, SHAPES, SKEW};
 use super::{Aligned, Energy, BLOCK, RATIOS};
-use crate::material::{Deformation, History, Isochoric, Kinematics, Remembering, Symmetric};
+use crate::material::{Deformation, InelasticLaw, Isochoric, Kinematics, StateVariables, Symmetric};
 use clubface_math::{Pack, Real};
 
 /// Constants of the elements of a block.
@@ -45,7 +45,7 @@ fn numbers<R: Real>(value: &R) -> impl Iterator<Item = f64> + '_ {
 
 /// Stress at the points of packs of elements.
 pub trait Points<P: Pack> {
-    /// Second Piola-Kirchhoff stress (Pa) times minus the reference volume (m3) at the points of lanes `first..` of a block; histories move on by a step.
+    /// Second Piola-Kirchhoff stress (Pa) times minus the reference volume (m3) at the points of lanes `first..` of a block; state variables move on by a step.
     fn stress(&mut self, block: usize, first: usize, volume: P, at: &Deformation<P>) -> Symmetric<P>;
 }
 
@@ -69,7 +69,7 @@ impl<P: Pack> Ratios<P> {
     }
     /// Whether the laws hold for all of them.
     #[inline(always)]
-    pub fn sound(self) -> bool {
+    pub fn valid(self) -> bool {
         (0..P::LANES).all(|lane| self.least.lane(lane) >= RATIOS.0 && self.most.lane(lane) <= RATIOS.1)
     }
     /// Both, of all lanes.
@@ -82,9 +82,9 @@ impl<P: Pack> Ratios<P> {
 }
 
 /// Something that looks at packs of elements.
-pub trait Look<P: Pack> {
+pub trait Visitor<P: Pack> {
     /// Looks at lanes `first..` of a block.
-    fn see(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>);
+    fn visit(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>);
 }
 
 /// Elements without memory.
@@ -109,22 +109,22 @@ impl<P: Pack, L: Isochoric<P>> Points<P> for Elastic<'_, P, L> {
 }
 
 /// Elements that remember: with viscoelastic branches, or of metal that yields.
-pub struct Aging<'a, P: Pack, M> {
+pub struct Inelastic<'a, P: Pack, M> {
     /// Law of the change of shape.
     pub law: M,
     /// Bulk modulus, Pa.
     pub bulk: P,
-    /// History of all blocks.
-    pub history: &'a mut History<P::Real>,
+    /// StateVariables of all blocks.
+    pub state: &'a mut StateVariables<P::Real>,
     /// Bulk viscosity, if there is any.
     pub drag: Option<Drag<'a, P::Real>>,
 }
 
-impl<P: Pack, M: Remembering<P>> Points<P> for Aging<'_, P, M> {
+impl<P: Pack, M: InelasticLaw<P>> Points<P> for Inelastic<'_, P, M> {
     #[inline(always)]
     fn stress(&mut self, block: usize, first: usize, volume: P, at: &Deformation<P>) -> Symmetric<P> {
         let kinematics = Kinematics::of(*at);
-        let stress = self.law.advance(&kinematics, &mut self.history.of(block, first));
+        let stress = self.law.advance(&kinematics, &mut self.state.of(block, first));
         let mut pressure = self.bulk * (at.volume - 1.0);
         if let Some(drag) = &mut self.drag {
             pressure += drag.pressure(block, first, at.volume);
@@ -134,13 +134,13 @@ impl<P: Pack, M: Remembering<P>> Points<P> for Aging<'_, P, M> {
 }
 
 /// Energies and volumes of elements.
-pub struct Tally<'a, P: Pack, M> {
+pub struct EnergyVisitor<'a, P: Pack, M> {
     /// Law of the change of shape.
     pub law: M,
     /// Bulk modulus, Pa.
     pub bulk: P,
-    /// History of all blocks.
-    pub history: &'a mut History<P::Real>,
+    /// StateVariables of all blocks.
+    pub state: &'a mut StateVariables<P::Real>,
     /// Bulk viscosity, if there is any.
     pub viscosity: Option<&'a BulkViscosity<P::Real>>,
     /// Sums by lane, J: strain, hourglass, viscous and plastic energy.
@@ -149,7 +149,7 @@ pub struct Tally<'a, P: Pack, M> {
     pub ratios: Ratios<P>,
 }
 
-impl<P: Pack, M> Tally<'_, P, M> {
+impl<P: Pack, M> EnergyVisitor<'_, P, M> {
     /// Energies, J, and the smallest and largest ratio.
     #[inline(always)]
     pub fn total(self) -> (Energy, (f64, f64)) {
@@ -159,13 +159,13 @@ impl<P: Pack, M> Tally<'_, P, M> {
     }
 }
 
-impl<P: Pack, M: Remembering<P>> Look<P> for Tally<'_, P, M> {
+impl<P: Pack, M: InelasticLaw<P>> Visitor<P> for EnergyVisitor<'_, P, M> {
     #[inline(always)]
-    fn see(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
+    fn visit(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
         let kinematics = Kinematics::new(element.gradient(constants));
         let (reference, ratio) = (constants.volume(), kinematics.deformation.volume);
         let dilation = ratio - 1.0;
-        let found = self.law.energy(&kinematics.c, &self.history.of(block, first));
+        let found = self.law.energy(&kinematics.c, &self.state.of(block, first));
         let strain = found.strain + self.bulk * dilation * dilation * 0.5;
         let damped = self.viscosity.map_or(P::zero(), |viscosity| viscosity.work(block, first));
         // Lanes without an element have no volume and no stiffness, and keep their shape.

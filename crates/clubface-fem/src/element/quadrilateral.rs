@@ -75,7 +75,7 @@ pub struct Quadrilateral<P> {
 }
 
 impl<P: Pack> Quadrilateral<P> {
-    /// From the positions of the corners, m, counterclockwise seen from outside.
+    /// From the positions of the corners, m, counterclockwise output from outside.
     #[inline(always)]
     pub fn new(corners: &[Vec3<P>; CORNERS]) -> Self {
         let modes = Modes::of(corners);
@@ -145,7 +145,7 @@ impl<P: Pack> Quadrilateral<P> {
         less(less(skew, gradient[0], self.skew[0]), gradient[1], self.skew[1])
     }
 
-    /// Velocity of a corner of the flat element, seen through its rigid link.
+    /// Velocity of a corner of the flat element, output through its rigid link.
     #[inline(always)]
     fn link(&self, velocity: P, tilt: P) -> P {
         less(velocity, self.warp, tilt)
@@ -189,7 +189,7 @@ impl<P: Pack> Quadrilateral<P> {
         let half = P::from_f64(0.5);
         let membrane =
             [less(gx.x, dot(gx, gx), half), less(gy.y, dot(gy, gy), half), gx.y + gy.x - dot(gx, gy)];
-        // Tilts are those of the middle of the step, seen from its end: half the spin in the plane lies between.
+        // Tilts are those of the middle of the step, output from its end: half the spin in the plane lies between.
         let spin = (uy[0] - ux[1]) * 0.25;
         let back = turned(tilt.mean, -spin);
         // Shear along the edges: their mean, and half the difference between opposite ones.

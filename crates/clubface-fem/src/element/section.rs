@@ -134,12 +134,12 @@ pub trait Response<P: Pack> {
         section: &Section<P>,
         increment: &Increment<P>,
         area: P,
-        memory: &mut Numbers<P::Real>,
+        state: &mut Numbers<P::Real>,
     ) -> [[P; 3]; 2];
     /// Plane stress on the outer and the inner side, Pa, and the largest equivalent plastic strain.
-    fn sides(&self, section: &Section<P>, memory: &Numbers<P::Real>) -> ([[P; 3]; 2], P);
+    fn sides(&self, section: &Section<P>, state: &Numbers<P::Real>) -> ([[P; 3]; 2], P);
     /// Elastic energy of membrane and bending over an area, and the work that plastic flow has turned into heat, J.
-    fn energy(&self, section: &Section<P>, area: P, memory: &Numbers<P::Real>) -> (P, P);
+    fn energy(&self, section: &Section<P>, area: P, state: &Numbers<P::Real>) -> (P, P);
 }
 
 /// Numbers that transverse shear and hourglass modes take.
@@ -148,14 +148,14 @@ pub const ACROSS: usize = 2 + HOURGLASS;
 impl<P: Pack> Across<P> {
     /// From the first numbers.
     #[inline(always)]
-    pub fn load(memory: &Numbers<P::Real>) -> Self {
-        Self { shear: memory.load(0), hourglass: memory.load(2) }
+    pub fn load(state: &Numbers<P::Real>) -> Self {
+        Self { shear: state.load(0), hourglass: state.load(2) }
     }
     /// Writes them.
     #[inline(always)]
-    pub fn store(&self, memory: &mut Numbers<P::Real>) {
-        memory.store(0, self.shear);
-        memory.store(2, self.hourglass);
+    pub fn store(&self, state: &mut Numbers<P::Real>) {
+        state.store(0, self.shear);
+        state.store(2, self.hourglass);
     }
 }
 
@@ -174,21 +174,21 @@ impl<P: Pack> Response<P> for ElasticSection {
         section: &Section<P>,
         increment: &Increment<P>,
         _area: P,
-        memory: &mut Numbers<P::Real>,
+        state: &mut Numbers<P::Real>,
     ) -> [[P; 3]; 2] {
         let (n, m) = (section.stress(&increment.membrane), section.stress(&increment.curvature));
-        let (mut membrane, mut bending): ([P; 3], [P; 3]) = (memory.load(ACROSS), memory.load(ACROSS + 3));
+        let (mut membrane, mut bending): ([P; 3], [P; 3]) = (state.load(ACROSS), state.load(ACROSS + 3));
         for i in 0..3 {
             membrane[i] = section.thickness.mul_add(n[i], membrane[i]);
             bending[i] = section.moment.mul_add(m[i], bending[i]);
         }
-        memory.store(ACROSS, membrane);
-        memory.store(ACROSS + 3, bending);
+        state.store(ACROSS, membrane);
+        state.store(ACROSS + 3, bending);
         [membrane, bending]
     }
     #[inline(always)]
-    fn sides(&self, section: &Section<P>, memory: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
-        let (membrane, bending): ([P; 3], [P; 3]) = (memory.load(ACROSS), memory.load(ACROSS + 3));
+    fn sides(&self, section: &Section<P>, state: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
+        let (membrane, bending): ([P; 3], [P; 3]) = (state.load(ACROSS), state.load(ACROSS + 3));
         let (mean, slope) = (section.thickness.recip(), section.thickness * 0.5 / section.moment);
         let [mut outer, mut inner] = [[P::zero(); 3]; 2];
         for i in 0..3 {
@@ -198,9 +198,9 @@ impl<P: Pack> Response<P> for ElasticSection {
         ([outer, inner], P::zero())
     }
     #[inline(always)]
-    fn energy(&self, section: &Section<P>, area: P, memory: &Numbers<P::Real>) -> (P, P) {
-        let membrane = section.energy(&memory.load(ACROSS)) / section.thickness;
-        let bending = section.energy(&memory.load(ACROSS + 3)) / section.moment;
+    fn energy(&self, section: &Section<P>, area: P, state: &Numbers<P::Real>) -> (P, P) {
+        let membrane = section.energy(&state.load(ACROSS)) / section.thickness;
+        let bending = section.energy(&state.load(ACROSS + 3)) / section.moment;
         ((membrane + bending) * area, P::zero())
     }
 }

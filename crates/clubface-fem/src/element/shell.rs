@@ -4,12 +4,12 @@
 //! position the rotation vector summed up, which nothing reads. Stresses, or their resultants, are kept in the frame of the element and grow
 //! by the strain of every step.
 
-use super::gauge::Tell;
+use super::gauge::OutputSink;
 use super::layers::Layers;
 use super::quadrature::Rule;
 use super::quadrilateral::{Across, Quadrilateral, Resultants, CORNERS};
 use super::section::{ElasticSection, Response, Section};
-use super::shell_look::{Energies, Feel};
+use super::shell_look::{Energies, Output};
 use super::shell_material::ShellMaterial;
 use super::{Energy, Patch, BLOCK};
 use crate::material::{eight_alike, Eight, Numbers};
@@ -48,8 +48,8 @@ pub struct ShellPatch<R> {
     /// Points through the thickness (places from -1 to 1, weights), none for resultants alone.
     pub(super) points: Vec<(f64, f64)>,
     /// By block, number and lane.
-    pub(super) history: Vec<Eight<R>>,
-    pub(super) history_length: usize,
+    pub(super) state: Vec<Eight<R>>,
+    pub(super) state_length: usize,
     /// Number of the first element in the mesh, and how many there are.
     pub(super) first: usize,
     pub(super) elements: usize,
@@ -108,8 +108,8 @@ impl<R: Real> ShellPatch<R> {
             last,
             thickness,
             areas,
-            history: eight_alike(&start).repeat(blocks),
-            history_length: start.len(),
+            state: eight_alike(&start).repeat(blocks),
+            state_length: start.len(),
             points,
             first: elements.start,
             elements: elements.len(),
@@ -134,10 +134,10 @@ impl<R: Real> Patch<R> for ShellPatch<R> {
         self.forces.fill(Row::zero());
         R::dispatch(Assemble { patch: self, positions, velocities, dt });
     }
-    fn probe(&mut self, positions: &[Row<R>], displacements: &[Row<R>]) {
-        let history = self.history.clone();
+    fn perturbed_forces(&mut self, positions: &[Row<R>], displacements: &[Row<R>]) {
+        let state = self.state.clone();
         self.assemble(positions, displacements, 1.0);
-        self.history = history;
+        self.state = state;
     }
     fn cost(&self) -> usize {
         self.elements * (45 + 2 * self.points.len())
@@ -145,13 +145,13 @@ impl<R: Real> Patch<R> for ShellPatch<R> {
     fn forces(&self) -> &[Row<R>] {
         &self.forces
     }
-    fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
+    fn energies(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
         self.check(positions);
         R::dispatch(Energies { patch: self, positions })
     }
-    fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>) {
+    fn element_output(&mut self, positions: &[Row<R>], sink: &mut OutputSink<'_>) {
         self.check(positions);
-        R::singly(Feel { patch: self, positions, tell });
+        R::singly(Output { patch: self, positions, sink });
     }
 }
 
@@ -216,8 +216,8 @@ impl<R: Real> Assemble<'_, R> {
         let dt = P::from_f64(self.dt);
         let spins = &self.velocities[patch.behind..];
         let (forces, moments) = patch.forces.split_at_mut(patch.nodes.len() / 2);
-        let histories = patch.history.chunks_exact_mut(patch.history_length);
-        for ((block, rows), history) in patch.rows.iter().enumerate().zip(histories) {
+        let states = patch.state.chunks_exact_mut(patch.state_length);
+        for ((block, rows), state) in patch.rows.iter().enumerate().zip(states) {
             for first in (0..BLOCK).step_by(P::LANES) {
                 // SAFETY: `assemble` has checked the rows.
                 let (places, velocities, spins) = unsafe {
@@ -232,11 +232,11 @@ impl<R: Real> Assemble<'_, R> {
                 let thickness = P::load(&patch.thickness[block * BLOCK + first..]);
                 let section = Section::new(elastic, plate, shear, thickness);
                 let hourglass = section.hourglass(shape.area, shape.aspect());
-                let mut memory = Numbers::new(history, first);
-                let mut across = Across::load(&memory);
+                let mut state = Numbers::new(state, first);
+                let mut across = Across::load(&state);
                 section.respond_across(&increment, &hourglass, &mut across);
-                across.store(&mut memory);
-                let [membrane, bending] = law.respond(&section, &increment, shape.area, &mut memory);
+                across.store(&mut state);
+                let [membrane, bending] = law.respond(&section, &increment, shape.area, &mut state);
                 let (force, moment) = shape.forces(&Resultants { membrane, bending, across });
                 scatter(forces, &patch.corners[block], first, &force);
                 scatter(moments, &patch.corners[block], first, &moment);

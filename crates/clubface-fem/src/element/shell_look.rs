@@ -1,6 +1,6 @@
-//! What can be seen of a patch of shells between steps: energies, stress and strain.
+//! What can be output of a patch of shells between steps: energies, stress and strain.
 
-use super::gauge::{Felt, Tell};
+use super::gauge::{ElementOutput, OutputSink};
 use super::layers::Layers;
 use super::quadrilateral::{Across, Quadrilateral};
 use super::section::{ElasticSection, Response, Section};
@@ -42,18 +42,17 @@ impl<R: Real> Energies<'_, R> {
         let (plate, shear) = (elastic.plate(), elastic.shear());
         let mut energy = Energy::default();
         let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
-        let histories = patch.history.chunks_exact_mut(patch.history_length);
-        for ((block, rows), history) in patch.rows.iter().enumerate().zip(histories) {
+        let states = patch.state.chunks_exact_mut(patch.state_length);
+        for ((block, rows), state) in patch.rows.iter().enumerate().zip(states) {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = block * BLOCK + first;
                 // SAFETY: the caller has checked the rows.
                 let shape = Quadrilateral::<P>::new(&unsafe { gather(self.positions, rows, first) });
                 let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
                 let hourglass = section.hourglass(shape.area, shape.aspect());
-                let memory = Numbers::new(history, first);
-                let (strain, plastic) = law.energy(&section, shape.area, &memory);
-                let (shear, hourglass) =
-                    section.energy_across(&Across::load(&memory), shape.area, &hourglass);
+                let state = Numbers::new(state, first);
+                let (strain, plastic) = law.energy(&section, shape.area, &state);
+                let (shear, hourglass) = section.energy_across(&Across::load(&state), shape.area, &hourglass);
                 let ratio = shape.area / P::load(&patch.areas[at..]);
                 for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {
                     energy.strain += (strain + shear).lane(lane);
@@ -69,16 +68,16 @@ impl<R: Real> Energies<'_, R> {
 }
 
 /// Tells stress and strain.
-pub struct Feel<'a, 'b, R> {
+pub struct Output<'a, 'b, R> {
     /// As of [`Energies`].
     pub patch: &'a mut ShellPatch<R>,
     /// Positions of all nodes, m.
     pub positions: &'a [Row<R>],
     /// Who is told.
-    pub tell: &'a mut Tell<'b>,
+    pub sink: &'a mut OutputSink<'b>,
 }
 
-impl<R: Real> PackKernel<R> for Feel<'_, '_, R> {
+impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
     type Output = ();
     #[inline(always)]
     fn run<P: Pack<Real = R>>(mut self) {
@@ -91,26 +90,26 @@ impl<R: Real> PackKernel<R> for Feel<'_, '_, R> {
     }
 }
 
-impl<R: Real> Feel<'_, '_, R> {
+impl<R: Real> Output<'_, '_, R> {
     #[inline(always)]
     fn with<P: Pack<Real = R>>(&mut self, law: &impl Response<P>) {
         let patch = &mut *self.patch;
         let elastic = patch.material.elastic.splat::<P>();
         let (plate, shear) = (elastic.plate(), elastic.shear());
-        let histories = patch.history.chunks_exact_mut(patch.history_length);
-        for ((block, rows), history) in patch.rows.iter().enumerate().zip(histories) {
+        let states = patch.state.chunks_exact_mut(patch.state_length);
+        for ((block, rows), state) in patch.rows.iter().enumerate().zip(states) {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = block * BLOCK + first;
                 // SAFETY: the caller has checked the rows.
                 let shape = Quadrilateral::<P>::new(&unsafe { gather(self.positions, rows, first) });
                 let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
-                let (sides, plastic) = law.sides(&section, &Numbers::new(history, first));
+                let (sides, plastic) = law.sides(&section, &Numbers::new(state, first));
                 let stress = sides.map(|[x, y, xy]| shape.turned_out([x, y, xy, P::zero()]));
                 let strain = sides.map(|side| shape.turned_out(section.strain(&side)));
                 for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {
                     let (stress, strain) = (stress.each_ref(), strain.each_ref());
-                    let felt = Felt::of(stress, strain, plastic, lane);
-                    (self.tell)(patch.first + at + lane, &felt);
+                    let found = ElementOutput::of(stress, strain, plastic, lane);
+                    (self.sink)(patch.first + at + lane, &found);
                 }
             }
         }

@@ -3,15 +3,15 @@
 use super::arrangement::shape;
 use super::bulk_viscosity::BulkViscosity;
 use super::field::Scratch;
-use super::gauge::Tell;
+use super::gauge::OutputSink;
 use super::indexed::Indexed;
 use super::lattice::{Lattice, DEPTH};
 use super::one_point_constants::{constants, CONSTANTS, VOLUME};
 use super::point::{alike, Block};
-use super::solid_look::{Examine, Feel};
+use super::solid_look::{Energies, Output};
 use super::solid_step::Assemble;
-use super::{parts, Aligned, Energy, Patch, Seen, BLOCK};
-use crate::material::{Clock, History, Material, Shape};
+use super::{parts, Aligned, Energy, Patch, StepOutput, BLOCK};
+use crate::material::{Material, Shape, StateVariables, Updates};
 use crate::mesh::{SolidMesh, CORNERS};
 use crate::moments::{Moments, Origin};
 use clubface_math::{Real, Row};
@@ -39,10 +39,10 @@ pub struct SolidPatch<R> {
     /// Largest of them.
     last: u32,
     pub(super) constants: Arc<[Block<R>]>,
-    pub(super) history: History<R>,
-    pub(super) clock: Clock,
+    pub(super) state: StateVariables<R>,
+    pub(super) updates: Updates,
     pub(super) viscosity: Option<BulkViscosity<R>>,
-    sound: bool,
+    volumes_valid: bool,
     /// Number of the element in every lane of the blocks.
     pub(super) numbers: Vec<Option<u32>>,
 }
@@ -114,9 +114,9 @@ impl<R: Real> SolidPatch<R> {
                 stored[slot / BLOCK].0[which * BLOCK + slot % BLOCK] = value;
             }
         }
-        let history = History::new(material, blocks);
+        let state = StateVariables::new(material, blocks);
         let last = nodes.iter().copied().max().unwrap_or(0);
-        let (material, constants, clock) = (material.clone(), stored.into(), Clock::default());
+        let (material, constants, updates) = (material.clone(), stored.into(), Updates::default());
         let numbers = lanes.iter().map(|lane| lane.map(|local| elements[local] as u32)).collect();
         Self {
             material,
@@ -124,10 +124,10 @@ impl<R: Real> SolidPatch<R> {
             nodes,
             last,
             constants,
-            history,
-            clock,
+            state,
+            updates,
             viscosity: None,
-            sound: true,
+            volumes_valid: true,
             numbers,
         }
     }
@@ -145,23 +145,23 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     fn assemble(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64) {
         self.check(positions);
         let scratch = &mut Scratch::new();
-        self.sound = R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: false });
+        self.volumes_valid = R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: false });
     }
-    fn damp(&mut self, coefficient: f64) {
+    fn set_bulk_viscosity(&mut self, coefficient: f64) {
         let volumes = self.constants.iter().flat_map(|block| &block.0[VOLUME * BLOCK..]).map(|v| v.re());
         let (sum, count) = volumes.filter(|v| *v > 0.0).fold((0.0, 0.0), |(sum, n), v| (sum + v, n + 1.0));
         let size = f64::cbrt(sum / count);
         self.viscosity = Some(BulkViscosity::new(coefficient, &self.material, size, self.constants.len()));
     }
-    fn adopt(&mut self, alone: &[bool], inverse_masses: &[R]) -> Vec<u32> {
+    fn claim_interior_nodes(&mut self, alone: &[bool], inverse_masses: &[R]) -> Vec<u32> {
         match &mut self.layout {
-            Layout::Lattice(lattice) => lattice.adopt(alone, inverse_masses),
+            Layout::Lattice(lattice) => lattice.claim_interior_nodes(alone, inverse_masses),
             Layout::Indexed(_) => vec![],
         }
     }
-    fn take_over(&mut self, positions: &[Row<R>], velocities: &[Row<R>]) {
+    fn load_interior(&mut self, positions: &[Row<R>], velocities: &[Row<R>]) {
         if let Layout::Lattice(Lattice { motion: Some(motion), .. }) = &mut self.layout {
-            motion.take_over(positions, velocities, &self.nodes);
+            motion.load_interior(positions, velocities, &self.nodes);
         }
     }
     fn step(
@@ -170,40 +170,40 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
         _velocities: &[Row<R>],
         dt: f64,
         scratch: &mut Scratch<R>,
-        seen: Option<&mut Seen>,
+        output: Option<&mut StepOutput>,
     ) {
         self.check(positions);
-        self.sound = R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: true });
+        self.volumes_valid = R::dispatch(Assemble { patch: self, positions, dt, scratch, moving: true });
         let step = R::from_f64(dt);
-        if let Some(seen) = seen {
-            let (energy, ratios) = R::dispatch(Examine { patch: self, positions, at_hand: true });
+        if let Some(output) = output {
+            let (energy, ratios) = R::dispatch(Energies { patch: self, positions, at_hand: true });
             let kinetic = match &mut self.layout {
                 Layout::Lattice(lattice) => lattice.kinetic(scratch, step).re(),
                 Layout::Indexed(_) => 0.0,
             };
-            *seen = Seen { energy, ratios, kinetic };
+            *output = StepOutput { energy, ratios, kinetic };
         }
         if let Layout::Lattice(lattice) = &mut self.layout {
             lattice.advance(scratch, step);
         }
     }
-    fn sound(&self) -> bool {
-        self.sound
+    fn volumes_valid(&self) -> bool {
+        self.volumes_valid
     }
-    fn adopted_moments(&mut self, origin: &Origin<R>) -> Moments<R> {
+    fn interior_moments(&mut self, origin: &Origin<R>) -> Moments<R> {
         match &mut self.layout {
             Layout::Lattice(Lattice { motion: Some(motion), .. }) => motion.moments(origin),
             _ => Moments::zero(),
         }
     }
-    fn hand_back(&mut self, give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {
+    fn store_interior(&mut self, give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {
         if let Layout::Lattice(Lattice { motion: Some(motion), .. }) = &mut self.layout {
-            motion.hand_back(&self.nodes, give);
+            motion.store_interior(&self.nodes, give);
         }
     }
     fn cost(&self) -> usize {
         let each = match self.material.shape {
-            _ if !self.history.is_empty() => 39,
+            _ if !self.state.is_empty() => 39,
             Shape::MooneyRivlin(_) | Shape::NeoHookean(_) => 30,
             _ => 36,
         };
@@ -215,12 +215,12 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
             Layout::Indexed(indexed) => indexed.forces(),
         }
     }
-    fn look(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
+    fn energies(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
         self.check(positions);
-        R::dispatch(Examine { patch: self, positions, at_hand: false })
+        R::dispatch(Energies { patch: self, positions, at_hand: false })
     }
-    fn feel(&mut self, positions: &[Row<R>], tell: &mut Tell<'_>) {
+    fn element_output(&mut self, positions: &[Row<R>], sink: &mut OutputSink<'_>) {
         self.check(positions);
-        R::singly(Feel { patch: self, positions, tell });
+        R::singly(Output { patch: self, positions, sink });
     }
 }

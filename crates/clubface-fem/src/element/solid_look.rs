@@ -1,14 +1,14 @@
-//! What can be seen of a patch of hexahedra between steps: energies, stress and strain.
+//! What can be output of a patch of hexahedra between steps: energies, stress and strain.
 
-use super::gauge::{Gauge, Tell};
-use super::point::{Block, Look, Ratios, Tally};
+use super::gauge::{OutputSink, OutputVisitor};
+use super::point::{Block, EnergyVisitor, Ratios, Visitor};
 use super::solid::{Layout, SolidPatch};
 use super::Energy;
-use crate::material::{Remembering, UseMemory};
+use crate::material::{InelasticLaw, UseInelastic};
 use clubface_math::{Pack, PackKernel, Real, Row};
 
 impl<R: Real> SolidPatch<R> {
-    /// Shows every element to `look`.
+    /// Shows every element to `visitor`.
     ///
     /// # Safety
     /// The nodes exist.
@@ -19,43 +19,45 @@ impl<R: Real> SolidPatch<R> {
         nodes: &[u32],
         constants: &[Block<R>],
         at_hand: bool,
-        look: &mut impl Look<P>,
+        visitor: &mut impl Visitor<P>,
     ) {
         match layout {
             // SAFETY: the caller's promise.
-            Layout::Lattice(lattice) => unsafe { lattice.visit(positions, nodes, constants, at_hand, look) },
-            Layout::Indexed(indexed) => indexed.visit(positions, nodes, constants, look),
+            Layout::Lattice(lattice) => unsafe {
+                lattice.visit(positions, nodes, constants, at_hand, visitor)
+            },
+            Layout::Indexed(indexed) => indexed.visit(positions, nodes, constants, visitor),
         }
     }
 }
 
 /// Adds up energies.
-pub struct Examine<'a, R> {
+pub struct Energies<'a, R> {
     /// What is looked at; the caller has checked that its nodes exist.
     pub patch: &'a mut SolidPatch<R>,
     /// Positions of all nodes, m.
     pub positions: &'a [Row<R>],
-    /// Whether adopted nodes are looked at where they were met in the last step.
+    /// Whether interior nodes are looked at where they were met in the last step.
     pub at_hand: bool,
 }
 
-impl<R: Real> PackKernel<R> for Examine<'_, R> {
+impl<R: Real> PackKernel<R> for Energies<'_, R> {
     type Output = (Energy, (f64, f64));
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) -> Self::Output {
         let material = self.patch.material.clone();
-        material.with_memory::<P, _>(self.patch.clock.ahead(), self)
+        material.with_inelastic::<P, _>(self.patch.updates.preview(), self)
     }
 }
 
-impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Examine<'_, R> {
+impl<R: Real, P: Pack<Real = R>> UseInelastic<P> for Energies<'_, R> {
     type Output = (Energy, (f64, f64));
     #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) -> Self::Output {
-        let SolidPatch { material, layout, nodes, constants, history, viscosity, .. } = self.patch;
+    fn with<M: InelasticLaw<P>>(self, law: M) -> Self::Output {
+        let SolidPatch { material, layout, nodes, constants, state, viscosity, .. } = self.patch;
         let (bulk, viscosity) = (P::splat(material.bulk), viscosity.as_ref());
         let (energies, ratios) = ([P::zero(); 4], Ratios::new());
-        let mut tally = Tally { law, bulk, history, viscosity, energies, ratios };
+        let mut tally = EnergyVisitor { law, bulk, state, viscosity, energies, ratios };
         // SAFETY: the caller has checked the nodes.
         unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, self.at_hand, &mut tally) };
         tally.total()
@@ -63,31 +65,31 @@ impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Examine<'_, R> {
 }
 
 /// Tells stress and strain.
-pub struct Feel<'a, 'b, R> {
-    /// As of [`Examine`].
+pub struct Output<'a, 'b, R> {
+    /// As of [`Energies`].
     pub patch: &'a mut SolidPatch<R>,
     /// Positions of all nodes, m.
     pub positions: &'a [Row<R>],
     /// Who is told.
-    pub tell: &'a mut Tell<'b>,
+    pub sink: &'a mut OutputSink<'b>,
 }
 
-impl<R: Real> PackKernel<R> for Feel<'_, '_, R> {
+impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
     type Output = ();
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) {
         let material = self.patch.material.clone();
-        material.with_memory::<P, _>(self.patch.clock.ahead(), self);
+        material.with_inelastic::<P, _>(self.patch.updates.preview(), self);
     }
 }
 
-impl<R: Real, P: Pack<Real = R>> UseMemory<P> for Feel<'_, '_, R> {
+impl<R: Real, P: Pack<Real = R>> UseInelastic<P> for Output<'_, '_, R> {
     type Output = ();
     #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) {
-        let SolidPatch { material, layout, nodes, constants, history, numbers, .. } = self.patch;
+    fn with<M: InelasticLaw<P>>(self, law: M) {
+        let SolidPatch { material, layout, nodes, constants, state, numbers, .. } = self.patch;
         let bulk = P::splat(material.bulk);
-        let mut gauge = Gauge { law, bulk, history, numbers, tell: self.tell };
+        let mut gauge = OutputVisitor { law, bulk, state, numbers, sink: self.sink };
         // SAFETY: as above.
         unsafe { SolidPatch::visit(layout, self.positions, nodes, constants, false, &mut gauge) };
     }

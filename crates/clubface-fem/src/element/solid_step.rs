@@ -2,9 +2,9 @@
 
 use super::bulk_viscosity::Drag;
 use super::field::Scratch;
-use super::point::{Aging, Block, Elastic};
+use super::point::{Block, Elastic, Inelastic};
 use super::solid::{Layout, SolidPatch};
-use crate::material::{History, Isochoric, Remembering, UseLaw, UseMemory};
+use crate::material::{InelasticLaw, Isochoric, StateVariables, UseInelastic, UseLaw};
 use clubface_math::{Pack, PackKernel, Real, Row};
 
 /// Computes forces.
@@ -13,9 +13,9 @@ pub struct Assemble<'a, R> {
     pub patch: &'a mut SolidPatch<R>,
     /// Positions of all nodes, m.
     pub positions: &'a [Row<R>],
-    /// The step for which histories move on, s.
+    /// The step for which state variables move on, s.
     pub dt: f64,
-    /// Keeps the forces on adopted nodes.
+    /// Keeps the forces on interior nodes.
     pub scratch: &'a mut Scratch<R>,
     /// Whether nodes are about to move that the patch has adopted.
     pub moving: bool,
@@ -25,7 +25,7 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
     type Output = bool;
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) -> bool {
-        let SolidPatch { material, layout, nodes, constants, history, clock, viscosity, .. } = self.patch;
+        let SolidPatch { material, layout, nodes, constants, state, updates, viscosity, .. } = self.patch;
         let dt = self.dt;
         let rest = Loop {
             drag: viscosity.as_mut().map(|viscosity| Drag { viscosity, dt }),
@@ -35,14 +35,14 @@ impl<R: Real> PackKernel<R> for Assemble<'_, R> {
             positions: self.positions,
             nodes,
             constants,
-            history,
+            state,
             bulk: P::splat(material.bulk),
         };
         // Compiled apart: elements without memory have nothing to load.
-        if rest.history.is_empty() {
+        if rest.state.is_empty() {
             material.with_law::<P, _>(rest)
         } else {
-            material.with_memory::<P, _>(clock.tick(dt), rest)
+            material.with_inelastic::<P, _>(updates.next(dt), rest)
         }
     }
 }
@@ -56,7 +56,7 @@ struct Loop<'a, P: Pack> {
     positions: &'a [Row<P::Real>],
     nodes: &'a [u32],
     constants: &'a [Block<P::Real>],
-    history: &'a mut History<P::Real>,
+    state: &'a mut StateVariables<P::Real>,
     bulk: P,
 }
 
@@ -76,12 +76,12 @@ impl<P: Pack> UseLaw<P> for Loop<'_, P> {
     }
 }
 
-impl<P: Pack> UseMemory<P> for Loop<'_, P> {
+impl<P: Pack> UseInelastic<P> for Loop<'_, P> {
     type Output = bool;
     #[inline(always)]
-    fn with<M: Remembering<P>>(self, law: M) -> bool {
-        let Loop { drag, layout, scratch, moving, positions, nodes, constants, history, bulk } = self;
-        let points = Aging { law, bulk, history, drag };
+    fn with<M: InelasticLaw<P>>(self, law: M) -> bool {
+        let Loop { drag, layout, scratch, moving, positions, nodes, constants, state, bulk } = self;
+        let points = Inelastic { law, bulk, state, drag };
         match layout {
             // SAFETY: `assemble` has checked the nodes.
             Layout::Lattice(lattice) => unsafe {

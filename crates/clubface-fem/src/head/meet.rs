@@ -3,6 +3,7 @@
 use crate::ball::Ball;
 use crate::contact::{BallSide, Contact, FaceContact, FaceSide, Grooves};
 use crate::element::Patch;
+use crate::environment::Environment;
 use crate::error::FemError;
 use crate::mesh::{mass_properties, MassProperties, ShellMasses};
 use crate::solve::{springs_of, Impact, Structure};
@@ -74,6 +75,7 @@ pub fn against_ball<R: Real>(
     ball: &Ball<R>,
     touch: &FirstTouch<R>,
     friction: R,
+    environment: &Environment,
 ) -> Result<Impact<R>, FemError> {
     head.check()?;
     touch_check(touch)?;
@@ -85,7 +87,7 @@ pub fn against_ball<R: Real>(
     let mut positions = meshed.positions();
     let mut masses = meshed.masses.clone();
     // The springs are those of the ball against a rigid face, though the head may need shorter steps.
-    let mut alone = Structure::new(positions.clone(), meshed.masses, meshed.patches, &[]);
+    let mut alone = Structure::new(positions.clone(), meshed.masses, meshed.patches, &[], environment);
     let limit = alone.stable_step(40);
     let springs = springs_of(limit);
     let (mut patches, mut parts) = (alone.into_patches(), meshed.parts);
@@ -132,7 +134,7 @@ pub fn against_ball<R: Real>(
     for row in &mut positions[..balls] {
         row.add(touch.normal * -gap);
     }
-    let mut structure = Structure::new(positions, masses, patches, contact.nodes());
+    let mut structure = Structure::new(positions, masses, patches, contact.nodes(), environment);
     structure.translations = balls + count;
     structure.velocities = velocities;
     Ok(Impact {
@@ -145,6 +147,7 @@ pub fn against_ball<R: Real>(
         head_velocity: touch.club_velocity,
         parts,
         ball_limit: limit,
+        clock: environment.clock,
     })
 }
 

@@ -12,7 +12,7 @@ const CLOSE: f64 = 1e-8;
 /// Newton steps at most: a few are needed.
 const NEWTON: usize = 40;
 
-/// Stress and memory at a point.
+/// Stress and state at a point.
 #[derive(Clone, Copy, Debug)]
 pub struct PlaneState<S> {
     /// Stress, Pa: xx, yy, xy.

@@ -52,7 +52,7 @@ impl<R: Real> Kinetics<R> {
 mod tests {
     use super::{Kinetics, Origin};
     use crate::moments::Nodes;
-    use clubface_math::{lanes::with_lanes, Row, Vec3};
+    use clubface_math::{with_lanes, Row, Vec3};
 
     /// Fifteen bodies of different mass in a rigid motion: an odd number, so that packs are not full.
     #[test]

@@ -1,12 +1,12 @@
 //! Many steps at a time: the threads stay together from step to step, and patches move the nodes inside them as they go.
 
-use super::roster::chunks_of;
+use super::schedule::chunks_of;
 use super::shares::{Fields, Forces};
-use super::team::{Round, Team};
 use super::together::Shared;
+use super::worker_pool::{Stage, WorkerPool};
 use super::Structure;
 use crate::contact::Contact;
-use crate::element::{Energy, Scratch, Seen};
+use crate::element::{Energy, Scratch, StepOutput};
 use crate::moments::{Moments, Nodes};
 use clubface_math::{Real, Row};
 
@@ -41,7 +41,7 @@ impl<R: Real> Structure<R> {
         watch: &mut Watch<'_, R>,
     ) -> (Energy, Vec<(f64, f64)>, f64) {
         assert!(!self.pause, "some patches rest");
-        let nothing = Seen { energy: Energy::default(), ratios: (1.0, 1.0), kinetic: 0.0 };
+        let nothing = StepOutput { energy: Energy::default(), ratios: (1.0, 1.0), kinetic: 0.0 };
         let mut seen = vec![nothing; self.patches.len()];
         let before = self.velocities.clone();
         self.go(contact, dt, 1, watch, Some(&mut seen));
@@ -62,12 +62,12 @@ impl<R: Real> Structure<R> {
         dt: f64,
         count: usize,
         watch: &mut Watch<'_, R>,
-        seen: Option<&mut [Seen]>,
+        seen: Option<&mut [StepOutput]>,
     ) -> usize {
-        let members = rayon::current_num_threads();
-        self.scratches.resize_with(members, Scratch::new);
+        let workers = WorkerPool::size(&*self.executor);
+        self.scratches.resize_with(workers, Scratch::new);
         let held: Vec<f64> = (0..self.patches.len()).map(|patch| self.held(patch, dt)).collect();
-        let [whole, awake] = self.rosters();
+        let [whole, awake] = self.schedules();
         let (whole_chunks, awake_chunks) =
             (chunks_of(&whole, &self.outer, true), chunks_of(&whole, &self.outer, false));
         let followed: Vec<bool> = (0..=held.len()).map(|patch| self.follows(patch)).collect();
@@ -114,7 +114,7 @@ impl<R: Real> Structure<R> {
         let take_over = |task: usize, _: usize| unsafe {
             let (positions, velocities) = fields.read();
             if task < patches.count {
-                patches.part(task).take_over(positions, velocities);
+                patches.part(task).load_interior(positions, velocities);
             }
         };
         let measure = |task: usize, _: usize| unsafe {
@@ -122,39 +122,39 @@ impl<R: Real> Structure<R> {
                 let (positions, velocities) = fields.read();
                 let mut sum = Nodes { positions, velocities, masses }.moments(&own[task], origin);
                 if task < patches.count {
-                    sum = sum.plus(&patches.part(task).adopted_moments(&origin));
+                    sum = sum.plus(&patches.part(task).interior_moments(&origin));
                 }
                 *moments.part(task) = sum;
             }
         };
         let rounds = [
-            Round { task: &assemble, shares: &whole },
-            Round { task: &advance_all, shares: &whole_chunks },
-            Round { task: &assemble, shares: &awake },
-            Round { task: &advance_awake, shares: &awake_chunks },
-            Round { task: &take_over, shares: &whole },
-            Round { task: &measure, shares: &whole },
+            Stage { task: &assemble, schedule: &whole },
+            Stage { task: &advance_all, schedule: &whole_chunks },
+            Stage { task: &assemble, schedule: &awake },
+            Stage { task: &advance_awake, schedule: &awake_chunks },
+            Stage { task: &take_over, schedule: &whole },
+            Stage { task: &measure, schedule: &whole },
         ];
         let rests = self.resting.contains(&true);
         let mut done = 0;
-        Team::with(|team| {
+        WorkerPool::with(&*self.executor, |pool| {
             let mut go = true;
             if !away {
-                team.run(&rounds[BEFORE]);
+                pool.run(&rounds[BEFORE]);
             }
             while go && done < count {
                 let first = if pause { AWAKE } else { WHOLE };
-                team.run(&rounds[first]);
+                pool.run(&rounds[first]);
                 // SAFETY: between rounds.
                 go = unsafe { watch(*contact.part(0), fields.read().0) };
-                let sound = (0..patches.count).all(|patch| unsafe { patches.part(patch).sound() });
+                let sound = (0..patches.count).all(|patch| unsafe { patches.part(patch).volumes_valid() });
                 go = go && sound;
-                team.run(&rounds[first + 1]);
+                pool.run(&rounds[first + 1]);
                 pause = rests && !pause;
                 done += 1;
             }
             if measures {
-                team.run(&rounds[AFTER]);
+                pool.run(&rounds[AFTER]);
             }
         });
         (self.pause, self.away) = (pause, true);
@@ -167,6 +167,7 @@ mod tests {
     use crate::ball::{Ball, Piece};
     use crate::cases::against_plane;
     use crate::element::Element;
+    use crate::environment::Environment;
     use crate::material::{Material, Maxwell, MooneyRivlin, Shape};
 
     #[test]
@@ -176,8 +177,9 @@ mod tests {
         let material = Material { shape, bulk: 5e8, maxwell, density: 1150.0 };
         let pieces = vec![Piece { name: "core".into(), radius: 0.0214, layers: 3, material }];
         let ball = Ball { pieces, cube: 6, element: Element::OnePoint, mass: None };
-        let [mut one, mut other] =
-            [(); 2].map(|()| against_plane(&ball, 35.0, 0.2, 0.35).expect("the case is valid"));
+        let [mut one, mut other] = [(); 2].map(|()| {
+            against_plane(&ball, 35.0, 0.2, 0.35, &Environment::single_threaded()).expect("the case is valid")
+        });
         let dt = one.structure.stable_step(60) * 0.4;
         for impact in [&mut one, &mut other] {
             let cube = impact.parts.iter().enumerate().map(|(patch, _)| patch == 0).collect();

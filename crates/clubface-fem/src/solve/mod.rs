@@ -6,13 +6,13 @@ mod kinetics;
 mod march;
 mod options;
 mod rest;
-mod roster;
+mod schedule;
 mod shares;
 mod stable_step;
 mod structure;
-mod team;
 mod together;
 mod view;
+mod worker_pool;
 
 pub use history::{ContactFrame, EnergyFrame, Figures, History, MotionFrame};
 pub use impact::{Impact, Outcome};

@@ -1,9 +1,10 @@
 //! The largest time step that central differences bear.
 
+use super::together::Shared;
+use super::worker_pool::{Stage, WorkerPool};
 use super::Structure;
 use crate::contact::Springs;
 use clubface_math::{Real, Row};
-use rayon::prelude::*;
 
 /// Largest displacement by which stiffness is felt, m: small beside any element, large beside the rounding of positions.
 const DISPLACEMENT: f64 = 1e-8;
@@ -31,7 +32,14 @@ impl<R: Real> Structure<R> {
 
     /// The same of some patches alone, between all of the mass.
     pub(super) fn stable_step_of(&mut self, chosen: &[bool], iterations: usize) -> f64 {
+        let executor = self.executor.clone();
+        // One pool for all iterations: its workers stay awake in between.
+        WorkerPool::with(&*executor, |pool| self.stable_step_by(pool, chosen, iterations))
+    }
+
+    fn stable_step_by(&mut self, pool: &WorkerPool<'_>, chosen: &[bool], iterations: usize) -> f64 {
         self.settle();
+        let [schedule, _] = self.schedules();
         let rest = self.positions.clone();
         let mut displacements = vec![Row::zero(); rest.len()];
         let masses: Vec<f64> = self.masses.iter().map(|m| m.re()).collect();
@@ -55,9 +63,14 @@ impl<R: Real> Structure<R> {
                     x.0[c] = r.0[c] + u.0[c];
                 }
             }
-            let positions = &self.positions;
-            let probed = self.patches.par_iter_mut().zip(chosen).filter(|(_, chosen)| **chosen);
-            probed.for_each(|(patch, _)| patch.probe(positions, &displacements));
+            let (positions, patches) = (&self.positions, Shared::of(&mut self.patches));
+            // SAFETY: a schedule has every patch once.
+            let probe = |task: usize, _: usize| unsafe {
+                if chosen.get(task) == Some(&true) {
+                    patches.part(task).perturbed_forces(positions, &displacements);
+                }
+            };
+            pool.run(&Stage { task: &probe, schedule: &schedule });
             // The next vector: accelerations, without what lies along the last two.
             let last = beside.last().copied().unwrap_or(0.0);
             before.iter_mut().for_each(|v| v.0 = v.0.map(|v| -last * v));

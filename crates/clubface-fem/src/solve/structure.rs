@@ -5,9 +5,11 @@
 
 use super::kinetics::Kinetics;
 use super::shares::{split, Shares, PERIOD};
-use crate::element::{Energy, Patch, Scratch, Tell};
+use crate::element::{Energy, OutputSink, Patch, Scratch};
+use crate::environment::{Environment, Executor};
 use crate::moments::{Moments, Nodes, Origin};
 use clubface_math::{Real, Row, Vec3};
+use std::sync::Arc;
 
 /// Nodes with mass, and patches of elements between them.
 pub struct Structure<R> {
@@ -44,15 +46,19 @@ pub struct Structure<R> {
     pub(super) touching: Vec<u32>,
     /// Memory to work in, one a thread.
     pub(super) scratches: Vec<Scratch<R>>,
+    /// Threads that work on it.
+    pub(super) executor: Arc<dyn Executor>,
 }
 
 impl<R: Real> Structure<R> {
-    /// Nodes at rest with the given masses, and patches; `contact` names the nodes of the contact that will act on them.
+    /// Nodes at rest with the given masses, and patches; `contact` names the nodes of the contact that will act on them. The threads of the
+    /// environment work on them.
     pub fn new(
         positions: Vec<Row<R>>,
         masses: Vec<R>,
         mut patches: Vec<Box<dyn Patch<R>>>,
         contact: &[u32],
+        environment: &Environment,
     ) -> Self {
         let count = positions.len();
         let inverse_masses: Vec<R> = masses.iter().map(|m| m.recip()).collect();
@@ -65,7 +71,7 @@ impl<R: Real> Structure<R> {
             let nodes = patch.nodes().to_vec();
             let alone: Vec<bool> = nodes.iter().map(|&n| uses[n as usize] == 1).collect();
             let inverse: Vec<R> = nodes.iter().map(|&n| inverse_masses[n as usize]).collect();
-            for place in patch.adopt(&alone, &inverse) {
+            for place in patch.claim_interior_nodes(&alone, &inverse) {
                 adopted[nodes[place as usize] as usize] = true;
             }
         }
@@ -96,6 +102,7 @@ impl<R: Real> Structure<R> {
             outer: Vec::new(),
             lengths,
             scratches: Vec::new(),
+            executor: environment.executor.clone(),
         };
         structure.share();
         structure
@@ -113,7 +120,7 @@ impl<R: Real> Structure<R> {
     /// Gives undeformed solid elements a linear bulk viscosity: a pressure of `coefficient` times density, speed of waves, size and rate of volume.
     pub fn damp(&mut self, coefficient: f64) {
         for patch in &mut self.patches {
-            patch.damp(coefficient);
+            patch.set_bulk_viscosity(coefficient);
         }
     }
 
@@ -154,14 +161,14 @@ impl<R: Real> Structure<R> {
 
     /// Whether all elements were as large as their laws bear when the last forces were made.
     pub(super) fn sound(&self) -> bool {
-        self.patches.iter().all(|patch| patch.sound())
+        self.patches.iter().all(|patch| patch.volumes_valid())
     }
 
     /// Tells what every element feels, those of the patches whose first node is in `nodes`, by their numbers in their mesh.
-    pub fn feel(&mut self, nodes: std::ops::Range<usize>, tell: &mut Tell<'_>) {
+    pub fn feel(&mut self, nodes: std::ops::Range<usize>, tell: &mut OutputSink<'_>) {
         self.settle();
         for patch in self.patches.iter_mut().filter(|p| nodes.contains(&(p.nodes()[0] as usize))) {
-            patch.feel(&self.positions, tell);
+            patch.element_output(&self.positions, tell);
         }
     }
 
@@ -169,7 +176,7 @@ impl<R: Real> Structure<R> {
     pub fn most_strained(&mut self, patch: usize) -> (usize, f64) {
         self.settle();
         let mut worst = (0, -1.0);
-        self.patches[patch].feel(&self.positions, &mut |number, felt| {
+        self.patches[patch].element_output(&self.positions, &mut |number, felt| {
             let size = felt.strain.as_flattened().iter().map(|e| e * e).sum::<f64>();
             let size = if size.is_nan() { f64::INFINITY } else { size };
             if size > worst.1 {

@@ -1,11 +1,12 @@
 //! What all threads do at once to all patches: forces, motion, energies.
 
-use super::roster::{chunks_of, Roster};
+use super::schedule::{chunks_of, Schedule};
 use super::shares::{Fields, Forces};
-use super::team::{Round, Team};
+use super::worker_pool::{Stage, WorkerPool};
 use super::Structure;
 use crate::contact::Contact;
 use crate::element::Energy;
+use crate::environment::Executor;
 use clubface_math::Real;
 
 /// Things of which each task uses one.
@@ -34,27 +35,27 @@ impl<T> Shared<T> {
     }
 }
 
-/// Does every task once, with whoever has its data at hand.
-fn together(shares: &Roster, task: &(dyn Fn(usize, usize) + Sync)) {
-    Team::with(|team| team.run(&Round { task, shares }));
+/// Does every task of a schedule once.
+fn run(executor: &dyn Executor, schedule: &Schedule, task: &(dyn Fn(usize, usize) + Sync)) {
+    WorkerPool::with(executor, |pool| pool.run(&Stage { task, schedule }));
 }
 
-// SAFETY of all that is shared: each patch, the contact and each chunk of nodes is one task, and a roster has every task once.
+// SAFETY of all that is shared: each patch, the contact and each chunk of nodes is one task, and a schedule has every task once.
 impl<R: Real> Structure<R> {
     /// Brings the fields of all nodes up to date after a march.
     pub fn settle(&mut self) {
         if !std::mem::take(&mut self.away) {
             return;
         }
-        let [all, _] = self.rosters();
+        let [all, _] = self.schedules();
         let fields = Fields::new(&mut self.positions, &mut self.velocities, &self.inverse_masses);
         let patches = Shared::of(&mut self.patches);
-        together(&all, &|task, _| unsafe {
+        run(&*self.executor, &all, &|task, _| unsafe {
             if task < patches.count {
                 // Every node that is away is with one patch.
                 patches
                     .part(task)
-                    .hand_back(&mut |node, position, velocity| fields.set(node, position, velocity));
+                    .store_interior(&mut |node, position, velocity| fields.set(node, position, velocity));
             }
         });
     }
@@ -63,11 +64,11 @@ impl<R: Real> Structure<R> {
     pub fn assemble(&mut self, contact: &mut dyn Contact<R>, dt: f64) {
         self.settle();
         let held: Vec<f64> = (0..self.patches.len()).map(|patch| self.held(patch, dt)).collect();
-        let [all, awake] = self.rosters();
+        let [all, awake] = self.schedules();
         let (positions, velocities) = (&self.positions, &self.velocities);
         let mut contacts = [contact];
         let (patches, contact) = (Shared::of(&mut self.patches), Shared::of(&mut contacts));
-        together(if self.pause { &awake } else { &all }, &|task, _| unsafe {
+        run(&*self.executor, if self.pause { &awake } else { &all }, &|task, _| unsafe {
             if task < patches.count {
                 patches.part(task).assemble(positions, velocities, held[task]);
             } else {
@@ -80,7 +81,7 @@ impl<R: Real> Structure<R> {
     /// then positions.
     pub fn advance(&mut self, contact: &dyn Contact<R>, dt: f64) {
         self.settle();
-        let [all, _] = self.rosters();
+        let [all, _] = self.schedules();
         let chunks = chunks_of(&all, &self.shares, true);
         let rows = self.patches.iter().map(|p| p.forces()).chain([contact.forces()]);
         let forces: Vec<_> =
@@ -89,20 +90,22 @@ impl<R: Real> Structure<R> {
         let (step, whole, shares) = (R::from_f64(dt), !self.pause, &self.shares);
         // The shares were made for these lists, and no node is in two of them.
         let forces = &forces;
-        together(&chunks, &|chunk, _| unsafe { shares[chunk].advance(fields, forces.as_ptr(), step, whole) });
+        run(&*self.executor, &chunks, &|chunk, _| unsafe {
+            shares[chunk].advance(fields, forces.as_ptr(), step, whole)
+        });
         self.turn();
     }
 
     /// Energies of the elements, J, at the current positions, and the smallest and largest volume ratio of each patch.
     pub fn look(&mut self) -> (Energy, Vec<(f64, f64)>) {
         self.settle();
-        let [all, _] = self.rosters();
+        let [all, _] = self.schedules();
         let mut seen = vec![(Energy::default(), (1.0, 1.0)); self.patches.len()];
         let (positions, patches) = (&self.positions, Shared::of(&mut self.patches));
         let found = Shared::of(&mut seen);
-        together(&all, &|task, _| unsafe {
+        run(&*self.executor, &all, &|task, _| unsafe {
             if task < patches.count {
-                *found.part(task) = patches.part(task).look(positions);
+                *found.part(task) = patches.part(task).energies(positions);
             }
         });
         let mut sum = Energy::default();

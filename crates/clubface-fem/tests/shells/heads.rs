@@ -4,6 +4,7 @@ use super::delivered::delivered;
 use clubface_fem::ball::{Ball, Piece};
 use clubface_fem::cases::{against_head, against_plane};
 use clubface_fem::element::Element;
+use clubface_fem::environment::Environment;
 use clubface_fem::head::{against_ball, DeformableHead, Driver, ShellHead};
 use clubface_fem::material::{Hencky, Material, Maxwell, NeoHookean, Shape};
 use clubface_fem::mesh::DriverFineness;
@@ -58,12 +59,13 @@ fn covered_ball(layers: usize) -> Ball<f64> {
 fn struck() -> Impact<f64> {
     let driver = Driver { fineness: DriverFineness([18, 8, 12]), ..Driver::p2() };
     let head = driver.mesh().expect("the head is valid").head;
-    against_ball(&head, &covered_ball(2), &delivered(&head, 0.01, 30.0), 0.3).expect("the case is valid")
+    against_ball(&head, &covered_ball(2), &delivered(&head, 0.01, 30.0), 0.3, &Environment::native())
+        .expect("the case is valid")
 }
 
 /// The same ball thrown at a plane: its own cover sets the step.
 fn thrown(layers: usize) -> Impact<f64> {
-    against_plane(&covered_ball(layers), 35.0, 0.2, 0.3).expect("the case is valid")
+    against_plane(&covered_ball(layers), 35.0, 0.2, 0.3, &Environment::native()).expect("the case is valid")
 }
 
 #[test]
@@ -108,7 +110,8 @@ fn the_force_does_not_come_and_go_with_the_steps() {
     // The head's shells are so small beside the ball's elements that all of the ball could bear to rest.
     let head = Driver::p2().mesh().expect("the head is valid").head;
     let mut impact =
-        against_ball(&head, &rubber_ball(), &delivered(&head, 0.0, 0.0), 0.3).expect("the case is valid");
+        against_ball(&head, &rubber_ball(), &delivered(&head, 0.0, 0.0), 0.3, &Environment::native())
+            .expect("the case is valid");
     let options = Options { duration: 200e-6, ..Options::default() };
     let found = impact.run(&options, &mut |_| true).expect("the options are valid");
     let forces: Vec<f64> = found.history.contact.iter().map(|frame| frame.normal).collect();
@@ -209,7 +212,8 @@ fn momentum_of_ball_and_head() {
     let driver = Driver { fineness: DriverFineness([12, 6, 8]), ..Driver::p2() };
     let head = driver.mesh().expect("the head is valid").head;
     let mut impact =
-        against_ball(&head, &rubber_ball(), &delivered(&head, 0.01, 30.0), 0.3).expect("the case is valid");
+        against_ball(&head, &rubber_ball(), &delivered(&head, 0.01, 30.0), 0.3, &Environment::native())
+            .expect("the case is valid");
     let dt = impact.structure.stable_step(60) * 0.8;
     let before = momenta(&impact.structure);
     let mut most = 0.0_f64;
@@ -239,8 +243,9 @@ fn a_stiff_head_is_rigid() {
         assert!(found.stopped.is_none(), "{:?}", found.stopped);
         (found.ball, found.head)
     };
-    let shells = launch(against_ball(&head, &ball, &touch, 0.3).expect("the case is valid"));
-    let rigid = launch(against_head(&ball, &touch, 0.3).expect("the case is valid"));
+    let shells =
+        launch(against_ball(&head, &ball, &touch, 0.3, &Environment::native()).expect("the case is valid"));
+    let rigid = launch(against_head(&ball, &touch, 0.3, &Environment::native()).expect("the case is valid"));
     let apart = |a: Vec3<f64>, b: Vec3<f64>| (a - b).norm();
     // A fiftieth of the give of a titanium face is left, and the face is a polyhedron of 3 mm sides, which is off by 4 micrometres and
     // 0.3 degrees; the ball's nodes are 5 mm apart.

@@ -2,6 +2,7 @@
 
 use clubface_fem::contact::{Contact, ContactEnergy, Method, Resultant};
 use clubface_fem::element::{Isotropic, Patch, ShellMaterial, ShellPatch, ShellRows, SHELL_PATCH};
+use clubface_fem::environment::Environment;
 use clubface_fem::mesh::ShellMesh;
 use clubface_fem::solve::Structure;
 use clubface_impact::first_touch::Motion;
@@ -135,7 +136,8 @@ impl Body {
             let some = start..(start + SHELL_PATCH).min(mesh.quads.len());
             Box::new(ShellPatch::new(mesh, some, material.clone(), rows_of)) as Box<dyn Patch<f64>>
         });
-        let mut structure = Structure::new(rows(&mesh.nodes), all, patches.collect(), loads.nodes());
+        let mut structure =
+            Structure::new(rows(&mesh.nodes), all, patches.collect(), loads.nodes(), &Environment::native());
         structure.translations = count;
         let held = held.map(|(node, which)| {
             let (row, component) = (node + which / 3 * count, which % 3);

@@ -4,6 +4,7 @@ use super::support::{elastic, masses, outside, patches, rows, SPRING};
 use super::thrown::{bounce, Bounce};
 use clubface_fem::contact::Springs;
 use clubface_fem::element::Element;
+use clubface_fem::environment::Environment;
 use clubface_fem::material::{Material, MooneyRivlin, Shape};
 use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
 use clubface_fem::solve::Structure;
@@ -39,6 +40,7 @@ fn drop(
         masses(mesh, material.density),
         patches(element, mesh, material),
         &surface,
+        &Environment::native(),
     );
     bounce(&mut body, &surface, &areas, friction, velocity, duration, SPRING)
 }
@@ -120,7 +122,7 @@ fn reference(element: Element) {
     let mut elements = patches(element, &inside, &rubber);
     elements.extend(patches(element, &cover, &elastic(350e6, 0.4, 950.0)));
     let (surface, areas) = outside(&mesh);
-    let mut body = Structure::new(rows(&mesh.nodes), masses, elements, &surface);
+    let mut body = Structure::new(rows(&mesh.nodes), masses, elements, &surface, &Environment::native());
     let (s, c) = 11.5_f64.to_radians().sin_cos();
     let found = bounce(
         &mut body,

@@ -4,6 +4,7 @@ use super::support::{elastic, step, structure, Free, Random, ELEMENTS};
 use clubface_fem::ball::{Ball, Piece};
 use clubface_fem::cases::against_head;
 use clubface_fem::element::Element;
+use clubface_fem::environment::Environment;
 use clubface_fem::material::Maxwell;
 use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
 use clubface_fem::solve::{Impact, Structure};
@@ -84,7 +85,7 @@ fn a_ball_and_a_rigid_head_keep_momentum_and_angular_momentum() {
         Piece { name: "core".into(), radius: 0.0214, layers: 3, material: elastic(30e6, 0.45, 1000.0) };
     let ball = Ball { pieces: vec![core], cube: 4, element: Element::OnePoint, mass: Some(0.046) };
     let Impact { mut structure, mut contact, .. } =
-        against_head(&ball, &touch, 0.3).expect("the case is valid");
+        against_head(&ball, &touch, 0.3, &Environment::native()).expect("the case is valid");
     let dt = structure.stable_step(60) * 0.5;
     // The origin is the head's CG at first touch; it moves on with the velocity of every step.
     let mut cg = Vec3::zero();

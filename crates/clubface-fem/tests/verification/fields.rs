@@ -1,7 +1,7 @@
 //! What elements feel, against the forces they exert and closed forms.
 
 use super::support::{distorted_cube, elastic, patches, rows, Random, ELEMENTS};
-use clubface_fem::element::{Felt, Patch};
+use clubface_fem::element::{ElementOutput, Patch};
 use clubface_fem::material::{
     Deformation, Hardening, Material, Maxwell, MooneyRivlin, Shape, Symmetric, VonMises,
 };
@@ -21,10 +21,10 @@ fn materials() -> [Material<f64>; 4] {
 }
 
 /// What every element feels, all of them once.
-fn felt(patches: &mut [Box<dyn Patch<f64>>], positions: &[Row<f64>], count: usize) -> Vec<Felt> {
+fn felt(patches: &mut [Box<dyn Patch<f64>>], positions: &[Row<f64>], count: usize) -> Vec<ElementOutput> {
     let mut all = vec![None; count];
     for patch in patches {
-        patch.feel(positions, &mut |number, felt| {
+        patch.element_output(positions, &mut |number, felt| {
             assert!(all[number].replace(*felt).is_none(), "{number} twice");
         });
     }

@@ -2,6 +2,7 @@
 
 use clubface_fem::contact::{Contact, ContactEnergy, Method, Resultant, Springs};
 use clubface_fem::element::{Element, Patch};
+use clubface_fem::environment::Environment;
 use clubface_fem::material::{Hencky, Material, Shape};
 use clubface_fem::mesh::{SolidMesh, CORNERS};
 use clubface_fem::solve::Structure;
@@ -109,6 +110,7 @@ pub fn structure(
         masses(mesh, material.density),
         patches(element, mesh, material),
         touching,
+        &Environment::native(),
     )
 }
 

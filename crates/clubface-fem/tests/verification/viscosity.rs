@@ -2,7 +2,8 @@
 
 use super::support::Random;
 use clubface_fem::material::{
-    add_branches, work, Branches, Decay, History, Isochoric, Kinematics, Material, Maxwell, NeoHookean, Shape,
+    add_branches, work, Branches, Decay, Isochoric, Kinematics, Material, Maxwell, NeoHookean, Shape,
+    StateVariables,
 };
 use clubface_math::{Mat3, Vec3};
 
@@ -12,7 +13,7 @@ const TERMS: [Maxwell<f64>; 2] = [Maxwell { modulus: 0.6, time: 1e-4 }, Maxwell 
 
 /// A point with two branches.
 struct Point {
-    history: History<f64>,
+    history: StateVariables<f64>,
     decays: [Decay<f64>; 2],
 }
 
@@ -20,14 +21,14 @@ impl Point {
     fn new(dt: f64) -> Self {
         let shape = Shape::NeoHookean(NeoHookean { shear: SHEAR });
         let history = Material { shape, bulk: BULK, maxwell: TERMS.to_vec(), density: 1e3 };
-        let history = History::new(&history, 1);
+        let history = StateVariables::new(&history, 1);
         Self { history, decays: TERMS.map(|term| term.decay(dt)) }
     }
     /// First Piola-Kirchhoff stress at the end of a step to the gradient `f`, Pa.
     fn step(&mut self, f: Mat3<f64>) -> Mat3<f64> {
         let at = Kinematics::new(f);
         let slow = NeoHookean { shear: SHEAR }.stress(&at.c);
-        let branches = Branches { decays: &self.decays, tally: true };
+        let branches = Branches { decays: &self.decays, add_work: true };
         let stress = add_branches(&at, slow, &branches, &mut self.history.of(0, 0));
         at.first_piola(&f, &stress, BULK * (at.deformation.volume - 1.0))
     }

@@ -1,6 +1,6 @@
 //! Stress and strain in the elements of both bodies at the times of the frames.
 
-use clubface_fem::element::Felt;
+use clubface_fem::element::ElementOutput;
 use clubface_fem::solve::Impact;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -17,10 +17,10 @@ struct Body {
 
 impl Body {
     fn add(&mut self, now: &mut Impact<f64>, nodes: Range<usize>) {
-        let mut all: Vec<Felt> = Vec::new();
+        let mut all: Vec<ElementOutput> = Vec::new();
         now.structure.feel(nodes, &mut |number, felt| {
             if all.len() <= number {
-                all.resize(number + 1, Felt::default());
+                all.resize(number + 1, ElementOutput::default());
             }
             all[number] = *felt;
         });

@@ -11,6 +11,7 @@ pub use metals::{fem_thickness_points, fem_yield_stress};
 
 use crate::columns::Derivatives;
 use clubface_fem::cases::{against_head, against_plane};
+use clubface_fem::environment::Environment;
 use clubface_fem::head::against_ball;
 use clubface_fem::material::LAWS;
 use clubface_fem::sensitivity::Setting;
@@ -92,7 +93,8 @@ pub fn fem_plane<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let ball = ball_of(&ball)?;
-    let mut impact = against_plane(&ball, speed, angle, friction).map_err(|e| error_of(&e))?;
+    let mut impact =
+        against_plane(&ball, speed, angle, friction, &Environment::native()).map_err(|e| error_of(&e))?;
     let ran = simulate(py, &mut impact, &run, progress)?;
     to_dict(py, &impact, &ran, None)
 }
@@ -110,7 +112,8 @@ pub fn fem_head<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (touch, ball) = (touch_of(&inputs)?, ball_of(&ball)?);
-    let mut impact = against_head(&ball, &touch, friction).map_err(|e| error_of(&e))?;
+    let mut impact =
+        against_head(&ball, &touch, friction, &Environment::native()).map_err(|e| error_of(&e))?;
     let ran = simulate(py, &mut impact, &run, progress)?;
     to_dict(py, &impact, &ran, Some(&touch))
 }
@@ -129,7 +132,8 @@ pub fn fem_deformable<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (touch, ball, head) = (touch_of(&inputs)?, ball_of(&ball)?, any_head(&head)?);
-    let mut impact = against_ball(&*head, &ball, &touch, friction).map_err(|e| error_of(&e))?;
+    let mut impact =
+        against_ball(&*head, &ball, &touch, friction, &Environment::native()).map_err(|e| error_of(&e))?;
     let ran = simulate(py, &mut impact, &run, progress)?;
     to_dict(py, &impact, &ran, Some(&touch))
 }
@@ -192,7 +196,7 @@ pub fn fem_sensitivity<'py>(
             });
             looked.map_err(|error| raised = Some(error)).is_ok()
         };
-        on_threads(&pool, || setting.sensitivity(&variables, &options, &mut watch))
+        on_threads(&pool, || setting.sensitivity(&variables, &options, &Environment::native(), &mut watch))
     });
     if let Some(error) = raised {
         return Err(error);
