@@ -116,6 +116,8 @@ def main() -> int:
     parser.add_argument("--update", action="store_true", help="write outputs and pictures into the documentation")
     given = parser.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
+    if any(given.folder.iterdir()):
+        parser.error(f"{given.folder} holds files already; name a new folder")
     if given.update:
         update(given.page, given.folder)
         return 0

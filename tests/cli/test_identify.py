@@ -30,7 +30,7 @@ def drives(tmp_path, monkeypatch):
 def test_shots_become_parameters_as_table_json_and_file(clubface_, drives):
     ran = clubface_("identify", drives, "--club", "driver", "--model", "slip", *FAST, "-o", "fit.toml")
     assert ran.status == 0
-    assert "slip, driver, 20 shots: P1's cost (22)" in ran.out
+    assert "slip, driver, 20 shots: published cost" in ran.out
     assert "slip_y" in ran.out
     again = clubface_("identify", drives, "--club", "driver", "--model", "slip", *FAST, "--json").json
     for key in ("model", "parameters", "intervals", "cost", "cost_holdout", "evaluations", "impacts", "wall_s"):

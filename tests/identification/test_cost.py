@@ -1,4 +1,4 @@
-"""P1's cost (22) and its alternatives, against values worked by hand."""
+"""The published cost (equation 22) and its alternatives, against values worked by hand."""
 
 from __future__ import annotations
 

@@ -160,7 +160,7 @@ def test_the_parameters_are_a_set_to_use_and_to_write(tmp_path):
     launch = clubface.impact("driver", speed=50.0, model="slip", parameters=found.parameters)
     assert launch.ball_speed == clubface.impact("driver", speed=50.0, model="slip", parameters=path).ball_speed
     text = repr(found)
-    assert text.startswith("slip, driver, 25 shots: P1's cost (22) 0.")
+    assert text.startswith("slip, driver, 25 shots: published cost 0.")
     assert "slip_y" in text
     assert "backspin [rpm]" in text
 

@@ -1,4 +1,4 @@
-"""How well models predict measured shots: errors beside published ones, where they come from, which model is best."""
+"""How well models predict measured shots: their errors, what the errors depend on, and which model is best."""
 
 from clubface.evaluation.evaluation import Evaluation as Evaluation
 from clubface.evaluation.evaluation import evaluate as evaluate

@@ -1,4 +1,4 @@
-"""Models beside measured shots: one call from a file to everything the report shows."""
+"""Comparison of models with measured shots: one call from a file to everything that the report shows."""
 
 from __future__ import annotations
 
@@ -36,32 +36,32 @@ SHORTEST = 0.02
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Evaluation:
-    """Models beside measured shots, SI.
+    """Models compared with measured shots, in SI units.
 
     Attributes
     ----------
     shots
         The shots that all models could compute.
     parameters
-        The parameters of each model, in the order asked for.
+        The parameters of each model, in the order in which the models were asked for.
     predicted
-        What each model makes of the deliveries, by quantity.
+        The launches that each model computes, by quantity.
     sizes
-        The size of the errors by quantity, then model.
+        The size of the errors, by quantity and then by model.
     best
-        The best model by quantity, and which others are as good.
+        The best model of each quantity, and which others are as good.
     trends
-        How the errors go with the delivery, by quantity, then model.
+        How the errors depend on the delivery, by quantity and then by model.
     floor
-        Mean absolute error of a perfect model with the noise stated, where it is known.
+        Mean absolute error that a perfect model would have with the noise assumed, where it is known.
     monitor_noise, delivery_noise
         Standard deviations of the noise assumed.
     seconds
-        Processor time a shot of each model [s].
+        Processor time of each model [s] for one shot.
     failed
-        Shots left out since a model could not compute them, and why.
+        Shots that a model could not compute, with the reason; they are left out.
     resamples, seed
-        Of the bootstrap.
+        Number of bootstrap resamples, and the seed of the random numbers.
     """
 
     shots: MeasuredShots
@@ -95,16 +95,16 @@ class Evaluation:
 
     @property
     def published(self) -> dict[str, PublishedAccuracy]:
-        """Published accuracy of the models evaluated, for clubs of this family."""
+        """Published accuracy of these models, for clubs of this family."""
         family = self.shots.club.parameters
         return {name: published()[name, family] for name in self.models if (name, family) in published()}
 
     def errors(self, model: str, quantity: str) -> Values:
-        """Return model less measured, one element a shot, NaN where it was not measured."""
+        """Return model minus measured values, one element a shot; NaN where the value was not measured."""
         return self.predicted[model][quantity] - self.shots.launch[quantity]
 
     def cost(self, model: str) -> float:
-        """Return P1's cost (Eq. 22) over the quantities measured, with means of magnitudes."""
+        """Return the cost of Caldwell and McPhee (2023), equation 22, with mean magnitudes."""
         return sum(self.sizes[name][model].mae / self.mean[name] for name in self.quantities)
 
     def write(self, folder: str | os.PathLike[str]) -> list[Path]:
@@ -139,41 +139,45 @@ def evaluate(
     threads: int | None = None,
     progress: Callable[[str], object] | None = None,
 ) -> Evaluation:
-    """Set models beside measured shots: sizes of their errors, what these go with, and which model is best.
+    """Compare models with measured shots: how large their errors are, what these depend on, and which model is best.
 
     Parameters
     ----------
     shots
         Recorded shots, or a file that :func:`clubface.launch_monitor.read` reads.
     club, only
-        The club they were hit with, and the club's name in the file where it holds several; see
+        The club with which the shots were hit, and the name of the club in a file that holds several; see
         :func:`clubface.measured.shots.measured_shots`.
     mismatch
-        What shots do that look like another club's, by their names or their dynamic loft: "refuse", or "note".
+        What to do with shots that by their names or their dynamic loft look like those of another club: "refuse" or
+        "note".
     models
         A name, a list of names, or "all".
     parameters
-        A mapping of model names to what :func:`impact` takes as ``parameters``; left out, the published sets.
+        A mapping from model names to what :func:`impact` takes as ``parameters``. If left out: the published sets.
     ball, accuracy, threads
-        As of :func:`impact`.
+        As for :func:`impact`.
     noise
-        Standard deviations of the measured launch quantities, by name; those left out are P1's for its monitor (mean
-        errors of 0.2 degrees and 50 rpm).
+        Standard deviations of the measured launch quantities, by name. Those left out are the ones that Caldwell and
+        McPhee (2023) quote for their monitor (mean errors of 0.2 degrees and 50 rpm).
     delivery_noise
-        Standard deviations of the measured delivery quantities, by name, for the least error that can be reached.
+        Standard deviations of the measured delivery quantities, by name; they count for the least error that can be
+        reached.
     groups
-        One a shot of ``shots``: which shots belong together, such as the player. Resamples then draw whole groups.
+        One label for each shot of ``shots`` that says which shots belong together, such as the player. Resamples then
+        draw whole groups.
     resamples
-        Of the bootstrap.
+        Number of bootstrap resamples.
     seed
-        Of the random numbers; the same seed gives the same report, times apart.
+        Seed of the random numbers; the same seed gives the same report, apart from the times.
     progress
         Called with the name of each model before it is computed.
 
     Raises
     ------
     InputError
-        No usable shot, shots of several clubs or of another club, a missing speed; an unknown name.
+        There is no usable shot, the shots are of several clubs or of another club, a speed is missing, or a name is
+        unknown.
     """
     if isinstance(resamples, bool) or not isinstance(resamples, int) or resamples < FEWEST_RESAMPLES:
         raise InputError("resamples", resamples, f"a whole number from {FEWEST_RESAMPLES} on")

@@ -1,4 +1,4 @@
-"""Models beside measured shots: sizes of errors, what they go with, and model over measured."""
+"""Pictures of an evaluation: sizes of errors, what they depend on, and model over measured values."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ MOST_POINTS = 2000
 
 @styled
 def error_figure(of: Evaluation) -> Figure:
-    """Draw each model's mean absolute error with its interval, as published, and what measurement explains."""
+    """Draw the mean absolute error of each model with its interval, the published error, and the effect of noise."""
     count = len(of.quantities)
     figure = Figure(figsize=(WIDTH, 0.5 + (0.35 + 0.17 * len(of.models)) * ((count + 1) // 2)), layout="constrained")
     panels = figure.subplots((count + 1) // 2, 2, squeeze=False).ravel()
@@ -73,7 +73,7 @@ def error_figure(of: Evaluation) -> Figure:
 
 @styled
 def trend_figure(of: Evaluation) -> Figure:
-    """Draw the error of each model, as means of equal numbers of shots, over speed, path and place on the face."""
+    """Draw the error of each model over speed, path and place on the face, as means of equal numbers of shots."""
     names = [name for name in TREND_COVARIATES if _varies(of, name)]
     figure = Figure(figsize=(WIDTH, 0.6 + 1.45 * len(of.quantities)), layout="constrained")
     if not names:
@@ -97,7 +97,7 @@ def trend_figure(of: Evaluation) -> Figure:
 
 @styled
 def agreement_figure(of: Evaluation) -> Figure:
-    """Draw what the models make of each shot over what was measured: the best model of each quantity, and its line."""
+    """Draw the computed value of each shot over the measured one, for the best model of each quantity."""
     count = len(of.quantities)
     figure = Figure(figsize=(WIDTH, 2.5 * ((count + 2) // 3)), layout="constrained")
     panels = figure.subplots((count + 2) // 3, min(count, 3), squeeze=False).ravel()

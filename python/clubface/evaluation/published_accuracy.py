@@ -1,4 +1,4 @@
-"""Accuracy of the models as published, to stand beside what is found on other shots."""
+"""Published accuracy of the models, for comparison with what is found on other shots."""
 
 from __future__ import annotations
 
@@ -15,28 +15,29 @@ from clubface.support.strict_toml import Document
 
 @dataclass(frozen=True, kw_only=True)
 class PublishedAccuracy:
-    """Published errors of one model with one club, SI, by quantity.
+    """Published errors of one model with one club, by quantity, in SI units.
 
     Attributes
     ----------
     model, club
-        Names as everywhere.
+        Names of the model and of the club.
     source
-        Where the figures stand.
+        Where the figures are printed.
     shots
-        How many were measured.
+        Number of shots measured.
     mean
-        Mean of each measured quantity; of azimuth and sidespin it is not said whether of magnitudes.
+        Mean of each measured quantity. The publication does not say whether those of azimuth and sidespin are means of
+        magnitudes.
     mae
         Mean absolute error.
     std
-        Standard deviation of the error as published; empty where there is none.
+        Standard deviation of the error; empty if none was published.
     mae_percent, std_percent
-        As printed, percent of the mean; empty where there are none.
+        The printed percentages of the mean; empty if there are none.
     cpu
-        Printed processor time [s]; None where there is none.
+        The printed processor time [s]; None if there is none.
     cost
-        Printed value of the cost of Eq. 22; None where there is none.
+        The printed value of the cost of equation 22; None if there is none.
     caveats
         What is wrong with the printed figures.
     """
@@ -84,7 +85,7 @@ def published() -> dict[tuple[str, str], PublishedAccuracy]:
 
 
 def wrong_percentages(of: PublishedAccuracy) -> list[str]:
-    """Return a sentence about every printed percentage that no rounding makes of the printed error and mean."""
+    """Return a sentence about every printed percentage that does not follow from the printed error and mean."""
     found = []
     for name, printed, values in (("MAE", of.mae_percent, of.mae), ("STD", of.std_percent, of.std)):
         for quantity, percent in printed.items():

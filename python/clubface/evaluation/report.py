@@ -175,7 +175,7 @@ def document(of: Evaluation) -> dict[str, Any]:
 
 
 def as_csv(of: Evaluation) -> str:
-    """Return one line a shot: its row in the source, what was measured, and what every model makes of it."""
+    """Return one line a shot: its row in the source, what was measured, and what every model computes."""
     columns: dict[str, Any] = {"row": of.shots.rows}
     for name in of.quantities:
         unit = QUANTITIES[name]
@@ -195,7 +195,7 @@ def _cell(value: Any) -> str:
 
 
 def refuse_input(folder: str | os.PathLike[str], source: str) -> None:
-    """Refuse a folder in which the table of the report would take the place of the file of the shots."""
+    """Refuse a folder in which the table of the report would overwrite the file of the shots."""
     table = Path(folder) / TABLE
     if table.exists() and os.path.exists(source) and table.samefile(source):
         raise FileError(source, None, "the report would overwrite this file: name another folder")

@@ -129,7 +129,7 @@ def _identified(
 
 
 def _told(of: Identification, shots: BenchmarkShots, which: NDArray[np.int64]) -> dict[str, Any]:
-    """Return what is kept of an identification, and the share of each shot in P1's cost when it was held out."""
+    """Return what is kept of an identification, and what each shot adds to the cost when it is held out."""
     assert of.held_out is not None
     measured = np.array([shots.measured.launches[name][which] for name in QUANTITIES])
     losses = np.abs(of.held_out - measured) / np.abs(measured).mean(axis=1, keepdims=True)

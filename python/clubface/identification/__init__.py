@@ -1,4 +1,8 @@
-"""Model parameters from measured shots, and how well they are known."""
+"""Model parameters from measured shots, and how well the shots determine them.
+
+:func:`clubface.identify` does the whole identification. The documentation page "Parameters from measured shots"
+describes the method.
+"""
 
 from clubface.identification.result import Identification as Identification
 from clubface.identification.run import identify as identify

@@ -1,10 +1,10 @@
 """Standard errors of the minimum of a cost, for intervals without a bootstrap.
 
-Fisher's information gives those of the most likely parameters. The minimum of another cost scatters more: that of mean
-absolute errors, of normally distributed deviations, by a quarter, and by more still where the weights are not those of
-the noise, as P1's are not. P. J. Huber, The behavior of maximum likelihood estimates under nonstandard conditions,
-Proc. 5th Berkeley Symp. 1 (1967) 221-233: the covariance is A^-1 B A^-1 with A the mean curvature of the cost and B
-the variance of its gradient.
+Fisher's information gives the standard errors of the most likely parameters. The minimum of another cost scatters more.
+The minimum of the mean absolute error scatters by a quarter more if deviations are normally distributed, and by more
+still if the weights are not those of the noise, as in the cost of Caldwell and McPhee (2023). The covariance is A^-1 B
+A^-1, with A the mean curvature of the cost and B the variance of its gradient: P. J. Huber, The behavior of maximum
+likelihood estimates under nonstandard conditions, Proc. 5th Berkeley Symp. 1 (1967) 221-233.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ def errors_of_minimum(
 ) -> NDArray[np.float64]:
     """Return the standard errors of the coordinates of the minimum ``point`` of a cost, shape (free,).
 
-    Deviations are taken as independent and normal, with the standard deviations of ``told``. Infinite where those of
-    ``told`` are.
+    Deviations are taken as independent and normally distributed, with the standard deviations of ``told``. An error is
+    infinite where that of ``told`` is infinite.
     """
     _, derivatives = simulator.derivatives(point)
     curvatures, variances = _moments(cost, told.noise)

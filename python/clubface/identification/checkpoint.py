@@ -1,4 +1,4 @@
-"""What an identification has finished, kept in a file, so that an interrupted one goes on to the same answer."""
+"""Checkpoint file of an identification, so that an interrupted one continues and ends at the same result."""
 
 from __future__ import annotations
 

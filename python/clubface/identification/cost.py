@@ -1,4 +1,4 @@
-"""What a fit is judged by: P1's cost (22), and noise-weighted alternatives."""
+"""The cost that an identification minimises: that of Caldwell and McPhee (2023), and two weighted by the noise."""
 
 from __future__ import annotations
 
@@ -24,7 +24,8 @@ LOSSES: dict[str, Loss] = {"published": "absolute", "least-squares": "squares", 
 NORMALISERS = ("absolute", "signed")
 
 NOISE = {"ball_speed": 0.5 * 0.44704, **MONITOR}
-"""Standard deviations of a launch monitor [SI]: angles and spin after P1 section 4, 0.5 mph of speed by assumption."""
+"""Standard deviations of a launch monitor [SI]: angles and spin after Caldwell and McPhee (2023), section 4; the
+0.5 mph of ball speed is assumed."""
 
 HUBER = 1.345
 """Where Huber's loss turns from square to linear, in units of the noise: 95% efficient for normal noise.
@@ -94,27 +95,29 @@ def cost_of(
     noise: Mapping[str, Any] | None = None,
     normaliser: str = "absolute",
 ) -> Cost:
-    """Make the cost of measured launches.
+    """Return the cost function of measured launches.
 
     Parameters
     ----------
     kind
-        "published": P1's Eq. (22), for each quantity the mean absolute deviation over its normaliser, summed;
-        "least-squares": the mean of (deviation / noise)^2; "robust": the same with Huber's loss.
+        "published" is equation 22 of Caldwell and McPhee (2023): the mean absolute deviation of each quantity divided
+        by its normaliser, summed over the quantities. "least-squares" is the mean of (deviation / noise)^2. "robust" is
+        the same with Huber's loss.
     launches
-        Measured values [SI], shape (quantities, shots), NaN where one was not measured: such a value does not count.
+        Measured values [SI], shape (quantities, shots). NaN marks a value that was not measured; it does not count.
     quantities
         Names of the rows.
     noise
-        Standard deviations of the measurement by quantity, text with a unit or SI, which change :data:`NOISE`.
+        Standard deviations of the measurement by quantity, as text with a unit or as SI numbers. They replace those of
+        :data:`NOISE`.
     normaliser
-        Of (22): "absolute", the mean magnitude of the measured values, or "signed", the size of their mean as it is
-        printed, which vanishes for azimuth and sidespin of players who miss on both sides.
+        For "published": "absolute" is the mean magnitude of the measured values. "signed" is the magnitude of their
+        mean, as the equation is printed; it vanishes for azimuth and sidespin of players who miss on both sides.
 
     Raises
     ------
     InputError
-        A normaliser below the noise of its quantity: the mean says nothing of its size then.
+        A normaliser is below the noise of its quantity, so that the mean says nothing about the size of the values.
     """
     if kind not in LOSSES:
         raise UnknownNameError("cost", kind, LOSSES)
@@ -133,7 +136,7 @@ def cost_of(
 
 
 def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None) -> NDArray[np.float64]:
-    """Return the noise of each quantity [SI]: :data:`NOISE`, changed by what is ``given``."""
+    """Return the standard deviation of each quantity [SI]: :data:`NOISE`, with the values ``given`` replaced."""
     given = dict(given or {})
     for name in given:
         if name not in quantities:
@@ -142,7 +145,7 @@ def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None
     for name in quantities:
         told = given.get(name, NOISE.get(name))
         if told is None:
-            raise InputError(f"noise of {name}", None, "given: it is not one of the five quantities of P1")
+            raise InputError(f"noise of {name}", None, "given: no default noise is known for it")
         value = units.parse(told, outputs()[name].dimension, name=f"noise of {name}")
         if not 0.0 < value < np.inf:
             raise InputError(f"noise of {name}", told, "positive")

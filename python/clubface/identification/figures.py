@@ -32,7 +32,7 @@ FINE = 16
 
 @styled
 def identification_figure(of: Identification) -> Figure:
-    """Draw a panel a free parameter: the rise of its profile over the likelihood's 95% level, samples and interval."""
+    """Draw one panel for each free parameter: its profile likelihood with the 95% level, samples and interval."""
     rows = math.ceil(len(of.free) / COLUMNS)
     columns = min(len(of.free), COLUMNS)
     figure = Figure(figsize=(WIDTH, 0.5 + 1.75 * rows), layout="constrained")

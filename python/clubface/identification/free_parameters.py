@@ -1,4 +1,4 @@
-"""Which parameters are free, between which bounds, and the unit cube in which the search moves."""
+"""The free parameters, their bounds, and the unit cube in which the search moves."""
 
 from __future__ import annotations
 

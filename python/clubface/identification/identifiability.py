@@ -1,7 +1,7 @@
-"""What the shots can tell of the parameters: Fisher's information from exact derivatives, and its weak directions.
+"""Which parameters the shots determine: Fisher's information from exact derivatives, and its weak directions.
 
-Launches are taken as normally distributed about those of the model, with a standard deviation a quantity. A direction
-of the unit cube along which launches do not change, measured in these deviations, cannot be identified.
+The launches are taken as normally distributed about those of the model, with one standard deviation for each quantity.
+A direction of the unit cube along which no launch changes by more than these deviations cannot be identified.
 """
 
 from __future__ import annotations
@@ -29,16 +29,17 @@ SHOWN, SHOWN_WITHOUT_INFORMATION = 0.25, 0.02
 
 @dataclass(frozen=True, eq=False)
 class Direction:
-    """One direction of the unit cube.
+    """One direction of the unit cube of the parameters.
 
     Attributes
     ----------
     vector
-        Of length 1, shape (free,).
+        Unit vector, shape (free,).
     error
-        Standard error along it, in parts of the range; infinite if no launch changes along it.
+        Standard error along the direction, as a fraction of the range of the parameters; infinite if no launch changes
+        along it.
     words
-        What moves along it, and how well it is known.
+        Which parameters change along the direction, and how well it is known.
     """
 
     vector: NDArray[np.float64]
@@ -47,7 +48,7 @@ class Direction:
 
     @property
     def strength(self) -> str:
-        """``"none"``, ``"unknown"``, ``"weak"`` or ``"known"``."""
+        """How well the direction is known: ``"none"``, ``"unknown"``, ``"weak"`` or ``"known"``."""
         width = NORMAL_95 * self.error
         if not np.isfinite(width):
             return "none"
@@ -56,20 +57,21 @@ class Direction:
 
 @dataclass(frozen=True, eq=False)
 class Identifiability:
-    """Fisher's information at a point.
+    """Fisher's information about the parameters at one point.
 
     Attributes
     ----------
     names
         The free parameters.
     noise
-        Standard deviation of each quantity that was taken [SI].
+        Standard deviation that was assumed for each quantity [SI].
     directions
         Eigenvectors of the information, the weakest first.
     errors
-        Standard errors of the coordinates of the unit cube, shape (free,), infinite where nothing is known.
+        Standard errors of the coordinates of the unit cube, shape (free,); infinite for a parameter about which the
+        shots say nothing.
     correlations
-        Of the parameters, shape (free, free); NaN where an error is infinite.
+        Correlations of the parameters, shape (free, free); NaN where an error is infinite.
     """
 
     names: tuple[str, ...]
@@ -85,14 +87,14 @@ class Identifiability:
 
     @property
     def unknown(self) -> tuple[str, ...]:
-        """The parameters of which the data tell no more than the bounds do."""
+        """The parameters about which the shots say no more than the bounds do."""
         return tuple(
             name for name, error in zip(self.names, self.errors, strict=True) if not NORMAL_95 * error <= UNKNOWN
         )
 
 
 def identifiability(simulator: Simulator, point: NDArray[np.float64], noise: NDArray[np.float64]) -> Identifiability:
-    """Return what the shots of ``simulator`` tell of the parameters near ``point``, with ``noise`` a quantity [SI]."""
+    """Return Fisher's information of the shots near ``point``; ``noise`` [SI] has one value a quantity."""
     _, derivatives = simulator.derivatives(point)
     there = np.isfinite(simulator.shots.launches)
     rows = np.moveaxis(derivatives / noise[:, None, None], 1, 2)[there]
@@ -118,11 +120,11 @@ def identifiability(simulator: Simulator, point: NDArray[np.float64], noise: NDA
 
 
 def scatter(deviations: NDArray[np.float64], noise: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the standard deviation a quantity to reckon with: that of the deviations, by their median, or the noise.
+    """Return the standard deviation to assume for each quantity [SI]: the scatter of its deviations or its noise.
 
-    The larger of the two: a model that is in error by more than its monitor is known less well. ``deviations`` has the
-    shape (quantities, shots), NaN where nothing was measured; 1.4826 times the median size is the standard deviation of
-    a normal distribution.
+    The larger of the two is taken, because a model whose error exceeds the noise is known less well. ``deviations`` has
+    the shape (quantities, shots), with NaN where nothing was measured. The scatter is 1.4826 times the median
+    magnitude, which is the standard deviation of a normal distribution.
     """
     with np.errstate(invalid="ignore"):
         return np.maximum(noise, 1.4826 * np.nanmedian(np.abs(deviations), axis=1))

@@ -1,8 +1,9 @@
 """The best step within a box where launches are linear: least absolute deviations or bounded least squares.
 
-The mean absolute error of P1's cost has no gradient where a deviation vanishes, and at its minimum as many deviations
-vanish as there are parameters. A gradient method stalls at such kinks. The launches themselves are smooth, so they are
-made linear instead, and the cost of the linear launches is minimised exactly: kinks and bounds included.
+The mean absolute error in the cost of Caldwell and McPhee (2023) has no gradient where a deviation vanishes, and at its
+minimum as many deviations vanish as there are parameters. A gradient method gets stuck there. The launches themselves
+are smooth. They are therefore made linear, and the cost of the linear launches is minimised exactly, with its kinks and
+the bounds.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The shots an identification is made from: columns as the core takes them, and the launches measured."""
+"""The shots of an identification: the inputs as the core takes them, and the measured launches."""
 
 from __future__ import annotations
 
@@ -101,20 +101,21 @@ def prepared_shots(
     groups: Any = None,
     parameters: ParameterSet,
 ) -> PreparedShots:
-    """Lay out recorded shots for the core, without those that ``parameters`` of the model give no launch for.
+    """Lay out recorded shots for the core, without those for which the model gives no launch with ``parameters``.
 
     Parameters
     ----------
     given, club, only, mismatch
-        As of :func:`measured_shots`.
+        As for :func:`measured_shots`.
     ball
-        As of :func:`impact`.
+        As for :func:`impact`.
     quantities
-        The launch quantities to compare, which must have been measured; left out, those of P1's five that were.
+        The launch quantities to compare, which must have been measured. If left out: those of ball speed, launch angle,
+        azimuth, backspin and sidespin that were measured.
     groups
-        A label a shot of ``given``; left out, every shot is a group of its own.
+        One label for each shot of ``given``. If left out, every shot is a group of its own.
     parameters
-        A set of the model.
+        A parameter set of the model.
     """
     recorded = given if isinstance(given, RecordedShots) else read(given)
     labels = _groups(groups, len(recorded))

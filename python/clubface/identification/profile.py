@@ -1,4 +1,4 @@
-"""Profile likelihoods: how well shots can be explained with one parameter held and all others free to make up for it.
+"""Profile likelihoods: how well the shots can be explained with one parameter held and all others fitted anew.
 
 A. Raue et al., Structural and practical identifiability analysis of partially observed dynamical models by exploiting
 the profile likelihood, Bioinformatics 25 (2009) 1923-1929.
@@ -30,20 +30,21 @@ NEAR = 1e-2
 
 @dataclass(frozen=True, eq=False)
 class Profile:
-    """The profile of one parameter.
+    """The profile likelihood of one parameter.
 
     Attributes
     ----------
     name
-        Of the parameter.
+        Name of the parameter.
     values
-        Where it was held, increasing [SI], shape (places,).
+        Values at which it was held [SI], increasing, shape (places,).
     rise
-        Of minus twice the logarithm of the likelihood over its least value, shape (places,).
+        Minus twice the logarithm of the likelihood, above its least value, shape (places,).
     interval
-        The least and greatest value at which the rise is below 3.84 [SI].
+        The least and the greatest value at which the rise is below 3.84 [SI]: the 95% interval.
     closed
-        Whether it does so between two values inside the bounds; where one is a bound, the data do not tell.
+        For either end, whether the rise reaches 3.84 inside the bounds. Where it does not, that end of the interval is
+        a bound, and the shots do not determine the parameter on that side.
     """
 
     name: str
@@ -54,7 +55,7 @@ class Profile:
 
     @property
     def verdict(self) -> str:
-        """In words, whether the parameter is identified."""
+        """Whether the shots determine the parameter: "yes", "from below only", "from above only" or "no"."""
         if all(self.closed):
             return "yes"
         if any(self.closed):
@@ -84,7 +85,7 @@ class Profiler:
         self.errors = np.where(np.isfinite(errors), np.minimum(errors, WIDEST), WIDEST)
 
     def most_likely(self, fit: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the most likely point, that of least squares, from a fit that may have been judged otherwise."""
+        """Return the most likely point, which is that of least squares, starting from the fit by another cost."""
         return refine(self.simulator, self.cost, fit).point
 
     def profile(self, place: int, optimum: NDArray[np.float64]) -> Profile:

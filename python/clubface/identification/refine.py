@@ -1,4 +1,4 @@
-"""From a point near an optimum to the optimum: steps on linearised launches within a region that is trusted."""
+"""From a point near an optimum to the optimum: steps on linearised launches within a trust region."""
 
 from __future__ import annotations
 

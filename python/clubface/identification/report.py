@@ -17,7 +17,7 @@ DEVIATION_HEADS = ("quantity", "mean size", "MAE", "held out", "bias", "std")
 def headline(of: Identification) -> str:
     """Return one sentence: model, club, shots, cost."""
     held = "" if math.isnan(of.cost_holdout) else f", held out {of.cost_holdout:.5g}"
-    kind = {"published": "P1's cost (22)", "least-squares": "mean square", "robust": "robust cost"}[of.cost_kind]
+    kind = {"published": "published cost", "least-squares": "mean square", "robust": "robust cost"}[of.cost_kind]
     return f"{of.model}, {of.club}, {of.shots} shots: {kind} {of.cost:.5g}{held}"
 
 

@@ -1,4 +1,4 @@
-"""What a fit is worth on shots it has not seen, and how far its parameters move on other shots of the same kind."""
+"""Hold-out and bootstrap: the cost on shots that a fit has not seen, and the scatter of the parameters."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ UNKNOWN = 0.05
 
 
 class Refits:
-    """Fits to parts of the shots, each begun at the optimum of all of them.
+    """Fits to parts of the shots, each started at the optimum of all of them.
 
     Parameters
     ----------
     simulator, cost
-        Of all shots.
+        Simulator and cost of all shots.
     optimum
         The fit to all shots, a point of the unit cube.
     errors
-        Standard errors of its coordinates, infinite where the data do not tell.
+        Standard errors of the coordinates of the optimum; infinite where the shots do not determine one.
     """
 
     def __init__(
@@ -57,13 +57,13 @@ class Refits:
 
 
 def interval_of(samples: NDArray[np.float64], confidence: float, groups: int) -> NDArray[np.float64]:
-    """Return the ends of the intervals of bootstrapped parameters, shape (2, free), of ``groups`` that were drawn.
+    """Return the ends of the intervals of bootstrapped parameters, shape (2, free), when ``groups`` groups were drawn.
 
-    Percentiles, further out by as much as Student's t with its degrees of freedom is wider than the normal
-    distribution: plain percentiles are too narrow for few groups. T. C. Hesterberg, What teachers should know about the
-    bootstrap, The American Statistician 69 (2015) 371-386. Of B sorted samples the k-th stands for the part
-    (k - 1/3) / (B + 1/3) of all (median-unbiased: R. J. Hyndman and Y. Fan, Sample quantiles in statistical packages,
-    The American Statistician 50 (1996) 361-365); numpy's own rule cuts off the tails of few samples.
+    The ends are percentiles. They are moved outwards by as much as Student's t distribution is wider than the normal
+    distribution, because plain percentiles are too narrow for few groups: T. C. Hesterberg, What teachers should know
+    about the bootstrap, The American Statistician 69 (2015) 371-386. The k-th of B sorted samples stands for the
+    fraction (k - 1/3) / (B + 1/3) of all (median-unbiased: R. J. Hyndman and Y. Fan, Sample quantiles in statistical
+    packages, The American Statistician 50 (1996) 361-365); numpy's own rule cuts off the tails of few samples.
     """
     from scipy.special import ndtr, stdtrit
 

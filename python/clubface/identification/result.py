@@ -21,20 +21,20 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Deviation:
-    """How far a fit is from what was measured of one quantity [SI].
+    """How far the launches of a fit are from the measured ones, in one quantity [SI].
 
     Attributes
     ----------
     mean
-        Of the size of the measured values.
+        Mean magnitude of the measured values.
     mae
         Mean absolute error.
     bias
-        Mean of simulated minus measured.
+        Mean of simulated minus measured values.
     std
-        Standard deviation of simulated minus measured.
+        Standard deviation of simulated minus measured values.
     mae_holdout
-        Mean absolute error where every shot is simulated by a fit without it; NaN without hold-out.
+        Mean absolute error if every shot is simulated with a fit that did not see it; NaN without hold-out.
     """
 
     mean: float
@@ -46,56 +46,57 @@ class Deviation:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Identification:
-    """Identified parameters, and how well they are known.
+    """Identified parameters, and how well the shots determine them.
 
     Attributes
     ----------
     model
-        The model.
+        Name of the model.
     club
-        The name of the club.
+        Name of the club.
     parameters
-        All parameters of the model, to be used wherever a set is taken and written by ``to_toml()``.
+        All parameters of the model. Use them wherever a parameter set is taken; ``to_toml()`` writes them to a file.
     free
-        Names of those that were identified.
+        Names of the parameters that were identified.
     intervals
-        For each of these the lower and upper end of its confidence interval [SI].
+        Lower and upper end of the confidence interval of each free parameter [SI].
     confidence
-        Of the intervals.
+        Confidence level of the intervals.
     method
-        How they were made: "bootstrap", or "information" without one, from derivatives and normal deviations.
+        How the intervals were made: "bootstrap", or without one "information", from derivatives and normally
+        distributed deviations.
     cost
-        At the parameters.
+        Cost at the identified parameters.
     cost_holdout
-        With every shot simulated by a fit without it; NaN without hold-out.
+        Cost if every shot is simulated with a fit that did not see it; NaN without hold-out.
     cost_kind
-        "published" (P1's Eq. 22), "least-squares" or "robust".
+        "published" (equation 22 of Caldwell and McPhee 2023), "least-squares" or "robust".
     deviations
-        By launch quantity.
+        A :class:`Deviation` for each launch quantity.
     evaluations, impacts
-        How often all shots were simulated, and the impacts this makes.
+        How often all shots were simulated, and how many impacts that makes.
     wall_s
-        Time taken, by interrupted runs as well [s].
+        Time taken [s], including interrupted runs.
     shots
         Number of shots used.
     dropped
-        Rows that were not used.
+        Rows that were not used, with reasons.
     refined
-        Costs the refinements ended at.
+        Costs at which the refinements ended.
     samples
-        Parameters of the bootstrap [SI], shape (samples, free).
+        Parameters of the bootstrap samples [SI], shape (samples, free).
     held_out
-        Launches of every shot by a fit without it [SI], shape (quantities, shots); None without hold-out.
+        Launches of every shot by a fit that did not see it [SI], shape (quantities, shots); None without hold-out.
     identifiability
-        What the shots can tell, by Fisher's information.
+        Fisher's information of the shots.
     profiles
         Profile likelihoods by parameter.
     warnings
-        What must be known before the parameters are used.
+        What you must know before you use the parameters.
     notes
-        What was assumed of the shots.
+        What was assumed about the shots.
     settings
-        What was asked for.
+        The options of the identification.
     """
 
     model: str
@@ -128,7 +129,7 @@ class Identification:
         return self.parameters.to_toml()
 
     def to_dict(self) -> dict[str, Any]:
-        """Return everything made of what JSON has; values in SI, their units under ``units``."""
+        """Return the result as plain values for JSON, in SI; ``units`` holds their units."""
         told = self.identifiability
         return {
             "model": self.model,
@@ -172,9 +173,10 @@ class Identification:
         }  # fmt: skip
 
     def identified(self, name: str) -> str:
-        """Say whether the shots determine a parameter: "yes", "not alone", "no", "from below only", ...
+        """Return whether the shots determine a parameter.
 
-        "not alone": some combination with other parameters changes no launch.
+        "yes", "no", "from below only" or "from above only"; or "not alone", where a combination with other parameters
+        changes no launch.
         """
         told = self.identifiability
         if not math.isfinite(told.errors[told.names.index(name)]):
@@ -184,7 +186,7 @@ class Identification:
         return "no" if name in told.unknown else "yes"
 
     def shown(self, name: str, value: float, digits: int = 4) -> str:
-        """Write a value of a parameter in the unit people read."""
+        """Return a value of a parameter as text, in the unit in which people read it."""
         unit = units.display_unit(name, model_named(self.model).parameter(name).unit)
         return units.show(value, unit, digits)
 

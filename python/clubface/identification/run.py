@@ -1,4 +1,4 @@
-"""Model parameters from measured shots: P1's search, then how well they are known."""
+"""Identification of model parameters from measured shots: the search, then how well the parameters are known."""
 
 from __future__ import annotations
 
@@ -60,76 +60,82 @@ def identify(
     resume: bool = False,
     progress: Progress | None = None,
 ) -> Identification:
-    """Identify parameters of a model from recorded shots, as P1 section 2.3 does, and say how well they are known.
+    """Identify the parameters of a model from recorded shots, and say how well the shots determine them.
 
-    A genetic algorithm searches the whole range of the parameters, its best points are refined by exact derivatives,
-    and the best of these is kept. Then the fit is repeated on parts of the shots (hold-out) and on shots drawn with
-    replacement (bootstrap), and profile likelihoods are made.
+    The method is that of Caldwell and McPhee (2023), section 2.3. A genetic algorithm searches the whole range of the
+    parameters, its best points are refined with exact derivatives, and the best result is kept. The fit is then
+    repeated on parts of the shots (hold-out) and on shots drawn with replacement (bootstrap), and profile likelihoods
+    are computed.
 
     Parameters
     ----------
     shots
-        Recorded shots, or a file of them that :func:`clubface.launch_monitor.read` reads.
+        Recorded shots, or a file that :func:`clubface.launch_monitor.read` reads.
     club, ball
-        As of :func:`impact`.
+        As for :func:`impact`.
     model
         Name of a model.
     parameters
-        Holds the parameters that are not free: as of :func:`impact`.
+        The values of the parameters that are not free, as for :func:`impact`.
     free
-        Names of parameters to identify, or "all"; left out, those that the publication of the model identified.
+        Names of the parameters to identify, or "all". If left out: those that the publication of the model identified.
     bounds
-        Pairs of values by name, text with a unit or SI, within those of the registry, which hold where none are given.
+        Pairs of values by name, as text with a unit or as SI numbers, within the bounds of the model. If left out, the
+        bounds of the model hold.
     tied
         Parameters that follow a free one, by name: ``{"ring_modulus": "shear_modulus"}``.
     only
-        Take only the shots whose club is called so in the file.
+        Take only the shots of the club that the file calls so.
     mismatch
-        What shots that look like another club's do: "refuse", or "note".
+        What to do with shots that look like those of another club: "refuse" or "note".
     quantities
-        Launch quantities to compare; left out, those of P1's five that were measured.
+        Launch quantities to compare. If left out: those of ball speed, launch angle, azimuth, backspin and sidespin
+        that were measured.
     groups
-        A label a shot, such as its player: shots of a group are held out and drawn together. Left out, shots are taken
-        to be independent.
+        One label for each shot, such as its player. The shots of a group are held out and drawn together. If left out,
+        the shots are taken as independent.
     cost
-        "published": P1's Eq. (22); "least-squares", weighted by the noise; "robust": the same with Huber's loss.
+        "published" is equation 22 of Caldwell and McPhee; "least-squares" is weighted by the noise; "robust" is the
+        same with Huber's loss.
     normaliser
-        Of Eq. (22): "absolute" or "signed", see :func:`clubface.identification.cost.cost_of`.
+        For "published": "absolute" or "signed", see :func:`clubface.identification.cost.cost_of`.
     noise
-        Standard deviation of the measurement by quantity, text with a unit or SI.
+        Standard deviation of the measurement by quantity, as text with a unit or as SI numbers.
     population, generations, refined
-        Of the search: 200, 100 and 5 as in P1.
+        Size of the population, number of generations, and number of points that are refined. The defaults, 200, 100 and
+        5, are those of Caldwell and McPhee.
     folds
-        Of the hold-out; 0 for none.
+        Number of folds of the hold-out; 0 for none.
     bootstrap
-        Samples; 0 for none, intervals are then those of normally distributed deviations of independent shots.
+        Number of bootstrap samples. With 0, the intervals are those of normally distributed deviations of independent
+        shots.
     profiles
-        Parameters to make profile likelihoods of; left out, all that are free.
+        Parameters for which to compute profile likelihoods; if left out, all free ones.
     confidence
-        Of the intervals.
+        Confidence level of the intervals.
     seed
-        Of all random numbers: the same seed gives the same result, bit for bit, on any number of threads.
+        Seed of all random numbers. The same seed gives the same result, bit for bit, on any number of threads.
     accuracy, threads
-        As of :func:`impact`.
+        As for :func:`impact`.
     checkpoint
-        A file that keeps what is finished; removed when everything is.
+        A file that keeps what is finished. It is removed when everything is finished.
     resume
-        Go on from the checkpoint, if there is one.
+        Continue from the checkpoint, if there is one.
     progress
-        Called with the stage, how much of it is done, of how much, and the least cost so far.
+        Called with the name of the stage, how much of it is done, of how much, and the least cost so far.
 
     Returns
     -------
     Identification
-        Parameters, intervals, costs, warnings.
+        Parameters, intervals, costs and warnings.
 
     Raises
     ------
     InputError
-        Shots that cannot be used, are of another club, or hold less information than there are free parameters; an
-        option out of its range.
+        The shots cannot be used, belong to another club, or hold less information than there are free parameters; or an
+        option is out of range.
     FileError
-        A file that cannot be read; a checkpoint of other shots or settings.
+        A file cannot be read, or a checkpoint belongs to other shots or settings.
     """
     if model == FEM.name:
         raise InputError("model", model, f"one with derivatives: {', '.join(models())}")

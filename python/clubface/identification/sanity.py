@@ -1,4 +1,4 @@
-"""Whether shots and fit make sense: enough information, bounds, contact times and forces."""
+"""Checks of shots and fit: enough information, bounds, contact times and forces."""
 
 from __future__ import annotations
 
@@ -28,9 +28,10 @@ REFERENCE_SPEED, SPEED_POWER = 50.0, 1.2
 
 
 def check_information(simulator: Simulator, point: NDArray[np.float64], noise: NDArray[np.float64]) -> list[str]:
-    """Refuse shots that cannot determine the free parameters, naming what they leave open; return remarks on few shots.
+    """Refuse shots that cannot determine the free parameters, and return remarks about few shots.
 
-    ``point`` is one at which the parameters are tried, such as that of the published set.
+    The message names what the shots leave open. ``point`` is one at which the parameters are tried, such as that of the
+    published set.
     """
     shots, free = simulator.shots, simulator.free
     different = shots.different()
@@ -68,7 +69,7 @@ def _open(simulator: Simulator, point: NDArray[np.float64], noise: NDArray[np.fl
 def fit_warnings(
     simulator: Simulator, point: NDArray[np.float64], told: Identifiability, costs: list[float]
 ) -> list[str]:
-    """Return what must be said of a fit: bounds met, unphysical contacts, what is not identified, a doubtful search."""
+    """Return the warnings about a fit: bounds met, unphysical contacts, what is not identified, a doubtful search."""
     free = simulator.free
     found = list(_bounds(free, point)) + _contacts(simulator, point)
     for each in told.directions:
@@ -85,7 +86,7 @@ def fit_warnings(
 
 
 def apart(intervals: Mapping[str, tuple[float, float]], profiles: Mapping[str, Profile]) -> list[str]:
-    """Return a warning if the fit and that of least squares, of which the profiles are, exclude each other."""
+    """Return a warning if the fit and the least-squares fit, to which the profiles belong, exclude each other."""
     names = [
         name
         for name, each in profiles.items()

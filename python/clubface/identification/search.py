@@ -1,4 +1,4 @@
-"""P1's global search: a genetic algorithm over the unit cube, a whole generation evaluated at once."""
+"""Global search: a genetic algorithm over the unit cube that evaluates a whole generation in one batch."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 POPULATION, GENERATIONS, REFINED = 200, 100, 5
-"""Of P1 section 2.3."""
+"""Those of Caldwell and McPhee (2023), section 2.3."""
 
 
 class Population(NamedTuple):

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 MOST_ROWS = 1 << 18
-"""Impacts of one call, so that memory stays below 200 MB; a generation of P1's, 110 000, is one call."""
+"""Impacts of one call, so that memory stays below 200 MB; a generation of the usual search, 110 000, is one call."""
 
 
 @dataclass

@@ -1,4 +1,4 @@
-"""What a launch tells of its delivery: every pair of quantities that it narrows or ties together."""
+"""Pictures of inferred deliveries: every pair of quantities that the launch narrows or ties together."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ BINS = 30
 
 
 def worth_drawing(of: Posterior) -> list[str]:
-    """Return the quantities that the launch narrows or ties to others, the narrowest kept where they are too many."""
+    """Return the quantities that the launch narrows or ties to others; if they are too many, the narrowest ones."""
     tied = np.abs(of.correlation - np.eye(len(of.names))).max(axis=0) >= CLOSE
     learned = of.learned
     names = [name for name, each in zip(of.names, tied, strict=True) if each or learned[name] >= NOT_LEARNED]
@@ -34,7 +34,7 @@ def worth_drawing(of: Posterior) -> list[str]:
 
 @styled
 def pairs_figure(of: Posterior, *, truth: Mapping[str, float] | None = None) -> Figure:
-    """Draw every pair, each quantity beside its prior, and the correlations; ``truth`` [SI] where it is known."""
+    """Draw every pair of quantities, the prior of each, and the correlations; ``truth`` [SI] is marked if known."""
     names = worth_drawing(of)
     count = len(names)
     values = {name: units.from_si(of.deliveries[name], unit_of(name)) for name in names}

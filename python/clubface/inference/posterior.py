@@ -1,4 +1,4 @@
-"""From a launch back to the deliveries that can have made it."""
+"""From a measured launch back to the deliveries that can have made it."""
 
 from __future__ import annotations
 
@@ -33,7 +33,8 @@ if TYPE_CHECKING:
     from clubface.recorded.shots import RecordedShots
 
 NOISE = {"ball_speed": 0.25, **MONITOR}
-"""Standard deviations of the measured launch [SI] unless others are given: P1's of its monitor, 0.25 m/s of speed."""
+"""Standard deviations of the measured launch [SI] by default: those that Caldwell and McPhee (2023) quote for their
+monitor, and 0.25 m/s of ball speed."""
 FEWEST_EFFECTIVE = 400
 """Effective draws below which a sample should not be trusted."""
 FEWEST_AT_ALL = 50
@@ -46,26 +47,26 @@ _DIMENSIONS = {name: units.unit(unit).dimension for name, unit in QUANTITIES.ite
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Posterior:
-    """Deliveries that can have made a launch, equally probable, SI.
+    """Deliveries that can have made a launch, equally probable, in SI units.
 
     Attributes
     ----------
     deliveries
-        Values of each uncertain quantity, one a draw.
+        Values of each uncertain quantity, one for each draw.
     launch
-        What was measured.
+        The measured launch.
     noise
-        Its standard deviations.
+        Standard deviations of the measurement.
     prior
-        What was believed before.
+        What was believed about the delivery before the launch was known.
     club, model, parameters
-        What the launch was computed with.
+        With what the launches were computed.
     sample
-        More about how it was drawn.
+        How the sample was drawn.
     surprise
-        Probability, under the prior, of a launch further from what it expects than this one.
+        Probability, under the prior, of a launch that lies further from the expected ones than this launch.
     seed
-        Of the random numbers.
+        Seed of the random numbers.
     """
 
     deliveries: dict[str, Values]
@@ -81,7 +82,7 @@ class Posterior:
 
     @property
     def effective(self) -> float:
-        """Effective number of independent draws the sample rests on."""
+        """Effective number of independent draws on which the sample rests."""
         return self.sample.effective
 
     @property
@@ -113,7 +114,7 @@ class Posterior:
 
     @property
     def learned(self) -> dict[str, float]:
-        """How much narrower each quantity is than before, 0 to 1: one less the ratio of standard deviations."""
+        """How much narrower each quantity is than its prior: one minus the ratio of standard deviations, 0 to 1."""
         return {name: max(0.0, 1.0 - each / self.prior.deviation[name]) for name, each in self.deviation.items()}
 
     @property
@@ -123,7 +124,7 @@ class Posterior:
 
     @property
     def warnings(self) -> list[str]:
-        """What speaks against trusting the sample."""
+        """Reasons not to trust the sample."""
         from clubface.inference.words import warnings
 
         return warnings(self)
@@ -175,35 +176,37 @@ def infer(
 ) -> Posterior:
     """Sample the deliveries that can have made a launch.
 
-    A launch has five numbers, a delivery eleven: many deliveries make the same launch. The result is therefore a
-    sample, in which they are as frequent as they are probable under the prior and the noise of the measurement.
+    A launch has five numbers and a delivery has eleven, so many deliveries make the same launch. The result is
+    therefore a sample. Each delivery appears in it as often as it is probable under the prior and the noise of the
+    measurement.
 
     Parameters
     ----------
     launch
-        What was measured, text with units or SI: some of ``ball_speed``, ``launch``, ``azimuth``, ``backspin`` and
-        ``sidespin``, or ``total_spin`` and ``spin_axis`` in place of the last two.
+        What was measured, as text with units or as SI numbers: some of ``ball_speed``, ``launch``, ``azimuth``,
+        ``backspin`` and ``sidespin``, or ``total_spin`` and ``spin_axis`` instead of the last two.
     club, model, parameters, ball, accuracy, threads
-        As of :func:`impact`.
+        As for :func:`impact`.
     prior
-        "elite" (the benchmark's golfers; driver and 7-iron), "tour" (published averages), "wide" (golfers of any
-        skill), the path of a TOML file, or a :class:`Prior`. Left out, "elite" where there is one, else "tour".
+        "elite" (the golfers of the benchmark shots; driver and 7-iron), "tour" (the published averages), "wide"
+        (golfers of any skill), the path of a TOML file, or a :class:`Prior`. If left out: "elite" where it exists,
+        otherwise "tour".
     noise
-        Standard deviations of the measured quantities by name, text with units or SI, the errors of the model among
-        them; those left out are P1's of its monitor.
+        Standard deviations of the measured quantities by name, as text with units or as SI numbers. They should include
+        the errors of the model. Those left out are the ones that Caldwell and McPhee (2023) quote for their monitor.
     samples
-        Draws returned.
+        Number of draws to return.
     seed
-        Of the random numbers; the same seed gives the same sample.
+        Seed of the random numbers; the same seed gives the same sample.
     progress
-        Called with a part from 0 to 1.
+        Called with the completed fraction, 0 to 1.
 
     Raises
     ------
     InputError
-        A launch without a single known quantity; an option out of its range.
+        The launch has no known quantity, or an option is out of range.
     UnreachableLaunchError
-        A launch that no delivery anywhere near the prior makes; most often a wrong unit or club.
+        No delivery anywhere near the prior makes the launch. The usual cause is a wrong unit or club.
     """
     if isinstance(samples, bool) or not isinstance(samples, int) or not 1 <= samples <= 100_000:
         raise InputError("samples", samples, "a whole number from 1 to 100000")

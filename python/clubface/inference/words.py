@@ -1,4 +1,4 @@
-"""A posterior in tables and words: what is known, what goes with what, what the launch says nothing of."""
+"""A posterior in tables and words: what is known, which quantities are tied, and what the launch leaves open."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def summary(of: Posterior) -> tuple[list[str], list[list[str]]]:
 
 
 def ambiguities(of: Posterior) -> list[str]:
-    """Return a sentence about each pair of quantities that go together, the closest first."""
+    """Return a sentence about each pair of quantities that are tied together, the closest first."""
     correlation, names, same = of.correlation, of.names, not_learned(of)
     pairs = [
         (abs(correlation[i, j]), i, j)
@@ -83,7 +83,7 @@ def not_learned(of: Posterior) -> list[str]:
 
 
 def warnings(of: Posterior) -> list[str]:
-    """Return what speaks against trusting the sample."""
+    """Return the reasons not to trust the sample."""
     from clubface.inference.posterior import FEWEST_EFFECTIVE, SURPRISING
 
     found = []

@@ -1,4 +1,4 @@
-"""Which launch monitor wrote a file, told by its columns."""
+"""Recognition of the launch monitor that wrote a file, by its columns."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ FEWEST_KNOWN = 2
 
 
 def detected(path: str, head: Sequence[Row | Reject]) -> Format | None:
-    """Return the layout whose header is among the first rows, None for the columns of clubface.
+    """Return the layout whose header is among the first rows; None for the columns of clubface.
 
-    Where several fit, it is the one that knows most of the columns.
+    If several layouts fit, the one that knows most of the columns is taken.
     """
     rows = [row for row in head if not isinstance(row, Reject)]
     if not rows:
@@ -63,9 +63,10 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format | None:
 
 
 def asked_for(layout: Format, head: Sequence[Row | Reject]) -> Format:
-    """Return a layout that was asked for, with the header known by whichever of its columns the file has.
+    """Return the layout that was asked for, adapted to the columns that the file has.
 
-    The header is the row that has most of them; a file in which no row has two stays unknown to the layout.
+    The header is the row that contains most of the layout's columns. A file in which no row has two of them is not read
+    by the layout.
     """
     rows = [row[0] for row in head if not isinstance(row, Reject)]
     if not rows or _marked(layout, rows):
@@ -78,7 +79,7 @@ def asked_for(layout: Format, head: Sequence[Row | Reject]) -> Format:
 
 
 def others(layout: Format, head: Sequence[Row | Reject]) -> list[str]:
-    """Return the names of the layouts whose header is among the first rows, where that of ``layout`` is not."""
+    """Return the names of the layouts whose header is among the first rows if that of ``layout`` is not."""
     rows = [row[0] for row in head if not isinstance(row, Reject)]
     if _marked(FORMATS[layout.name], rows):
         return []

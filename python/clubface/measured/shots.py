@@ -1,4 +1,4 @@
-"""Recorded shots made ready to stand beside models: one club, complete rows, what was assumed and what left out."""
+"""Recorded shots prepared for comparison with models: one club, complete rows, and notes on what was assumed."""
 
 from __future__ import annotations
 
@@ -21,29 +21,29 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 QUANTITIES = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
-"""The launch quantities that models are compared on, in the order of P1's tables, and the unit each is read in."""
+"""The launch quantities on which models are compared, in the order of the published tables, and their usual units."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MeasuredShots:
-    """Shots of one club, each with a complete delivery and at least one quantity of its launch; SI.
+    """Shots of one club, each with a complete delivery and at least one measured launch quantity, in SI units.
 
     Attributes
     ----------
     club
-        What they were hit with.
+        The club with which they were hit.
     delivery
-        What was measured of each delivery, as :func:`impact` takes it; the hand, where it is known, as +1 or -1.
+        The measured part of each delivery, as :func:`impact` takes it; the hand, where it is known, as +1 or -1.
     launch
-        What was measured of each launch, by name, in the order of ``QUANTITIES``; NaN where it was not.
+        The measured part of each launch, by name, in the order of ``QUANTITIES``; NaN where it was not measured.
     rows
-        Where each shot stands in the source.
+        Row of each shot in the source.
     places
-        The place of each shot (from 0) among the recorded shots given.
+        Place of each shot (from 0) among the recorded shots given.
     source
         The file, or another name.
     dropped
-        The shots left out and why, the rejected rows of the file among them.
+        The shots left out and the reasons, including the rejected rows of the file.
     notes
         What was assumed.
     """
@@ -79,27 +79,29 @@ def measured_shots(
     mismatch: str = "refuse",
     quantities: Iterable[str] = tuple(QUANTITIES),
 ) -> MeasuredShots:
-    """Make recorded shots ready to be set beside models.
+    """Prepare recorded shots for comparison with models.
 
     Parameters
     ----------
     shots
         Recorded shots, or a file that :func:`clubface.launch_monitor.read` reads.
     club
-        The club they were hit with; left out, the one named in the shots, if that is a built-in one. Velocities and
-        face angles that were taken elsewhere are referred to its points, see :func:`clubface.launch_monitor.refer`.
+        The club with which they were hit. If left out: the club that the shots name, if that is a built-in one.
+        Velocities and face angles that were measured elsewhere on the club are converted to its reference points, see
+        :func:`clubface.launch_monitor.refer`.
     only
-        Take only the shots whose club is called so in the file; left out, all, which must then be of one club.
+        Take only the shots of the club that the file calls so. If left out: all shots, which must then be of one club.
     mismatch
-        What shots do that look like another club's, by their names or their dynamic loft: "refuse", or "note".
+        What to do with shots that by their names or their dynamic loft look like those of another club: "refuse" or
+        "note".
     quantities
-        The launch quantities wanted, of ``QUANTITIES``.
+        The launch quantities wanted, out of ``QUANTITIES``.
 
     Raises
     ------
     InputError
-        No usable shot; shots of several clubs, or of another than the one given; no speed or no launch among the
-        columns.
+        There is no usable shot; the shots are of several clubs, or of another club than the one given; or no column
+        gives a speed or a launch.
     """
     recorded = shots if isinstance(shots, RecordedShots) else read(shots)
     places = of_one_club(recorded, only)

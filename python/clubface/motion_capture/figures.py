@@ -1,4 +1,4 @@
-"""Errors of the estimators of motion capture, side by side."""
+"""Pictures of the errors of the estimators of motion capture."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ SHOWN = {
 
 @styled
 def study_figure(studies: Mapping[str, Study]) -> Figure:
-    """Draw bias and spread of every estimator, a panel a quantity, a group of lines a study.
+    """Draw bias and spread of every estimator: one panel a quantity, one group of lines a study.
 
     Parameters
     ----------
     studies
-        By what is written beside each group, such as "no noise".
+        The studies by the text written beside each group, such as "no noise".
     """
     from clubface.motion_capture.reduction import QUANTITIES
     from clubface.motion_capture.study import UNITS

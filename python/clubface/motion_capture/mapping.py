@@ -1,4 +1,4 @@
-"""Which marker is what, and where the target is."""
+"""The mapping: which marker is what, and where the target is."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class FacePoint(NamedTuple):
     Attributes
     ----------
     toe, high
-        Its offsets from the face centre [m], in the plane tangent there.
+        Its distances from the face centre [m] towards the toe and upwards, in the plane that touches the face there.
     standoff
         How far the centre of its marker stands in front of the face [m].
     """
@@ -39,31 +39,32 @@ class MarkerMap:
     Attributes
     ----------
     cluster
-        Markers on the clubhead. Where no face was calibrated, the position of each: from the face centre [m], in club
-        axes at the static loft (x to the target, y up, z towards the toe). Otherwise None.
+        The markers on the clubhead by name. The value is the position of the marker from the face centre [m], in club
+        axes at the static loft (x towards the target, y up, z towards the toe), or None if a calibration of the face
+        gives it.
     face
-        Calibration points on the face, by marker; empty where the positions of the cluster are given.
+        Calibration points on the face, by marker; empty if the positions of the cluster are given.
     calibration
-        The C3D file in which cluster and face points are seen together; None is the swing itself.
+        The C3D file in which cluster and face points are seen together. None means the swing itself.
     accuracy
-        Standard deviation of a given position along each axis [m]: of a cluster marker, a face point, the ball.
+        Standard deviation along each axis [m] of a given position: of a cluster marker, a face point, or the ball.
     ball
         The marker whose centre is that of the ball, or None.
     ball_offset
-        From that marker to the centre of the ball [m], in world axes (x to the target, y up, z right).
+        From that marker to the centre of the ball [m], in world axes (x towards the target, y up, z to the right).
     ball_position
-        Where the ball lies [m], in the axes of the laboratory, in place of a marker.
+        Position of the ball [m] in the axes of the laboratory, instead of a marker.
     target
-        Axis of the laboratory that points to the target, such as "+y", or two markers from the first of which the
-        second lies in that direction.
+        Axis of the laboratory that points to the target, such as "+y"; or two markers, where the second lies in the
+        direction of the target from the first.
     up
         Axis of the laboratory that points up.
     unit
         Unit of length of the files, where they name none or a wrong one.
     noise
-        Standard deviation of a marker along each axis [m], or None: estimated from the residuals.
+        Standard deviation of a marker along each axis [m]; None to estimate it from the residuals.
     club
-        Name of the club this is for, or None.
+        Name of the club for which the mapping was made, or None.
     path
         The file, or another name of the source.
     """
@@ -104,7 +105,7 @@ class MarkerMap:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> MarkerMap:
-        """Read a mapping file; see ``template`` for its form. Every error carries file and line."""
+        """Read a mapping file; ``template`` shows its form. Every error names file and line."""
         from clubface.motion_capture.mapping_file import from_document
 
         return from_document(Document.read(path))
@@ -129,7 +130,7 @@ class MarkerMap:
 
 
 def marker_map(which: str | os.PathLike[str] | MarkerMap) -> MarkerMap:
-    """Return the mapping meant by the path of its file, or by a :class:`MarkerMap` itself."""
+    """Return the mapping that is given as the path of its file, or as a :class:`MarkerMap` itself."""
     return which if isinstance(which, MarkerMap) else MarkerMap.read(which)
 
 

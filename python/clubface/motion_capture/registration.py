@@ -1,4 +1,4 @@
-"""Where the markers sit on the club: given by the mapping, or from points of the face seen together with them."""
+"""Where the markers sit on the club: as the mapping says, or from points of the face seen together with them."""
 
 from __future__ import annotations
 
@@ -53,24 +53,25 @@ def given_positions(mapping: MarkerMap, club: Club) -> Registration:
 
 
 def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array) -> Registration:
-    """Return the cluster as seen together with the points of the face.
+    """Return the cluster as it is seen together with the points of the face.
 
-    In every frame that shows all points of the face, their pose turns the cluster into club axes; the mean over frames
-    is the cluster. Noise of the markers averages out over frames, errors of the face points' places do not.
+    In every frame that shows all points of the face, their attitude and position turn the cluster into club axes. The
+    mean over these frames is the cluster. The noise of the markers averages out over the frames; errors in the places
+    of the face points do not.
 
     Parameters
     ----------
     mapping, club
-        What is where.
+        Which marker is what, and the club.
     recording
-        The calibration.
+        The calibration trial.
     turn
-        From the laboratory to the world, mirrored for a left-hander, shape (3, 3).
+        Rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
 
     Raises
     ------
     FileError
-        Markers that are missing or never seen together, points that do not fit the face.
+        Markers are missing or never seen together, or the points do not fit the face.
     """
     local = _face_points(mapping, club)
     faces = recording.markers(mapping.face) @ turn.T

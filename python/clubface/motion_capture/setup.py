@@ -84,7 +84,7 @@ def prepare(
     unit: str | None = None,
     noise: Any = None,
 ) -> Setup:
-    """Return the set-up of a session; reads the calibration file.
+    """Return the set-up of a session; this reads the calibration file.
 
     Parameters
     ----------
@@ -93,26 +93,27 @@ def prepare(
     club
         A built-in name, the path of a TOML file, or a :class:`Club`.
     estimator
-        "smoother", "polynomial", or "linear" as in P1.
+        "smoother", "polynomial", or "linear", the straight lines of Caldwell and McPhee (2023).
     roughness
-        Of the smoother: how much the path may depart from a quartic.
+        For the smoother: how much the path may depart from a quartic.
     ball
-        Its radius counts; the published one unless given.
+        The ball, whose radius is used; the published one if left out.
     hand
-        "right" or "left"; that of the club unless given.
+        "right" or "left"; that of the club if left out.
     target, up
-        Axes of the laboratory such as "+y", in place of the mapping's.
+        Axes of the laboratory such as "+y", instead of those of the mapping.
     unit
-        Unit of length of the files, in place of the one they name.
+        Unit of length of the files, instead of the one they name.
     noise
-        Standard deviation of a marker along an axis, such as "0.3 mm"; the mapping's, or estimated from the residuals.
+        Standard deviation of a marker along an axis, such as "0.3 mm". If left out: that of the mapping, or an estimate
+        from the residuals.
 
     Raises
     ------
     FileError
-        A mapping or calibration file that cannot be used.
+        A mapping or calibration file cannot be used.
     InputError
-        An option that cannot be used, another club than the mapping's.
+        An option cannot be used, or the club is not that of the mapping.
     """
     from clubface.equipment.balls import ball as ball_of
     from clubface.equipment.clubs import club as club_of

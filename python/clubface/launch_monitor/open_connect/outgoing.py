@@ -1,4 +1,4 @@
-"""What is sent by Open Connect: shots and heartbeats by a monitor, answers by a simulator."""
+"""Outgoing messages of Open Connect: shots and heartbeats of a monitor, answers of a simulator."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ def to_json(
     ----------
     launch
         A :class:`Launch` of a single shot, or a mapping of SI values or texts with units: ``ball_speed``, ``launch``,
-        and where known ``azimuth``, ``carry`` and ``total_spin`` with ``spin_axis`` or ``backspin`` with ``sidespin``.
+        and if known ``azimuth``, ``carry`` and ``total_spin`` with ``spin_axis`` or ``backspin`` with ``sidespin``.
     delivery
-        Likewise of the club; left out, the delivery of a :class:`Launch`, or none.
+        The same for the club. If left out: the delivery of a :class:`Launch`, or none.
     shot_number, device
-        As the message says them.
+        Shot number and device name in the message.
     """
     if isinstance(launch, Launch):
         delivery = delivery if delivery is not None else launch.delivery
@@ -59,7 +59,7 @@ def to_json(
 
 
 def heartbeat(*, device: str = "clubface", is_ready: bool = True) -> dict[str, Any]:
-    """Return the message that says that the sender is there."""
+    """Return the message by which a monitor shows that it is there."""
     return {
         "DeviceID": device,
         "Units": "Yards",

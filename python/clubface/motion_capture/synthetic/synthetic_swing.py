@@ -28,28 +28,28 @@ LAUNCH = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SyntheticSwing:
-    """One swing; first touch is at time zero, at the place over the origin of the world where the ball lies.
+    """One swing. First touch is at time zero; the ball lies over the origin of the world.
 
     Attributes
     ----------
     club, ball
-        What meets what.
+        The club and the ball.
     truth
-        The delivery by name, exact, SI, with the signs of :class:`Delivery`.
+        The exact delivery by name [SI], with the signs of :class:`Delivery`.
     launch
-        The launch by the ``standard`` model, SI.
+        The launch by the ``standard`` model [SI].
     chain
-        The motion before impact, of a right-hander, before it is turned into place.
+        The motion of a right-hander before impact, before it is turned into place.
     fixed
-        From club axes to the axes of the chain's end, shape (3, 3).
+        Rotation from club axes to the axes of the chain's end, shape (3, 3).
     turned, moved
-        From the chain's world to this one: rotation, shape (3, 3), and shift [m].
+        From the world of the chain to this one: rotation, shape (3, 3), and shift [m].
     rest
-        Centre of the ball before impact [m], as of a right-hander.
+        Centre of the ball before impact [m], as for a right-hander.
     slowed
-        Changes of the head's velocity [m/s] and angular velocity [rad/s] by the blow, as of a right-hander.
+        Changes of the head's velocity [m/s] and angular velocity [rad/s] by the blow, as for a right-hander.
     struck
-        Velocity of the ball after it [m/s], as of a right-hander.
+        Velocity of the ball after the blow [m/s], as for a right-hander.
     """
 
     club: Club
@@ -65,7 +65,7 @@ class SyntheticSwing:
     struck: Array
 
     def head(self, time: Any) -> tuple[Array, Array]:
-        """Return position of the CG [m] and attitude (club axes to world) at times [s], as of a right-hander."""
+        """Return position of the CG [m] and attitude (club axes to world) at times [s], as for a right-hander."""
         time = np.asarray(time, dtype=np.float64)
         position, rotation = self.chain.pose(time)
         gained = _gained(time)[..., None]
@@ -73,21 +73,21 @@ class SyntheticSwing:
         return position @ self.turned.T + self.moved + gained * self.slowed[0], attitude
 
     def points(self, local: Any, time: Any) -> Array:
-        """Return where points of the head are in the world [m], shape (times, points, 3).
+        """Return the positions of points of the head in the world [m], shape (times, points, 3).
 
         Parameters
         ----------
         local
-            From the face centre [m], in club axes at the static loft with z towards the toe, shape (points, 3).
+            Points from the face centre [m], in club axes at the static loft with z towards the toe, shape (points, 3).
         time
-            [s] from first touch, shape (times,).
+            Times from first touch [s], shape (times,).
         """
         position, attitude = self.head(time)
         from_cg = np.asarray(local, dtype=np.float64) + np.array(self.club.cg)
         return (position[:, None] + np.einsum("kij,mj->kmi", attitude, from_cg)) * self._mirror
 
     def ball_centre(self, time: Any) -> Array:
-        """Return where the centre of the ball is in the world [m] at times [s], shape (times, 3)."""
+        """Return the centre of the ball in the world [m] at times [s], shape (times, 3)."""
         time = np.asarray(time, dtype=np.float64)
         fallen = 0.5 * GRAVITY * np.maximum(time, 0.0)[..., None] ** 2 * np.array([0.0, 1.0, 0.0])
         return (self.rest + _gained(time)[..., None] * self.struck - fallen) * self._mirror
@@ -100,17 +100,18 @@ class SyntheticSwing:
 def swing(club: Club, chain: Chain, asked: Mapping[str, float]) -> SyntheticSwing:
     """Place a chain so that it delivers ``club`` as ``asked``.
 
-    The chain is run through faster or slower for the speed, and turned as a whole for the direction; the head is set on
-    its end for the attitude, and the ball where the face touches it first. The rates are those the chain has.
+    The chain runs faster or slower to meet the speed, and is turned as a whole to meet the direction. The head is set
+    on its end to meet the attitude, and the ball is placed where the face touches it first. The rates are those of the
+    chain.
 
     Parameters
     ----------
     club
-        What is swung.
+        The club.
     chain
-        How.
+        The motion before impact.
     asked
-        ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe``, ``high``, SI, as of a right-hander.
+        ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe``, ``high`` [SI], as for a right-hander.
     """
     chain = chain.faster(asked["speed"] / float(np.linalg.norm(motion(chain)[2])))
     position, rotation, velocity, spin = motion(chain)
