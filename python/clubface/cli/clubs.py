@@ -20,7 +20,7 @@ _COLUMNS = {
 @app.command()
 def clubs(
     name: Annotated[
-        str | None, typer.Argument(metavar="[NAME|FILE]", help="One club, in full.", show_default=False)
+        str | None, typer.Argument(metavar="[NAME|FILE]", help="Show this club in full.", show_default=False)
     ] = None,
     as_json: options.Json = False,
 ) -> None:

@@ -20,7 +20,7 @@ PAPERS = {
 @app.command()
 def models(
     name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="One model, in full.", show_default=False)
+        str | None, typer.Argument(metavar="[NAME]", help="Show this model in full.", show_default=False)
     ] = None,
     as_json: options.Json = False,
 ) -> None:

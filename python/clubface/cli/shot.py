@@ -46,7 +46,7 @@ def shot(
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
-    """Compute one shot, a row a model."""
+    """Compute one shot and print a row for each model."""
     delivery = given.delivery(texts)
     if plot is not None:
         from clubface.plots.style import check_ending

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import InputError
+from clubface.errors import InputError, Told
 from clubface.evaluation import noise as noises
 from clubface.evaluation.published_accuracy import PublishedAccuracy, published
 from clubface.evaluation.statistics import Best, ErrorSize, Resamples, Values, error_sizes
@@ -249,8 +249,10 @@ def _groups_of(groups: Sequence[object] | NDArray[Any] | None, shots: Any, taken
     if groups is None:
         return None
     if not isinstance(shots, RecordedShots):
-        raise InputError("groups", "given with a file", "given with RecordedShots, one a shot")
+        raise InputError(
+            "groups", Told("for a file"), "give RecordedShots, to which groups can belong, one to each shot"
+        )
     found = np.asarray(groups)
     if found.shape != (len(shots),):
-        raise InputError("groups", f"of shape {found.shape}", f"one a shot: ({len(shots)},)")
+        raise InputError("groups", Told(f"of shape {found.shape}"), f"one for each shot: ({len(shots)},)")
     return found[taken.places]

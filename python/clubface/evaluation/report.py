@@ -198,7 +198,7 @@ def refuse_input(folder: str | os.PathLike[str], source: str) -> None:
     """Refuse a folder in which the table of the report would overwrite the file of the shots."""
     table = Path(folder) / TABLE
     if table.exists() and os.path.exists(source) and table.samefile(source):
-        raise FileError(source, None, "the report would overwrite this file: name another folder")
+        raise FileError(source, None, "the report would overwrite this file; give another folder")
 
 
 def write(of: Evaluation, folder: str | os.PathLike[str]) -> list[Path]:

@@ -73,7 +73,7 @@ def launches(
 def check_no_accuracy(accuracy: float | None) -> None:
     """Refuse an accuracy: the mesh sets that of finite elements."""
     if accuracy is not None:
-        raise InputError("accuracy", accuracy, "left out for fem, whose accuracy is that of the mesh")
+        raise InputError("accuracy", accuracy, "leave it out for fem, whose accuracy is that of the mesh")
 
 
 def _at(value: Any, row: int) -> float:

@@ -72,7 +72,7 @@ def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool 
 
 
 def write_paper(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
-    """Write a run, and P2's Figs. 3 to 7 redrawn."""
+    """Write a run, and Roh and Lee's Figs. 3 to 7 redrawn."""
     from clubface import plots
     from clubface.fem.figures import impact as pictures
 
@@ -85,7 +85,7 @@ def write_paper(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
 def write_sweep(
     rows: Sequence[Mapping[str, Any]], folder: str | os.PathLike[str], *, published: bool = False
 ) -> list[Path]:
-    """Draw a sweep (P2, Fig. 8), if wanted with P2's numbers."""
+    """Draw a sweep (Roh and Lee, Fig. 8), if wanted with Roh and Lee's numbers."""
     from clubface import plots
     from clubface.fem.figures import impact as pictures
 

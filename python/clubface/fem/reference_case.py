@@ -25,7 +25,7 @@ def reference(
     settings: Settings | None = None,
     progress: Progress | None = None,
 ) -> Impact:
-    """Throw P2's ball at a rigid plane, 35 m/s at 11.5 deg from the normal, for 1000 us.
+    """Throw Roh and Lee's ball at a rigid plane, 35 m/s at 11.5 deg from the normal, for 1000 us.
 
     Parameters
     ----------

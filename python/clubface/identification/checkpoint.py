@@ -92,7 +92,7 @@ class Checkpoint:
     def _find(self, path: Path, resume: bool) -> None:
         """Take what an earlier run finished; refuse a file that is no checkpoint: it would be written over."""
         if not path.parent.is_dir():
-            raise FileError(str(path), None, "its folder is not there: name a checkpoint in one that is")
+            raise FileError(str(path), None, "this folder does not exist; give a file in one that does")
         try:
             state = json.loads(path.read_text())
             version, settings, seconds, parts = (state[key] for key in ("format", "settings", "seconds", "parts"))

@@ -12,7 +12,7 @@ import numpy as np
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError, Told, UnknownNameError
 from clubface.launch_monitor import read
 from clubface.measured.shots import QUANTITIES, measured_shots
 from clubface.recorded.shots import RecordedShots, RejectedRow
@@ -125,7 +125,9 @@ def prepared_shots(
     there = tuple(name for name, values in measured.launch.items() if np.isfinite(values).any())
     missing = [name for name in asked if name not in there]
     if missing and quantities is not None:
-        raise InputError("quantities", ", ".join(missing), f"measured; of {measured.source} are {', '.join(there)}")
+        raise InputError(
+            "quantities", ", ".join(missing), f"measured quantities; those of {measured.source} are {', '.join(there)}"
+        )
     notes = [f"not measured, so not in the cost: {', '.join(missing)}"] if missing else []
     launches = np.array([measured.launch[name] for name in there])
     launch = impact(
@@ -139,7 +141,7 @@ def prepared_shots(
     dropped = [RejectedRow(int(measured.rows[row]), reason) for row, reason in sorted(problems.items())]
     if not len(kept):
         told = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
-        raise InputError("shots", measured.source, f"such that a launch can be computed for some ({told})")
+        raise InputError("shots", measured.source, f"shots of which some have a launch that can be computed ({told})")
     hit = shots(with_, measured.delivery)
     hit, _ = broadcast(hit, [], (), len(outputs()))
     columns = [each if isinstance(each, float) else np.ascontiguousarray(each[kept]) for each in hit.columns]
@@ -154,7 +156,7 @@ def prepared_shots(
 def _groups(given: Any, shots: int) -> NDArray[Any]:
     labels = np.arange(shots) if given is None else np.asarray(given)
     if labels.shape != (shots,):
-        raise InputError("groups", f"of shape {labels.shape}", f"one label a shot: ({shots},)")
+        raise InputError("groups", Told(f"of shape {labels.shape}"), f"one label for each shot: ({shots},)")
     return labels
 
 

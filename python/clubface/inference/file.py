@@ -85,12 +85,12 @@ def infer_shots(
     if target.suffix.lower() != ".csv":
         raise InputError("output", str(output), "a file ending in .csv")
     if target.exists() and os.path.exists(shots.source) and target.samefile(shots.source):
-        raise FileError(str(target), None, "the output must not be the file read")
+        raise FileError(str(target), None, "the output must be another file than the one that is read")
     if not target.parent.is_dir():
         raise FileError(str(target), None, f"there is no folder {str(target.parent)!r}")
     wanted = [name for name in QUANTITIES if name in shots.launches]
     if not wanted:
-        raise InputError("shots", shots.source, f"with a measured launch: {', '.join(QUANTITIES)}")
+        raise InputError("shots", shots.source, f"shots with a measured launch: {', '.join(QUANTITIES)}")
     head = club(options.pop("club"))
     options = {**options, "club": head, "prior": prior_of(options.get("prior"), head)}
     part, settings = (target.with_name(f"{target.stem}.part{ending}") for ending in (".csv", ".json"))

@@ -273,7 +273,7 @@ def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
     if polar:
         if len(polar) == 1 or "backspin" in given or "sidespin" in given:
             raise InputError(
-                polar[0], given[polar[0]], "given with the other of total_spin and spin_axis, and no other spin"
+                polar[0], given[polar[0]], "give total_spin and spin_axis together, or backspin and sidespin"
             )
         total, axis = given.pop("total_spin"), given.pop("spin_axis")
         given |= {"backspin": total * math.cos(axis), "sidespin": total * math.sin(axis)}

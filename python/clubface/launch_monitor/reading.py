@@ -80,7 +80,7 @@ def read(
         check_choice("hand", hand, SIDES.values())
     told_units = _units(units or {})
     if format is not None and mapping is not None:
-        raise InputError("format", format, "left out where a mapping is given")
+        raise InputError("format", format, "leave it out, since the mapping says how the file is laid out")
     if format is not None and format not in (*FORMATS, OWN):
         raise UnknownNameError("format", format, (*FORMATS, OWN))
     source = Path(path)
@@ -110,9 +110,9 @@ def _refuse_no_table(path: Path) -> None:
     """Say of files that people have, and that are no tables, what to do with them."""
     ending = path.suffix.lower()
     if ending == ".c3d":
-        raise FileError(str(path), None, "is motion capture: clubface capture read makes a table of deliveries of it")
+        raise FileError(str(path), None, "this is motion capture; clubface capture read makes a table of it")
     if ending in (".xlsx", ".xls", ".ods", ".numbers"):
-        raise FileError(str(path), None, "is a spreadsheet: save it as CSV, which is read")
+        raise FileError(str(path), None, "this is a spreadsheet; save it as CSV")
 
 
 def _own(path: str | os.PathLike[str], hand: str | None, club: Any) -> RecordedShots:

@@ -65,7 +65,7 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
             f" {', '.join(SAME)} in common to tell which are the same",
         )  # fmt: skip
     if not len(pairs):
-        raise InputError("measured", measured.source, f"of the same shots as {captured.source}: not one pair is alike")
+        raise InputError("measured", measured.source, f"of the same shots as {captured.source}; not one pair is alike")
     one, other = captured.select(pairs[:, 0]), measured.select(pairs[:, 1])
     left = [*_rejected(captured, pairs[:, 0], measured), *_rejected(measured, pairs[:, 1], captured)]
     return RecordedShots(

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from clubface.errors import InputError
+from clubface.errors import InputError, Told
 from clubface.motion_capture.rigid_body import FEWEST
 from clubface.support.strict_toml import Document
 
@@ -90,17 +90,22 @@ class MarkerMap:
         if placed and len(placed) < len(self.cluster):
             without = ", ".join(name for name in self.cluster if name not in placed)
             raise InputError(
-                "cluster", f"without the position of {without}", "given for all of its markers or for none"
+                "cluster", Told(f"without the position of {without}"), "give the positions of all markers, or of none"
             )
         if bool(placed) == bool(self.face):
-            told = "both" if placed else "neither"
-            raise InputError("cluster", told, "given its positions, or points of the face by [face]; one of the two")
+            if placed:
+                advice = "keep either the positions or the points of the face"
+                raise InputError("cluster", Told("given positions, and [face] names points of the face"), advice)
+            advice = "give the position of each marker, or name points of the face under [face]"
+            raise InputError("cluster", Told("without positions"), advice)
         if self.calibration is not None and not self.face:
-            raise InputError("calibration", self.calibration, "left out where [face] names no points of the face")
+            raise InputError("calibration", self.calibration, "leave it out, since [face] names no points of the face")
         if self.face and len(self.face) < FEWEST:
             raise InputError("face", f"{len(self.face)} points", f"at least {FEWEST} points, not on a line")
         if (self.ball is None) == (self.ball_position is None):
-            raise InputError("ball", "both or neither", "given by its marker or by its position")
+            raise InputError(
+                "ball", Told("given twice" if self.ball else "not described"), "give either its marker or its position"
+            )
         _check_axes(self.target, self.up)
 
     @classmethod

@@ -153,13 +153,13 @@ def _metres(name: str, groups: Any, unit: str | None) -> float:
     given = _texts(groups, "UNITS")
     symbol = given[0] if given else ""
     if not symbol:
-        raise FileError(name, None, 'the file does not name its unit of length; give it, as in units "mm"')
+        raise FileError(name, None, "the file does not name its unit of length; give it, as in --units mm")
     try:
         found = units.unit(symbol, dimension="length")
     except (InputError, UnknownNameError):
         allowed = ", ".join(units.symbols("length"))
         raise FileError(
-            name, None, f"the unit of length {symbol!r} is unknown; name the right one of {allowed} by the units option"
+            name, None, f"the unit of length {symbol!r} is unknown; give the right one with --units: {allowed}"
         ) from None
     return found.numerator / found.denominator
 

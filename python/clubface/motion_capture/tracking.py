@@ -150,7 +150,7 @@ def check_scale(shape: Array, observed: Array, path: str) -> None:
         raise FileError(
             path, None,
             f"the markers of the clubhead are {ratio:.3g} times as far apart as by the mapping: the unit of length"
-            " of the file or of the mapping is wrong (the units option overrides the file's)",
+            " of the file or of the mapping is wrong (--units overrides that of the file)",
         )  # fmt: skip
 
 

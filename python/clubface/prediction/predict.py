@@ -11,7 +11,7 @@ from typing import Any
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import FEM
-from clubface.errors import FileError, InputError
+from clubface.errors import FileError, InputError, Told
 from clubface.prediction.run import Task, results_of, run
 from clubface.simulation.air import Air
 from clubface.simulation.flight import fly
@@ -162,7 +162,7 @@ def predict(
     chosen = parameter_set(model, with_.club, parameters)
     arrays = [name for name, value in chosen.values.items() if not isinstance(value, float)]
     if arrays:
-        raise InputError(arrays[0], "an array", "a single number for a file of deliveries")
+        raise InputError(arrays[0], Told("an array"), "a single number for a file of deliveries")
     side = float(with_.club.hand) if hand is None else hand_value(hand)
     if side not in (1.0, -1.0):
         raise InputError("hand", hand, "right or left")
@@ -208,10 +208,10 @@ def _check_paths(source: Path, target: Path, aside: Path) -> None:
     is_parquet(target)
     for path, what in ((target, "output"), (aside, "rejects")):
         if path.resolve() in (source.resolve(), unfinished(source).resolve()):
-            raise FileError(str(path), None, f"the {what} must not be the file read")
+            raise FileError(str(path), None, f"the {what} must be another file than the one that is read")
         if not path.parent.is_dir():
             raise FileError(str(path), None, f"there is no folder {str(path.parent)!r}")
         if path.is_dir():
             raise FileError(str(path), None, f"the {what} is a folder; give the name of a file")
     if aside.resolve() == target.resolve():
-        raise FileError(str(aside), None, "the rejects must not be the output")
+        raise FileError(str(aside), None, "the rejects must go to another file than the output")

@@ -211,7 +211,7 @@ def _open_writer(part: Path, reader: Reader, task: Task, begun: Mapping[str, int
     if not is_parquet(part):
         keep = begun["output_bytes"] if begun else None
         if keep is not None and not (part.exists() and part.stat().st_size >= keep):
-            raise FileError(str(part), None, "the unfinished file is gone: start again without resume")
+            raise FileError(str(part), None, "the unfinished file is gone; start again without resuming")
         return CsvWriter(part, [*headings, *task.headings], reader, keep)
     from clubface.tables.parquet import ParquetWriter
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 import numpy as np
 
 from clubface.equipment.described import HANDS
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError, Told, UnknownNameError
 from clubface.simulation.quantities import inputs
 from clubface.support.checks import check_choice
 from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, shot_words
@@ -227,5 +227,7 @@ def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, NDArr
 
 def _of_length(values: NDArray[Any], name: str, count: int) -> NDArray[Any]:
     if values.shape != (count,):
-        raise InputError(name, f"an array of shape {values.shape}", f"of one element a shot: ({count},)")
+        raise InputError(
+            name, Told(f"an array of shape {values.shape}"), f"one with an element for each shot: ({count},)"
+        )
     return values

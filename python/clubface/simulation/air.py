@@ -37,7 +37,7 @@ class Air:
             if getattr(self, name) is None:
                 object.__setattr__(self, name, flight_inputs()[name].default)
             elif name == "pressure" and self.altitude is not None:
-                raise InputError("altitude", self.altitude, "left out where the pressure is given")
+                raise InputError("altitude", self.altitude, "leave it out, since the pressure is given")
             else:
                 value = units.parse_values(getattr(self, name), flight_inputs()[name].dimension, name=name)
                 object.__setattr__(self, name, value)

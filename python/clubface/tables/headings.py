@@ -151,7 +151,7 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
             raise FileError(path, line, message, heading)
         used[quantity] = Column(place, heading, quantity, _unit_of(quantity, unit, heading, (path, line), words))
         if unit is None and used[quantity].unit != "1":
-            notes.append(f"the column {heading!r} names no unit: taken as {used[quantity].unit}")
+            notes.append(f"the column {heading!r} names no unit and is taken in {used[quantity].unit}")
     return Layout(named, tuple(used.values()), tuple(passed), tuple(notes))
 
 

@@ -117,9 +117,9 @@ class Journal:
         except FileNotFoundError:
             return None
         except (OSError, ValueError, KeyError, TypeError):
-            raise FileError(str(self.path), None, "cannot be read: start again without resume") from None
+            raise FileError(str(self.path), None, "this file cannot be read; start again without resuming") from None
         if begun != settings:
-            message = "was begun from another file or with other settings: start again without resume"
+            message = "this file was begun from another one or with other settings; start again without resuming"
             raise FileError(str(self.path), None, message)
         return counts
 
