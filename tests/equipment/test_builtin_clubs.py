@@ -10,6 +10,7 @@ import pytest
 from clubface.equipment.balls import Ball, ball, ball_names
 from clubface.equipment.clubs import CLUB_NAMES, CLUB_QUANTITIES, club
 from clubface.errors import RuleWarning
+from clubface.simulation.impact import impact
 from clubface.support import shipped, warning
 
 
@@ -39,6 +40,15 @@ def test_the_published_ball_is_that_of_table_1():
     assert published.inputs() == pytest.approx(
         {"ball_mass": 0.0459, "ball_radius": 0.0213, "ball_inertia": 83.36e-7}, rel=1e-15
     )
+
+
+def test_the_ball_that_nobody_named_is_taken_without_a_warning_and_warned_of_when_named():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        taken = ball()
+        assert impact("driver", speed=50.0).ball == taken
+    with pytest.warns(RuleWarning, match=r"42\.60 mm"):
+        assert ball("published") == taken
 
 
 def test_the_conforming_ball_breaks_no_rule_and_is_a_uniform_sphere():

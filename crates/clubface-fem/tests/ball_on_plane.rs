@@ -1,17 +1,17 @@
 //! The ball on a rigid plane: the same on any number of threads, with any order of elements, and with derivatives.
 
-use clubface_fem::ball::{Ball, Piece};
-use clubface_fem::cases::against_plane;
-use clubface_fem::element::Element;
-use clubface_fem::element::{solid_patches, Patch};
-use clubface_fem::material::{Hencky, Material, Maxwell, MooneyRivlin, Shape};
+use clubface_fem::ball::{BallConstruction, BallPiece};
+use clubface_fem::cases::ball_against_plane;
+use clubface_fem::element::{Element, Kernels};
+use clubface_fem::environment::Environment;
+use clubface_fem::material::{Hencky, Material, Maxwell, MooneyRivlin};
 use clubface_fem::mesh::{cubed_sphere, Fineness};
-use clubface_math::{Dual, Real, Row};
+use clubface_math::{Dual, Row};
 use std::collections::HashMap;
 
-fn rubber<R: Real>(c10: R) -> Material<R> {
+fn rubber<R: Kernels>(c10: R) -> Material<R> {
     Material {
-        shape: Shape::MooneyRivlin(MooneyRivlin { c10, c01: R::from_f64(1e6) }),
+        law: MooneyRivlin { c10, c01: R::from_f64(1e6) }.law(),
         bulk: R::from_f64(5e8),
         maxwell: vec![Maxwell { modulus: R::from_f64(0.1), time: R::from_f64(1e-4) }],
         density: R::from_f64(1150.0),
@@ -19,26 +19,27 @@ fn rubber<R: Real>(c10: R) -> Material<R> {
 }
 
 /// Velocity (m/s) and spin (rad/s) of a coarse ball after `steps` steps of 1 us.
-fn fly<R: Real>(speed: R, c10: R, steps: usize) -> [R; 3] {
+fn fly<R: Kernels>(speed: R, c10: R, steps: usize) -> [R; 3] {
     let cover = Material {
-        shape: Shape::Hencky(Hencky { shear: R::from_f64(1.25e8) }),
+        law: Hencky { shear: R::from_f64(1.25e8) }.law(),
         bulk: R::from_f64(5.8e8),
         maxwell: vec![],
         density: R::from_f64(950.0),
     };
     let pieces = vec![
-        Piece { name: "core".into(), radius: R::from_f64(0.0196), layers: 2, material: rubber(c10) },
-        Piece { name: "cover".into(), radius: R::from_f64(0.0214), layers: 1, material: cover },
+        BallPiece { name: "core".into(), radius: R::from_f64(0.0196), layers: 2, material: rubber(c10) },
+        BallPiece { name: "cover".into(), radius: R::from_f64(0.0214), layers: 1, material: cover },
     ];
-    let ball = Ball { pieces, cube: 4, element: Element::OnePoint, mass: Some(0.046) };
+    let ball = BallConstruction { pieces, cube: 4, element: Element::OnePoint, mass: Some(0.046) };
     let friction = R::from_f64(0.35);
-    let impact = against_plane(&ball, speed, R::from_f64(0.2), friction).expect("the case is valid");
+    let impact = ball_against_plane(&ball, speed, R::from_f64(0.2), friction, &Environment::native())
+        .expect("the case is valid");
     let (mut structure, mut contact) = (impact.structure, impact.contact);
     for _ in 0..steps {
         structure.assemble(contact.as_mut(), 1e-6);
         structure.advance(contact.as_ref(), 1e-6);
     }
-    let kinetics = structure.kinetics(0..structure.positions.len());
+    let kinetics = structure.body_motion(0..structure.positions.len());
     [kinetics.velocity.x, kinetics.velocity.y, kinetics.spin.z]
 }
 
@@ -55,7 +56,7 @@ fn same_bits_on_any_number_of_threads() {
 #[test]
 fn derivatives_are_those_of_the_same_run() {
     let plain = fly(35.0, 4e6, 200);
-    let derived = fly(Dual::<f64, 2>::variable(35.0, 0), Dual::variable(4e6, 1), 200);
+    let derived = fly(Dual::<f64, 4>::variable(35.0, 0), Dual::variable(4e6, 1), 200);
     for (value, dual) in plain.iter().zip(derived) {
         // The arithmetic is the same, but for products that are fused in one and not in the other.
         assert!((value - dual.value).abs() < 1e-9 * value.abs().max(1.0), "{value} {}", dual.value);
@@ -96,7 +97,7 @@ fn lattices_give_the_forces_of_elements(cube: usize, count: usize) {
     let [first, second] = [&mesh, &mixed].map(|mesh| {
         let mut forces: HashMap<u32, [f64; 3]> = HashMap::new();
         let mut energy = 0.0;
-        for mut patch in solid_patches(mesh, 0..count, &rubber(4e6)) {
+        for mut patch in Element::OnePoint.patches(mesh, 0..count, &rubber(4e6)) {
             patch.assemble(&positions, &velocities, 1e-6);
             for (&node, force) in patch.nodes().iter().zip(patch.forces()) {
                 let sum = forces.entry(node).or_default();

@@ -18,8 +18,10 @@ from clubface.errors import InputError, RuleWarning
 from clubface.support.checks import check_name, check_text
 from clubface.support.shipped import builtin_names, builtin_path, is_path
 from clubface.support.strict_toml import quoted
-from clubface.support.warning import warn_once
+from clubface.support.warning import warn_once, without_warnings
 
+DEFAULT_BALL = "published"
+"""The ball of the published models and their parameters."""
 BALL_MASS_LIMIT = 45.93e-3
 """kg, at most (1.620 oz); The Equipment Rules."""
 BALL_DIAMETER_LIMIT = 42.67e-3
@@ -107,8 +109,15 @@ class Ball(Described):
         return "\n".join(head + template_lines(BALL_QUANTITIES))
 
 
-def ball(which: str | os.PathLike[str] | Ball) -> Ball:
-    """Return the ball meant by a built-in name, the path of a TOML file, or a :class:`Ball` itself."""
+def ball(which: str | os.PathLike[str] | Ball | None = None) -> Ball:
+    """Return the ball meant by a built-in name, the path of a TOML file, or a :class:`Ball` itself.
+
+    Without a name it is that of the published models. Its diameter is 0.07 mm below the limit of the rules, which is
+    said when it is asked for by name.
+    """
+    if which is None:
+        with without_warnings():
+            return Ball.builtin(DEFAULT_BALL)
     if isinstance(which, Ball):
         return which
     return Ball.from_toml(which) if is_path(which) else Ball.builtin(str(which))

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from clubface.equipment.balls import DEFAULT_BALL as PUBLISHED
 from clubface.equipment.balls import Ball as RigidBall
 from clubface.errors import InputError
 from clubface.fem.balls import Ball, ball
 from clubface.fem.result import Impact
 from clubface.fem.run import Settings, rigid_ball, simulate
-from clubface.simulation.inputs import DEFAULT_BALL as PUBLISHED
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

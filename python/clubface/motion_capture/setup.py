@@ -77,7 +77,7 @@ def prepare(
     *,
     estimator: str = "smoother",
     roughness: float = ROUGHNESS,
-    ball: str | os.PathLike[str] | Ball = "published",
+    ball: str | os.PathLike[str] | Ball | None = None,
     hand: str | None = None,
     target: str | None = None,
     up: str | None = None,
@@ -97,7 +97,7 @@ def prepare(
     roughness
         For the smoother: how much the path may depart from a quartic.
     ball
-        The ball; its radius is used.
+        The ball, whose radius is used; the published one if left out.
     hand
         "right" or "left"; that of the club if left out.
     target, up

@@ -28,9 +28,6 @@ from clubface.units import parse, parse_values
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-DEFAULT_BALL = "published"
-"""The ball of the published models and their parameters."""
-
 _LOFT, _HAND = "loft", "hand"
 
 
@@ -75,7 +72,7 @@ class Shots(NamedTuple):
 def equipment(which: str | os.PathLike[str] | Club, which_ball: str | os.PathLike[str] | Ball | None) -> Equipment:
     """Return club and ball; built-in and ready-made ones are kept, files are read anew."""
     if is_path(which) or is_path(which_ball):
-        return _equip(club(which), ball(which_ball or DEFAULT_BALL))
+        return _equip(club(which), ball(which_ball))
     try:
         return _kept(which, which_ball)
     except TypeError:
@@ -84,7 +81,7 @@ def equipment(which: str | os.PathLike[str] | Club, which_ball: str | os.PathLik
 
 @lru_cache(maxsize=256)
 def _kept(which: str | Club, which_ball: str | Ball | None) -> Equipment:
-    return _equip(club(which), ball(which_ball or DEFAULT_BALL))
+    return _equip(club(which), ball(which_ball))
 
 
 def _equip(of_club: Club, of_ball: Ball) -> Equipment:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.simulation.inputs import DEFAULT_BALL
+from clubface.equipment.balls import DEFAULT_BALL
 from clubface.tour.averages import LOFT_MODEL, QUANTITIES, SOURCE, Tour
 
 TITLES = {"ball_speed": "Ball speed", "launch": "Launch angle", "spin": "Spin", "carry": "Carry"}

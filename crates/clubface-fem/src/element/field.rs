@@ -1,6 +1,6 @@
 //! Vector fields on the nodes of a lattice, component by component.
 
-use super::{Aligned, BLOCK};
+use crate::block::{Aligned, BLOCK};
 use clubface_math::{Pack, Real, Row, Vec3};
 
 /// Layout of a field: in every plane of nodes three components, one after the other, each in the order of the nodes.
@@ -27,11 +27,11 @@ impl Layout {
     }
 }
 
-/// Memory of fields, which grows to what is asked for.
+/// Storage of fields, which grows to what is asked for.
 #[derive(Clone, Debug)]
-pub struct Memory<R>(Vec<Aligned<[R; BLOCK]>>);
+pub struct Storage<R>(Vec<Aligned<[R; BLOCK]>>);
 
-impl<R: Real> Memory<R> {
+impl<R: Real> Storage<R> {
     /// None yet.
     pub fn new() -> Self {
         Self(Vec::new())
@@ -42,22 +42,22 @@ impl<R: Real> Memory<R> {
         if self.0.len() < blocks {
             self.0.resize(blocks, Aligned([R::zero(); BLOCK]));
         }
-        Field { memory: &mut self.0[..blocks], layout }
+        Field { storage: &mut self.0[..blocks], layout }
     }
 }
 
-/// Memory that a thread works in; it serves one patch after the other.
+/// Storage that a thread works in; it serves one patch after the other.
 #[derive(Clone, Debug)]
 pub struct Scratch<R> {
-    pub(super) positions: Memory<R>,
-    pub(super) forces: Memory<R>,
+    pub(super) positions: Storage<R>,
+    pub(super) forces: Storage<R>,
 }
 
 impl<R: Real> Scratch<R> {
     /// None yet.
     #[must_use]
     pub fn new() -> Self {
-        Self { positions: Memory::new(), forces: Memory::new() }
+        Self { positions: Storage::new(), forces: Storage::new() }
     }
 }
 
@@ -69,7 +69,7 @@ impl<R: Real> Default for Scratch<R> {
 
 /// A field.
 pub struct Field<'a, R> {
-    memory: &'a mut [Aligned<[R; BLOCK]>],
+    storage: &'a mut [Aligned<[R; BLOCK]>],
     layout: Layout,
 }
 
@@ -88,7 +88,7 @@ impl<R: Real> Field<'_, R> {
     pub unsafe fn at(&mut self, k: usize, axis: usize) -> *mut R {
         debug_assert!(k < self.layout.planes);
         // SAFETY: there is room for three components a plane.
-        unsafe { self.memory.as_mut_ptr().cast::<R>().add((3 * k + axis) * self.layout.stride) }
+        unsafe { self.storage.as_mut_ptr().cast::<R>().add((3 * k + axis) * self.layout.stride) }
     }
 
     /// The vectors of a pack of nodes from place `at` of plane `k` on.
@@ -116,7 +116,7 @@ impl<R: Real> Field<'_, R> {
         let stride = self.layout.stride;
         // SAFETY: the caller's promise.
         unsafe {
-            let from = self.memory.as_ptr().cast::<R>().add(place);
+            let from = self.storage.as_ptr().cast::<R>().add(place);
             Row([*from, *from.add(stride), *from.add(2 * stride), R::zero()])
         }
     }
@@ -130,7 +130,7 @@ impl<R: Real> Field<'_, R> {
         let stride = self.layout.stride;
         // SAFETY: the caller's promise.
         unsafe {
-            let to = self.memory.as_mut_ptr().cast::<R>().add(place);
+            let to = self.storage.as_mut_ptr().cast::<R>().add(place);
             *to = row.0[0];
             *to.add(stride) = row.0[1];
             *to.add(2 * stride) = row.0[2];

@@ -1,7 +1,9 @@
 //! Finite-strain viscoelasticity over any law of shape: Maxwell branches whose stress follows that of the law and relaxes
 //! (Simo, Comput. Methods Appl. Mech. Eng. 60, 1987; Simo and Hughes, Computational Inelasticity, section 10.3).
 
-use super::{Kinematics, Memory, Numbers, Symmetric};
+use super::deformation::Kinematics;
+use super::state_variables::{Numbers, State};
+use super::symmetric::Symmetric;
 use clubface_math::{Pack, Scalar};
 
 /// Most terms a material may have.
@@ -39,15 +41,15 @@ pub struct Branches<'a, S> {
     /// Each of them.
     pub decays: &'a [Decay<S>],
     /// Whether the work done on them since it was last added up is added up.
-    pub tally: bool,
+    pub add_work: bool,
 }
 
-/// What a point remembers for seldom: `C̄` and the stress of all branches when their work was last added up, and the work.
+/// What a point keeps for the energies only: `C̄` and the stress of all branches when their work was last added up, and the work.
 const STRESS: usize = 6;
 const WORK: usize = 12;
 const ACCOUNT: usize = 13;
 
-/// Memory of a point before any deformation, for often and seldom.
+/// State of a point before any deformation, for every step and for the energies only.
 pub(super) fn undeformed<S: Scalar>(terms: usize) -> [Vec<S>; 2] {
     let mut account = vec![S::zero(); ACCOUNT];
     // The undeformed C̄ is the identity; its driving stress has no deviator.
@@ -57,45 +59,45 @@ pub(super) fn undeformed<S: Scalar>(terms: usize) -> [Vec<S>; 2] {
 
 /// Work done on the branches until it was last added up, J/m3.
 #[inline(always)]
-pub fn work<P: Pack>(memory: &Memory<P::Real>) -> P {
-    let [work] = memory.seldom.load(WORK);
+pub fn work<P: Pack>(state: &State<P::Real>) -> P {
+    let [work] = state.energy_only.load(WORK);
     work
 }
 
-/// Stress of the branches added to that of the law; the memory moves on by one step.
+/// Stress of the branches added to that of the law; the state moves on by one step.
 #[inline(always)]
 pub fn add_branches<P: Pack>(
     at: &Kinematics<P>,
     stress: Symmetric<P>,
     branches: &Branches<P>,
-    memory: &mut Memory<P::Real>,
+    state: &mut State<P::Real>,
 ) -> Symmetric<P> {
     let driving = at.deviator(&stress);
-    let Branches { decays, tally } = *branches;
+    let Branches { decays, add_work: due } = *branches;
     // One branch is the usual case, and then nothing needs counting.
     let branched =
-        if let [only] = decays { relax(&driving, &[*only], memory) } else { relax(&driving, decays, memory) };
-    if tally {
-        add_work(&at.c, &branched, &mut memory.seldom);
+        if let [only] = decays { relax(&driving, &[*only], state) } else { relax(&driving, decays, state) };
+    if due {
+        add_work(&at.c, &branched, &mut state.energy_only);
     }
     stress.plus(P::one(), &branched)
 }
 
-/// Stress of the branches at the end of a step; the memory moves on.
+/// Stress of the branches at the end of a step; the state moves on.
 ///
 /// The convolution of Simo and Hughes (section 10.3), whose stress moves on by `h <- exp(-dt / time) h + half (S - S_last)`, with one variable in the place of two,
 /// the driving stress that the dashpot has come to: `h = half (S - H)`, after which `H` goes its way to `S`.
 #[inline(always)]
-fn relax<P: Pack>(driving: &Symmetric<P>, decays: &[Decay<P>], memory: &mut Memory<P::Real>) -> Symmetric<P> {
+fn relax<P: Pack>(driving: &Symmetric<P>, decays: &[Decay<P>], state: &mut State<P::Real>) -> Symmetric<P> {
     // Spelt out, since no compiler unrolls so much by itself.
     let [xx, yy, zz, xy, xz, yz] = driving.0;
     Symmetric([
-        relax_component(0, xx, decays, memory),
-        relax_component(1, yy, decays, memory),
-        relax_component(2, zz, decays, memory),
-        relax_component(3, xy, decays, memory),
-        relax_component(4, xz, decays, memory),
-        relax_component(5, yz, decays, memory),
+        relax_component(0, xx, decays, state),
+        relax_component(1, yy, decays, state),
+        relax_component(2, zz, decays, state),
+        relax_component(3, xy, decays, state),
+        relax_component(4, xz, decays, state),
+        relax_component(5, yz, decays, state),
     ])
 }
 
@@ -105,14 +107,14 @@ fn relax_component<P: Pack>(
     component: usize,
     driving: P,
     decays: &[Decay<P>],
-    memory: &mut Memory<P::Real>,
+    state: &mut State<P::Real>,
 ) -> P {
     let mut stress = P::zero();
     for (term, decay) in decays.iter().enumerate() {
         let place = 6 * term + component;
-        let [dashpot]: [P; 1] = memory.often.load(place);
+        let [dashpot]: [P; 1] = state.every_step.load(place);
         let spring = driving - dashpot;
-        memory.often.store(place, [spring.mul_add(decay.way, dashpot)]);
+        state.every_step.store(place, [spring.mul_add(decay.way, dashpot)]);
         stress = spring.mul_add(decay.half, stress);
     }
     stress

@@ -28,11 +28,11 @@ pub struct IronShape {
     pub rounding: f64,
 }
 
-/// Elements from heel to toe, from sole to top line, through the blade.
+/// Numbers of elements from heel to toe, from sole to top line, and through the blade.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct IronFineness(pub [usize; 3]);
 
-/// An iron head as meshed.
+/// A meshed iron head.
 #[derive(Clone, Debug)]
 pub struct IronMesh {
     /// The hexahedra, through the blade from its back.

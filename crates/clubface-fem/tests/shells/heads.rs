@@ -1,13 +1,14 @@
 //! A ball met by a head of shells.
 
 use super::delivered::delivered;
-use clubface_fem::ball::{Ball, Piece};
-use clubface_fem::cases::{against_head, against_plane};
+use clubface_fem::ball::{BallConstruction, BallPiece};
+use clubface_fem::cases::{ball_against_deformable_head, ball_against_plane, ball_against_rigid_head};
 use clubface_fem::element::Element;
-use clubface_fem::head::{against_ball, DeformableHead, Driver, ShellHead};
-use clubface_fem::material::{Hencky, Material, Maxwell, NeoHookean, Shape};
+use clubface_fem::environment::Environment;
+use clubface_fem::head::{DeformableHead, Driver, ShellHead};
+use clubface_fem::material::{Hencky, Material, Maxwell, NeoHookean};
 use clubface_fem::mesh::DriverFineness;
-use clubface_fem::solve::{Impact, Options, Structure};
+use clubface_fem::solve::{Options, Simulation, Structure};
 use clubface_fem::FemError;
 use clubface_math::Vec3;
 
@@ -27,15 +28,11 @@ fn momenta(s: &Structure<f64>) -> (Vec3<f64>, Vec3<f64>) {
 }
 
 /// A rubber ball of few elements.
-fn rubber_ball() -> Ball<f64> {
-    let rubber = Material {
-        shape: Shape::NeoHookean(NeoHookean { shear: 20e6 }),
-        bulk: 400e6,
-        maxwell: vec![],
-        density: 1100.0,
-    };
-    Ball {
-        pieces: vec![Piece { name: "core".into(), radius: 0.0214, layers: 3, material: rubber }],
+fn rubber_ball() -> BallConstruction<f64> {
+    let rubber =
+        Material { law: NeoHookean { shear: 20e6 }.law(), bulk: 400e6, maxwell: vec![], density: 1100.0 };
+    BallConstruction {
+        pieces: vec![BallPiece { name: "core".into(), radius: 0.0214, layers: 3, material: rubber }],
         cube: 6,
         element: Element::OnePoint,
         mass: Some(0.046),
@@ -43,27 +40,34 @@ fn rubber_ball() -> Ball<f64> {
 }
 
 /// The same in a stiff, thin cover of some layers of elements.
-fn covered_ball(layers: usize) -> Ball<f64> {
+fn covered_ball(layers: usize) -> BallConstruction<f64> {
     let mut ball = rubber_ball();
     let (shear, bulk) = (200e6, 600e6);
-    let shape = Shape::Hencky(Hencky { shear });
-    let plastic =
-        Material { shape, bulk, maxwell: vec![Maxwell { modulus: 0.5, time: 2e-5 }], density: 950.0 };
+    let law = Hencky { shear }.law();
+    let plastic = Material { law, bulk, maxwell: vec![Maxwell { modulus: 0.5, time: 2e-5 }], density: 950.0 };
     ball.pieces[0].radius = 0.0202;
-    ball.pieces.push(Piece { name: "cover".into(), radius: 0.0214, layers, material: plastic });
+    ball.pieces.push(BallPiece { name: "cover".into(), radius: 0.0214, layers, material: plastic });
     ball
 }
 
 /// A case of a coarse head, struck off centre, in which the core of the ball may take its steps two at a time.
-fn struck() -> Impact<f64> {
-    let driver = Driver { fineness: DriverFineness([18, 8, 12]), ..Driver::p2() };
+fn struck() -> Simulation<f64> {
+    let driver = Driver { fineness: DriverFineness([18, 8, 12]), ..Driver::roh_and_lee() };
     let head = driver.mesh().expect("the head is valid").head;
-    against_ball(&head, &covered_ball(2), &delivered(&head, 0.01, 30.0), 0.3).expect("the case is valid")
+    ball_against_deformable_head(
+        &head,
+        &covered_ball(2),
+        &delivered(&head, 0.01, 30.0),
+        0.3,
+        &Environment::native(),
+    )
+    .expect("the case is valid")
 }
 
 /// The same ball thrown at a plane: its own cover sets the step.
-fn thrown(layers: usize) -> Impact<f64> {
-    against_plane(&covered_ball(layers), 35.0, 0.2, 0.3).expect("the case is valid")
+fn thrown(layers: usize) -> Simulation<f64> {
+    ball_against_plane(&covered_ball(layers), 35.0, 0.2, 0.3, &Environment::native())
+        .expect("the case is valid")
 }
 
 #[test]
@@ -78,7 +82,7 @@ fn a_core_that_rests_in_every_second_step_changes_nothing() {
             let options = Options { safety: Some(safety), ..Options::default() };
             let found = impact.run(&options, &mut |_| true).expect("the options are valid");
             assert!(found.stopped.is_none(), "{:?}", found.stopped);
-            let figures = found.history.figures(impact.radius);
+            let figures = found.records.summary(impact.radius);
             (found.ball, found.head, figures.peak_force, figures.energy_error)
         });
         assert_ne!(with.0.velocity.x.to_bits(), without.0.velocity.x.to_bits(), "nothing has rested");
@@ -99,19 +103,25 @@ fn a_core_under_one_layer_of_cover_stays_awake() {
     let mut impact = thrown(1);
     let found = impact.run(&options, &mut |_| true).expect("the options are valid");
     assert!(found.stopped.is_none(), "{:?}", found.stopped);
-    let error = found.history.figures(impact.radius).energy_error;
+    let error = found.records.summary(impact.radius).energy_error;
     assert!(error < 1e-3, "energies off by {error}");
 }
 
 #[test]
 fn the_force_does_not_come_and_go_with_the_steps() {
     // The head's shells are so small beside the ball's elements that all of the ball could bear to rest.
-    let head = Driver::p2().mesh().expect("the head is valid").head;
-    let mut impact =
-        against_ball(&head, &rubber_ball(), &delivered(&head, 0.0, 0.0), 0.3).expect("the case is valid");
+    let head = Driver::roh_and_lee().mesh().expect("the head is valid").head;
+    let mut impact = ball_against_deformable_head(
+        &head,
+        &rubber_ball(),
+        &delivered(&head, 0.0, 0.0),
+        0.3,
+        &Environment::native(),
+    )
+    .expect("the case is valid");
     let options = Options { duration: 200e-6, ..Options::default() };
     let found = impact.run(&options, &mut |_| true).expect("the options are valid");
-    let forces: Vec<f64> = found.history.contact.iter().map(|frame| frame.normal).collect();
+    let forces: Vec<f64> = found.records.contact.iter().map(|frame| frame.normal).collect();
     let most = forces.iter().copied().fold(0.0, f64::max);
     // What changes its sign from step to step, over some steps: 0.9% as nodes of so coarse a ball arrive, 2.4% with a ball that rests as a whole.
     let zigzags = forces.windows(9).map(|some| {
@@ -132,10 +142,10 @@ fn rest_keeps_momenta_and_the_bits_of_any_number_of_threads() {
         let mut impact = struck();
         let dt = impact.structure.stable_step(60) * 0.9;
         let core = impact.parts.iter().map(|part| part == "core").collect();
-        impact.structure.rest(core);
+        impact.structure.subcycle(core);
         (impact, dt)
     };
-    let bits = |impact: &Impact<f64>| -> Vec<[u64; 4]> {
+    let bits = |impact: &Simulation<f64>| -> Vec<[u64; 4]> {
         let rows = impact.structure.positions.iter().chain(&impact.structure.velocities);
         rows.map(|row| row.0.map(f64::to_bits)).collect()
     };
@@ -154,13 +164,13 @@ fn rest_keeps_momenta_and_the_bits_of_any_number_of_threads() {
         let (mut impact, dt) = case();
         // In parts, the second of which begins with a step in which the core rests, and the last with nodes that have been settled.
         for count in [STEPS / 4 - 1, STEPS / 4 + 1, STEPS / 2] {
-            let Impact { structure, contact, .. } = &mut impact;
+            let Simulation { structure, contact, .. } = &mut impact;
             if count == STEPS / 2 {
-                structure.settle();
+                structure.synchronise();
             }
-            pool.install(|| structure.march(contact.as_mut(), dt, count, &mut |_, _| true));
+            pool.install(|| structure.integrate(contact.as_mut(), dt, count, &mut |_, _| true));
         }
-        impact.structure.settle();
+        impact.structure.synchronise();
         assert!(bits(&impact) == bits(&alone), "{threads} threads");
     }
 }
@@ -171,13 +181,13 @@ fn what_is_seen_of_a_run_is_as_its_nodes_are() {
     let options = Options { duration: 150e-6, ..Options::default() };
     let (mut frames, mut touched, mut force, mut area) = (0, 0, 0.0, 0.0);
     let found = impact
-        .run(&options, &mut |mut view| {
-            let (centre, axes) = (view.centre, view.axes());
-            let sum = view.touches().fold(Vec3::zero(), |sum, node| sum + node.force);
-            let places: Vec<Vec3<f64>> = view.touches().map(|node| node.place).collect();
+        .run(&options, &mut |mut snapshot| {
+            let (centre, axes) = (snapshot.centre, snapshot.axes());
+            let sum = snapshot.contact_forces().fold(Vec3::zero(), |sum, node| sum + node.force);
+            let places: Vec<Vec3<f64>> = snapshot.contact_forces().map(|node| node.position).collect();
             // At some frames only: the others see nodes that have been away for more than one.
             if frames % 3 == 2 {
-                let whole = view.whole();
+                let whole = snapshot.synchronised();
                 let masses = &whole.structure.masses[..whole.ball_nodes];
                 let each = whole.structure.positions.iter().zip(masses);
                 let first = each.fold(Vec3::zero(), |sum, (row, m)| sum + row.vec() * *m);
@@ -188,7 +198,7 @@ fn what_is_seen_of_a_run_is_as_its_nodes_are() {
                 assert!(places.iter().all(|place| surface.iter().any(|row| row.vec() == *place)));
                 touched += places.len();
                 force = -sum.dot(axes[1]);
-                area = view.touches().map(|node| node.area).sum::<f64>();
+                area = snapshot.contact_forces().map(|node| node.area).sum::<f64>();
             }
             frames += 1;
             true
@@ -198,7 +208,7 @@ fn what_is_seen_of_a_run_is_as_its_nodes_are() {
     assert!(frames > 25, "{frames} frames");
     assert!(touched > 100, "{touched} touches");
     // The force of the step before the last frame.
-    let last = found.history.contact.iter().rev().find(|frame| (frame.tangential / force - 1.0).abs() < 1e-9);
+    let last = found.records.contact.iter().rev().find(|frame| (frame.tangential / force - 1.0).abs() < 1e-9);
     // Rounding of a hundred summands.
     let last = last.unwrap_or_else(|| panic!("{force} N is in no record"));
     assert!((area / last.area - 1.0).abs() < 1e-12, "{area} m2, in the record {}", last.area);
@@ -206,10 +216,16 @@ fn what_is_seen_of_a_run_is_as_its_nodes_are() {
 
 #[test]
 fn momentum_of_ball_and_head() {
-    let driver = Driver { fineness: DriverFineness([12, 6, 8]), ..Driver::p2() };
+    let driver = Driver { fineness: DriverFineness([12, 6, 8]), ..Driver::roh_and_lee() };
     let head = driver.mesh().expect("the head is valid").head;
-    let mut impact =
-        against_ball(&head, &rubber_ball(), &delivered(&head, 0.01, 30.0), 0.3).expect("the case is valid");
+    let mut impact = ball_against_deformable_head(
+        &head,
+        &rubber_ball(),
+        &delivered(&head, 0.01, 30.0),
+        0.3,
+        &Environment::native(),
+    )
+    .expect("the case is valid");
     let dt = impact.structure.stable_step(60) * 0.8;
     let before = momenta(&impact.structure);
     let mut most = 0.0_f64;
@@ -229,18 +245,23 @@ fn momentum_of_ball_and_head() {
 /// A head too stiff to bend is a rigid one: the launch agrees, off centre and with the head turning.
 #[test]
 fn a_stiff_head_is_rigid() {
-    let mut driver = Driver { fineness: DriverFineness([24, 12, 18]), ..Driver::p2() };
+    let mut driver = Driver { fineness: DriverFineness([24, 12, 18]), ..Driver::roh_and_lee() };
     driver.metal.elastic.young *= 50.0;
     let head = driver.mesh().expect("the head is valid").head;
     let (ball, touch) = (rubber_ball(), delivered(&head, 0.012, 40.0));
     let options = Options { until_separation: true, ..Options::default() };
-    let launch = |mut impact: Impact<f64>| {
+    let launch = |mut impact: Simulation<f64>| {
         let found = impact.run(&options, &mut |_| true).expect("the options are valid");
         assert!(found.stopped.is_none(), "{:?}", found.stopped);
         (found.ball, found.head)
     };
-    let shells = launch(against_ball(&head, &ball, &touch, 0.3).expect("the case is valid"));
-    let rigid = launch(against_head(&ball, &touch, 0.3).expect("the case is valid"));
+    let shells = launch(
+        ball_against_deformable_head(&head, &ball, &touch, 0.3, &Environment::native())
+            .expect("the case is valid"),
+    );
+    let rigid = launch(
+        ball_against_rigid_head(&ball, &touch, 0.3, &Environment::native()).expect("the case is valid"),
+    );
     let apart = |a: Vec3<f64>, b: Vec3<f64>| (a - b).norm();
     // A fiftieth of the give of a titanium face is left, and the face is a polyhedron of 3 mm sides, which is off by 4 micrometres and
     // 0.3 degrees; the ball's nodes are 5 mm apart.
@@ -258,7 +279,7 @@ fn a_stiff_head_is_rigid() {
 
 #[test]
 fn heads_that_cannot_be_are_refused() {
-    let driver = Driver { fineness: DriverFineness([12, 6, 8]), ..Driver::p2() };
+    let driver = Driver { fineness: DriverFineness([12, 6, 8]), ..Driver::roh_and_lee() };
     let head = driver.mesh().expect("the head is valid").head;
     let refused = |change: fn(&mut ShellHead<f64>), expected: &str| {
         let mut other = head.clone();

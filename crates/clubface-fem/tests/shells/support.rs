@@ -1,7 +1,8 @@
 //! Plates of shells, and what the checks do with them.
 
-use clubface_fem::contact::{Contact, ContactEnergy, Method, Resultant};
-use clubface_fem::element::{Isotropic, Patch, ShellMaterial, ShellPatch, ShellRows, SHELL_PATCH};
+use clubface_fem::contact::{Contact, ContactEnergy, ContactMethod, Resultant};
+use clubface_fem::element::{Isotropic, Kernels, Patch, ShellMaterial, ShellRows, SHELL_PATCH};
+use clubface_fem::environment::Environment;
 use clubface_fem::mesh::ShellMesh;
 use clubface_fem::solve::Structure;
 use clubface_impact::first_touch::Motion;
@@ -35,17 +36,17 @@ pub fn plate(n: usize, side: f64, thickness: f64, skew: f64) -> ShellMesh<f64> {
     ShellMesh { thickness: vec![thickness; quads.len()], nodes, quads }
 }
 
-pub fn patch(mesh: &ShellMesh<f64>) -> ShellPatch<f64> {
+pub fn patch(mesh: &ShellMesh<f64>) -> Box<dyn Patch<f64>> {
     patch_of(mesh, titanium())
 }
 
-pub fn patch_of(mesh: &ShellMesh<f64>, material: ShellMaterial<f64>) -> ShellPatch<f64> {
+pub fn patch_of(mesh: &ShellMesh<f64>, material: ShellMaterial<f64>) -> Box<dyn Patch<f64>> {
     let rows = ShellRows { positions: 0, rotations: mesh.nodes.len() as u32 };
-    ShellPatch::new(mesh, 0..mesh.quads.len(), material, rows)
+    f64::shell(mesh, 0..mesh.quads.len(), material, rows)
 }
 
 /// Largest force and moment on the given nodes.
-pub fn largest(patch: &ShellPatch<f64>, nodes: usize, chosen: impl Fn(usize) -> bool) -> (f64, f64) {
+pub fn largest(patch: &dyn Patch<f64>, nodes: usize, chosen: impl Fn(usize) -> bool) -> (f64, f64) {
     let mut most = (0.0_f64, 0.0_f64);
     for (&row, force) in patch.nodes().iter().zip(patch.forces()) {
         let row = row as usize;
@@ -89,7 +90,7 @@ impl Contact<f64> for Loads {
     fn nodes(&self) -> &[u32] {
         &self.nodes
     }
-    fn keep_out(&mut self, _: Method) {}
+    fn set_method(&mut self, _: ContactMethod) {}
     fn assemble(&mut self, _: &[Row<f64>], _: &[Row<f64>], _: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &self.forces
@@ -103,7 +104,7 @@ impl Contact<f64> for Loads {
     fn nearest(&self, _: &[Row<f64>], _: Vec3<f64>) -> (f64, Vec3<f64>) {
         (0.0, Vec3::zero())
     }
-    fn head(&self) -> Option<Motion<f64>> {
+    fn head_motion(&self) -> Option<Motion<f64>> {
         None
     }
 }
@@ -133,9 +134,10 @@ impl Body {
         let rows_of = ShellRows { positions: 0, rotations: count as u32 };
         let patches = (0..mesh.quads.len()).step_by(SHELL_PATCH).map(|start| {
             let some = start..(start + SHELL_PATCH).min(mesh.quads.len());
-            Box::new(ShellPatch::new(mesh, some, material.clone(), rows_of)) as Box<dyn Patch<f64>>
+            f64::shell(mesh, some, material.clone(), rows_of)
         });
-        let mut structure = Structure::new(rows(&mesh.nodes), all, patches.collect(), loads.nodes());
+        let mut structure =
+            Structure::new(rows(&mesh.nodes), all, patches.collect(), loads.nodes(), &Environment::native());
         structure.translations = count;
         let held = held.map(|(node, which)| {
             let (row, component) = (node + which / 3 * count, which % 3);

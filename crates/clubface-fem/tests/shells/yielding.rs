@@ -1,7 +1,7 @@
 //! Shells that yield, against closed forms of plasticity.
 
 use super::support::{patch_of, plate, rows, titanium, Body, Loads, DENSITY, YOUNG};
-use clubface_fem::element::{Isotropic, Patch, Rule, ShellMaterial, ShellPatch};
+use clubface_fem::element::{Isotropic, Patch, Rule, ShellMaterial};
 use clubface_fem::material::{Hardening, PlaneState, PlaneStress, Symmetric};
 use clubface_math::{Row, Vec3};
 
@@ -17,7 +17,7 @@ fn incompressible(hardening: Hardening<f64>) -> ShellMaterial<f64> {
 
 /// A square element whose strain and curvature are given.
 struct Strip {
-    patch: ShellPatch<f64>,
+    patch: Box<dyn Patch<f64>>,
     sides: [f64; 2],
     /// Work done on it, J.
     work: f64,
@@ -81,7 +81,7 @@ fn stress_of_the_surfaces_and_its_axes() {
         let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
         let corners = corners.map(|[i, j]| turn * Vec3::new(strip.sides[0] * i, strip.sides[1] * j, 0.0));
         let mut told = Vec::new();
-        strip.patch.feel(&rows(&corners), &mut |number, felt| told.push((number, *felt)));
+        strip.patch.element_output(&rows(&corners), &mut |number, felt| told.push((number, *felt)));
         let [(0, felt)] = told[..] else { panic!("{told:?}") };
         for (side, bent) in [(0, 0.5 * THICKNESS * 0.05), (1, -0.5 * THICKNESS * 0.05)] {
             let strain = 1e-4 + bent;

@@ -58,7 +58,7 @@ fn a_bar_strikes_a_wall() {
         }
     }
     let mean = plateau.iter().sum::<f64>() / plateau.len() as f64;
-    let velocity = bar.kinetics(0..mesh.nodes.len()).velocity.x;
+    let velocity = bar.body_motion(0..mesh.nodes.len()).velocity.x;
     // The front is spread over a few elements and rings; the mean over most of the plateau does not care.
     assert!((mean / expected - 1.0).abs() < 5e-3, "{mean} {expected}");
     // The springs of the contact, a quarter of node mass over step squared, give the front a rise of its own: its time constant is

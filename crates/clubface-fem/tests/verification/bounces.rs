@@ -2,9 +2,10 @@
 
 use super::support::{elastic, masses, outside, patches, rows, SPRING};
 use super::thrown::{bounce, Bounce};
-use clubface_fem::contact::Springs;
+use clubface_fem::contact::PenaltySprings;
 use clubface_fem::element::Element;
-use clubface_fem::material::{Material, MooneyRivlin, Shape};
+use clubface_fem::environment::Environment;
+use clubface_fem::material::{Material, MooneyRivlin};
 use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
 use clubface_fem::solve::Structure;
 use clubface_math::Vec3;
@@ -39,6 +40,7 @@ fn drop(
         masses(mesh, material.density),
         patches(element, mesh, material),
         &surface,
+        &Environment::native(),
     );
     bounce(&mut body, &surface, &areas, friction, velocity, duration, SPRING)
 }
@@ -113,14 +115,14 @@ fn reference(element: Element) {
     let outer = masses(&cover, 950.0);
     let volume: f64 = masses(&inside, 1.0).iter().sum();
     let density = (0.046 - outer.iter().sum::<f64>()) / volume;
-    let shape = Shape::MooneyRivlin(MooneyRivlin { c10: 4e6, c01: 1e6 });
-    let rubber = Material { shape, bulk: 496.67e6, maxwell: vec![], density };
+    let law = MooneyRivlin { c10: 4e6, c01: 1e6 }.law();
+    let rubber = Material { law, bulk: 496.67e6, maxwell: vec![], density };
     let masses: Vec<f64> = masses(&inside, density).iter().zip(&outer).map(|(a, b)| a + b).collect();
     let inertias = masses.clone();
     let mut elements = patches(element, &inside, &rubber);
     elements.extend(patches(element, &cover, &elastic(350e6, 0.4, 950.0)));
     let (surface, areas) = outside(&mesh);
-    let mut body = Structure::new(rows(&mesh.nodes), masses, elements, &surface);
+    let mut body = Structure::new(rows(&mesh.nodes), masses, elements, &surface, &Environment::native());
     let (s, c) = 11.5_f64.to_radians().sin_cos();
     let found = bounce(
         &mut body,
@@ -129,7 +131,7 @@ fn reference(element: Element) {
         0.35,
         Vec3::new(-35.0 * c, 35.0 * s, 0.0),
         1e-3,
-        Springs::default(),
+        PenaltySprings::default(),
     );
     // As spin the angular momentum over the inertia, free of vibration: that of the whole meshed ball, two thirds of the polar moment.
     let centre = Vec3::new(0.0214, 0.0, 0.0);

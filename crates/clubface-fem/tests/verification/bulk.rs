@@ -22,7 +22,7 @@ fn a_cube_breathes_as_a_damped_oscillator() {
     for element in ELEMENTS {
         let material = rubber();
         let mut cube = structure(element, &block([1; 3], [EDGE; 3]), &material, &[]);
-        cube.damp(COEFFICIENT);
+        cube.set_bulk_viscosity(COEFFICIENT);
         // With x = (1 + s) X and an eighth of the mass m at each corner, 3/4 of the edge squared from the centre, the energies are
         // 1/2 K (3 s)^2 V and 1/2 m 3/4 a^2 (ds/dt)^2, and the pressure does 3 ds/dt V of work a second.
         let inertia = 0.75 * material.density * EDGE * EDGE;
@@ -63,7 +63,7 @@ fn work_is_that_of_the_pressure_in_every_arrangement() {
             let material = rubber();
             let size = counts.map(|n| n as f64 * EDGE);
             let mut body = structure(element, &block(counts, size), &material, &[]);
-            body.damp(COEFFICIENT);
+            body.set_bulk_viscosity(COEFFICIENT);
             for x in &mut body.positions {
                 *x = rows(&[x.vec() * (1.0 + growth)])[0];
             }

@@ -1,12 +1,13 @@
 //! What a free ball keeps, what a run on more threads repeats, and the balance of energy.
 
 use super::support::{elastic, step, structure, Free, Random, ELEMENTS};
-use clubface_fem::ball::{Ball, Piece};
-use clubface_fem::cases::against_head;
+use clubface_fem::ball::{BallConstruction, BallPiece};
+use clubface_fem::cases::ball_against_rigid_head;
 use clubface_fem::element::Element;
+use clubface_fem::environment::Environment;
 use clubface_fem::material::Maxwell;
 use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
-use clubface_fem::solve::{Impact, Structure};
+use clubface_fem::solve::{Simulation, Structure};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::shot::{Shot, INPUTS};
 use clubface_math::{Row, Vec3};
@@ -81,24 +82,25 @@ fn a_ball_and_a_rigid_head_keep_momentum_and_angular_momentum() {
         &INPUTS.map(|input| values.iter().find(|v| v.0 == input.name).map_or(0.0, |v| v.1)),
     ));
     let core =
-        Piece { name: "core".into(), radius: 0.0214, layers: 3, material: elastic(30e6, 0.45, 1000.0) };
-    let ball = Ball { pieces: vec![core], cube: 4, element: Element::OnePoint, mass: Some(0.046) };
-    let Impact { mut structure, mut contact, .. } =
-        against_head(&ball, &touch, 0.3).expect("the case is valid");
+        BallPiece { name: "core".into(), radius: 0.0214, layers: 3, material: elastic(30e6, 0.45, 1000.0) };
+    let ball =
+        BallConstruction { pieces: vec![core], cube: 4, element: Element::OnePoint, mass: Some(0.046) };
+    let Simulation { mut structure, mut contact, .. } =
+        ball_against_rigid_head(&ball, &touch, 0.3, &Environment::native()).expect("the case is valid");
     let dt = structure.stable_step(60) * 0.5;
     // The origin is the head's CG at first touch; it moves on with the velocity of every step.
     let mut cg = Vec3::zero();
     let mut sums = Vec::new();
     for _ in 0..400 {
         let [mut linear, mut angular] = momenta(&structure);
-        let head = contact.head().expect("a rigid head");
+        let head = contact.head_motion().expect("a rigid head");
         linear += head.velocity * MASS;
         angular += cg.cross(head.velocity) * MASS + head.spin * INERTIA;
         sums.push([linear, angular]);
         step(&mut structure, contact.as_mut(), dt);
-        cg += contact.head().expect("a rigid head").velocity * dt;
+        cg += contact.head_motion().expect("a rigid head").velocity * dt;
     }
-    let spun = structure.kinetics(0..structure.positions.len()).spin.norm();
+    let spun = structure.body_motion(0..structure.positions.len()).spin.norm();
     assert!(spun > 30.0, "a hit off centre: {spun} rad/s");
     // Rounding, over the momentum of the head and the lever of its CG.
     for [linear, angular] in &sums {

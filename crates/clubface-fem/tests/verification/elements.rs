@@ -4,15 +4,15 @@ use super::support::{
     block, distorted_cube, elastic, forces, largest, patches, rows, structure, Free, Random, ELEMENTS,
 };
 use clubface_fem::element::{Element, Energy};
-use clubface_fem::material::{Material, Maxwell, MooneyRivlin, Shape};
+use clubface_fem::material::{Material, Maxwell, MooneyRivlin};
 use clubface_math::{Row, Vec3};
 
 const EDGE: f64 = 0.01;
 
 /// Every element, with a nearly incompressible rubber and with a stiff cover.
 fn cases() -> Vec<(Element, Material<f64>)> {
-    let rubber = Shape::MooneyRivlin(MooneyRivlin { c10: 4e6, c01: 1e6 });
-    let rubber = Material { shape: rubber, bulk: 500e6, maxwell: vec![], density: 1000.0 };
+    let rubber = MooneyRivlin { c10: 4e6, c01: 1e6 }.law();
+    let rubber = Material { law: rubber, bulk: 500e6, maxwell: vec![], density: 1000.0 };
     let cover = elastic(350e6, 0.4, 950.0);
     ELEMENTS.into_iter().flat_map(|element| [(element, rubber.clone()), (element, cover.clone())]).collect()
 }
@@ -135,7 +135,7 @@ fn a_march_ends_with_the_step_in_which_an_element_leaves_its_law() {
             for x in body.positions.iter_mut().filter(|x| x.0[0] > EDGE - 0.5 * edge) {
                 x.0[0] += (share - 1.0) * edge;
             }
-            let steps = body.march(&mut Free, dt, 5, &mut |_, _| true);
+            let steps = body.integrate(&mut Free, dt, 5, &mut |_, _| true);
             assert_eq!(steps, if within { 5 } else { 1 }, "{kind:?} {ni} {share}");
         }
     }

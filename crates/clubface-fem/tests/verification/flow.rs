@@ -3,7 +3,7 @@
 use super::support::{block, outside, patches, rows, structure, Random, ELEMENTS, SPRING};
 use super::thrown::bounce;
 use clubface_fem::material::{
-    Hardening, Hencky, Isochoric, Kinematics, Material, PlasticState, Shape, VonMises,
+    Hardening, Hencky, Invariants, Isochoric, Kinematics, Material, PlasticState, VonMises,
 };
 use clubface_math::{Mat3, Row, Vec3};
 
@@ -200,7 +200,7 @@ fn small_strains_agree_with_plane_stress_of_shells() {
 #[test]
 fn before_it_yields_it_is_linear_in_logarithmic_strain() {
     let law = metal(Hardening::perfect(YIELD));
-    let linear = Hencky { shear: SHEAR };
+    let linear = Invariants(Hencky { shear: SHEAR });
     let f = Random(3).gradient(4e-3);
     let at = Kinematics::new(f);
     let mut state = PlasticState::start();
@@ -215,7 +215,7 @@ fn before_it_yields_it_is_linear_in_logarithmic_strain() {
 }
 
 fn body_of(hardening: Hardening<f64>) -> Material<f64> {
-    Material { shape: Shape::VonMises(metal(hardening)), bulk: BULK, maxwell: vec![], density: 8000.0 }
+    Material { law: metal(hardening).law(), bulk: BULK, maxwell: vec![], density: 8000.0 }
 }
 
 #[test]

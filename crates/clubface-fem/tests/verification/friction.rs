@@ -29,7 +29,7 @@ impl RigidSurface<f64> for Sphere {
     fn velocity(&self, _point: Vec3<f64>) -> Vec3<f64> {
         self.velocity + self.spin.cross(Vec3::new(-RADIUS, 0.0, 0.0))
     }
-    fn push(&mut self, force: Vec3<f64>, _point: Vec3<f64>) {
+    fn apply_force(&mut self, force: Vec3<f64>, _point: Vec3<f64>) {
         self.force += force;
     }
     fn advance(&mut self, dt: f64) {

@@ -1,6 +1,6 @@
 //! Grooves: their profile, and a node pressed into them.
 
-use clubface_fem::contact::{BallSide, Contact, FaceContact, FaceSide, Grooves, Springs};
+use clubface_fem::contact::{BallSide, Contact, DeformableContact, FaceSide, Grooves, PenaltySprings};
 use clubface_math::{Row, Vec3};
 
 const GROOVES: Grooves = Grooves { width: 1e-3, depth: 0.5e-3, pitch: 4e-3, wall: 0.3e-3 };
@@ -52,7 +52,7 @@ fn pressed(height: f64, friction: f64, depth: f64) -> (Vec3<f64>, Vec3<f64>, Vec
         masses: &masses,
         grooves: Some((Grooves { depth, ..GROOVES }, heights)),
     };
-    let mut contact = FaceContact::new(&ball, &face, friction, Springs::default(), &positions);
+    let mut contact = DeformableContact::new(&ball, &face, friction, PenaltySprings::default(), &positions);
     let mut velocities = vec![Row::zero(); 5];
     if friction > 0.0 {
         velocities[4] = Row::from_vec(Vec3::new(0.0, 0.6, 0.8));

@@ -1,8 +1,9 @@
 //! Bodies of one material, and what the checks measure on them.
 
-use clubface_fem::contact::{Contact, ContactEnergy, Method, Resultant, Springs};
+use clubface_fem::contact::{Contact, ContactEnergy, ContactMethod, PenaltySprings, Resultant};
 use clubface_fem::element::{Element, Patch};
-use clubface_fem::material::{Hencky, Material, Shape};
+use clubface_fem::environment::Environment;
+use clubface_fem::material::{Hencky, Material};
 use clubface_fem::mesh::{SolidMesh, CORNERS};
 use clubface_fem::solve::Structure;
 use clubface_impact::first_touch::Motion;
@@ -39,7 +40,7 @@ impl Random {
 pub fn elastic(young: f64, poisson: f64, density: f64) -> Material<f64> {
     let shear = young / (2.0 * (1.0 + poisson));
     let bulk = young / (3.0 * (1.0 - 2.0 * poisson));
-    Material { shape: Shape::Hencky(Hencky { shear }), bulk, maxwell: vec![], density }
+    Material { law: Hencky { shear }.law(), bulk, maxwell: vec![], density }
 }
 
 /// A block of `counts` elements and `size` metres with a corner at the origin.
@@ -109,6 +110,7 @@ pub fn structure(
         masses(mesh, material.density),
         patches(element, mesh, material),
         touching,
+        &Environment::native(),
     )
 }
 
@@ -136,7 +138,7 @@ impl Contact<f64> for Free {
     fn nodes(&self) -> &[u32] {
         &[]
     }
-    fn keep_out(&mut self, _: Method) {}
+    fn set_method(&mut self, _: ContactMethod) {}
     fn assemble(&mut self, _positions: &[Row<f64>], _velocities: &[Row<f64>], _dt: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &[]
@@ -150,7 +152,7 @@ impl Contact<f64> for Free {
     fn nearest(&self, _: &[Row<f64>], _point: Vec3<f64>) -> (f64, Vec3<f64>) {
         (f64::INFINITY, Vec3::new(1.0, 0.0, 0.0))
     }
-    fn head(&self) -> Option<Motion<f64>> {
+    fn head_motion(&self) -> Option<Motion<f64>> {
         None
     }
 }
@@ -197,7 +199,8 @@ pub fn root(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
 }
 
 /// Stiff, undamped contact springs, for comparison with closed forms that have none.
-pub const SPRING: Springs = Springs { stiffness: 0.25, damping: 0.0, step: None, multiplier: None };
+pub const SPRING: PenaltySprings =
+    PenaltySprings { stiffness: 0.25, damping: 0.0, step: None, multiplier: None };
 
 /// Outer nodes of a mesh, and the share of each node in its surface, m2.
 pub fn outside(mesh: &SolidMesh) -> (Vec<u32>, Vec<f64>) {

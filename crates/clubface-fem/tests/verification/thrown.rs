@@ -1,7 +1,7 @@
 //! A body thrown at a rigid plane, and what it does there.
 
 use super::support::step;
-use clubface_fem::contact::{Contact, Plane, RigidContact, Springs};
+use clubface_fem::contact::{Contact, PenaltySprings, Plane, RigidContact};
 use clubface_fem::solve::Structure;
 use clubface_math::{Row, Vec3};
 use std::collections::VecDeque;
@@ -34,7 +34,7 @@ pub fn bounce(
     friction: f64,
     velocity: Vec3<f64>,
     duration: f64,
-    springs: Springs,
+    springs: PenaltySprings,
 ) -> Bounce {
     let mut contact =
         RigidContact::new(Plane, friction, surface.to_vec(), &body.masses, areas).with_springs(springs);
@@ -92,7 +92,7 @@ pub fn bounce(
         }
     }
     let mut angular = Vec3::zero();
-    let kinetics = body.kinetics(0..body.positions.len());
+    let kinetics = body.body_motion(0..body.positions.len());
     for ((x, v), m) in body.positions.iter().zip(&body.velocities).zip(&body.masses) {
         angular += (x.vec() - kinetics.centre).cross(v.vec() - kinetics.velocity) * *m;
     }

@@ -1,39 +1,32 @@
 //! Maxwell branches against closed forms of linear viscoelasticity, and their account of energy.
 
 use super::support::Random;
-use clubface_fem::material::{
-    add_branches, work, Branches, Decay, History, Isochoric, Kinematics, Material, Maxwell, NeoHookean, Shape,
-};
+use clubface_fem::material::{Material, MaterialPoint, Maxwell, NeoHookean};
 use clubface_math::{Mat3, Vec3};
 
 const SHEAR: f64 = 2e6;
 const BULK: f64 = 8e6;
 const TERMS: [Maxwell<f64>; 2] = [Maxwell { modulus: 0.6, time: 1e-4 }, Maxwell { modulus: 1.5, time: 7e-4 }];
 
-/// A point with two branches.
+/// A point with two branches, which takes steps of one length.
 struct Point {
-    history: History<f64>,
-    decays: [Decay<f64>; 2],
+    point: MaterialPoint<f64>,
+    dt: f64,
 }
 
 impl Point {
     fn new(dt: f64) -> Self {
-        let shape = Shape::NeoHookean(NeoHookean { shear: SHEAR });
-        let history = Material { shape, bulk: BULK, maxwell: TERMS.to_vec(), density: 1e3 };
-        let history = History::new(&history, 1);
-        Self { history, decays: TERMS.map(|term| term.decay(dt)) }
+        let law = NeoHookean { shear: SHEAR }.law();
+        let material = Material { law, bulk: BULK, maxwell: TERMS.to_vec(), density: 1e3 };
+        Self { point: MaterialPoint::new(&material), dt }
     }
     /// First Piola-Kirchhoff stress at the end of a step to the gradient `f`, Pa.
     fn step(&mut self, f: Mat3<f64>) -> Mat3<f64> {
-        let at = Kinematics::new(f);
-        let slow = NeoHookean { shear: SHEAR }.stress(&at.c);
-        let branches = Branches { decays: &self.decays, tally: true };
-        let stress = add_branches(&at, slow, &branches, &mut self.history.of(0, 0));
-        at.first_piola(&f, &stress, BULK * (at.deformation.volume - 1.0))
+        self.point.update(&f, self.dt)
     }
     /// Work done on the branches so far, J/m3.
     fn work(&mut self) -> f64 {
-        work(&self.history.of(0, 0))
+        self.point.energy(&Mat3::diagonal(1.0)).viscous
     }
 }
 
@@ -103,9 +96,7 @@ fn closed_path(steps: usize) -> [f64; 3] {
         work += (0..3).map(|i| mean.rows[i].dot(change.rows[i])).sum::<f64>();
         (f, stress) = (next, next_stress);
     }
-    let end = Kinematics::new(f);
-    let stored =
-        NeoHookean { shear: SHEAR }.energy(&end.c) + 0.5 * BULK * (end.deformation.volume - 1.0).powi(2);
+    let stored = point.point.energy(&f).strain;
     [work, stored, point.work()]
 }
 

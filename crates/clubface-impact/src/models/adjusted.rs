@@ -1,9 +1,12 @@
 //! Adjusted impulse-momentum model of Danaei et al.: extra clubhead mass and a displaced ball CG (P1 section 2.1.1).
 
 use super::impulse::{restitution, solve, Restitution};
+use crate::contact::Recorder;
+use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
-use crate::history::Recorder;
-use crate::model::{parameters, Accuracy, Describe, Impact, Kind, Law, Model, ModelInfo};
+use crate::impact::{Accuracy, Impact};
+use crate::model::{Describe, Model};
+use crate::parameters;
 use clubface_math::{Scalar, Vec3};
 
 parameters! {
@@ -21,10 +24,11 @@ parameters! {
 }
 
 impl Describe for Adjusted<()> {
+    type Over<S: Scalar> = Adjusted<S>;
     const INFO: ModelInfo = ModelInfo {
         name: "adjusted",
         title: "Adjusted impulse-momentum",
-        kind: Kind::Impulse,
+        kind: ModelKind::Impulse,
         summary: "The standard model with a little mass added to the clubhead and the ball's CG displaced.",
         reference: "P1 section 2.1.1 after Danaei et al.; parameters P1 Table 6",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],

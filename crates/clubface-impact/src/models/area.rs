@@ -1,10 +1,12 @@
 //! Contact-area model of Arakawa (P1 section 2.2.3, Eqs. 17-21, letters as in the original work).
 
 use super::hertz;
-use crate::contact::{run, ContactLaw, RECORDED_SOLID, SOLID};
+use crate::contact::{run, ContactLaw, Recorder, RECORDED_SOLID, SOLID};
+use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
-use crate::history::Recorder;
-use crate::model::{parameters, Accuracy, Describe, Impact, Kind, Law, Model, ModelInfo};
+use crate::impact::{Accuracy, Impact};
+use crate::model::{Describe, Model};
+use crate::parameters;
 use clubface_math::elementary::tanh_ratio;
 use clubface_math::{Dual, Scalar};
 use core::f64::consts::PI;
@@ -26,10 +28,11 @@ parameters! {
 }
 
 impl Describe for Area<()> {
+    type Over<S: Scalar> = Area<S>;
     const INFO: ModelInfo = ModelInfo {
         name: "area",
         title: "Contact area",
-        kind: Kind::Contact,
+        kind: ModelKind::Contact,
         summary: "Hertz contact with friction from the normal force and the rate of the contact area.",
         reference: "P1 section 2.2.3, Eqs. 14-21, after Arakawa et al.; parameters P1 Table 10",
         laws: &[Law::Momentum, Law::AngularMomentum],

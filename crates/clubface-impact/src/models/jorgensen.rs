@@ -1,9 +1,12 @@
 //! Jorgensen's theory of spin with a compression factor (P2 section 3.1), carried into three dimensions.
 
 use super::impulse::{restitution, solve, Restitution};
+use crate::contact::Recorder;
+use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::{FirstTouch, Motion};
-use crate::history::Recorder;
-use crate::model::{parameters, Accuracy, Describe, Impact, Kind, Law, Model, ModelInfo};
+use crate::impact::{Accuracy, Impact};
+use crate::model::{Describe, Model};
+use crate::parameters;
 use clubface_math::{Scalar, Vec3};
 
 parameters! {
@@ -18,10 +21,11 @@ parameters! {
 }
 
 impl Describe for Jorgensen<()> {
+    type Over<S: Scalar> = Jorgensen<S>;
     const INFO: ModelInfo = ModelInfo {
         name: "jorgensen",
         title: "Jorgensen's compression factor",
-        kind: Kind::Impulse,
+        kind: ModelKind::Impulse,
         summary:
             "The standard model's normal part; rolling along the face reduced by the ball's compression. \
                   It does not keep angular momentum.",

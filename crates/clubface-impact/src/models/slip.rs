@@ -1,9 +1,12 @@
 //! Variable-slip impulse-momentum model: Cross and Dewhurst's tangential restitution in 3D (P1 section 2.1.2).
 
 use super::impulse::{restitution, solve, Restitution};
+use crate::contact::Recorder;
+use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
-use crate::history::Recorder;
-use crate::model::{parameters, Accuracy, Describe, Impact, Kind, Law, Model, ModelInfo};
+use crate::impact::{Accuracy, Impact};
+use crate::model::{Describe, Model};
+use crate::parameters;
 use clubface_math::{Scalar, Vec3};
 
 parameters! {
@@ -19,10 +22,11 @@ parameters! {
 }
 
 impl Describe for Slip<()> {
+    type Over<S: Scalar> = Slip<S>;
     const INFO: ModelInfo = ModelInfo {
         name: "slip",
         title: "Variable-slip impulse-momentum",
-        kind: Kind::Impulse,
+        kind: ModelKind::Impulse,
         summary: "The standard model with a prescribed fraction of the sliding velocity reversed instead of rolling.",
         reference: "P1 section 2.1.2, Eqs. 10-11, after Cross and Dewhurst; parameters P1 Table 7",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],

@@ -1,9 +1,12 @@
 //! Standard impulse-momentum model: restitution along the normal, pure rolling along the face (P1 section 2.1).
 
 use super::impulse::{restitution, solve, Restitution};
+use crate::contact::Recorder;
+use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
-use crate::history::Recorder;
-use crate::model::{parameters, Accuracy, Describe, Impact, Kind, Law, Model, ModelInfo};
+use crate::impact::{Accuracy, Impact};
+use crate::model::{Describe, Model};
+use crate::parameters;
 use clubface_math::{Scalar, Vec3};
 
 parameters! {
@@ -16,10 +19,11 @@ parameters! {
 }
 
 impl Describe for Standard<()> {
+    type Over<S: Scalar> = Standard<S>;
     const INFO: ModelInfo = ModelInfo {
         name: "standard",
         title: "Standard impulse-momentum",
-        kind: Kind::Impulse,
+        kind: ModelKind::Impulse,
         summary: "Instantaneous impact with restitution along the normal and pure rolling along the face.",
         reference: "P1 section 2.1, Eqs. 1-9",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],

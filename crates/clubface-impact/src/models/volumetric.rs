@@ -1,9 +1,11 @@
 //! Two-layer ball with a volumetric normal force (P1 section 2.2.1, Eqs. 12-13), after McNally, Gonthier and Brown.
 
-use crate::contact::{run, ContactLaw, Core, LAYERED, RECORDED_LAYERED};
+use crate::contact::{run, ContactLaw, Core, Recorder, LAYERED, RECORDED_LAYERED};
+use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
-use crate::history::Recorder;
-use crate::model::{parameters, Accuracy, Describe, Impact, Kind, Law, Model, ModelInfo};
+use crate::impact::{Accuracy, Impact};
+use crate::model::{Describe, Model};
+use crate::parameters;
 use clubface_math::elementary::tanh_ratio;
 use clubface_math::{Dual, Scalar};
 use core::f64::consts::PI;
@@ -24,10 +26,11 @@ parameters! {
 }
 
 impl Describe for Volumetric<()> {
+    type Over<S: Scalar> = Volumetric<S>;
     const INFO: ModelInfo = ModelInfo {
         name: "volumetric",
         title: "Two-layer ball, volumetric contact",
-        kind: Kind::Contact,
+        kind: ModelKind::Contact,
         summary:
             "Normal force from the overlap volume, smooth Coulomb friction, a cover that twists on its core.",
         reference: "P1 section 2.2.1, Eqs. 12-13; parameters P1 Table 8",

@@ -3,7 +3,7 @@
 use crate::rigid::Rigid;
 use crate::shots::*;
 use clubface_impact::models::jorgensen::compression_factor;
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::Accuracy;
 use proptest::prelude::*;
 
 /// P2's impact: a ball of 42.8 mm and 46 g, 35 m/s, 11.5 deg; head of 210 g and 1526 g cm2.
@@ -22,7 +22,7 @@ fn p2() -> Inputs {
 }
 
 fn spin_rpm(factor: f64) -> f64 {
-    let model = ModelKind::Jorgensen;
+    let model = JORGENSEN;
     let parameters = changed(model, model.info().defaults(), &[("compression_factor", factor)]);
     hit(model, &p2(), &parameters, Accuracy::Fast).at("backspin") / RPM
 }
@@ -57,7 +57,7 @@ proptest! {
     /// direction (Eqs. 4-6), whatever the impact.
     #[test]
     fn the_ball_keeps_five_sevenths_of_f_of_its_sliding_velocity((_, inputs) in any_delivery(), f in 0.3..1.4f64) {
-        let model = ModelKind::Jorgensen;
+        let model = JORGENSEN;
         let parameters = changed(model, model.info().defaults(), &[("compression_factor", f)]);
         let outputs = hit(model, &inputs, &parameters, Accuracy::Fast);
         let rigid = Rigid::of(model, &inputs, &parameters, &outputs);
@@ -67,8 +67,8 @@ proptest! {
         prop_assert!((rigid.ball_spin - spin).norm() < 1e-12 * (1.0 + spin.norm()));
         prop_assert!(rigid.momentum_error() < 1e-12);
         // The normal part is that of the standard model.
-        let standard = hit(ModelKind::Standard, &inputs, &ModelKind::Standard.info().defaults(), Accuracy::Fast);
-        let standard = Rigid::of(ModelKind::Standard, &inputs, &[], &standard);
+        let standard = hit(STANDARD, &inputs, &STANDARD.info().defaults(), Accuracy::Fast);
+        let standard = Rigid::of(STANDARD, &inputs, &[], &standard);
         let difference = (rigid.ball_velocity - standard.ball_velocity).dot(normal);
         prop_assert!(difference.abs() < 1e-11);
         // Relative to the face point, which moves after impact as in the standard model.

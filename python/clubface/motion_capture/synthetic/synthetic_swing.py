@@ -122,7 +122,7 @@ def swing(club: Club, chain: Chain, asked: Mapping[str, float]) -> SyntheticSwin
     velocity, spin = turned @ velocity, turned @ spin
     # As of a right-hander all through; the launch of a left-hander is its mirror image.
     as_right = {**asked, "closure": float(spin[1]), "pitch_rate": float(spin[2]), "lie_rate": float(-spin[0])}
-    struck = ball("published")
+    struck = ball()
     launched = impact(club.replace(hand="right"), as_right, model="standard", ball=struck)
     after = {
         name: np.array([float(getattr(launched, f"{name}_{axis}")) for axis in "xyz"])
