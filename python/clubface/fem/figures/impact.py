@@ -1,4 +1,4 @@
-"""Pictures of finite element impacts: histories, forces over the patch, sweeps; P2's numbers beside them."""
+"""Pictures of finite element impacts: histories, forces over the patch, sweeps, and the numbers of Roh and Lee."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ MARK: dict[str, Any] = {"color": "0.25", "marker": "x", "markersize": 5.0, "line
 RPM = units.from_si(1.0, "rpm")
 
 TAKE_OFF = 5.15
-"""Velocity along the face, relative to the clubhead, at take-off in P2, section 3.2 [m/s]."""
-P2_SPEED, LEAST_FACTOR = 35.0, 0.92
-"""Clubhead speed of P2's case [m/s], and the least compression factor of its sweep, section 4."""
+"""Velocity along the face, relative to the clubhead, at take-off in Roh and Lee, section 3.2 [m/s]."""
+PUBLISHED_SPEED, LEAST_FACTOR = 35.0, 0.92
+"""Clubhead speed of the case of Roh and Lee [m/s], and the least compression factor of their sweep, section 4."""
 ENERGIES = {
     "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction", "damping": "damping",
     "hourglass": "hourglass", "contact": "contact springs",
@@ -30,12 +30,14 @@ ENERGIES = {
 
 @styled
 def paper_figure(found: Impact) -> Figure:
-    """Draw velocities, forces, spin and effective radius over time as in P2's Figs. 3, 4, 6 and 7, P2's numbers marked.
+    """Draw velocities, forces, spin and effective radius over time, as figures 3, 4, 6 and 7 of Roh and Lee.
+
+    Their numbers are marked.
 
     Parameters
     ----------
     found
-        A run of P2's case, or of one like it.
+        A run of their case, or of one like it.
     """
     figure = Figure(figsize=(WIDTH, 4.3), layout="constrained")
     panels = figure.subplots(2, 3, sharex=True)
@@ -44,7 +46,7 @@ def paper_figure(found: Impact) -> Figure:
     when = found.motion["time"] * 1e6
     world = np.linalg.norm(found.world_velocity(), axis=1)
     speed.plot(when, world, color=BLUE)
-    speed.plot([end], [PUBLISHED["ball_speed_mps"]], clip_on=False, label="P2", **MARK)
+    speed.plot([end], [PUBLISHED["ball_speed_mps"]], clip_on=False, label="Roh and Lee", **MARK)
     _name(speed, "ball speed (m/s)", "Fig. 3")
     _forces(force, found)
     force.plot([PUBLISHED["peak_force_time_s"] * 1e6], [PUBLISHED["peak_force_n"] / 1e3], **MARK)
@@ -92,9 +94,9 @@ def impact_figure(found: Impact) -> Figure:
 
 @styled
 def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
-    """Draw normal and tangential forces over the contact patch at times ``every`` [s] apart (P2, Fig. 5).
+    """Draw normal and tangential forces over the contact patch, as figure 5 of Roh and Lee.
 
-    Positive tangential forces make backspin, negative ones take it.
+    The moments are ``every`` [s] apart. Positive tangential forces make backspin, negative ones take it away.
     """
     patch = found.patch
     moments = np.unique(patch["time"])
@@ -132,14 +134,14 @@ def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
 
 @styled
 def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Figure:
-    """Draw ball speed, launch angle, spin and compression factor over speed and loft (P2, Fig. 8).
+    """Draw ball speed, launch angle, spin and compression factor over speed and loft, as figure 8 of Roh and Lee.
 
     Parameters
     ----------
     rows
-        Of :func:`clubface.fem.sweep.sweep`.
+        The rows of :func:`clubface.fem.sweep.sweep`.
     published
-        Whether to mark what P2 tells in numbers: its case of 35 m/s and 11.5 deg, and the least compression factor.
+        Whether to mark their numbers: the case of 35 m/s and 11.5 deg, and the least compression factor.
     """
     figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
     panels = figure.subplots(2, 2, sharex=True)
@@ -155,10 +157,10 @@ def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) 
             look["marker"] = MARKERS[index % len(MARKERS)]
             panel.plot(*zip(*points, strict=True), markersize=3, label=f"{loft:.4g}°", **look)
         if published:
-            panel.plot([P2_SPEED], [PUBLISHED[key]], label="P2, 11.5°", **MARK)
+            panel.plot([PUBLISHED_SPEED], [PUBLISHED[key]], label="Roh and Lee, 11.5°", **MARK)
         _name(panel, label)
     if published:
-        panels[1][1].axhline(LEAST_FACTOR, color="0.25", linewidth=0.8, linestyle=":", label="P2's least")
+        panels[1][1].axhline(LEAST_FACTOR, color="0.25", linewidth=0.8, linestyle=":", label="least of Roh and Lee")
         panels[1][1].legend(handles=panels[1][1].lines[-1:], loc="lower left")
     for panel in panels[1]:
         panel.set_xlabel("clubhead speed (m/s)")
