@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev demo test check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures identification-coverage capture-coverage clean
+.PHONY: help setup build dev wheel demo test check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures identification-coverage capture-coverage clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -39,6 +39,9 @@ $(VENV)/.build: $(VENV)/.setup pyproject.toml $(RUST_SOURCES)
 $(VENV)/.dev: $(VENV)/.build constraints-dev.txt
 	@$(PYTHON) scripts/requirements.py dev | $(PYTHON) -m pip install --quiet -r /dev/stdin
 	@touch $@
+
+wheel: $(VENV)/.setup ## a wheel for other machines, optimised as a whole; some ten minutes
+	$(BIN)/maturin build --profile dist
 
 demo: build ## the published tour averages by every model; tables and pictures in out/
 	$(BIN)/clubface tour --output out/

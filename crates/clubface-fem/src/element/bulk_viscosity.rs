@@ -1,7 +1,7 @@
 //! Linear bulk viscosity: a pressure against fast changes of volume, which damps what rings from element to element (Landshoff's of 1955, as
 //! described by Benson, Comput. Methods Appl. Mech. Eng. 99, 1992).
 
-use super::BLOCK;
+use crate::block::BLOCK;
 use crate::material::Material;
 use clubface_math::{Pack, Real};
 

@@ -1,6 +1,6 @@
 //! Vector fields on the nodes of a lattice, component by component.
 
-use super::{Aligned, BLOCK};
+use crate::block::{Aligned, BLOCK};
 use clubface_math::{Pack, Real, Row, Vec3};
 
 /// Layout of a field: in every plane of nodes three components, one after the other, each in the order of the nodes.

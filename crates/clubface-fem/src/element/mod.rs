@@ -1,204 +1,22 @@
 //! Elements: how forces at nodes follow from their positions.
+//!
+//! Each kind has a room: the data of its patches, the kernels that compute on them, and what the solver calls.
 
-mod arrangement;
 mod bulk_viscosity;
 mod field;
-mod full;
-mod full_look;
-mod full_patch;
-mod gauge;
-mod indexed;
-mod lattice;
-mod layers;
-mod modes;
-mod motion;
-mod one_point;
-mod one_point_constants;
-mod point;
-mod quadrature;
-mod quadrilateral;
-mod quads;
-mod section;
+mod hex_full;
+mod hex_one_point;
+mod kernels;
+mod kind;
+mod output;
+mod patch;
+mod ratios;
 mod shell;
-mod shell_look;
-mod shell_material;
-mod side;
-mod solid;
-mod solid_look;
-mod solid_step;
 
-use crate::block::Aligned;
-pub use crate::block::BLOCK;
 pub use bulk_viscosity::stable_share;
 pub use field::Scratch;
-pub use full_patch::{full_patches, FullPatch};
-pub use gauge::{ElementOutput, OutputSink};
-pub use quadrature::{Rule, DEFAULT_POINTS, MAX_POINTS};
-pub use section::Isotropic;
-pub use shell::{ShellPatch, ShellRows, SHELL_PATCH};
-pub use shell_material::ShellMaterial;
-pub use solid::{solid_patches, SolidPatch};
-
-use crate::error::FemError;
-use crate::material::Material;
-use crate::mesh::SolidMesh;
-use crate::moments::{Moments, Origin};
-use clubface_math::{Real, Row};
-
-/// Ratios of current to reference volume between which the laws hold.
-pub const RATIOS: (f64, f64) = (0.3, 2.5);
-
-/// Energies of a group of elements, J.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Energy {
-    /// Elastic.
-    pub strain: f64,
-    /// Of the modes that one-point elements cannot feel.
-    pub hourglass: f64,
-    /// Done on viscoelastic branches: stored there or turned into heat.
-    pub viscous: f64,
-    /// Turned into heat by plastic flow.
-    pub plastic: f64,
-}
-
-/// What a patch reports of a step.
-#[derive(Clone, Copy, Debug)]
-pub struct StepOutput {
-    /// Energies.
-    pub energy: Energy,
-    /// Smallest and largest ratio of current to reference volume.
-    pub ratios: (f64, f64),
-    /// Kinetic energy of the interior nodes between their velocities before and after the step, J.
-    pub kinetic: f64,
-}
-
-impl std::ops::AddAssign for Energy {
-    fn add_assign(&mut self, other: Self) {
-        self.strain += other.strain;
-        self.hourglass += other.hourglass;
-        self.viscous += other.viscous;
-        self.plastic += other.plastic;
-    }
-}
-
-impl Energy {
-    /// Sum of all.
-    #[must_use]
-    pub fn total(&self) -> f64 {
-        self.strain + self.hourglass + self.viscous + self.plastic
-    }
-}
-
-/// A part of the structure that is worked on by one thread at a time: some elements, and the forces on their nodes.
-pub trait Patch<R: Real>: Send + Sync {
-    /// Nodes the patch exerts forces on.
-    fn nodes(&self) -> &[u32];
-    /// Computes the forces for the given positions (m) and velocities (m/s) of all nodes; state variables move on by `dt` seconds.
-    fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64);
-    /// Computes the forces after small displacements (m, or rad) to the given positions, the state variables left as they are. Elements whose
-    /// stress follows from positions alone need only those, in no time.
-    fn perturbed_forces(&mut self, positions: &[Row<R>], displacements: &[Row<R>]) {
-        self.assemble(positions, displacements, 0.0);
-    }
-    /// Rough time that the forces take, ns: to give threads as much to do.
-    fn cost(&self) -> usize;
-    /// Forces on [`Patch::nodes`], N.
-    fn forces(&self) -> &[Row<R>];
-    /// Whether all volumes were within [`RATIOS`] of the undeformed ones when the last forces were made.
-    fn volumes_valid(&self) -> bool {
-        true
-    }
-    /// Energies at the given positions, and the smallest and largest ratio of current to reference volume; the state stays as it is.
-    fn energies(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64));
-    /// Gives the sink stress and strain of every element at the given positions, after a step as long as the last that has passed; the state stays as it is.
-    fn element_output(&mut self, positions: &[Row<R>], sink: &mut OutputSink<'_>);
-    /// Energies at the given positions; the state stays as it is.
-    fn energy(&mut self, positions: &[Row<R>]) -> Energy {
-        self.energies(positions).0
-    }
-    /// Gives its undeformed elements a linear bulk viscosity, if it has volumes: a pressure of `coefficient` times density, speed of waves, size and rate of volume.
-    fn set_bulk_viscosity(&mut self, _coefficient: f64) {}
-    /// Takes charge of the motion of some nodes in [`Patch::step`], and returns their places in [`Patch::nodes`]. Given for each of them whether nothing but
-    /// this patch acts on it, and its inverse mass, 1/kg.
-    fn claim_interior_nodes(&mut self, _alone: &[bool], _inverse_masses: &[R]) -> Vec<u32> {
-        vec![]
-    }
-    /// Takes the motion of interior nodes from the fields of all nodes, m and m/s.
-    fn load_interior(&mut self, _positions: &[Row<R>], _velocities: &[Row<R>]) {}
-    /// As [`Patch::assemble`], with forces on the nodes that are not interior, in their order; the others move on by `dt` seconds, unseen in the
-    /// fields of all nodes. If asked for, reports energies at the positions from which they go on.
-    fn step(
-        &mut self,
-        positions: &[Row<R>],
-        velocities: &[Row<R>],
-        dt: f64,
-        _scratch: &mut Scratch<R>,
-        output: Option<&mut StepOutput>,
-    ) {
-        self.assemble(positions, velocities, dt);
-        if let Some(output) = output {
-            let (energy, ratios) = self.energies(positions);
-            *output = StepOutput { energy, ratios, kinetic: 0.0 };
-        }
-    }
-    /// Moments of the interior nodes.
-    fn interior_moments(&mut self, _origin: &Origin<R>) -> Moments<R> {
-        Moments::zero()
-    }
-    /// Stores the motion of interior nodes by `give`: each node's number, its position and its velocity.
-    fn store_interior(&mut self, _give: &mut dyn FnMut(u32, Row<R>, Row<R>)) {}
-}
-
-/// `0..count` in equal parts of at most `most`, give or take one.
-pub fn parts(count: usize, most: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
-    let parts = count.div_ceil(most);
-    (0..parts).map(move |part| part * count / parts..(part + 1) * count / parts)
-}
-
-/// Kinds of solid elements.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Element {
-    /// One point of integration and hourglass control.
-    #[default]
-    OnePoint,
-    /// Eight points of integration and one pressure.
-    FullyIntegrated,
-}
-
-impl Element {
-    /// Its name in case files and on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::OnePoint => "one-point",
-            Self::FullyIntegrated => "full",
-        }
-    }
-
-    /// The kind called `name`.
-    ///
-    /// # Errors
-    /// [`FemError::Input`] for an unknown name.
-    pub fn from_name(name: &str) -> Result<Self, FemError> {
-        let known = [Self::OnePoint, Self::FullyIntegrated];
-        known.into_iter().find(|kind| kind.name() == name).ok_or_else(|| {
-            FemError::input("element", name, format!("known are {}", known.map(Self::name).join(", ")))
-        })
-    }
-
-    /// Patches of some elements of a mesh, of one material, in their undeformed shape.
-    pub fn patches<R: Real>(
-        self,
-        mesh: &SolidMesh<R>,
-        elements: std::ops::Range<usize>,
-        material: &Material<R>,
-    ) -> Vec<Box<dyn Patch<R>>> {
-        fn boxed<R: Real, T: Patch<R> + 'static>(patch: T) -> Box<dyn Patch<R>> {
-            Box::new(patch)
-        }
-        match self {
-            Self::OnePoint => solid_patches(mesh, elements, material).into_iter().map(boxed).collect(),
-            Self::FullyIntegrated => full_patches(mesh, elements, material).into_iter().map(boxed).collect(),
-        }
-    }
-}
+pub use kernels::Kernels;
+pub use kind::Element;
+pub use output::{ElementOutput, OutputSink};
+pub use patch::{parts, Energy, Patch, StepOutput, RATIOS};
+pub use shell::{Isotropic, Rule, ShellMaterial, ShellRows, DEFAULT_POINTS, MAX_POINTS, SHELL_PATCH};

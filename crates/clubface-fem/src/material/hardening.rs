@@ -133,9 +133,26 @@ impl<R: Real> Hardening<R> {
         }
         law
     }
+    /// Its constants: yield stress, gain, rate, then strain and change of slope of each bend.
+    pub(super) fn constants(&self) -> Vec<R> {
+        let mut constants = vec![self.yield_stress, self.gain, self.rate];
+        constants.extend(self.bends[..self.count].iter().flat_map(|bend| [bend.at, bend.slope]));
+        constants
+    }
 }
 
 impl<S: Scalar> Hardening<S> {
+    /// From [`Hardening::constants`].
+    #[inline(always)]
+    pub(super) fn from_slice(constants: &[S]) -> Self {
+        let count = (constants.len() - 3) / 2;
+        let mut bends = [Bend { at: S::zero(), slope: S::zero() }; HARDENING_POINTS];
+        for i in 0..count {
+            bends[i] = Bend { at: constants[3 + 2 * i], slope: constants[4 + 2 * i] };
+        }
+        let (gain, rate) = (constants[1], constants[2]);
+        Self { yield_stress: constants[0], bends, count, gain, rate, saturates: gain.re() != 0.0 }
+    }
     /// Yield stress at the start, Pa.
     #[inline(always)]
     pub fn initial(&self) -> S {

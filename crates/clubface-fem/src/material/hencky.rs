@@ -5,23 +5,14 @@
 //! tension (Bažant, J. Eng. Mater. Technol. 120, 1998: Padé approximants without the cost of principal axes): 0.7% off at 10%
 //! strain, 2.7% at 20%.
 
-use super::{OfInvariants, Symmetric};
+use super::{Card, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};
+use crate::constants;
 use clubface_math::{Pack, Scalar};
 
-/// Shear modulus.
-#[derive(Clone, Copy, Debug)]
-pub struct Hencky<S> {
-    /// Shear modulus, Pa.
-    pub shear: S,
-}
-
-impl<R> Hencky<R> {
-    #[inline(always)]
-    pub(super) fn splat<P: Pack<Real = R>>(&self) -> Hencky<P>
-    where
-        R: Copy,
-    {
-        Hencky { shear: P::splat(self.shear) }
+constants! {
+    /// Linear elasticity in logarithmic strain.
+    Hencky {
+        shear ["pressure"] in 0.0 ..= 1e13, "Shear modulus, Pa.";
     }
 }
 
@@ -45,5 +36,51 @@ impl<S: Scalar> OfInvariants<S> for Hencky<S> {
     fn energy(&self, c: &Symmetric<S>) -> S {
         let strain = strain(c, &c.cofactors());
         self.shear * strain.contract(&strain)
+    }
+}
+
+impl Family for Hencky<()> {
+    const DESCRIPTION: Description = Description {
+        name: "linear",
+        summary: "plastics and metals, linear in logarithmic strain",
+        source: "Z. P. Bažant, J. Eng. Mater. Technol. 120, 1998",
+        constants: Self::CONSTANTS,
+        needed: 1,
+        group: 1,
+        listed: true,
+        cards: &[
+            Card {
+                keyword: "MAT_ELASTIC",
+                branches: (0, 0),
+                names: "mid ro e pr",
+                rows: &["mid ro e pr"],
+                branch: "",
+            },
+            Card {
+                keyword: "MAT_VISCOELASTIC",
+                branches: (1, 1),
+                names: "mid ro bulk g0 gi beta",
+                rows: &["mid ro bulk g0 shear beta"],
+                branch: "",
+            },
+            Card {
+                keyword: "MAT_GENERAL_VISCOELASTIC",
+                branches: (2, 4),
+                names: "mid ro bulk",
+                rows: &["mid ro bulk", "-", "shear 0.0"],
+                branch: "g beta",
+            },
+        ],
+        state: &[],
+        cost: 36,
+        example: &[10e6],
+    };
+    type Over<P: Pack> = Elastic<Invariants<Hencky<P>>>;
+    #[inline(always)]
+    fn over<P: Pack>(constants: &[P]) -> Self::Over<P> {
+        Elastic(Invariants(Hencky::from_slice(constants)))
+    }
+    fn shear<S: Scalar>(constants: &[S]) -> S {
+        constants[0]
     }
 }

@@ -1,24 +1,15 @@
-//! Rubber after Mooney (1940) and Rivlin (1948): `W = C10 (I1 - 3) + C01 (I2 - 3)`, the core of P2's ball.
+//! Rubber after Mooney (1940) and Rivlin (1948): `W = C10 (I1 - 3) + C01 (I2 - 3)`, the core of Tanaka's ball.
 
-use super::{OfInvariants, Symmetric};
+use super::{Card, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};
+use crate::constants;
 use clubface_math::{Pack, Scalar};
 
-/// Constants in Pa; the shear modulus is `2 (C10 + C01)`.
-#[derive(Clone, Copy, Debug)]
-pub struct MooneyRivlin<S> {
-    /// Factor of the first invariant, Pa.
-    pub c10: S,
-    /// Factor of the second invariant, Pa.
-    pub c01: S,
-}
-
-impl<R> MooneyRivlin<R> {
-    #[inline(always)]
-    pub(super) fn splat<P: Pack<Real = R>>(&self) -> MooneyRivlin<P>
-    where
-        R: Copy,
-    {
-        MooneyRivlin { c10: P::splat(self.c10), c01: P::splat(self.c01) }
+// With a negative constant it would soften until it runs away.
+constants! {
+    /// Mooney's and Rivlin's rubber; its shear modulus is `2 (C10 + C01)`.
+    MooneyRivlin {
+        c10 ["pressure"] in 0.0 ..= 1e12, "Factor of the first invariant, Pa.";
+        c01 ["pressure"] in 0.0 ..= 1e12, "Factor of the second invariant, Pa.";
     }
 }
 
@@ -33,5 +24,44 @@ impl<S: Scalar> OfInvariants<S> for MooneyRivlin<S> {
         let first = c.trace();
         let second = (first * first - c.contract(c)) * 0.5;
         self.c10 * (first - 3.0) + self.c01 * (second - 3.0)
+    }
+}
+
+impl Family for MooneyRivlin<()> {
+    const DESCRIPTION: Description = Description {
+        name: "mooney-rivlin",
+        summary: "rubber, W = c10 (I1 - 3) + c01 (I2 - 3)",
+        source: "M. Mooney, J. Appl. Phys. 11, 1940; R. S. Rivlin, Phil. Trans. R. Soc. A 241, 1948",
+        constants: Self::CONSTANTS,
+        needed: 2,
+        group: 2,
+        listed: true,
+        cards: &[
+            Card {
+                keyword: "MAT_MOONEY-RIVLIN_RUBBER",
+                branches: (0, 0),
+                names: "mid ro pr a b",
+                rows: &["mid ro pr c10 c01", "-"],
+                branch: "",
+            },
+            Card {
+                keyword: "MAT_HYPERELASTIC_RUBBER",
+                branches: (1, 4),
+                names: "mid ro pr n nv",
+                rows: &["mid ro pr 0 nv", "c10 c01"],
+                branch: "g beta",
+            },
+        ],
+        state: &[],
+        cost: 30,
+        example: &[4e6, 1e6],
+    };
+    type Over<P: Pack> = Elastic<Invariants<MooneyRivlin<P>>>;
+    #[inline(always)]
+    fn over<P: Pack>(constants: &[P]) -> Self::Over<P> {
+        Elastic(Invariants(MooneyRivlin::from_slice(constants)))
+    }
+    fn shear<S: Scalar>(constants: &[S]) -> S {
+        (constants[0] + constants[1]) * 2.0
     }
 }

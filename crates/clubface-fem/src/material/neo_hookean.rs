@@ -1,22 +1,13 @@
 //! The simplest rubber, `W = mu/2 (I1 - 3)` (Treloar, 1943).
 
-use super::{OfInvariants, Symmetric};
+use super::{Card, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};
+use crate::constants;
 use clubface_math::{Pack, Scalar};
 
-/// Shear modulus.
-#[derive(Clone, Copy, Debug)]
-pub struct NeoHookean<S> {
-    /// Shear modulus, Pa.
-    pub shear: S,
-}
-
-impl<R> NeoHookean<R> {
-    #[inline(always)]
-    pub(super) fn splat<P: Pack<Real = R>>(&self) -> NeoHookean<P>
-    where
-        R: Copy,
-    {
-        NeoHookean { shear: P::splat(self.shear) }
+constants! {
+    /// Neo-Hookean rubber.
+    NeoHookean {
+        shear ["pressure"] in 0.0 ..= 1e12, "Shear modulus, Pa.";
     }
 }
 
@@ -28,5 +19,35 @@ impl<S: Scalar> OfInvariants<S> for NeoHookean<S> {
     #[inline(always)]
     fn energy(&self, c: &Symmetric<S>) -> S {
         self.shear * (c.trace() - 3.0) * 0.5
+    }
+}
+
+impl Family for NeoHookean<()> {
+    const DESCRIPTION: Description = Description {
+        name: "neo-hookean",
+        summary: "rubber, W = shear/2 (I1 - 3)",
+        source: "L. R. G. Treloar, Trans. Faraday Soc. 39, 1943",
+        constants: Self::CONSTANTS,
+        needed: 1,
+        group: 1,
+        listed: true,
+        cards: &[Card {
+            keyword: "MAT_HYPERELASTIC_RUBBER",
+            branches: (0, 4),
+            names: "mid ro pr n nv",
+            rows: &["mid ro pr 0 nv", "0.5*shear 0.0"],
+            branch: "g beta",
+        }],
+        state: &[],
+        cost: 30,
+        example: &[10e6],
+    };
+    type Over<P: Pack> = Elastic<Invariants<NeoHookean<P>>>;
+    #[inline(always)]
+    fn over<P: Pack>(constants: &[P]) -> Self::Over<P> {
+        Elastic(Invariants(NeoHookean::from_slice(constants)))
+    }
+    fn shear<S: Scalar>(constants: &[S]) -> S {
+        constants[0]
     }
 }

@@ -5,13 +5,17 @@
 //! with alpha = -2 makes it Mooney's and Rivlin's (`mu = 2 C10`, `mu = -2 C01`). Some programs write `2 mu / alpha^2` instead of `mu / alpha`.
 
 use super::stretch::{Function, Stretches};
-use super::{OfInvariants, Symmetric};
-use clubface_math::{Pack, Real, Scalar};
+use super::{Card, Constant, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};
+use crate::error::FemError;
+use clubface_math::{Pack, Scalar};
 
 /// Most terms.
 pub const OGDEN_TERMS: usize = 3;
 
-/// One term.
+/// Largest exponent, positive or negative.
+const EXPONENT: f64 = 30.0;
+
+/// One term: its factor `mu` (Pa) and the exponent of the stretches.
 #[derive(Clone, Copy, Debug)]
 pub struct OgdenTerm<S> {
     /// Factor, Pa.
@@ -27,38 +31,19 @@ pub struct Ogden<S> {
     count: usize,
 }
 
-impl<R: Real> Ogden<R> {
-    /// Of one to three terms.
-    ///
-    /// # Panics
-    /// If there are more, or none.
-    pub fn new(terms: &[OgdenTerm<R>]) -> Self {
-        assert!((1..=OGDEN_TERMS).contains(&terms.len()), "one to {OGDEN_TERMS} terms");
-        let nothing = OgdenTerm { mu: R::zero(), alpha: R::from_f64(2.0) };
-        let mut all = [nothing; OGDEN_TERMS];
-        all[..terms.len()].copy_from_slice(terms);
-        Self { terms: all, count: terms.len() }
-    }
-    /// Shear modulus of small deformation, Pa.
-    pub fn shear(&self) -> R {
-        let mut sum = R::zero();
-        for term in self.terms() {
-            sum += term.mu * term.alpha;
+impl<S: Scalar> Ogden<S> {
+    /// From the constants of one to three terms, `mu` and `alpha` in turn.
+    #[inline(always)]
+    fn from_slice(constants: &[S]) -> Self {
+        let mut terms = [OgdenTerm { mu: S::zero(), alpha: S::from_f64(2.0) }; OGDEN_TERMS];
+        let count = constants.len() / 2;
+        for i in 0..count {
+            terms[i] = OgdenTerm { mu: constants[2 * i], alpha: constants[2 * i + 1] };
         }
-        sum * 0.5
+        Self { terms, count }
     }
     #[inline(always)]
-    pub(super) fn splat<P: Pack<Real = R>>(&self) -> Ogden<P> {
-        let [a, b, c] = self.terms;
-        let splat = |t: OgdenTerm<R>| OgdenTerm { mu: P::splat(t.mu), alpha: P::splat(t.alpha) };
-        Ogden { terms: [splat(a), splat(b), splat(c)], count: self.count }
-    }
-}
-
-impl<S> Ogden<S> {
-    /// The terms.
-    #[inline(always)]
-    pub fn terms(&self) -> &[OgdenTerm<S>] {
+    fn terms(&self) -> &[OgdenTerm<S>] {
         &self.terms[..self.count]
     }
 }
@@ -87,5 +72,64 @@ impl<S: Scalar> OfInvariants<S> for Ogden<S> {
             sum += term.mu / term.alpha * (stretches.trace(&power) - 3.0);
         }
         sum
+    }
+}
+
+const fn mu(name: &'static str) -> Constant {
+    let meaning = "Factor of a term, Pa, of the sign of its exponent.";
+    Constant { name, dimension: "pressure", meaning, least: -1e12, most: 1e12 }
+}
+const fn alpha(name: &'static str) -> Constant {
+    let meaning = "Exponent of the stretches in a term, not zero.";
+    Constant { name, dimension: "dimensionless", meaning, least: -EXPONENT, most: EXPONENT }
+}
+
+impl Family for Ogden<()> {
+    const DESCRIPTION: Description = Description {
+        name: "ogden",
+        summary: "rubber, W = sum of mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3), one to three terms",
+        source: "R. W. Ogden, Proc. R. Soc. Lond. A 326, 1972",
+        constants: &[mu("mu1"), alpha("alpha1"), mu("mu2"), alpha("alpha2"), mu("mu3"), alpha("alpha3")],
+        needed: 2,
+        group: 2,
+        listed: true,
+        cards: &[Card {
+            keyword: "MAT_OGDEN_RUBBER",
+            branches: (0, 4),
+            names: "mid ro pr n nv",
+            rows: &["mid ro pr 0 nv", "mu#", "alpha#"],
+            branch: "g beta",
+        }],
+        state: &[],
+        cost: 36,
+        // Half the sum of mu alpha: 10 MPa.
+        example: &[10e6, 1.3, 0.6e6, 5.0, -2e6, -2.0],
+    };
+    type Over<P: Pack> = Elastic<Invariants<Ogden<P>>>;
+    #[inline(always)]
+    fn over<P: Pack>(constants: &[P]) -> Self::Over<P> {
+        Elastic(Invariants(Ogden::from_slice(constants)))
+    }
+    fn shear<S: Scalar>(constants: &[S]) -> S {
+        let mut sum = S::zero();
+        for term in constants.chunks_exact(2) {
+            sum += term[0] * term[1];
+        }
+        sum * 0.5
+    }
+    fn check(constants: &[f64], name: &str) -> Result<(), FemError> {
+        for (number, term) in constants.chunks_exact(2).enumerate() {
+            let (mu, alpha, number) = (term[0], term[1], number + 1);
+            if !(alpha != 0.0 && alpha.abs() <= EXPONENT) {
+                let allowed = format!("from -{EXPONENT} to {EXPONENT}, not zero, is allowed");
+                return Err(FemError::input(format!("alpha{number} of {name}"), alpha, allowed));
+            }
+            if !(mu * alpha > 0.0 && mu.is_finite()) {
+                let allowed =
+                    "it must have the sign of its alpha: otherwise rubber may soften until it runs away";
+                return Err(FemError::input(format!("mu{number} of {name}"), format!("{mu} Pa"), allowed));
+            }
+        }
+        Ok(())
     }
 }

@@ -4,7 +4,7 @@
 //! deviating parts of the stress shrink by factors of their own, and one equation for the amount of flow remains (Simo and Taylor, Int. J. Numer.
 //! Methods Eng. 22, 1986; de Souza Neto, Peric and Owen, Computational Methods for Plasticity, 2008, section 9.4).
 
-use super::Hardening;
+use super::hardening::Hardening;
 use clubface_math::{Mask, Scalar};
 
 /// Error of the yield condition, over the yield stress, below which one more Newton step is exact to rounding.
@@ -12,7 +12,7 @@ const CLOSE: f64 = 1e-8;
 /// Newton steps at most: a few are needed.
 const NEWTON: usize = 40;
 
-/// Stress and state at a point.
+/// Stress and state variables of a point.
 #[derive(Clone, Copy, Debug)]
 pub struct PlaneState<S> {
     /// Stress, Pa: xx, yy, xy.

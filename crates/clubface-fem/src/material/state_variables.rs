@@ -1,6 +1,5 @@
-//! What points remember from step to step, and when.
+//! State variables of points, and when they are updated.
 
-use super::Material;
 use crate::block::{Aligned, BLOCK};
 use clubface_math::{Pack, Real};
 
@@ -42,7 +41,7 @@ impl<'a, R> Numbers<'a, R> {
     }
 }
 
-/// What the points of a pack remember.
+/// State variables of the points of a pack.
 pub struct State<'a, R> {
     /// For every step.
     pub every_step: Numbers<'a, R>,
@@ -50,7 +49,7 @@ pub struct State<'a, R> {
     pub energy_only: Numbers<'a, R>,
 }
 
-/// What blocks of eight points remember. What few steps need stands apart, so that the caches are full of what all steps do.
+/// State variables of blocks of eight points. What few steps need stands apart, so that the caches are full of what all steps do.
 #[derive(Clone, Debug)]
 pub struct StateVariables<R> {
     every_step: Vec<Eight<R>>,
@@ -60,18 +59,17 @@ pub struct StateVariables<R> {
 }
 
 impl<R: Real> StateVariables<R> {
-    /// Undeformed points of a material, in as many blocks.
-    pub fn new(material: &Material<R>, blocks: usize) -> Self {
-        let state = material.state();
-        let counts = state.each_ref().map(Vec::len);
-        let [every_step, energy_only] = state.map(|numbers| eight_alike(&numbers).repeat(blocks));
-        Self { every_step, energy_only, counts }
+    /// Points in as many blocks, all of the state given: variables for every step, and for the energies only.
+    pub fn new([every_step, energy_only]: [Vec<R>; 2], blocks: usize) -> Self {
+        let counts = [every_step.len(), energy_only.len()];
+        let repeated = |numbers: &[R]| eight_alike(numbers).repeat(blocks);
+        Self { every_step: repeated(&every_step), energy_only: repeated(&energy_only), counts }
     }
-    /// Whether there is nothing to remember.
+    /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.every_step.is_empty()
     }
-    /// What the points of a pack remember, which begins with the point `first` of a block.
+    /// Those of the points of a pack, which begins with the point `first` of a block.
     #[inline(always)]
     pub fn of(&mut self, block: usize, first: usize) -> State<'_, R> {
         let [every_step, energy_only] = self.counts;
@@ -86,12 +84,14 @@ impl<R: Real> StateVariables<R> {
             ),
         }
     }
-    /// A copy of one block, to try what comes of a step.
-    pub fn copy(&self, block: usize) -> Self {
+    /// A copy of some blocks, to try what comes of a step.
+    #[must_use]
+    pub fn copy(&self, blocks: std::ops::Range<usize>) -> Self {
         let [every_step, energy_only] = self.counts;
+        let of = |count: usize| blocks.start * count..blocks.end * count;
         Self {
-            every_step: self.every_step[block * every_step..(block + 1) * every_step].to_vec(),
-            energy_only: self.energy_only[block * energy_only..(block + 1) * energy_only].to_vec(),
+            every_step: self.every_step[of(every_step)].to_vec(),
+            energy_only: self.energy_only[of(energy_only)].to_vec(),
             counts: self.counts,
         }
     }
@@ -101,13 +101,13 @@ impl<R: Real> StateVariables<R> {
 /// are recorded after a multiple of so many, and see all of the work.
 const WORK_PERIOD: usize = 4;
 
-/// A step of what points remember.
+/// A step of state variables.
 #[derive(Clone, Copy, Debug)]
 pub struct Update {
     /// Its time, s.
-    pub(super) dt: f64,
+    pub dt: f64,
     /// Whether the work on branches is added up.
-    pub(super) add_work: bool,
+    pub add_work: bool,
 }
 
 /// The steps of some points.
@@ -118,7 +118,7 @@ pub struct Updates {
 }
 
 impl Updates {
-    /// The next step, of `dt` seconds; in no time nothing is remembered.
+    /// The next step, of `dt` seconds; in no time nothing moves on.
     pub fn next(&mut self, dt: f64) -> Update {
         if dt == 0.0 {
             return Update { dt, add_work: false };

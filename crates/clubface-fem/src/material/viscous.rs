@@ -1,7 +1,9 @@
 //! Finite-strain viscoelasticity over any law of shape: Maxwell branches whose stress follows that of the law and relaxes
 //! (Simo, Comput. Methods Appl. Mech. Eng. 60, 1987; Simo and Hughes, Computational Inelasticity, section 10.3).
 
-use super::{Kinematics, Numbers, State, Symmetric};
+use super::deformation::Kinematics;
+use super::state_variables::{Numbers, State};
+use super::symmetric::Symmetric;
 use clubface_math::{Pack, Scalar};
 
 /// Most terms a material may have.

@@ -1,14 +1,17 @@
 //! Metal after von Mises at finite strain: elastic in logarithmic strain (after Hencky) until it yields, then flowing with its volume kept.
 //!
-//! The deformation is an elastic one after a plastic one. What is remembered of the plastic one is its metric, the inverse of its right
+//! The deformation is an elastic one after a plastic one. The state variables of the plastic one are its metric, the inverse of its right
 //! Cauchy-Green tensor, of determinant one. In logarithmic strain the return to the yield surface is that of small strains: the deviator shrinks
 //! by a factor (Weber and Anand, Comput. Methods Appl. Mech. Eng. 79, 1990; Simo, ibid. 99, 1992). The elastic left Cauchy-Green
 //! tensor has the invariants of `C̄` times the metric, and functions of it, pulled back to the undeformed shape, are combinations of the metric, of the metric
 //! around `C̄`, and of `C̄^-1`: neither rotations nor principal axes are needed.
 
+use super::hardening::{Hardening, HARDENING_POINTS};
 use super::stretch::Stretches;
-use super::{Hardening, Symmetric};
-use clubface_math::{Mask, Pack, Real, Scalar};
+use super::{build, Constant, Description, Family, Inelastic, Law, Number, Numbers, Symmetric, WithState};
+use crate::error::FemError;
+use clubface_math::{Mask, Pack, Scalar};
+use std::sync::Arc;
 
 /// Error of the yield condition, over the yield stress, below which one more Newton step is exact to rounding.
 const CLOSE: f64 = 1e-8;
@@ -24,7 +27,7 @@ pub struct VonMises<S> {
     pub hardening: Hardening<S>,
 }
 
-/// What a point remembers.
+/// State variables of a point.
 #[derive(Clone, Copy, Debug)]
 pub struct PlasticState<S> {
     /// Inverse of the right Cauchy-Green tensor of the plastic deformation.
@@ -60,10 +63,11 @@ impl<S: Scalar> PlasticState<S> {
     }
 }
 
-impl<R: Real> VonMises<R> {
-    #[inline(always)]
-    pub(super) fn splat<P: Pack<Real = R>>(&self) -> VonMises<P> {
-        VonMises { shear: P::splat(self.shear), hardening: self.hardening.splat() }
+impl<R: Number> VonMises<R> {
+    /// As a law of materials.
+    pub fn law(&self) -> Arc<dyn Law<R>> {
+        let constants: Vec<R> = [self.shear].into_iter().chain(self.hardening.constants()).collect();
+        build::<VonMises<()>, R>(&constants)
     }
 }
 
@@ -132,3 +136,86 @@ impl<S: Scalar> VonMises<S> {
         flow
     }
 }
+
+impl<P: Pack> Inelastic<P> for VonMises<P> {
+    #[inline(always)]
+    fn update(&self, c: &Symmetric<P>, state: &mut Numbers<P::Real>) -> Symmetric<P> {
+        let mut plastic = PlasticState::from_numbers(state.load(0));
+        let stress = self.advance(c, &mut plastic);
+        state.store(0, plastic.numbers());
+        stress
+    }
+    #[inline(always)]
+    fn energy(&self, c: &Symmetric<P>, state: &Numbers<P::Real>) -> [P; 2] {
+        let state = PlasticState::from_numbers(state.load(0));
+        [self.stored(c, &state), state.heat]
+    }
+    #[inline(always)]
+    fn plastic_strain(&self, state: &Numbers<P::Real>) -> P {
+        PlasticState::from_numbers(state.load(0)).plastic_strain
+    }
+}
+
+const fn pressure(name: &'static str, meaning: &'static str, least: f64, most: f64) -> Constant {
+    Constant { name, dimension: "pressure", meaning, least, most }
+}
+const fn number(name: &'static str, meaning: &'static str, most: f64) -> Constant {
+    Constant { name, dimension: "dimensionless", meaning, least: 0.0, most }
+}
+const fn strain(name: &'static str) -> Constant {
+    number(name, "Plastic strain from which on a change of slope counts.", f64::MAX)
+}
+const fn slope(name: &'static str) -> Constant {
+    pressure(name, "Change of the slope of the yield stress, Pa.", f64::MIN, f64::MAX)
+}
+
+impl Family for VonMises<()> {
+    const DESCRIPTION: Description = Description {
+        name: "von-mises",
+        summary: "metal, linear in logarithmic strain until it yields",
+        source: "J. C. Simo, Comput. Methods Appl. Mech. Eng. 99, 1992",
+        constants: &[
+            pressure("shear", "Shear modulus, Pa.", 0.0, 1e13),
+            pressure("yield", "Yield stress in tension, Pa.", 0.0, f64::MAX),
+            pressure("gain", "What hardening adds that saturates, Pa.", 0.0, f64::MAX),
+            number("rate", "Inverse of the plastic strain within which 63% of it are reached.", f64::MAX),
+            strain("strain1"),
+            slope("slope1"),
+            strain("strain2"),
+            slope("slope2"),
+            strain("strain3"),
+            slope("slope3"),
+            strain("strain4"),
+            slope("slope4"),
+            strain("strain5"),
+            slope("slope5"),
+            strain("strain6"),
+            slope("slope6"),
+            strain("strain7"),
+            slope("slope7"),
+            strain("strain8"),
+            slope("slope8"),
+        ],
+        needed: 4,
+        group: 2,
+        listed: false,
+        cards: &[],
+        state: &[1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        cost: 39,
+        example: &[10e6, 0.2e6, 0.1e6, 5.0, 0.0, 1e6],
+    };
+    type Over<P: Pack> = WithState<VonMises<P>>;
+    #[inline(always)]
+    fn over<P: Pack>(constants: &[P]) -> Self::Over<P> {
+        WithState(VonMises { shear: constants[0], hardening: Hardening::from_slice(&constants[1..]) })
+    }
+    fn shear<S: Scalar>(constants: &[S]) -> S {
+        constants[0]
+    }
+    fn check(constants: &[f64], name: &str) -> Result<(), FemError> {
+        Hardening::from_slice(&constants[1..]).check(name)
+    }
+}
+
+const _: () = assert!(4 + 2 * HARDENING_POINTS == <VonMises<()> as Family>::DESCRIPTION.constants.len());
+const _: () = assert!(PlasticState::<f64>::LENGTH == <VonMises<()> as Family>::DESCRIPTION.state.len());

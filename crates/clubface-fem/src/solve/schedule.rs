@@ -1,6 +1,6 @@
 //! Which worker does what. Every worker has patches of its own, whose data its caches keep from step to step.
 
-use super::shares::Shares;
+use super::gather::GatherList;
 use super::worker_pool::WorkerPool;
 use super::Structure;
 use clubface_math::Real;
@@ -9,7 +9,7 @@ use clubface_math::Real;
 const CONTACT_COST: usize = 8;
 
 /// Numbers of tasks (or of chunks of nodes) in the order in which to do them, for each worker.
-pub(super) type Schedule = Vec<Vec<usize>>;
+pub type Schedule = Vec<Vec<usize>>;
 
 impl<R: Real> Structure<R> {
     /// Schedules of a full step, and of a substep that leaves out the subcycled patches. Tasks are the patches by their numbers, and the contact
@@ -18,10 +18,10 @@ impl<R: Real> Structure<R> {
         let (count, workers) = (self.patches.len(), WorkerPool::size(&*self.executor));
         let costs: Vec<usize> = self.patches.iter().map(|patch| patch.cost()).collect();
         let (subcycled, mut others): (Vec<usize>, Vec<usize>) =
-            (0..count).partition(|&patch| self.resting[patch]);
+            (0..count).partition(|&patch| self.subcycled[patch]);
         // The contact comes first: it is one task, however long it takes. Patches keep their order: those of a piece have constants in common.
         others.insert(0, count);
-        let cost = |task: usize| costs.get(task).copied().unwrap_or(CONTACT_COST * self.touching.len());
+        let cost = |task: usize| costs.get(task).copied().unwrap_or(CONTACT_COST * self.contact_nodes.len());
         let others = balanced(&others, cost, workers);
         let all = others.iter().zip(balanced(&subcycled, cost, workers)).map(|(a, b)| [&a[..], &b].concat());
         [all.collect(), others]
@@ -29,17 +29,18 @@ impl<R: Real> Structure<R> {
 }
 
 /// Chunks of nodes by worker: each worker has those of its own patches. Chunks whose nodes are all subcycled only where `subcycled` is true.
-pub(super) fn chunks_of(schedule: &Schedule, chunks: &[Shares], subcycled: bool) -> Schedule {
+pub(super) fn chunks_of(schedule: &Schedule, chunks: &[GatherList], subcycled: bool) -> Schedule {
     let of = |tasks: &Vec<usize>| {
-        let own =
-            |&chunk: &usize| tasks.contains(&chunks[chunk].owner) && (subcycled || !chunks[chunk].rest());
+        let own = |&chunk: &usize| {
+            tasks.contains(&chunks[chunk].owner) && (subcycled || !chunks[chunk].subcycled())
+        };
         (0..chunks.len()).filter(own).collect()
     };
     schedule.iter().map(of).collect()
 }
 
 /// Tasks in the order given, in `count` runs of about the same cost.
-fn balanced(tasks: &[usize], cost: impl Fn(usize) -> usize, count: usize) -> Schedule {
+pub fn balanced(tasks: &[usize], cost: impl Fn(usize) -> usize, count: usize) -> Schedule {
     let all: usize = tasks.iter().map(|&task| cost(task)).sum();
     let (mut start, mut sum) = (0, 0);
     (1..=count)
@@ -56,17 +57,4 @@ fn balanced(tasks: &[usize], cost: impl Fn(usize) -> usize, count: usize) -> Sch
             run
         })
         .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::balanced;
-
-    #[test]
-    fn workers_have_every_task_once_and_about_the_same_cost() {
-        let costs = [1, 4, 4, 4, 4, 1];
-        assert_eq!(balanced(&[0, 1, 2, 3, 4, 5], |task| costs[task], 2), [[0, 1, 2], [3, 4, 5]]);
-        assert_eq!(balanced(&[7, 8], |task| if task == 7 { 9 } else { 1 }, 3), [vec![], vec![7], vec![8]]);
-        assert_eq!(balanced(&[], |_| 1, 2), [vec![], vec![]]);
-    }
 }

@@ -1,4 +1,4 @@
-"""Pictures of finite element impacts: histories, forces over the patch, sweeps; with the numbers of Roh and Lee."""
+"""Pictures of finite element impacts: histories, forces over the patch, sweeps, and the numbers of Roh and Lee."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ RPM = units.from_si(1.0, "rpm")
 
 TAKE_OFF = 5.15
 """Velocity along the face, relative to the clubhead, at take-off in Roh and Lee, section 3.2 [m/s]."""
-CASE_SPEED, LEAST_FACTOR = 35.0, 0.92
-"""Clubhead speed of Roh and Lee's case [m/s], and the least compression factor of its sweep, section 4."""
+PUBLISHED_SPEED, LEAST_FACTOR = 35.0, 0.92
+"""Clubhead speed of the case of Roh and Lee [m/s], and the least compression factor of their sweep, section 4."""
 ENERGIES = {
     "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction", "damping": "damping",
     "hourglass": "hourglass", "contact": "contact springs",
@@ -30,12 +30,14 @@ ENERGIES = {
 
 @styled
 def paper_figure(found: Impact) -> Figure:
-    """Draw velocities, forces, spin and effective radius over time, as Figs. 3, 4, 6 and 7 of Roh and Lee do.
+    """Draw velocities, forces, spin and effective radius over time, as figures 3, 4, 6 and 7 of Roh and Lee.
+
+    Their numbers are marked.
 
     Parameters
     ----------
     found
-        A run of Roh and Lee's case, or of one like it.
+        A run of their case, or of one like it.
     """
     figure = Figure(figsize=(WIDTH, 4.3), layout="constrained")
     panels = figure.subplots(2, 3, sharex=True)
@@ -92,9 +94,9 @@ def impact_figure(found: Impact) -> Figure:
 
 @styled
 def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
-    """Draw normal and tangential forces over the contact patch at times ``every`` [s] apart (Roh and Lee, Fig. 5).
+    """Draw normal and tangential forces over the contact patch, as figure 5 of Roh and Lee.
 
-    Positive tangential forces make backspin, negative ones take it.
+    The moments are ``every`` [s] apart. Positive tangential forces make backspin, negative ones take it away.
     """
     patch = found.patch
     moments = np.unique(patch["time"])
@@ -132,14 +134,14 @@ def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
 
 @styled
 def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Figure:
-    """Draw ball speed, launch angle, spin and compression factor over speed and loft (Roh and Lee, Fig. 8).
+    """Draw ball speed, launch angle, spin and compression factor over speed and loft, as figure 8 of Roh and Lee.
 
     Parameters
     ----------
     rows
-        Of :func:`clubface.fem.sweep.sweep`.
+        The rows of :func:`clubface.fem.sweep.sweep`.
     published
-        Whether to mark the numbers of Roh and Lee: their case of 35 m/s and 11.5 deg, and the least compression factor.
+        Whether to mark their numbers: the case of 35 m/s and 11.5 deg, and the least compression factor.
     """
     figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
     panels = figure.subplots(2, 2, sharex=True)
@@ -155,7 +157,7 @@ def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) 
             look["marker"] = MARKERS[index % len(MARKERS)]
             panel.plot(*zip(*points, strict=True), markersize=3, label=f"{loft:.4g}°", **look)
         if published:
-            panel.plot([CASE_SPEED], [PUBLISHED[key]], label="Roh and Lee, 11.5°", **MARK)
+            panel.plot([PUBLISHED_SPEED], [PUBLISHED[key]], label="Roh and Lee, 11.5°", **MARK)
         _name(panel, label)
     if published:
         panels[1][1].axhline(LEAST_FACTOR, color="0.25", linewidth=0.8, linestyle=":", label="least of Roh and Lee")

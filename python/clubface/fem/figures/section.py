@@ -1,4 +1,4 @@
-"""The section of the ball through face normal and up, deformed: in a row of moments, or moving."""
+"""The deformed section of the ball through the face normal and up the face: as a row of moments, or moving."""
 
 from __future__ import annotations
 
@@ -104,10 +104,10 @@ def _compression(rest: Any, now: Any) -> Any:
 
 @styled
 def section_figure(found: Impact, *, count: int = 5) -> Figure:
-    """Draw the deformed section at ``count`` moments of contact, and pressure and shear over the patch below it.
+    """Draw the deformed section at ``count`` moments of contact, with pressure and shear over the patch below it.
 
-    They are those on the nodes within an element of the plane, forces per area of undeformed surface; shear is positive
-    where it makes backspin. Colour is how far a piece of the section is compressed.
+    Pressure and shear belong to the nodes within an element of the plane; they are forces per area of the undeformed
+    surface. Shear is positive where it makes backspin. The colour shows how far a piece of the section is compressed.
     """
     section = Section(found)
     moments = np.linspace(0.0, 1.0, count + 2)[1:-1] * found.last_touch
@@ -135,16 +135,16 @@ def section_figure(found: Impact, *, count: int = 5) -> Figure:
 
 @styled
 def animate(found: Impact, path: str | os.PathLike[str], *, seconds: float = 5.0) -> Path:
-    """Write the deforming section, beside the forces so far, as an animated GIF.
+    """Write the deforming section, beside the forces up to each moment, as an animated GIF.
 
     Parameters
     ----------
     found
-        A run with frames, one a picture.
+        A run with frames; each becomes one picture.
     path
-        Ending in .gif.
+        The file, ending in .gif.
     seconds
-        How long it plays.
+        Duration of the film.
 
     Returns
     -------

@@ -1,0 +1,169 @@
+//! The eight-node hexahedron with one integration point, in total Lagrangian form, with physical hourglass control.
+//!
+//! Positions are taken apart into eight modes by sums and differences: one of translation, three of uniform deformation (the base vectors
+//! at the centre), four of bending (hourglass), to which one point is blind (Flanagan and Belytschko, Int. J. Numer. Methods Eng. 17,
+//! 1981). What the base vectors leave of these, the patterns, are held by springs of one stiffness each, whatever the direction: their energy knows no
+//! rotation. The stiffness is made of those that a rectangular, incompressible block of the element's size has in bending, shear and torsion, without
+//! bulk stiffness (after Belytschko and Bindeman, Comput. Methods Appl. Mech. Eng. 105, 1993).
+//!
+//! The materials are isotropic, so each element may look at its undeformed shape from a frame of its own: one in which the first base
+//! vector lies along x and the second in the xy plane. Its Jacobian is then triangular (six numbers instead of nine), and elements that
+//! differ by a rotation share their constants.
+
+use super::constants::Constants;
+use super::side::{empty, Face, Sums};
+use crate::material::Symmetric;
+use clubface_math::{Mat3, Pack, Scalar, Vec3};
+
+/// Sum of three products.
+#[inline(always)]
+fn dot<P: Scalar>(a: [P; 3], b: [P; 3]) -> P {
+    a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
+}
+
+/// One component of the modes of a pack of elements.
+#[derive(Clone, Copy)]
+pub struct Component<P> {
+    /// Eight times the base vectors: means over the element, as is the deformation gradient.
+    bases: [P; 3],
+    /// Hourglass patterns: modes without the part that belongs to the element's shape.
+    patterns: [P; 4],
+}
+
+impl<P: Pack> Component<P> {
+    /// From the positions of the sides.
+    #[inline(always)]
+    pub fn new(constants: &Constants<P>, low: &Sums<P>, high: &Sums<P>) -> Self {
+        let mut bases = [low[1] + high[1], low[2] + high[2], high[0] - low[0]];
+        let mut patterns = [high[2] - low[2], high[1] - low[1], low[3] + high[3], high[3] - low[3]];
+        for which in 0..4 {
+            for i in 0..3 {
+                patterns[which] = constants.skew(which, i).mul_add(bases[i], patterns[which]);
+            }
+        }
+        for which in 0..3 {
+            for i in 0..3 {
+                bases[i] = constants.mean(which, i).mul_add(patterns[which], bases[i]);
+            }
+        }
+        Self { bases, patterns }
+    }
+
+    /// Forces, N, on the sides below (added to those given) and above, of the hourglass patterns and of a stress as of [`on_bases`].
+    #[inline(always)]
+    pub fn forces(
+        &self,
+        constants: &Constants<P>,
+        stress: &Symmetric<P>,
+        below: &Sums<P>,
+    ) -> (Sums<P>, Sums<P>) {
+        let [aa, bb, cc, ab, ac, bc] = stress.0;
+        let bases = self.bases;
+        // Below the next term of each sum in turn: what the CPU waits for is the longest chain of operations.
+        let mut on_bases = [dot(bases, [aa, ab, ac]), dot(bases, [ab, bb, bc]), dot(bases, [ac, bc, cc])];
+        let mut on_patterns = self.patterns;
+        for which in 0..4 {
+            on_patterns[which] = self.patterns[which] * constants.stiffness(which);
+        }
+        // What acts on base vectors acts on the patterns in their means, and what acts on patterns on the base vectors they were freed of.
+        for i in 0..3 {
+            for which in 0..3 {
+                on_patterns[which] = constants.mean(which, i).mul_add(on_bases[i], on_patterns[which]);
+            }
+        }
+        for which in [3, 0, 1, 2] {
+            for i in 0..3 {
+                on_bases[i] = constants.skew(which, i).mul_add(on_patterns[which], on_bases[i]);
+            }
+        }
+        let ([first, second, third], [yz, xz, xy, twist]) = (on_bases, on_patterns);
+        let low =
+            [below[0] - third, (below[1] - xz) + first, (below[2] - yz) + second, (below[3] - twist) + xy];
+        (low, [third, first + xz, second + yz, xy + twist])
+    }
+}
+
+/// One element a lane.
+#[derive(Clone, Copy)]
+pub struct Hexahedron<P> {
+    /// Its modes by component.
+    pub components: [Component<P>; 3],
+}
+
+impl<P: Pack> Hexahedron<P> {
+    /// With every corner at the origin.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { components: [Component { bases: [P::zero(); 3], patterns: [P::zero(); 4] }; 3] }
+    }
+
+    /// From the positions of its sides.
+    #[inline(always)]
+    pub fn new(constants: &Constants<P>, low: &Face<P>, high: &Face<P>) -> Self {
+        let mut element = Self::zero();
+        for axis in 0..3 {
+            element.components[axis] = Component::new(constants, &low[axis], &high[axis]);
+        }
+        element
+    }
+
+    /// Mean deformation gradient, seen from the element's own frame; the identity where there is no element.
+    #[inline(always)]
+    pub fn gradient(&self, constants: &Constants<P>) -> Mat3<P> {
+        // F = a r^T + b s^T + c t^T.
+        let (r, s, t) = constants.inverse();
+        let unit = P::select(constants.volume().gt(P::zero()), P::zero(), P::one());
+        let mut rows = [Vec3::zero(); 3];
+        for i in 0..3 {
+            let [a, b, c] = self.components[i].bases;
+            let mut one = [a * r[0], a * r[1], a * r[2]];
+            one[i] = a.mul_add(r[i], unit);
+            rows[i] = Vec3::new(one[0], b.mul_add(s[0], one[1]), c.mul_add(t, b.mul_add(s[1], one[2])));
+        }
+        Mat3 { rows }
+    }
+
+    /// Forces, N, on the sides below and above.
+    #[inline(always)]
+    pub fn forces(&self, constants: &Constants<P>, stress: &Symmetric<P>) -> (Face<P>, Face<P>) {
+        let (mut low, mut high) = (empty(), empty());
+        for axis in 0..3 {
+            let force = self.components[axis].forces(constants, stress, &[P::zero(); 4]);
+            (low[axis], high[axis]) = force;
+        }
+        (low, high)
+    }
+
+    /// Energy of the hourglass patterns, J.
+    #[inline(always)]
+    pub fn hourglass_energy(&self, constants: &Constants<P>) -> P {
+        let mut sum = P::zero();
+        for which in 0..4 {
+            let pattern = self.components.map(|component| component.patterns[which]);
+            sum += constants.stiffness(which) * dot(pattern, pattern);
+        }
+        sum * -0.5
+    }
+}
+
+/// A second Piola-Kirchhoff stress (Pa, times minus the volume) seen from the base vectors, `G^T S G` where the gradient is their matrix times `G^T`: the
+/// force on each is the sum of all with these factors, N/m.
+#[inline(always)]
+pub fn on_bases<P: Pack>(constants: &Constants<P>, second: &Symmetric<P>) -> Symmetric<P> {
+    let ([rx, ry, rz], [sy, sz], tz) = constants.inverse();
+    let [xx, yy, zz, xy, xz, yz] = second.0;
+    let [ax, ay, az] = [
+        xz.mul_add(rz, xy.mul_add(ry, xx * rx)),
+        yz.mul_add(rz, yy.mul_add(ry, xy * rx)),
+        zz.mul_add(rz, yz.mul_add(ry, xz * rx)),
+    ];
+    let (by, bz) = (yz.mul_add(sz, yy * sy), zz.mul_add(sz, yz * sy));
+    Symmetric([
+        az.mul_add(rz, ay.mul_add(ry, ax * rx)),
+        bz.mul_add(sz, by * sy),
+        zz * tz * tz,
+        az.mul_add(sz, ay * sy),
+        az * tz,
+        bz * tz,
+    ])
+}

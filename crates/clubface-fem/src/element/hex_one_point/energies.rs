@@ -1,0 +1,87 @@
+//! Energies of a patch of one-point hexahedra.
+
+use super::constants::Constants;
+use super::element::Hexahedron;
+use super::patch::SolidPatch;
+use super::visitor::Visitor;
+use crate::element::bulk_viscosity::BulkViscosity;
+use crate::element::patch::Energy;
+use crate::element::ratios::Ratios;
+use crate::material::{Kinematics, PointEnergy, StateVariables, StressStage};
+use clubface_math::{Pack, PackKernel, Real, Row};
+
+/// Adds up energies.
+pub struct Energies<'a, R> {
+    /// Whose elements they are; the caller has checked that its nodes exist.
+    pub patch: &'a mut SolidPatch<R>,
+    /// Positions of all nodes, m.
+    pub positions: &'a [Row<R>],
+    /// Whether the positions are those that the last forces were made at, which a lattice that moves its interior nodes has at hand.
+    pub loaded: bool,
+}
+
+impl<R: Real> PackKernel<R> for Energies<'_, R> {
+    type Output = (Energy, (f64, f64));
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) -> Self::Output {
+        let SolidPatch { material, arrangement, nodes, constants, state, updates, viscosity, .. } =
+            self.patch;
+        let stage = material.stage::<P>(updates.preview());
+        let mut sum = EnergySum {
+            stage: &*stage,
+            bulk: P::splat(material.bulk),
+            state,
+            viscosity: viscosity.as_ref(),
+            energies: [P::zero(); 4],
+            ratios: Ratios::new(),
+        };
+        // SAFETY: the caller has checked the nodes.
+        unsafe { arrangement.visit(self.positions, nodes, constants, self.loaded, &mut sum) };
+        sum.total()
+    }
+}
+
+/// Energies and volumes of elements.
+struct EnergySum<'a, P: Pack> {
+    stage: &'a dyn StressStage<P>,
+    /// Bulk modulus, Pa.
+    bulk: P,
+    /// State variables of all blocks.
+    state: &'a mut StateVariables<P::Real>,
+    /// Bulk viscosity, if there is any.
+    viscosity: Option<&'a BulkViscosity<P::Real>>,
+    /// Sums by lane, J: strain, hourglass, viscous and plastic energy.
+    energies: [P; 4],
+    /// Smallest and largest ratio of current to reference volume, by lane.
+    ratios: Ratios<P>,
+}
+
+impl<P: Pack> EnergySum<'_, P> {
+    /// Energies, J, and the smallest and largest ratio.
+    #[inline(always)]
+    fn total(self) -> (Energy, (f64, f64)) {
+        let [strain, hourglass, viscous, plastic] =
+            self.energies.map(|sum| (0..P::LANES).map(|lane| sum.lane(lane)).sum());
+        (Energy { strain, hourglass, viscous, plastic }, self.ratios.range())
+    }
+}
+
+impl<P: Pack> Visitor<P> for EnergySum<'_, P> {
+    #[inline(always)]
+    fn visit(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
+        let kinematics = Kinematics::new(element.gradient(constants));
+        let (reference, ratio) = (constants.volume(), kinematics.deformation.volume);
+        let dilation = ratio - 1.0;
+        let nothing = P::zero();
+        let mut found = PointEnergy { strain: nothing, viscous: nothing, plastic: nothing };
+        self.stage.energy(&kinematics.c, self.state, block, first, &mut found);
+        let strain = found.strain + self.bulk * dilation * dilation * 0.5;
+        let damped = self.viscosity.map_or(nothing, |viscosity| viscosity.work(block, first));
+        // Lanes without an element have no volume and no stiffness, and keep their shape.
+        self.energies[0] += strain * reference;
+        self.energies[1] += element.hourglass_energy(constants);
+        self.energies[2] += (found.viscous + damped) * reference;
+        self.energies[3] += found.plastic * reference;
+        self.ratios = self.ratios.and(ratio);
+    }
+}

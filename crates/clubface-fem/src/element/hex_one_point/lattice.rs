@@ -1,0 +1,235 @@
+//! Elements in rows, columns and layers: neighbours share what they read and write.
+//!
+//! Positions and forces stand component by component in the order of the lattice, so that the corners of consecutive elements are
+//! consecutive numbers. Where rows do not fill whole packs, the last node of one makes an element with the first of the next, which exists only to keep
+//! the packs full: it has no volume. Each pack of elements walks up through the layers and carries the side it shares with the next one along.
+
+use super::arrangement::order;
+use super::constants::{Block, Constants};
+use super::element::{on_bases, Component, Hexahedron};
+use super::interior::{Advance, Interior, Kinetic};
+use super::places::{add, face, side, Places};
+use super::side::empty;
+use super::stress::{Run, Stress, RUN};
+use super::visitor::Visitor;
+use crate::block::BLOCK;
+use crate::element::field::{Field, Layout, Scratch};
+use crate::mesh::CORNERS;
+use clubface_math::pack::prefetch;
+use clubface_math::{Pack, Real, Row, Scalar};
+
+/// Most layers.
+pub const DEPTH: usize = 6;
+/// A lattice of elements.
+pub struct Lattice<R> {
+    /// Elements along the three directions.
+    shape: [usize; 3],
+    layout: Layout,
+    /// Forces by node, with room for a pack to overrun.
+    rows: Vec<Row<R>>,
+    /// Of the nodes inside, if the lattice moves them itself.
+    pub interior: Option<Interior<R>>,
+}
+
+impl<R: Real> Lattice<R> {
+    /// From the elements of a lattice by their corners; also the nodes, and the element in every lane of the blocks.
+    pub fn new(shape: [usize; 3], elements: &[[u32; CORNERS]]) -> (Self, Vec<u32>, Vec<Option<usize>>) {
+        let [ni, nj, nk] = shape;
+        assert!(nk <= DEPTH);
+        let (nodes, lanes) = order(shape, elements);
+        let row = ni + 1;
+        // The last pack reads as far as the corner after the next row, and one that begins in the last row but one overruns by less than a block.
+        let last = Places::new(shape).at(lanes.len() / nk - 1);
+        let stride = (last + row + 2).max(row * nj + BLOCK).next_multiple_of(BLOCK);
+        let layout = Layout { row, plane: row * (nj + 1), planes: nk + 1, stride };
+        let rows = vec![Row::zero(); nodes.len() + BLOCK];
+        (Self { shape, layout, rows, interior: None }, nodes, lanes)
+    }
+
+    /// Takes charge of the nodes inside, if nothing else acts on them; returns their places.
+    pub fn claim_interior_nodes(&mut self, alone: &[bool], inverse_masses: &[R]) -> Vec<u32> {
+        self.interior = Interior::new(self.layout, alone, inverse_masses);
+        self.interior.as_ref().map_or(vec![], Interior::inside)
+    }
+
+    /// Forces on the nodes.
+    pub fn forces(&self) -> &[Row<R>] {
+        &self.rows[..self.rows.len() - BLOCK]
+    }
+
+    /// Forces of all elements for the positions of their nodes, a list longer than it need be by a block. If the lattice is `moving` its
+    /// interior nodes, the forces on these stay in the scratch for [`Lattice::advance`], and only those on the others are written. Returns whether the laws hold
+    /// for all volumes.
+    ///
+    /// # Safety
+    /// The nodes exist.
+    #[inline(always)]
+    pub unsafe fn assemble<P: Pack<Real = R>>(
+        &mut self,
+        scratch: &mut Scratch<R>,
+        positions: &[Row<R>],
+        nodes: &[u32],
+        constants: &[Block<R>],
+        stress: Stress<P>,
+        moving: bool,
+    ) -> bool {
+        let Self { shape, layout, rows, interior } = self;
+        let mut forces = scratch.forces.field(*layout);
+        let mut interior = interior.as_mut().filter(|_| moving);
+        // SAFETY of these: the caller's promise.
+        let mut field = if let Some(interior) = &mut interior {
+            unsafe { interior.load_boundary::<P>(positions, nodes) }
+        } else {
+            let mut field = scratch.positions.field(*layout);
+            for k in 0..layout.planes {
+                unsafe { field.load::<P>(k, positions, nodes) };
+            }
+            field
+        };
+        let valid = unsafe { walk(*shape, &mut field, &mut forces, constants, stress) };
+        if let Some(interior) = interior {
+            interior.store_boundary::<P>(&mut forces, rows);
+        } else {
+            for k in 0..layout.planes {
+                forces.store::<P>(k, &mut rows[k * layout.plane..]);
+            }
+        }
+        valid
+    }
+
+    /// Moves the interior nodes on by a step, s.
+    pub fn advance(&mut self, scratch: &mut Scratch<R>, step: R) {
+        let forces = scratch.forces.field(self.layout);
+        if let Some(interior) = &mut self.interior {
+            R::dispatch(Advance { interior, forces, step });
+        }
+    }
+
+    /// Kinetic energy of the interior nodes between their velocities before and after such a step, J.
+    pub fn kinetic(&mut self, scratch: &mut Scratch<R>, step: R) -> R {
+        let forces = scratch.forces.field(self.layout);
+        let kinetic = |interior| R::dispatch(Kinetic { interior, forces, step });
+        self.interior.as_mut().map_or(R::zero(), kinetic)
+    }
+
+    /// Shows every element to `visitor`, at the positions that [`Lattice::assemble`] has loaded if it may.
+    ///
+    /// # Safety
+    /// As for [`Lattice::assemble`].
+    #[inline(always)]
+    pub unsafe fn visit<P: Pack<Real = R>, W: Visitor<P>>(
+        &mut self,
+        positions: &[Row<R>],
+        nodes: &[u32],
+        constants: &[Block<R>],
+        loaded: bool,
+        visitor: &mut W,
+    ) {
+        let nk = self.shape[2];
+        let places = Places::new(self.shape);
+        let mut scratch = Scratch::new();
+        let mut field = if let Some(interior) = self.interior.as_mut().filter(|_| loaded) {
+            interior.positions()
+        } else {
+            let mut field = scratch.positions.field(self.layout);
+            for k in 0..self.layout.planes {
+                // SAFETY: the caller's promise.
+                unsafe { field.load::<P>(k, positions, nodes) };
+            }
+            field
+        };
+        for column in 0..constants.len() / nk {
+            for first in (0..BLOCK).step_by(P::LANES) {
+                let at = places.quads::<P>(column * BLOCK + first);
+                for layer in 0..nk {
+                    // SAFETY: `at` is within the columns.
+                    let (low, high) =
+                        unsafe { (face::<P>(&mut field, layer, &at), face(&mut field, layer + 1, &at)) };
+                    let block = column * nk + layer;
+                    let constants = Constants::new(&constants[block].0, first);
+                    let element = Hexahedron::new(&constants, &low, &high);
+                    visitor.visit(block, first, &constants, &element);
+                }
+            }
+        }
+    }
+}
+
+/// Forces of a lattice of elements of the given shape, and whether the laws hold for all volumes.
+///
+/// Each pack of elements goes up through some layers in several loops: patterns, deformation, stress, forces. One loop would be a long chain of
+/// operations, which wait for each other and for more registers than there are. Patterns and forces go component by component, since the numbers of one
+/// fit the registers: constants are loaded thrice, but nothing else is put aside.
+///
+/// # Safety
+/// The fields are those of the lattice.
+#[inline(always)]
+unsafe fn walk<P: Pack>(
+    shape: [usize; 3],
+    positions: &mut Field<P::Real>,
+    forces: &mut Field<P::Real>,
+    constants: &[Block<P::Real>],
+    mut stress: Stress<P>,
+) -> bool {
+    let [ni, _, nk] = shape;
+    assert!(nk <= DEPTH);
+    let (row, places) = (ni + 1, Places::new(shape));
+    for k in 0..=nk {
+        for axis in 0..3 {
+            for at in (0..row).step_by(P::LANES) {
+                // SAFETY: the stride has room for two rows.
+                unsafe { P::zero().write(forces.at(k, axis).add(at)) };
+            }
+        }
+    }
+    let mut carry = [[[P::Quad::zero(); 2]; DEPTH + 1]; 3];
+    let mut below = [empty(); BLOCK];
+    let mut elements = [Hexahedron::<P>::zero(); RUN];
+    let mut points = Run::new();
+    for (column, blocks) in constants.chunks_exact(nk).enumerate() {
+        for start in (0..nk).step_by(RUN) {
+            let run = &blocks[start..(start + RUN).min(nk)];
+            for first in (0..BLOCK).step_by(P::LANES) {
+                let at = places.quads::<P>(column * BLOCK + first);
+                for axis in 0..3 {
+                    // SAFETY of these: `at` is within the columns.
+                    let mut low = unsafe { side::<P>(positions, start, axis, &at) };
+                    for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
+                        let high = unsafe { side(positions, start + layer + 1, axis, &at) };
+                        let constants = Constants::new(&block.0, first);
+                        element.components[axis] = Component::new(&constants, &low, &high);
+                        low = high;
+                    }
+                }
+                for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
+                    // The loops from here to the forces compute more than they load: time to fetch what the next ones need.
+                    if first == 0 {
+                        prefetch(block, RUN);
+                    }
+                    let constants = Constants::new(&block.0, first);
+                    points.set(layer, element.gradient(&constants), constants.volume());
+                }
+                stress.compute(&mut points, run.len(), column * nk + start, first);
+                for (block, stress) in run.iter().zip(&mut points.stresses) {
+                    *stress = on_bases(&Constants::new(&block.0, first), stress);
+                }
+                for axis in 0..3 {
+                    let mut under = if start == 0 { [P::zero(); 4] } else { below[first][axis] };
+                    for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
+                        let constants = Constants::new(&block.0, first);
+                        let (force, above) =
+                            element.components[axis].forces(&constants, &points.stresses[layer], &under);
+                        let k = start + layer;
+                        unsafe { add(forces, row, k, axis, &at, force, &mut carry[axis][k]) };
+                        under = above;
+                    }
+                    below[first][axis] = under;
+                    if start + run.len() == nk {
+                        unsafe { add(forces, row, nk, axis, &at, under, &mut carry[axis][nk]) };
+                    }
+                }
+            }
+        }
+    }
+    stress.ratios.valid()
+}

@@ -1,0 +1,157 @@
+//! Patches of hexahedra of one material: their data.
+
+use super::arrangement::shape;
+use super::constants::{alike, constants, Block, CONSTANTS};
+use super::indexed::Indexed;
+use super::lattice::{Lattice, DEPTH};
+use super::visitor::Visitor;
+use crate::block::{Aligned, BLOCK};
+use crate::element::bulk_viscosity::BulkViscosity;
+use crate::element::patch::parts;
+use crate::material::{Material, StateVariables, Updates};
+use crate::mesh::{SolidMesh, CORNERS};
+use clubface_math::{Pack, Real, Row};
+use std::sync::Arc;
+
+/// Elements a patch: enough to hide the cost of starting on it, few enough that its nodes stay in the fast caches. It does not depend on the
+/// number of threads, so neither do the sums.
+pub const PATCH: usize = 864;
+
+/// Layers a patch of a lattice has, if the lattice has as many.
+const LAYERS: usize = 6;
+
+/// How elements find their nodes.
+pub(super) enum Arrangement<R> {
+    Lattice(Lattice<R>),
+    Indexed(Indexed<R>),
+}
+
+/// Some hexahedra of one material, in blocks of eight.
+pub struct SolidPatch<R> {
+    pub(super) material: Material<R>,
+    pub(super) arrangement: Arrangement<R>,
+    /// Longer than the list by a block, so that packs may overrun.
+    pub(super) nodes: Vec<u32>,
+    /// Largest of them.
+    last: u32,
+    pub(super) constants: Arc<[Block<R>]>,
+    pub(super) state: StateVariables<R>,
+    pub(super) updates: Updates,
+    pub(super) viscosity: Option<BulkViscosity<R>>,
+    pub(super) volumes_valid: bool,
+    /// Number of the element in every lane of the blocks.
+    pub(super) numbers: Vec<Option<u32>>,
+}
+
+/// Patches of some elements of a mesh, of one material, in their undeformed shape. Where elements follow each other as in a lattice, the patches are
+/// lattices, and those that differ by a rotation share their constants and follow each other.
+pub fn solid_patches<R: Real>(
+    mesh: &SolidMesh<R>,
+    elements: std::ops::Range<usize>,
+    material: &Material<R>,
+) -> Vec<SolidPatch<R>> {
+    let mut patches: Vec<SolidPatch<R>> = Vec::new();
+    let mut start = elements.start;
+    while start < elements.end {
+        let [ni, nj, nk] = shape(&mesh.elements[start..elements.end]);
+        let block = start;
+        // Short rows would leave the packs half empty.
+        if ni < 3 || ni * nj * nk < 4 * BLOCK {
+            start = (start + PATCH).min(elements.end);
+            patches.push(SolidPatch::new(mesh, &(block..start).collect::<Vec<_>>(), None, material));
+            continue;
+        }
+        start += ni * nj * nk;
+        for layers in parts(nk, LAYERS.min(DEPTH)) {
+            for rows in parts(nj, (PATCH / (ni * layers.len())).max(1)) {
+                let mut list = Vec::new();
+                for k in layers.clone() {
+                    for j in rows.clone() {
+                        list.extend((0..ni).map(|i| block + (k * nj + j) * ni + i));
+                    }
+                }
+                let mut patch = SolidPatch::new(mesh, &list, Some([ni, rows.len(), layers.len()]), material);
+                let mut place = patches.len();
+                if let Some(last) = patches.iter().rposition(|p| alike(&p.constants, &patch.constants)) {
+                    patch.constants = Arc::clone(&patches[last].constants);
+                    place = last + 1;
+                }
+                patches.insert(place, patch);
+            }
+        }
+    }
+    patches
+}
+
+impl<R: Real> Arrangement<R> {
+    /// Shows every element to a visitor.
+    ///
+    /// # Safety
+    /// The nodes exist.
+    #[inline(always)]
+    pub(super) unsafe fn visit<P: Pack<Real = R>>(
+        &mut self,
+        positions: &[Row<R>],
+        nodes: &[u32],
+        constants: &[Block<R>],
+        loaded: bool,
+        visitor: &mut impl Visitor<P>,
+    ) {
+        match self {
+            // SAFETY: the caller's promise.
+            Self::Lattice(lattice) => unsafe { lattice.visit(positions, nodes, constants, loaded, visitor) },
+            Self::Indexed(indexed) => indexed.visit(positions, nodes, constants, visitor),
+        }
+    }
+}
+
+impl<R: Real> SolidPatch<R> {
+    /// From some elements of a mesh, which make a lattice of the given shape, or none.
+    fn new(
+        mesh: &SolidMesh<R>,
+        elements: &[usize],
+        shape: Option<[usize; 3]>,
+        material: &Material<R>,
+    ) -> Self {
+        let corners: Vec<[u32; CORNERS]> = elements.iter().map(|&e| mesh.elements[e]).collect();
+        let (arrangement, mut nodes, lanes) = if let Some(shape) = shape {
+            let (lattice, nodes, lanes) = Lattice::new(shape, &corners);
+            (Arrangement::Lattice(lattice), nodes, lanes)
+        } else {
+            let (indexed, nodes, lanes) = Indexed::new(&corners);
+            (Arrangement::Indexed(indexed), nodes, lanes)
+        };
+        nodes.extend([nodes[0]; BLOCK]);
+        let blocks = lanes.len() / BLOCK;
+        let mut stored = vec![Aligned([R::zero(); CONSTANTS * BLOCK]); blocks];
+        for (slot, element) in lanes.iter().enumerate() {
+            let Some(element) = element else { continue };
+            for (which, value) in
+                constants(&mesh.corners(elements[*element]), material.shear()).into_iter().enumerate()
+            {
+                stored[slot / BLOCK].0[which * BLOCK + slot % BLOCK] = value;
+            }
+        }
+        let state = material.state(blocks);
+        let last = nodes.iter().copied().max().unwrap_or(0);
+        let (material, constants, updates) = (material.clone(), stored.into(), Updates::default());
+        let numbers = lanes.iter().map(|lane| lane.map(|local| elements[local] as u32)).collect();
+        Self {
+            material,
+            arrangement,
+            nodes,
+            last,
+            constants,
+            state,
+            updates,
+            viscosity: None,
+            volumes_valid: true,
+            numbers,
+        }
+    }
+
+    /// The promise that every node exists, on which unchecked reads rely.
+    pub(super) fn check(&self, positions: &[Row<R>]) {
+        assert!((self.last as usize) < positions.len(), "a patch of another mesh");
+    }
+}

@@ -1,0 +1,111 @@
+//! Packs of elements in the fields of a lattice: where they stand, what they read there and what they add.
+//!
+//! A pack is made of quads, packs of at most four lanes, whose elements follow each other in a row.
+
+use super::arrangement::{unbroken, QUAD};
+use super::side::{spread, sums, Face, Sums};
+use crate::element::field::Field;
+use clubface_math::{Pack, Scalar};
+
+/// Where elements find their first corner in a field's component.
+#[derive(Clone, Copy)]
+pub struct Places {
+    /// Lanes after which a node is left out, the last of a row.
+    unbroken: usize,
+}
+
+impl Places {
+    /// Of a lattice of the given shape.
+    pub fn new(shape: [usize; 3]) -> Self {
+        Self { unbroken: unbroken(shape) }
+    }
+    /// Place of the element in a lane, counted over all columns.
+    #[inline(always)]
+    pub fn at(self, lane: usize) -> usize {
+        lane + lane / self.unbroken
+    }
+    /// Places of the quads of a pack from a lane on.
+    #[inline(always)]
+    pub fn quads<P: Pack>(self, lane: usize) -> Quads {
+        let quad = const {
+            assert!(P::Quad::LANES <= QUAD);
+            P::Quad::LANES
+        };
+        let last = lane + P::LANES - quad;
+        let breaks = |lane: usize| (lane + quad).is_multiple_of(self.unbroken);
+        Quads { places: [self.at(lane), self.at(last)], breaks: [breaks(lane), breaks(last)] }
+    }
+}
+
+/// Where the quads of a pack stand; the second is the first where there is only one.
+pub struct Quads {
+    places: [usize; 2],
+    /// Whether a row ends with it.
+    breaks: [bool; 2],
+}
+
+/// A component of one side of a pack of elements from the given places of plane `k` on.
+///
+/// # Safety
+/// The places are those of lanes within the columns, and `k` is a plane.
+#[inline(always)]
+pub unsafe fn side<P: Pack>(positions: &mut Field<P::Real>, k: usize, axis: usize, at: &Quads) -> Sums<P> {
+    let row = positions.row();
+    // SAFETY: the stride has room for a pack of the next row.
+    unsafe {
+        let from = positions.at(k, axis);
+        let [a, b] = [from.add(at.places[0]), from.add(at.places[1])];
+        sums([
+            P::read_quads([a, b]),
+            P::read_quads([a.add(1), b.add(1)]),
+            P::read_quads([a.add(row), b.add(row)]),
+            P::read_quads([a.add(row + 1), b.add(row + 1)]),
+        ])
+    }
+}
+
+/// All components of it.
+///
+/// # Safety
+/// As for [`side`].
+#[inline(always)]
+pub unsafe fn face<P: Pack>(positions: &mut Field<P::Real>, k: usize, at: &Quads) -> Face<P> {
+    // SAFETY: the caller's promise.
+    unsafe { [side(positions, k, 0, at), side(positions, k, 1, at), side(positions, k, 2, at)] }
+}
+
+/// Adds a component of the forces to one side of a pack of elements. Every number is written first from the row before it, then added to from its own row; what
+/// belongs to the node after the last lane waits in `carry` for the next pack, or is given to the last node of the row.
+///
+/// # Safety
+/// As for [`side`].
+#[inline(always)]
+pub unsafe fn add<P: Pack>(
+    forces: &mut Field<P::Real>,
+    row: usize,
+    k: usize,
+    axis: usize,
+    at: &Quads,
+    force: Sums<P>,
+    carry: &mut [P::Quad; 2],
+) {
+    let corners = spread(force);
+    let lanes = P::Quad::LANES;
+    for quad in 0..P::LANES / lanes {
+        let (c0, c1) = (corners[0].quad(quad), corners[1].quad(quad));
+        let (c2, c3) = (corners[2].quad(quad), corners[3].quad(quad));
+        // SAFETY: as in `side`.
+        unsafe {
+            let to = forces.at(k, axis).add(at.places[quad]);
+            (c2 + c3.after(carry[1])).write(to.add(row));
+            (P::Quad::read(to) + (c0 + c1.after(carry[0]))).write(to);
+            *carry = [c1, c3];
+            if at.breaks[quad] {
+                let end = to.add(lanes);
+                *end.add(row) = c3.real(lanes - 1);
+                *end += c1.real(lanes - 1);
+                *carry = [P::Quad::zero(); 2];
+            }
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! Stress at the integration points of packs of elements, however the elements find their nodes: the pressure here, the change of shape by the
+//! stage of the material.
+
+use crate::element::bulk_viscosity::Drag;
+use crate::element::ratios::Ratios;
+use crate::material::{Deformation, Points, StateVariables, StressStage, Symmetric};
+use clubface_math::{Mat3, Pack};
+
+/// Most packs of a run.
+pub const RUN: usize = 3;
+
+/// What the stress of elements follows from.
+pub struct Stress<'a, P: Pack> {
+    /// Stage of the material in this step.
+    pub stage: &'a dyn StressStage<P>,
+    /// Bulk modulus, Pa.
+    pub bulk: P,
+    /// State variables of all blocks.
+    pub state: &'a mut StateVariables<P::Real>,
+    /// Bulk viscosity, if there is any.
+    pub drag: Option<Drag<'a, P::Real>>,
+    /// Smallest and largest ratio of volumes so far.
+    pub ratios: Ratios<P>,
+}
+
+/// Packs whose blocks follow each other.
+pub struct Run<P> {
+    deformations: [Deformation<P>; RUN],
+    weights: [P; RUN],
+    pressures: [P; RUN],
+    /// Second Piola-Kirchhoff stresses (Pa) times minus the reference volumes (m3).
+    pub stresses: [Symmetric<P>; RUN],
+}
+
+impl<P: Pack> Run<P> {
+    /// Nothing yet.
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self {
+            deformations: [Deformation::new(Mat3::diagonal(P::one())); RUN],
+            weights: [P::zero(); RUN],
+            pressures: [P::zero(); RUN],
+            stresses: [Symmetric::diagonal(P::zero()); RUN],
+        }
+    }
+    /// Sets the gradient and the reference volume (m3) of a pack.
+    #[inline(always)]
+    pub fn set(&mut self, which: usize, gradient: Mat3<P>, volume: P) {
+        self.deformations[which] = Deformation::new(gradient);
+        self.weights[which] = -volume;
+    }
+}
+
+impl<P: Pack> Stress<'_, P> {
+    /// Stresses of the first `count` packs of a run, which are lanes `first..` of the blocks from `block` on; state variables move on by a step.
+    #[inline(always)]
+    pub fn compute(&mut self, run: &mut Run<P>, count: usize, block: usize, first: usize) {
+        let Run { deformations, weights, pressures, stresses } = run;
+        for i in 0..count {
+            let ratio = deformations[i].volume;
+            self.ratios = self.ratios.and(ratio);
+            pressures[i] = self.bulk * (ratio - 1.0);
+            if let Some(drag) = &mut self.drag {
+                pressures[i] += drag.pressure(block + i, first, ratio);
+            }
+        }
+        let mut points = Points {
+            block,
+            first,
+            deformations: &deformations[..count],
+            pressures: &pressures[..count],
+            weights: &weights[..count],
+            stresses: &mut stresses[..count],
+        };
+        self.stage.stress(&mut points, self.state);
+    }
+}

@@ -1,0 +1,75 @@
+//! How a section answers to strain: by its resultants, if it is elastic, or at points through its thickness.
+
+use super::layers::Layers;
+use super::material::ShellMaterial;
+use super::quadrilateral::Increment;
+use super::section::{ElasticSection, Section};
+use crate::material::Numbers;
+use clubface_math::{Computation, Pack};
+
+/// The response of the sections of a patch.
+pub enum Response<'a, P> {
+    /// Of resultants.
+    Elastic,
+    /// Of points through the thickness.
+    Points(Layers<'a, P>),
+}
+
+impl<'a, P: Pack> Response<'a, P> {
+    /// Of a material with some points (places from -1 to 1, weights whose sum is 2), or none.
+    #[inline(always)]
+    pub fn new(points: &'a [(f64, f64)], material: &ShellMaterial<P::Real>) -> Self {
+        if points.is_empty() {
+            Self::Elastic
+        } else {
+            Self::Points(Layers::new(points, material))
+        }
+    }
+    /// Membrane forces and bending moments over width after a strain increment, for the area of the elements; the state variables move on.
+    #[inline(always)]
+    pub fn respond(
+        &self,
+        section: &Section<P>,
+        increment: &Increment<P>,
+        area: P,
+        state: &mut Numbers<P::Real>,
+    ) -> [[P; 3]; 2] {
+        match self {
+            Self::Elastic => ElasticSection::respond(section, increment, state),
+            // A function of its own: it is large, and most sections are elastic.
+            Self::Points(layers) => P::outline(Respond { layers, section, increment, area, state }),
+        }
+    }
+    /// Plane stress on the outer and the inner side, Pa, and the largest equivalent plastic strain.
+    #[inline(always)]
+    pub fn sides(&self, section: &Section<P>, state: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
+        match self {
+            Self::Elastic => ElasticSection::sides(section, state),
+            Self::Points(layers) => layers.sides(state),
+        }
+    }
+    /// Elastic energy of membrane and bending over an area, and the work that plastic flow has turned into heat, J.
+    #[inline(always)]
+    pub fn energy(&self, section: &Section<P>, area: P, state: &Numbers<P::Real>) -> (P, P) {
+        match self {
+            Self::Elastic => ElasticSection::energy(section, area, state),
+            Self::Points(layers) => layers.energy(section, area, state),
+        }
+    }
+}
+
+struct Respond<'a, 'b, 'c, P: Pack> {
+    layers: &'a Layers<'b, P>,
+    section: &'a Section<P>,
+    increment: &'a Increment<P>,
+    area: P,
+    state: &'a mut Numbers<'c, P::Real>,
+}
+
+impl<P: Pack> Computation for Respond<'_, '_, '_, P> {
+    type Output = [[P; 3]; 2];
+    #[inline(always)]
+    fn run(self) -> [[P; 3]; 2] {
+        self.layers.respond(self.section, self.increment, self.area, self.state)
+    }
+}

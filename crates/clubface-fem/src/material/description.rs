@@ -1,0 +1,134 @@
+//! What a law says of itself: to files, to checks, to keyword decks and to the page of laws.
+
+use crate::error::FemError;
+
+/// A constant of a law.
+#[derive(Clone, Copy, Debug)]
+pub struct Constant {
+    /// Name, as in files.
+    pub name: &'static str,
+    /// What kind of quantity: "pressure" (Pa) or "dimensionless".
+    pub dimension: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+    /// Smallest allowed value, SI.
+    pub least: f64,
+    /// Largest allowed value, SI.
+    pub most: f64,
+}
+
+impl Constant {
+    /// SI unit, as messages write it.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        match self.dimension {
+            "pressure" => "Pa",
+            _ => "",
+        }
+    }
+}
+
+/// A card of a keyword deck (LS-DYNA, OpenRadioss) that describes the law.
+///
+/// A row lists fields by name, each separated by a blank: a constant of the law, `mu#` for all constants that are `mu` with a number, `mid` and
+/// `nv` for the number of the material and of its branches, `ro pr e bulk shear` for density, Poisson's ratio, Young's, bulk and shear modulus, `g0`
+/// for the shear modulus of fast deformation, `g beta` for shear modulus and inverse relaxation time of a branch, or a number; `2*shear` is a
+/// product, and `-` a blank field.
+#[derive(Clone, Copy, Debug)]
+pub struct Card {
+    /// Keyword.
+    pub keyword: &'static str,
+    /// Fewest and most viscoelastic branches that it can describe.
+    pub branches: (usize, usize),
+    /// Names of the fields of the first row, as the manual calls them.
+    pub names: &'static str,
+    /// Rows.
+    pub rows: &'static [&'static str],
+    /// The row that each branch adds, or none.
+    pub branch: &'static str,
+}
+
+/// What a law says of itself.
+#[derive(Clone, Copy, Debug)]
+pub struct Description {
+    /// Name, as in files.
+    pub name: &'static str,
+    /// What it is for, and its energy.
+    pub summary: &'static str,
+    /// Who published it.
+    pub source: &'static str,
+    /// Its constants.
+    pub constants: &'static [Constant],
+    /// How many of them must be given, from the first; the others come in groups of `group`.
+    pub needed: usize,
+    /// See [`Description::needed`].
+    pub group: usize,
+    /// Whether files choose it by its name; a metal that yields is chosen by its yield stress.
+    pub listed: bool,
+    /// Cards of keyword decks: the first that can describe the branches there are.
+    pub cards: &'static [Card],
+    /// State variables of a point before any deformation, none for an elastic law.
+    pub state: &'static [f64],
+    /// Rough time of a one-point element in a step, ns: to give threads as much to do.
+    pub cost: usize,
+    /// Constants of a material that contract tests compute with.
+    pub example: &'static [f64],
+}
+
+impl Description {
+    /// Checks the number of constants.
+    ///
+    /// # Errors
+    /// [`FemError::Input`] that tells which are needed.
+    pub(super) fn check_count(&self, count: usize) -> Result<(), FemError> {
+        let fits = (self.needed..=self.constants.len()).contains(&count);
+        if fits && (count - self.needed).is_multiple_of(self.group) {
+            return Ok(());
+        }
+        let wanted: Vec<_> = self.constants.iter().map(|constant| constant.name).collect();
+        let (needed, group) = (self.needed, self.group);
+        let more = if count > needed { format!(", then {group} at a time") } else { String::new() };
+        let allowed = format!("the first {needed} are needed{more}: {}", wanted.join(", "));
+        Err(FemError::input(format!("constants of {}", self.name), count, allowed))
+    }
+}
+
+/// Declares the constants of a law: a struct of numbers, its table, and how to read it from a slice.
+#[macro_export]
+macro_rules! constants {
+    ($(#[$doc:meta])* $name:ident {
+        $($field:ident [$dimension:literal] in $least:literal ..= $most:literal, $meaning:literal;)+
+    }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub struct $name<S> {
+            $(#[doc = $meaning] pub $field: S,)+
+        }
+        impl $name<()> {
+            /// Its constants, in order.
+            pub const CONSTANTS: &'static [$crate::material::Constant] = &[$($crate::material::Constant {
+                name: stringify!($field),
+                dimension: $dimension,
+                meaning: $meaning,
+                least: $least,
+                most: $most,
+            },)+];
+        }
+        impl<S: Copy> $name<S> {
+            /// From constants in the order of the table.
+            #[inline(always)]
+            pub fn from_slice(constants: &[S]) -> Self {
+                let [$($field),+] = *constants else {
+                    unreachable!("the table checks the number of constants")
+                };
+                Self { $($field),+ }
+            }
+        }
+        impl<R: $crate::material::Number> $name<R> {
+            /// As a law of materials.
+            pub fn law(&self) -> std::sync::Arc<dyn $crate::material::Law<R>> {
+                $crate::material::build::<$name<()>, R>(&[$(self.$field),+])
+            }
+        }
+    };
+}

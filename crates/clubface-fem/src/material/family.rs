@@ -1,0 +1,68 @@
+//! A law as its file declares it, and as materials hold it.
+//!
+//! A law is one file and one line of [`materials!`](crate::materials): the file declares its constants, implements the stress and the energy
+//! (see [`crate::material::OfInvariants`]) and a [`Family`]. Names in files, checks, cards of keyword decks, the page of laws and the contract
+//! tests are all made from the table.
+
+use super::description::Description;
+use super::law::PointLaw;
+use super::viscous::Branches;
+use crate::error::FemError;
+use clubface_math::{Dual, Pack, Real, Scalar};
+use std::any::Any;
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// A law as its file declares it, over no number in particular.
+pub trait Family: Debug + Send + Sync + 'static {
+    /// What it says of itself.
+    const DESCRIPTION: Description;
+    /// The law over packs: [`super::Elastic`] or [`super::WithState`] of what the file implements.
+    type Over<P: Pack>: PointLaw<P>;
+    /// The law from its constants in the order of the table.
+    fn over<P: Pack>(constants: &[P]) -> Self::Over<P>;
+    /// Shear modulus of small deformation, Pa.
+    fn shear<S: Scalar>(constants: &[S]) -> S;
+    /// Checks what bounds of single constants cannot say; messages call the material `name`.
+    ///
+    /// # Errors
+    /// [`FemError::Input`] that names the first constant that is not allowed.
+    fn check(_constants: &[f64], _name: &str) -> Result<(), FemError> {
+        Ok(())
+    }
+}
+
+/// Derivatives that a number of [`crate::sensitivity`] has.
+pub const DERIVATIVES: usize = 4;
+
+/// A line of the table of laws.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// What the law says of itself.
+    pub description: &'static Description,
+    /// The law over plain numbers.
+    pub plain: fn(&[f64]) -> Arc<dyn Law<f64>>,
+    /// The law over numbers with derivatives.
+    pub derived: fn(&[Dual<f64, DERIVATIVES>]) -> Arc<dyn Law<Dual<f64, DERIVATIVES>>>,
+}
+
+/// A law of the change of shape with its constants.
+pub trait Law<R: Real>: Debug + Send + Sync {
+    /// Its line in a table.
+    fn entry(&self) -> Entry;
+    /// What it says of itself.
+    fn description(&self) -> &'static Description {
+        self.entry().description
+    }
+    /// Its constants, SI, in the order of the description.
+    fn constants(&self) -> &[R];
+    /// Shear modulus of small deformation, Pa.
+    fn shear(&self) -> R;
+    /// Checks the constants; messages call the material `name`.
+    ///
+    /// # Errors
+    /// [`FemError::Input`] that names the first constant that is not allowed.
+    fn check(&self, name: &str) -> Result<(), FemError>;
+    /// Fills a [`super::stage::Slot`] with the stage of a step, for packs of the slot's type.
+    fn stage(&self, branches: &Branches<R>, slot: &mut dyn Any);
+}

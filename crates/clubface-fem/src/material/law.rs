@@ -1,0 +1,152 @@
+//! What the author of a law writes: its stress and its energy, over any scalar.
+//!
+//! Every law is for the change of shape alone; that of volume is common to all. A law of the first two invariants implements
+//! [`OfInvariants`], any other elastic one [`Isochoric`], one whose stress depends on what has happened before [`Inelastic`]. [`PointLaw`] is what
+//! the stages see of all three.
+
+use super::deformation::{Deformation, Kinematics};
+use super::state_variables::Numbers;
+use super::symmetric::Symmetric;
+use clubface_math::{Pack, Scalar};
+
+/// An elastic law: an energy of the modified right Cauchy-Green tensor `C̄` (determinant one).
+pub trait Isochoric<S: Scalar>: Copy {
+    /// `2 dW/dC̄`, Pa, but for a multiple of `C̄^-1`, which changes no shape and is taken out of any stress.
+    fn stress(&self, c: &Symmetric<S>) -> Symmetric<S>;
+    /// W, J/m3.
+    fn energy(&self, c: &Symmetric<S>) -> S;
+    /// Second Piola-Kirchhoff stress with `pressure`, `dW/dJ`, times a weight.
+    #[inline(always)]
+    fn second_piola(&self, at: &Deformation<S>, pressure: S, weight: S) -> Symmetric<S> {
+        let kinematics = Kinematics::of(*at);
+        kinematics.second_piola(&self.stress(&kinematics.c), pressure, weight)
+    }
+}
+
+/// An elastic law that is an energy of the first two invariants alone, `tr C̄` and `tr C̄^-1`.
+pub trait OfInvariants<S: Scalar>: Copy {
+    /// Factors (Pa) of the identity and of `C̄` in `2 dW/dC̄`; what is left goes along `C̄^-1`.
+    fn factors(&self, first: S, second: S) -> [S; 2];
+    /// W, J/m3.
+    fn energy(&self, c: &Symmetric<S>) -> S;
+}
+
+/// A law of the invariants as any elastic law, in fewer operations.
+#[derive(Clone, Copy, Debug)]
+pub struct Invariants<L>(pub L);
+
+impl<S: Scalar, L: OfInvariants<S>> Isochoric<S> for Invariants<L> {
+    #[inline(always)]
+    fn stress(&self, c: &Symmetric<S>) -> Symmetric<S> {
+        let [one, along] = self.0.factors(c.trace(), c.cofactors().trace());
+        c.scale(along).plus_diagonal(one)
+    }
+    #[inline(always)]
+    fn energy(&self, c: &Symmetric<S>) -> S {
+        self.0.energy(c)
+    }
+    #[inline(always)]
+    fn second_piola(&self, at: &Deformation<S>, pressure: S, weight: S) -> Symmetric<S> {
+        let cofactors = at.right.cofactors();
+        let shape = at.root * at.root;
+        let inverse_volume = shape * at.root;
+        let first = at.right.trace() * shape;
+        let second = cofactors.trace() * (shape * shape);
+        let [one, along] = self.0.factors(first, second);
+        // S : C̄ = one tr C̄ + along tr C̄^2, and J C^-1 = cof C / J.
+        let square = first.mul_add(first, -(second + second));
+        let mean = along.mul_add(square, one * first) * (inverse_volume * (1.0 / 3.0));
+        let weighted = shape * weight;
+        let sum = cofactors.scale((pressure - mean) * (inverse_volume * weight));
+        sum.plus(along * (shape * weighted), &at.right).plus_diagonal(one * weighted)
+    }
+}
+
+/// A law whose stress depends on state variables, some numbers a point.
+pub trait Inelastic<S: Pack>: Copy {
+    /// `2 dW/dC̄`, Pa, as of [`Isochoric::stress`], at the end of a step; the state variables move on.
+    fn update(&self, c: &Symmetric<S>, state: &mut Numbers<S::Real>) -> Symmetric<S>;
+    /// Elastic energy, and work that became heat, J/m3.
+    fn energy(&self, c: &Symmetric<S>, state: &Numbers<S::Real>) -> [S; 2];
+    /// Equivalent plastic strain.
+    fn plastic_strain(&self, _state: &Numbers<S::Real>) -> S {
+        S::zero()
+    }
+}
+
+/// A law at the points of a pack, whoever wrote it.
+pub trait PointLaw<P: Pack>: Copy + 'static {
+    /// As of [`Inelastic::update`].
+    fn update(&self, c: &Symmetric<P>, state: &mut Numbers<P::Real>) -> Symmetric<P>;
+    /// Second Piola-Kirchhoff stress with `pressure`, `dW/dJ`, times a weight; the state variables move on.
+    fn second_piola(
+        &self,
+        at: &Deformation<P>,
+        pressure: P,
+        weight: P,
+        state: &mut Numbers<P::Real>,
+    ) -> Symmetric<P>;
+    /// As of [`Inelastic::energy`].
+    fn energy(&self, c: &Symmetric<P>, state: &Numbers<P::Real>) -> [P; 2];
+    /// As of [`Inelastic::plastic_strain`].
+    fn plastic_strain(&self, state: &Numbers<P::Real>) -> P;
+}
+
+/// An elastic law at the points of a pack.
+#[derive(Clone, Copy, Debug)]
+pub struct Elastic<L>(pub L);
+
+impl<P: Pack, L: Isochoric<P> + 'static> PointLaw<P> for Elastic<L> {
+    #[inline(always)]
+    fn update(&self, c: &Symmetric<P>, _: &mut Numbers<P::Real>) -> Symmetric<P> {
+        self.0.stress(c)
+    }
+    #[inline(always)]
+    fn second_piola(
+        &self,
+        at: &Deformation<P>,
+        pressure: P,
+        weight: P,
+        _: &mut Numbers<P::Real>,
+    ) -> Symmetric<P> {
+        self.0.second_piola(at, pressure, weight)
+    }
+    #[inline(always)]
+    fn energy(&self, c: &Symmetric<P>, _: &Numbers<P::Real>) -> [P; 2] {
+        [self.0.energy(c), P::zero()]
+    }
+    #[inline(always)]
+    fn plastic_strain(&self, _: &Numbers<P::Real>) -> P {
+        P::zero()
+    }
+}
+
+/// An inelastic law at the points of a pack.
+#[derive(Clone, Copy, Debug)]
+pub struct WithState<L>(pub L);
+
+impl<P: Pack, L: Inelastic<P> + 'static> PointLaw<P> for WithState<L> {
+    #[inline(always)]
+    fn update(&self, c: &Symmetric<P>, state: &mut Numbers<P::Real>) -> Symmetric<P> {
+        self.0.update(c, state)
+    }
+    #[inline(always)]
+    fn second_piola(
+        &self,
+        at: &Deformation<P>,
+        pressure: P,
+        weight: P,
+        state: &mut Numbers<P::Real>,
+    ) -> Symmetric<P> {
+        let kinematics = Kinematics::of(*at);
+        kinematics.second_piola(&self.0.update(&kinematics.c, state), pressure, weight)
+    }
+    #[inline(always)]
+    fn energy(&self, c: &Symmetric<P>, state: &Numbers<P::Real>) -> [P; 2] {
+        self.0.energy(c, state)
+    }
+    #[inline(always)]
+    fn plastic_strain(&self, state: &Numbers<P::Real>) -> P {
+        self.0.plastic_strain(state)
+    }
+}

@@ -1,0 +1,183 @@
+//! The table of laws: how a law by name becomes one that computes, over every number that laws are compiled for and for all of its packs.
+
+use super::description::Constant;
+use super::family::{Entry, Family, Law, DERIVATIVES};
+use super::stage::{Slot, Stage};
+use super::viscous::Branches;
+use crate::error::FemError;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+use clubface_math::pack::F64x2;
+#[cfg(target_arch = "x86_64")]
+use clubface_math::pack::{F64x4, F64x8};
+use clubface_math::{Computation, Dual, Pack, Real, Scalar};
+use std::any::Any;
+use std::marker::PhantomData;
+use std::sync::Arc;
+
+/// A number that materials are made of.
+pub trait Number: Real + Pack<Real = Self> {
+    /// The law of a line of a table.
+    fn law(entry: &Entry, constants: &[Self]) -> Arc<dyn Law<Self>>;
+    /// Fills a slot with the stage of a law, for the type of packs that the slot asks for.
+    fn stage<F: Family>(constants: &[Self], branches: &Branches<Self>, slot: &mut dyn Any);
+}
+
+/// The line of a law.
+#[must_use]
+pub const fn entry<F: Family>() -> Entry {
+    Entry {
+        description: const { &F::DESCRIPTION },
+        plain: build::<F, f64>,
+        derived: build::<F, Dual<f64, DERIVATIVES>>,
+    }
+}
+
+/// A table of laws. Each line names one.
+#[macro_export]
+macro_rules! materials {
+    ($(#[$doc:meta])* $visibility:vis static $table:ident; $($law:ty;)+) => {
+        $(#[$doc])*
+        $visibility static $table: &[$crate::material::Entry] =
+            &[$($crate::material::entry::<$law>()),+];
+    };
+}
+
+/// The same law over another number, each constant made from its name and value.
+pub fn map_law<R: Real, T: Number>(
+    law: &dyn Law<R>,
+    number: &mut dyn FnMut(&str, R) -> T,
+) -> Arc<dyn Law<T>> {
+    let named = law.description().constants.iter().zip(law.constants());
+    let constants: Vec<T> = named.map(|(constant, value)| number(constant.name, *value)).collect();
+    T::law(&law.entry(), &constants)
+}
+
+/// A law of a table from its name and constants (SI).
+///
+/// # Errors
+/// [`FemError::Input`] for an unknown name, a wrong number of constants, or constants that are not allowed.
+pub fn from_table<R: Number>(
+    table: &[Entry],
+    name: &str,
+    constants: &[R],
+) -> Result<Arc<dyn Law<R>>, FemError> {
+    let Some(entry) = table.iter().find(|entry| entry.description.name == name) else {
+        let known: Vec<_> = table.iter().map(|entry| entry.description.name).collect();
+        return Err(FemError::input("law", name, format!("known are {}", known.join(", "))));
+    };
+    entry.description.check_count(constants.len())?;
+    let law = R::law(entry, constants);
+    law.check(name)?;
+    Ok(law)
+}
+
+/// A law of a family.
+#[derive(Debug)]
+struct Built<F, R> {
+    constants: Vec<R>,
+    family: PhantomData<F>,
+}
+
+impl<F: Family, R: Number> Law<R> for Built<F, R> {
+    fn entry(&self) -> Entry {
+        entry::<F>()
+    }
+    fn constants(&self) -> &[R] {
+        &self.constants
+    }
+    fn shear(&self) -> R {
+        F::shear(&self.constants)
+    }
+    fn check(&self, name: &str) -> Result<(), FemError> {
+        let shear = self.shear().re();
+        if !(shear > 0.0 && shear.is_finite()) {
+            let allowed = "it must be above zero and finite";
+            return Err(FemError::input(format!("shear modulus of {name}"), format!("{shear} Pa"), allowed));
+        }
+        let values: Vec<f64> = self.constants.iter().map(|value| value.re()).collect();
+        F::check(&values, name)?;
+        for (constant, value) in F::DESCRIPTION.constants.iter().zip(values) {
+            let Constant { least, most, .. } = *constant;
+            if !(least..=most).contains(&value) {
+                let unit = constant.unit();
+                let given = format!("{value} {unit}");
+                let allowed = format!("{least} to {most} {unit}");
+                let allowed = format!("{} is allowed", allowed.trim_end());
+                return Err(FemError::input(
+                    format!("{} of {name}", constant.name),
+                    given.trim_end(),
+                    allowed,
+                ));
+            }
+        }
+        Ok(())
+    }
+    fn stage(&self, branches: &Branches<R>, slot: &mut dyn Any) {
+        R::stage::<F>(&self.constants, branches, slot);
+    }
+}
+
+/// A law from its constants.
+pub fn build<F: Family, R: Number>(constants: &[R]) -> Arc<dyn Law<R>> {
+    Arc::new(Built { constants: constants.to_vec(), family: PhantomData::<F> })
+}
+
+/// Makes the stage of a law for packs of a type, with the features of the CPU that they need.
+struct MakeStage<'a, F, P: Pack> {
+    constants: &'a [P::Real],
+    branches: &'a Branches<'a, P::Real>,
+    family: PhantomData<F>,
+}
+
+impl<F: Family, P: Pack> Computation for MakeStage<'_, F, P> {
+    type Output = Slot<P>;
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let mut constants = Vec::with_capacity(self.constants.len());
+        for constant in self.constants {
+            constants.push(P::splat(*constant));
+        }
+        Some(Box::new(Stage::new(F::over(&constants), self.branches)))
+    }
+}
+
+/// The laws over a number, for each type of its packs.
+macro_rules! number {
+    ($number:ty, $law:ident, $($(#[$where:meta])? $pack:ty),+) => {
+        impl Number for $number {
+            fn law(entry: &Entry, constants: &[Self]) -> Arc<dyn Law<Self>> {
+                (entry.$law)(constants)
+            }
+            fn stage<F: Family>(constants: &[Self], branches: &Branches<Self>, slot: &mut dyn Any) {
+                $($(#[$where])?
+                if let Some(slot) = slot.downcast_mut::<Slot<$pack>>() {
+                    let family = PhantomData::<F>;
+                    *slot = <$pack as Scalar>::outline(MakeStage::<F, $pack> { constants, branches, family });
+                    return;
+                })+
+                unreachable!("packs that laws are not compiled for");
+            }
+        }
+    };
+}
+
+number!(
+    f64,
+    plain,
+    f64,
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    F64x2,
+    #[cfg(target_arch = "x86_64")]
+    F64x4,
+    #[cfg(target_arch = "x86_64")]
+    F64x8
+);
+number!(
+    Dual<f64, DERIVATIVES>,
+    derived,
+    Dual<f64, DERIVATIVES>,
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    Dual<F64x2, DERIVATIVES>,
+    #[cfg(target_arch = "x86_64")]
+    Dual<F64x4, DERIVATIVES>
+);
