@@ -12,8 +12,8 @@ from clubface.cli.tables import print_numbers, print_words
 app = typer.Typer(add_completion=False)
 
 PAPERS = {
-    "P1": "Three-dimensional golf clubhead-ball impact models for drivers and irons",
-    "P2": "W.-J. Roh and C.-W. Lee, Analysis of golf ball spin mechanism at impact by FEM",
+    "Caldwell and McPhee (2023)": "Three-dimensional golf clubhead-ball impact models for drivers and irons",
+    "Roh and Lee": "Analysis of golf ball spin mechanism at impact by FEM",
 }
 
 
