@@ -77,7 +77,7 @@ def test_a_template_is_written_once(clubface_, tmp_path):
     assert "[cluster]" in clubface_("capture", "template").out
     target = str(tmp_path / "map.toml")
     assert clubface_("capture", "template", "-o", target).status == 0
-    assert_mistake(clubface_("capture", "template", "-o", target), "exists; it is not overwritten")
+    assert_mistake(clubface_("capture", "template", "-o", target), "exists already; it is left as it is")
 
 
 def test_a_study_prints_and_draws(clubface_, tmp_path):

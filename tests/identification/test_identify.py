@@ -123,7 +123,7 @@ def test_a_checkpoint_of_something_else_is_refused(tmp_path):
             with pytest.raises(FileError, match="cannot be read as a checkpoint"):
                 small(checkpoint=path, resume=resume)
         assert path.read_text() == content
-    with pytest.raises(FileError, match="its folder is not there"):
+    with pytest.raises(FileError, match="this folder does not exist"):
         small(checkpoint=tmp_path / "none" / "fit.json")
     assert small(checkpoint=tmp_path / "none.json", resume=True).cost > 0.0
 

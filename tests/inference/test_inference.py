@@ -205,7 +205,7 @@ def test_a_bad_file_is_told_with_its_line(write, old, new, words_of_error):
     [
         ({}, {}, "at least one of ball_speed"),
         ({"ball_sped": 70.0}, {}, "did you mean ball_speed"),
-        ({"total_spin": 300.0}, {}, "the other of total_spin and spin_axis"),
+        ({"total_spin": 300.0}, {}, "give total_spin and spin_axis together"),
         ({"ball_speed": "70 deg"}, {}, "ball_speed"),
         ({"ball_speed": 70.0}, {"noise": {"ball_speed": 0.0}}, "an exact measurement cannot be sampled"),
         ({"ball_speed": 70.0}, {"samples": 0}, "from 1 to"),

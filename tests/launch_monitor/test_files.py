@@ -405,7 +405,7 @@ def test_what_is_asked_for_must_exist():
         launch_monitor.read(path, hand="Left")
     with pytest.raises(FileError, match=r"this is no Garmin.*no row names the columns Carry Deviation Distance"):
         launch_monitor.read(DATA / "other.csv", format="garmin")
-    with pytest.raises(InputError, match="left out where a mapping"):
+    with pytest.raises(InputError, match="leave it out, since the mapping"):
         launch_monitor.read(path, format="garmin", mapping=DATA / "other.toml")
     with pytest.raises(FileError, match="no row names the columns Tempo, Bahn"):
         launch_monitor.read(path, mapping=DATA / "other.toml")

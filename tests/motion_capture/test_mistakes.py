@@ -272,7 +272,7 @@ def test_calibrations_that_cannot_be_used_are_refused(tmp_path):
         calibrated(outside, club, seen, turn)
     two = seen.positions.copy()
     two[:, :3] = np.nan
-    with pytest.raises(FileError, match="never seen together with the face: HEAD1, HEAD2, HEAD3"):
+    with pytest.raises(FileError, match="no frame shows the face together with: HEAD1, HEAD2, HEAD3"):
         calibrated(mapping, club, replace(seen, positions=two), turn)
     one = seen.positions.copy()
     one[:, 0] = np.nan

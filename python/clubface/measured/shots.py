@@ -113,7 +113,7 @@ def measured_shots(
         raise InputError(
             "shots",
             recorded.source,
-            f"shots with the speed of the clubhead; of their deliveries are measured: {measured}",
+            f"shots with the speed of the clubhead; measured of the deliveries: {measured}",
         )
     wanted = [name for name in quantities if name in recorded.launches]
     if not wanted:
@@ -158,11 +158,11 @@ def of_one_club(recorded: RecordedShots, only: str | None) -> NDArray[np.int64]:
     listed = ", ".join(f"{name or 'without a name'} ({count})" for name, count in counts.items())
     if only is None:
         if len(counts) > 1:
-            raise InputError("only", None, f"give one of the clubs of which there are shots: {listed}")
+            raise InputError("only", None, f"give one of the several clubs that were hit: {listed}")
         return np.arange(len(recorded))
     chosen = [name for name in counts if name.strip().casefold() == only.strip().casefold()]
     if not chosen:
-        raise InputError("only", only, f"one of the clubs of which there are shots: {listed}")
+        raise InputError("only", only, f"one of the clubs that were hit: {listed}")
     return np.flatnonzero(np.isin(recorded.clubs, chosen))
 
 

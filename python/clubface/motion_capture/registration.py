@@ -100,7 +100,7 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
     names = tuple(name for name, count in zip(mapping.cluster, counts, strict=True) if count)
     absent = [name for name in mapping.cluster if name not in names]
     if len(names) < FEWEST:
-        raise FileError(recording.path, None, f"no frame shows these markers and the face: {', '.join(absent)}")
+        raise FileError(recording.path, None, f"no frame shows the face together with: {', '.join(absent)}")
     shape = np.nanmean(turned[:, counts > 0], axis=0)
     # The face points' own frame scatters by noise; what their places are wrong by is the same in every frame.
     noise = mapping.noise if mapping.noise is not None else _scatter(turned)

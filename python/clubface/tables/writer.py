@@ -119,7 +119,7 @@ class Journal:
         except (OSError, ValueError, KeyError, TypeError):
             raise FileError(str(self.path), None, "this file cannot be read; start again without resuming") from None
         if begun != settings:
-            message = "this file was begun from another one or with other settings; start again without resuming"
+            message = "this file was begun from another file or with other settings; start again without resuming"
             raise FileError(str(self.path), None, message)
         return counts
 
