@@ -173,7 +173,7 @@ speed = "35 m/s"
     path.write_text(text.replace('"meshed"', '"rigid"'))
     with pytest.raises(FileError, match=r"case.toml:6: .*unknown"):
         case(path)
-    path.write_text(text.replace('"paper"', '"p3"'))
+    path.write_text(text.replace('club = "paper"', 'club = "p3"'))
     with pytest.raises(FileError, match=r"case.toml:6: unknown head of finite elements 'p3'"):
         case(path)
     with pytest.raises(InputError, match="it must be a club"):

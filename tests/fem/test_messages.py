@@ -116,7 +116,7 @@ def test_a_broken_mesh_is_told_in_our_words_alone(tmp_path, capfd, content):
     path.write_text(HEAD)
     with pytest.raises(FileError) as told:
         fem.head(path)
-    assert str(told.value).startswith(f"{path}:3: {mesh}: is no mesh that can be read: ")
+    assert str(told.value).startswith(f"{path}:3: {mesh}: this mesh cannot be read: ")
     assert len(str(told.value).splitlines()) == 1
     assert not str(told.value).endswith((": 1", ": "))
     assert capfd.readouterr() == ("", "")

@@ -106,5 +106,5 @@ def test_the_case_of_the_paper_is_whole():
 
 
 def test_a_throw_is_no_variation_of_the_case():
-    with pytest.raises(InputError, match="one with a head"):
+    with pytest.raises(InputError, match="a case with a head"):
         paper.paper(throw_case())
