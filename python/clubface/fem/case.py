@@ -37,19 +37,19 @@ class Case:
     Attributes
     ----------
     name, description
-        For tables.
+        What it is called in tables.
     ball
         The ball.
     head
         "plane" (rigid, at rest), "rigid" (the head of ``club``) or "meshed".
     club
-        For a head: a club, or a meshed head.
+        The club or the meshed head, if there is a head.
     delivery
-        Of the head, as of :func:`clubface.impact`; for a plane, ``speed`` and ``angle`` of the ball.
+        That of the head, as of :func:`clubface.impact`; for a plane, ``speed`` and ``angle`` of the ball.
     friction
-        Coulomb's coefficient.
+        Coefficient of friction.
     settings
-        How to run.
+        How the run is made.
     """
 
     name: str

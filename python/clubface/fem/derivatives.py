@@ -105,7 +105,7 @@ def sensitivity(
     Parameters
     ----------
     club, delivery, **values, which, friction, settings
-        As of :func:`strike`; left out, the settings end the run soon after the last touch.
+        As for :func:`strike`; left out, the settings end the run soon after the last touch.
     by
         Names of variables, see :func:`variables`; every four of them take one run.
     progress

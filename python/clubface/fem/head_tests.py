@@ -45,13 +45,13 @@ def restitution(
     which
         The ball.
     speed
-        Of approach [m/s], with the face centre level.
+        Speed of approach [m/s], at the level of the face centre.
     toe, high
         Where the ball is struck [m]; unless either is given, in front of the CG, as the rules had it.
     friction
-        Coulomb's coefficient.
+        Coefficient of friction.
     threads
-        0 for all cores.
+        How many threads compute; 0 for all cores.
     progress
         Called with simulated time and duration [s].
 
@@ -114,11 +114,11 @@ def characteristic_time(
     head
         The head, as of :func:`clubface.fem.head`.
     speed
-        Of the sphere [m/s].
+        Speed of the sphere [m/s].
     toe, high
         Where it strikes [m].
     threads
-        0 for all cores.
+        How many threads compute; 0 for all cores.
     progress
         Called with simulated time and duration [s].
 

@@ -38,7 +38,7 @@ def reference(
     element
         The kind of elements: "one-point" or "full".
     settings, progress
-        As of :func:`throw`.
+        As for :func:`throw`.
     """
     made = replace(ball(which).refined(refine), element=element)
     return throw(made, speed=SPEED, angle=ANGLE, friction=friction, settings=settings, progress=progress)

@@ -189,9 +189,9 @@ def strike(
     club
         A club as of :func:`clubface.impact`, or a meshed head (:func:`clubface.fem.head`).
     delivery, **values
-        As of :func:`clubface.impact`, for one shot.
+        As for :func:`clubface.impact`, for one shot.
     which, friction, settings, progress
-        As of :func:`throw`.
+        As for :func:`throw`.
     """
     from clubface import _core
     from clubface.simulation.inputs import as_values

@@ -41,16 +41,16 @@ class DriverHead:
     thickness
         "face_centre", "face_edge", "crown", "sole", "skirt".
     target
-        "mass", and where wanted "cg_x", "cg_y", "cg_z" (from the CG to the face centre), "cg_above" (of the CG above
+        "mass" and, if wanted, "cg_x", "cg_y", "cg_z" (from the CG to the face centre), "cg_above" (of the CG above
         the face normal at the face centre), "ixx", "iyy", "izz" about the CG.
     metal
-        Of all parts.
+        The metal of all parts.
     trims
         Places where mass may be added, by name: (x, y, z, most).
     scales
         Limits of the factor on the thickness of crown, sole and skirt by which the mass is met; the face stays.
     elements
-        From heel to toe, from sole to crown, from face to back.
+        Numbers of elements from heel to toe, from sole to crown, from face to back.
     """
 
     name: str
