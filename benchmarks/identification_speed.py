@@ -10,7 +10,7 @@ import resource
 import time
 
 import clubface
-from clubface.identification.report import parameter_rows
+from clubface.identification.result import parameter_rows
 
 PUBLISHED_SECONDS = 0.0683
 """CPU time of one volumetric impact in Caldwell and McPhee's Table 3 at 2.3 GHz: 0.683 s for ten."""

@@ -14,7 +14,8 @@ from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
-from clubface.fem.run import Settings, friction_value, rigid_ball, strike, throw, throw_values
+from clubface.fem.run import friction_value, rigid_ball, strike, throw, throw_values
+from clubface.fem.settings import Settings
 from clubface.simulation.delivery import DIMENSIONS
 from clubface.simulation.impact import impact
 from clubface.support.checks import check_choice, check_name, check_text
