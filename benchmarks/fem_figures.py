@@ -60,7 +60,7 @@ def the_reference() -> None:
 
 
 def thin_middle() -> fem.MeshedHead:
-    """Return P2's head with a face thinner in the middle than at its edge."""
+    """Return Roh and Lee's head with a face thinner in the middle than at its edge."""
     design = from_toml(builtin_path("fem_head", "p2", fem.head_names()))
     assert isinstance(design, fem.DriverHead)
     walls = {**design.thickness, "face_centre": 1.6e-3, "face_edge": 2.1e-3}
@@ -68,7 +68,7 @@ def thin_middle() -> fem.MeshedHead:
 
 
 def the_paper() -> None:
-    """P2's case and its variations."""
+    """Roh and Lee's case and its variations."""
     found = paper.paper()
     variations = {
         "paper": found,
@@ -89,7 +89,7 @@ def the_paper() -> None:
 
 
 def the_sweep() -> None:
-    """P2's Fig. 8."""
+    """Roh and Lee's Fig. 8."""
     speeds, lofts = np.arange(30.0, 61.0, 5.0), np.radians(np.arange(8.0, 13.0))
     base = case("paper").replace(settings={"until_separation": True})
     rows = sweep.sweep(base, speeds=speeds.tolist(), lofts=lofts.tolist())

@@ -30,7 +30,7 @@ PAPER = [
 
 @pytest.fixture
 def paper_like(tmp_path):
-    """A variation of P2's case with a coarse ball."""
+    """A variation of Roh and Lee's case with a coarse ball."""
     path = write_case(tmp_path, duration=1000, old='kind = "plane"', new='kind = "rigid"\nclub = "driver"')
     path.write_text(path.read_text().replace("angle =", "loft ="))
     return path

@@ -31,7 +31,7 @@ rule = "lobatto"
 
 
 def struck(**metal):
-    """P2's coarse head, its face of some metal, hits a ball at 50 m/s."""
+    """Roh and Lee's coarse head, its face of some metal, hits a ball at 50 m/s."""
     found = case_of(**metal).run()
     assert found.energy_error < 0.01
     return found
