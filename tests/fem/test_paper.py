@@ -11,7 +11,7 @@ from clubface.fem.case import case
 from clubface.fem.sweep import sweep
 from fem_runs import drive_case, throw_case
 
-# Roh and Lee's figures are read off pictures: 2% of speeds, 5% of spin and force, 25 us; how contraction counts is unsaid.
+# Roh and Lee's figures are read off pictures: 2% of speeds, 5% of spin and force, 25 us; contraction is undefined.
 TOLERANCES = {
     "ball_speed_mps": 0.02 * 50.4,
     "launch_deg": 0.3,

@@ -11,7 +11,7 @@ import clubface
 from clubface.errors import FileError, InputError, UnknownNameError
 from synthetic_shots import published, recorded
 
-# What 1e-4 means where the true value is 0: of the other published displacements, 0.5 mm, and of Penner's slope, 0.0029 s/m.
+# What 1e-4 means where the true value is 0: of other published displacements, 0.5 mm, and Penner's slope, 0.0029 s/m.
 ZERO = {"dcg_x": 5e-8, "cor_slope": 2.9e-7}
 QUICK = {"population": 30, "generations": 8, "refined": 3, "folds": 0, "bootstrap": 0, "profiles": ()}
 
