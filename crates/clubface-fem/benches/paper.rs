@@ -5,7 +5,7 @@
 
 #![allow(missing_docs)]
 
-#[path = "../tests/shells/delivered.rs"]
+#[path = "../tests/fem/shells/delivered.rs"]
 mod delivered;
 
 use clubface_fem::ball::{BallConstruction, BallPiece};

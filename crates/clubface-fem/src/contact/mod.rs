@@ -13,6 +13,7 @@ pub use grooves::Grooves;
 pub use penalty::{ContactMethod, NodeState, PenaltySprings, Penetration, TANGENTIAL_STIFFNESS};
 pub use rigid::{Plane, RigidContact, RigidSurface};
 pub use rigid_head::RigidHead;
+pub use search_interval::SearchIntervals;
 
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};

@@ -39,25 +39,3 @@ impl SearchIntervals {
         self.remaining[node] = steps.clamp(0.0, LONGEST) as u32;
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::SearchIntervals;
-
-    #[test]
-    fn a_node_is_searched_before_it_can_have_arrived() {
-        let mut intervals = SearchIntervals::new(2);
-        intervals.skip_gap(0, 1e-3, 50.0 * 50.0, 1e-6);
-        // 20 steps at 50 m/s: searched within a quarter of them, though this one is slow.
-        intervals.skip_gap(1, 1e-3, 1.0, 1e-6);
-        let searched =
-            |intervals: &mut SearchIntervals, node| (0..).find(|_| intervals.due(node)).expect("searched");
-        assert_eq!([searched(&mut intervals, 0), searched(&mut intervals, 1)], [5, 5]);
-        intervals.skip_gap(0, f64::INFINITY, 0.0, 1e-6);
-        assert_eq!(searched(&mut intervals, 0), 100);
-        assert!(intervals.due(0), "in every step from then on");
-        let mut intervals = SearchIntervals::new(1);
-        intervals.skip_gap(0, 1e-3, 0.0, 1e-6);
-        assert!(intervals.due(0), "what has not moved yet may move");
-    }
-}

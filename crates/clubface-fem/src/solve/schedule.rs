@@ -9,7 +9,7 @@ use clubface_math::Real;
 const CONTACT_COST: usize = 8;
 
 /// Numbers of tasks (or of chunks of nodes) in the order in which to do them, for each worker.
-pub(super) type Schedule = Vec<Vec<usize>>;
+pub type Schedule = Vec<Vec<usize>>;
 
 impl<R: Real> Structure<R> {
     /// Schedules of a full step, and of a substep that leaves out the subcycled patches. Tasks are the patches by their numbers, and the contact
@@ -40,7 +40,7 @@ pub(super) fn chunks_of(schedule: &Schedule, chunks: &[GatherList], subcycled: b
 }
 
 /// Tasks in the order given, in `count` runs of about the same cost.
-fn balanced(tasks: &[usize], cost: impl Fn(usize) -> usize, count: usize) -> Schedule {
+pub fn balanced(tasks: &[usize], cost: impl Fn(usize) -> usize, count: usize) -> Schedule {
     let all: usize = tasks.iter().map(|&task| cost(task)).sum();
     let (mut start, mut sum) = (0, 0);
     (1..=count)
@@ -57,17 +57,4 @@ fn balanced(tasks: &[usize], cost: impl Fn(usize) -> usize, count: usize) -> Sch
             run
         })
         .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::balanced;
-
-    #[test]
-    fn workers_have_every_task_once_and_about_the_same_cost() {
-        let costs = [1, 4, 4, 4, 4, 1];
-        assert_eq!(balanced(&[0, 1, 2, 3, 4, 5], |task| costs[task], 2), [[0, 1, 2], [3, 4, 5]]);
-        assert_eq!(balanced(&[7, 8], |task| if task == 7 { 9 } else { 1 }, 3), [vec![], vec![7], vec![8]]);
-        assert_eq!(balanced(&[], |_| 1, 2), vec![vec![0; 0]; 2]);
-    }
 }
