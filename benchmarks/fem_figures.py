@@ -61,7 +61,7 @@ def the_reference() -> None:
 
 def thin_middle() -> fem.MeshedHead:
     """Return Roh and Lee's head with a face thinner in the middle than at its edge."""
-    design = from_toml(builtin_path("fem_head", "p2", fem.head_names()))
+    design = from_toml(builtin_path("fem_head", "paper", fem.head_names()))
     assert isinstance(design, fem.DriverHead)
     walls = {**design.thickness, "face_centre": 1.6e-3, "face_edge": 2.1e-3}
     return fem.head(replace(design, thickness=walls))
@@ -84,7 +84,7 @@ def the_paper() -> None:
         slides = {"first": along[0], "least": along.min(), "last": along[-1]}
         say(name, **paper.table(run), **of_spin, **slides, energies=run.energy_error)
     say("top within 2%", **flat_top(found, 0.02))
-    head = fem.head("p2")
+    head = fem.head("paper")
     say("its head", restitution=head_tests.restitution(head), ct_us=head_tests.characteristic_time(head) * 1e6)
 
 

@@ -15,7 +15,8 @@ from clubface.fem.heads import head as meshed
 from clubface.fem.heads.read import Design
 from clubface.fem.materials import Material
 from clubface.fem.result import Impact
-from clubface.fem.run import Settings, strike
+from clubface.fem.run import strike
+from clubface.fem.settings import Settings
 
 COR_SPEED = "160 ft/s"
 """Speed of the ball in the test of restitution that the rules had before the pendulum."""

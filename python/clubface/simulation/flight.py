@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any, Literal, overload
 
-from clubface import _core
+from clubface.simulation import core
 from clubface.simulation.air import Air
 from clubface.simulation.flight_inputs import flight_columns, flight_error
 from clubface.simulation.launch import Comparison, Launch
@@ -192,7 +192,7 @@ def fly(
     columns, shape, varied = flight_columns(launch, air, wind, ground)
     count = math.prod(shape)
     try:
-        values, problems = _core.fly(list(columns.values()), count, cores, progress)
+        values, problems = core.fly(list(columns.values()), count, cores, progress)
     except ValueError as error:
         raise flight_error(error, columns) from None
     if problems:

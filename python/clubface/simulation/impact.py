@@ -7,12 +7,12 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Literal, overload
 
-from clubface import _core
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import FEM, models
+from clubface.equipment.models import models
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, UnknownNameError
+from clubface.simulation.backends import backend_of
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.inputs import as_values, broadcast, equipment, parameter_set, shot_error, shots, value_of
 from clubface.simulation.launch import Comparison, Launch
@@ -122,36 +122,22 @@ def impact(
         )  # fmt: skip
     check_on_error(on_error)
     accuracy, cores = tolerance(accuracy), thread_count(threads)
-    meshed = None
-    if model == FEM.name:
-        meshed, ball = meshed_ball(ball, accuracy)
+    backend = backend_of(model)
+    own, ball = backend.balls(ball, accuracy)
     with_ = equipment(club, ball)
     chosen = parameter_set(model, with_.club, parameters)
     hit = shots(with_, values, hand=hand)
     names = tuple(chosen.values)
     hit, columns = broadcast(hit, chosen.columns(), names, len(outputs()))
     count = math.prod(hit.shape)
-    if meshed is not None:
-        from clubface.fem.backend import launches
-
-        computed, problems = launches(meshed, hit.columns, columns[0], count, progress)
-    else:
-        try:
-            computed, problems = _core.impact(model, hit.columns, columns, count, accuracy, cores, progress)
-        except ValueError as error:
-            raise shot_error(error, hit.columns, chosen) from None
+    try:
+        computed, problems = backend.launches(model, own, hit.columns, columns, count, accuracy, cores, progress)
+    except ValueError as error:
+        raise shot_error(error, hit.columns, chosen) from None
     if problems and on_error == "raise":
         row, name, _ = problems[0]
         raise first_error(problems, value_of(name, row, hit.columns, names, columns), hit.shape)
     return Launch(computed, hit, model, chosen, accuracy, problems)
-
-
-def meshed_ball(ball: Any, accuracy: float | None) -> tuple[Any, Any]:
-    """Return the ball of the finite elements and its rigid counterpart; the module is large, and seldom needed."""
-    from clubface.fem import backend as as_model
-
-    as_model.check_no_accuracy(accuracy)
-    return as_model.meshed_ball(ball)
 
 
 def model_names(model: ModelNames) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from clubface import units
+from clubface.simulation import core
 
 
 class Quantity(NamedTuple):
@@ -47,33 +48,25 @@ class Quantity(NamedTuple):
 @cache
 def inputs() -> Mapping[str, Quantity]:
     """Return the inputs of an impact by name, in the order of the columns."""
-    from clubface import _core
-
-    return _read(_core.inputs())
+    return _read(core.inputs())
 
 
 @cache
 def outputs() -> Mapping[str, Quantity]:
     """Return the outputs of an impact by name, in order."""
-    from clubface import _core
-
-    return _read(_core.outputs())
+    return _read(core.outputs())
 
 
 @cache
 def flight_inputs() -> Mapping[str, Quantity]:
     """Return the inputs of a flight by name, in the order of the columns."""
-    from clubface import _core
-
-    return _read(_core.flight_inputs())
+    return _read(core.flight_inputs())
 
 
 @cache
 def flight_outputs() -> Mapping[str, Quantity]:
     """Return the outputs of a flight by name, in order."""
-    from clubface import _core
-
-    return _read(_core.flight_outputs())
+    return _read(core.flight_outputs())
 
 
 @cache

@@ -52,7 +52,7 @@ struct Layer<S> {
     compliance: S,
 }
 
-/// Friction is stiff (P1's tanh law: some 5e6 1/s). The rest of the contact force, the spring and damper of a layered
+/// Friction is stiff (Caldwell and McPhee's tanh law: some 5e6 1/s). The rest of the contact force, the spring and damper of a layered
 /// ball and the approach that drives the penetration stand in the approximate Jacobian too, since a Rosenbrock-W
 /// method is the more accurate the less is left out; only slow rotations of the axes are.
 impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<S, L> {

@@ -109,7 +109,7 @@ class MeshHead:
         object.__setattr__(self, "masses", parsed_places(self.masses, "mass"))
         _check_place("face_centre", self.face_centre)
         if not any(group.face for group in self.groups):
-            raise InputError("groups", [group.name for group in self.groups], "at least one with face = true")
+            raise InputError("groups", [group.name for group in self.groups], "groups, at least one with face = true")
 
     def mesh(self) -> ShellHead:
         """Read the file.
