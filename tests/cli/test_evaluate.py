@@ -90,7 +90,10 @@ def test_mistakes_are_one_message(clubface_, write):
 
 def test_a_launch_monitors_file_is_read_as_it_is(clubface_):
     trackman = str(Path(__file__).parents[1] / "data" / "launch_monitors" / "trackman.csv")
-    assert_mistake(clubface_("evaluate", trackman), "several clubs: Driver (1), 7 Iron (2)")
+    assert_mistake(
+        clubface_("evaluate", trackman),
+        "--only is missing; give one of the several clubs that were hit: Driver (1), 7 Iron (2)",
+    )
     document = clubface_("evaluate", trackman, "--only", "7 iron", "--models", "standard", "--json").json
     assert (document["club"], document["shots"]) == ("7-iron", 1)  # of the other one the clubhead speed is missing
     assert any("referred to the face centre of 7-iron" in note for note in document["notes"])

@@ -30,7 +30,7 @@ PAPER = [
 
 @pytest.fixture
 def paper_like(tmp_path):
-    """A variation of P2's case with a coarse ball."""
+    """A variation of Roh and Lee's case with a coarse ball."""
     path = write_case(tmp_path, duration=1000, old='kind = "plane"', new='kind = "rigid"\nclub = "driver"')
     path.write_text(path.read_text().replace("angle =", "loft ="))
     return path
@@ -168,7 +168,7 @@ def test_ctrl_c_keeps_what_was_computed(tmp_path):
 
 @pytest.mark.parametrize("patience", [0.3, 0.45, 0.6])
 def test_ctrl_c_while_a_head_is_meshed_is_one_line(patience):
-    command = [sys.executable, "-c", MAIN, "fem", "head", "p2"]
+    command = [sys.executable, "-c", MAIN, "fem", "head", "paper"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
         time.sleep(patience)
         child.send_signal(signal.SIGINT)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from clubface.launch_monitor.open_connect import Listener, Sender
-from clubface.recorded.shots import read_shots
+from clubface.recorded.file import read_shots
 from command_line import MAIN, assert_mistake
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
@@ -72,7 +72,7 @@ def test_club_data_is_referred_to_the_clubs_that_are_named(clubface_, tmp_path):
         (("formats", "garmins"), ("did you mean garmin",)),
         (("listen", "--port", "70000"), ("from 0 to 65535",)),
         (("listen", "--timeout", "5 mph"), ("timeout", "not a speed")),
-        (("listen", "-o", str(DATA / "trackman.csv")), ("is there already",)),
+        (("listen", "-o", str(DATA / "trackman.csv")), ("exists already",)),
         (("send", str(DATA / "rapsodo.csv"), "--shot", "2:9"), ("--shot is '2:9'", "from 1 to 3")),
         (("send", str(DATA / "rapsodo.csv"), "--port", "1"), ("127.0.0.1:1 cannot be reached",)),
     ],

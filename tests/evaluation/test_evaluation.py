@@ -154,7 +154,7 @@ def test_groups_are_one_a_shot_of_the_source():
     players = np.repeat(np.arange(6), 5)
     found = evaluate(shots, club="driver", models="standard", groups=players)
     assert found.sizes["launch"]["standard"].shots == 29
-    with pytest.raises(InputError, match=r"one a shot: \(30,\)"):
+    with pytest.raises(InputError, match=r"one for each shot: \(30,\)"):
         evaluate(shots, club="driver", models="standard", groups=players[:5])
 
 

@@ -144,7 +144,7 @@ def test_the_command_writes_a_table_and_a_picture(clubface_, tmp_path, monkeypat
     monkeypatch.setattr(face_map, "head", lambda _: coarse_head())
     monkeypatch.setattr(head_tests, "restitution", lambda _, toe, high, **__: 0.8 - toe - high)
     monkeypatch.setattr(head_tests, "characteristic_time", lambda _, toe, **__: 250e-6 - 1e-3 * toe)
-    ran = clubface_("fem", "face", "p2", "--toe", "-10:10:10", "--high", "0,5", "-o", str(tmp_path), "--json")
+    ran = clubface_("fem", "face", "paper", "--toe", "-10:10:10", "--high", "0,5", "-o", str(tmp_path), "--json")
     assert [(row["toe_mm"], row["high_mm"]) for row in ran.json] == [
         (toe, high) for high in (0.0, 5.0) for toe in (-10.0, 0.0, 10.0)
     ]
@@ -154,7 +154,7 @@ def test_the_command_writes_a_table_and_a_picture(clubface_, tmp_path, monkeypat
     # The file has them as they ended.
     assert sorted(float(row["restitution"]) for row in rows) == sorted(row["restitution"] for row in ran.json)
     assert (tmp_path / "face.png").stat().st_size > 10_000
-    assert clubface_("fem", "face", "p2", "--toe", "90").status == 2
+    assert clubface_("fem", "face", "paper", "--toe", "90").status == 2
 
 
 def test_the_picture_shows_every_point_in_its_place():

@@ -159,7 +159,7 @@ def test_the_deck_of_a_drive_holds_the_head(tmp_path):
     given = drive_case().replace(toe="8 mm", high="-3 mm", closure="2400 deg/s", attack="-2 deg", face="1 deg")
     deck = Deck(keyword.write(given, tmp_path / "drive.k"))
     title, _, place, inertia, motion = deck.one("PART_INERTIA")
-    assert title == "P2 head: rigid"
+    assert title == "Roh and Lee head: rigid"
     cg, mass = np.array(fields(place)[:3]), fields(place)[3]
     assert mass == 0.210
     spherical = [1526e-7, 0, 0, 1526e-7, 0, 1526e-7]

@@ -19,7 +19,7 @@ from fem_runs import coarse, coarse_head, coarse_shells, shells_case
 def test_the_head_of_the_paper_is_as_the_paper_says():
     with warnings.catch_warnings():
         warnings.simplefilter("error", TargetWarning)
-        head = from_toml(builtin_path("fem_head", "p2", fem.head_names())).mesh()
+        head = from_toml(builtin_path("fem_head", "paper", fem.head_names())).mesh()
     club = head.club
     assert head.elements == 3264
     assert club.mass == pytest.approx(0.210, rel=1e-5)
@@ -35,7 +35,7 @@ def test_the_head_of_the_paper_is_as_the_paper_says():
 
 
 def test_targets_that_cannot_be_met_stand_beside_what_was_reached():
-    design = from_toml(builtin_path("fem_head", "p2", fem.head_names()))
+    design = from_toml(builtin_path("fem_head", "paper", fem.head_names()))
     wide = replace(design, name="wide", elements=(14, 8, 10), target={**design.target, "izz": "15260 g cm2"})
     with pytest.warns(TargetWarning, match=r"wide: mass .* g instead of 210 g, .*izz 2\d{3}\S* g cm2 instead of 15260"):
         heavy = wide.mesh()
@@ -44,7 +44,7 @@ def test_targets_that_cannot_be_met_stand_beside_what_was_reached():
 
 
 def test_a_ball_that_reaches_round_the_edge_of_the_face_is_told():
-    found = fem.strike(fem.head("p2"), speed="40 m/s", toe="44 mm")
+    found = fem.strike(fem.head("paper"), speed="40 m/s", toe="44 mm")
     assert found.stopped is not None
     assert "reached round the edge of the face" in found.stopped
     # Nearer the centre it costs less than the energies show.
@@ -52,10 +52,10 @@ def test_a_ball_that_reaches_round_the_edge_of_the_face_is_told():
         EdgeWarning,
         match="^struck 40 mm to the toe and 0 mm above.* round the edge of the face.* its launch is in doubt",
     ):
-        found = fem.strike(fem.head("p2"), speed="35 m/s", loft="11.5 deg", toe="40 mm", which="paper")
+        found = fem.strike(fem.head("paper"), speed="35 m/s", loft="11.5 deg", toe="40 mm", which="paper")
     assert found.over_edge
     assert found.stopped is None
-    assert not fem.strike(fem.head("p2"), speed="35 m/s", toe="30 mm").over_edge
+    assert not fem.strike(fem.head("paper"), speed="35 m/s", toe="30 mm").over_edge
 
 
 def test_a_head_of_shells_is_a_club_for_every_model():
@@ -95,7 +95,7 @@ def test_restitution_of_a_rigid_head_is_that_of_the_ball():
 
 
 def test_a_thinner_face_springs_more_and_holds_the_striker_longer():
-    design = from_toml(builtin_path("fem_head", "p2", fem.head_names()))
+    design = from_toml(builtin_path("fem_head", "paper", fem.head_names()))
     assert isinstance(design, fem.DriverHead)
     thin, thick = (
         replace(design, elements=(14, 8, 10), thickness={**design.thickness, "face_centre": t, "face_edge": t}).mesh()
@@ -111,16 +111,16 @@ def test_a_thinner_face_springs_more_and_holds_the_striker_longer():
 
 def test_the_striker_is_fine_enough(monkeypatch):
     usual = head_tests.striker()
-    time = head_tests.characteristic_time("p2")
+    time = head_tests.characteristic_time("paper")
     finer = replace(usual, cube=12, pieces=tuple(replace(piece, layers=6) for piece in usual.pieces))
     monkeypatch.setattr(head_tests, "striker", lambda: finer)
     # 0.05% apart; with a cube of 4 and 2 layers it would be 2.8%.
-    assert head_tests.characteristic_time("p2") == pytest.approx(time, rel=0.01)
+    assert head_tests.characteristic_time("paper") == pytest.approx(time, rel=0.01)
 
 
 @pytest.mark.parametrize("elements", [(48, 16, 33), (54, 18, 38)])
 def test_a_finer_head_is_the_same_head(elements):
-    design = from_toml(builtin_path("fem_head", "p2", fem.head_names()))
+    design = from_toml(builtin_path("fem_head", "paper", fem.head_names()))
     # Its small elements would fold at the edges of the face.
     finer, usual = (fem.head(replace(design, elements=each)).club for each in (elements, design.elements))
     # Targets are met; the rest follows from walls and trims, which differ a little as the mesh does.
@@ -130,7 +130,7 @@ def test_a_finer_head_is_the_same_head(elements):
 
 @pytest.mark.parametrize(("depth", "sole"), [("150 mm", "60 mm"), ("30 mm", "8 mm")])
 def test_a_face_as_curved_as_shapes_may_be_is_meshed(depth, sole):
-    design = from_toml(builtin_path("fem_head", "p2", fem.head_names()))
+    design = from_toml(builtin_path("fem_head", "paper", fem.head_names()))
     shape = {"width": "150 mm", "depth": depth, "crown": "60 mm", "sole": sole, "rounding": "1 mm"}
     shape |= {"bulge": "100 mm", "roll": "100 mm", "loft": "39.99 deg"}
     with warnings.catch_warnings():
@@ -147,8 +147,8 @@ def test_a_face_as_curved_as_shapes_may_be_is_meshed(depth, sole):
 
 
 def test_the_name_of_a_meshed_head_is_not_that_of_a_club():
-    with pytest.raises(InputError, match=r'clubface\.fem\.head\("p2"\)'):
-        fem.strike("p2", speed=35.0)
+    with pytest.raises(InputError, match=r'clubface\.fem\.head\("paper"\)'):
+        fem.strike("paper", speed=35.0)
     # A club of the same name is meant where there is one.
     assert fem.strike("7-iron", speed=35.0, which=coarse()).head is None
 
@@ -161,7 +161,7 @@ ball = "paper"
 
 [head]
 kind = "meshed"
-club = "p2"
+club = "paper"
 
 [delivery]
 speed = "35 m/s"
@@ -173,7 +173,7 @@ speed = "35 m/s"
     path.write_text(text.replace('"meshed"', '"rigid"'))
     with pytest.raises(FileError, match=r"case.toml:6: .*unknown"):
         case(path)
-    path.write_text(text.replace('"p2"', '"p3"'))
+    path.write_text(text.replace('club = "paper"', 'club = "p3"'))
     with pytest.raises(FileError, match=r"case.toml:6: unknown head of finite elements 'p3'"):
         case(path)
     with pytest.raises(InputError, match="it must be a club"):

@@ -31,27 +31,27 @@ THIN = {'face = "4 mm"': 'face = "1.5 mm"', 'top = "9 mm"': 'top = "1.2 mm"'}
 @pytest.mark.parametrize(
     ("name", "old", "new", "said"),
     [
-        ("p2", '"1.85 mm"', '"0 mm"', ":22: thickness.face_centre: 0 mm; it must be 0.2 to 20 mm"),
-        ("p2", 'crown = "1.3 mm"', 'crown = "1 kg"', ":24: thickness.crown is '1 kg'; it must be in m or mm"),
-        ("p2", 'crown = "25 mm"', 'crown = "1 mm"', ":17: shape.crown is '1 mm'; it must be 8 to 60 mm"),
-        ("p2", 'mass = "210 g"', "mass = 210", ":34: target.mass is '210000 g'; it must be 50 to 500 g"),
-        ("p2", 'x = "-8 mm"', "x = -8", ":48: x of trim sole front is '-8000 mm'; it must be within 300 mm"),
-        ("p2", 'most = "60 g"', "most = 0", ":44: most of trim sole is '0 g'; it must be 0.01 to 500 g"),
-        ("p2", "elements = [36, 12, 25]", "elements = 36", ":9: elements is 36; it must be a list of three numbers"),
-        ("p2", 'kind = "driver"', "kind = []", ":7: kind must be one of driver, iron, mesh, not []"),
+        ("paper", '"1.85 mm"', '"0 mm"', ":22: thickness.face_centre: 0 mm; it must be 0.2 to 20 mm"),
+        ("paper", 'crown = "1.3 mm"', 'crown = "1 kg"', ":24: thickness.crown is '1 kg'; it must be in m or mm"),
+        ("paper", 'crown = "25 mm"', 'crown = "1 mm"', ":17: shape.crown is '1 mm'; it must be 8 to 60 mm"),
+        ("paper", 'mass = "210 g"', "mass = 210", ":34: target.mass is '210000 g'; it must be 50 to 500 g"),
+        ("paper", 'x = "-8 mm"', "x = -8", ":48: x of trim sole front is '-8000 mm'; it must be within 300 mm"),
+        ("paper", 'most = "60 g"', "most = 0", ":44: most of trim sole is '0 g'; it must be 0.01 to 500 g"),
+        ("paper", "elements = [36, 12, 25]", "elements = 36", ":9: elements is 36; it must be a list of three numbers"),
+        ("paper", 'kind = "driver"', "kind = []", ":7: kind must be one of driver, iron, mesh, not []"),
         (
-            "p2",
+            "paper",
             "[metal]",
             '[metal]\nyield = "900 MPa"\nhardening = "1 mm"',
             ":30: hardening is '1 mm'; it must be in Pa",
         ),
         (
-            "p2",
+            "paper",
             "[metal]",
             '[metal]\nyield = "900 MPa"\nhardening = { gain = -1, rate = 2 }',
             ":30: hardening.gain is '-1e-06 MPa'; it must be zero or above",
         ),
-        ("p2", 'name = "sole front"\n', "", ":46: these keys of [trims] are missing: name"),
+        ("paper", 'name = "sole front"\n', "", ":46: these keys of [trims] are missing: name"),
         ("7-iron", 'face = "4 mm"', 'face = "0 mm"', ":13: shape.face is '0 mm'; it must be 1 to 20 mm"),
         ("7-iron", 'mass = "64 g"', "mass = 64", ":24: mass of mass hosel is '64000 g'; it must be 0 to 500 g"),
     ],
@@ -116,7 +116,7 @@ def test_a_broken_mesh_is_told_in_our_words_alone(tmp_path, capfd, content):
     path.write_text(HEAD)
     with pytest.raises(FileError) as told:
         fem.head(path)
-    assert str(told.value).startswith(f"{path}:3: {mesh}: is no mesh that can be read: ")
+    assert str(told.value).startswith(f"{path}:3: {mesh}: this mesh cannot be read: ")
     assert len(str(told.value).splitlines()) == 1
     assert not str(told.value).endswith((": 1", ": "))
     assert capfd.readouterr() == ("", "")
@@ -124,7 +124,7 @@ def test_a_broken_mesh_is_told_in_our_words_alone(tmp_path, capfd, content):
 
 @pytest.mark.parametrize("measure", [head_tests.restitution, head_tests.characteristic_time])
 def test_ctrl_c_while_a_head_is_measured_is_no_mistake(tmp_path, measure):
-    path = head_file(tmp_path, "p2", "[36, 12, 25]", "[14, 8, 10]")
+    path = head_file(tmp_path, "paper", "[36, 12, 25]", "[14, 8, 10]")
     how = {"which": coarse("modern")} if measure is head_tests.restitution else {}
     pressed = []
 

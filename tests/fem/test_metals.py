@@ -31,7 +31,7 @@ rule = "lobatto"
 
 
 def struck(**metal):
-    """P2's coarse head, its face of some metal, hits a ball at 50 m/s."""
+    """Roh and Lee's coarse head, its face of some metal, hits a ball at 50 m/s."""
     found = case_of(**metal).run()
     assert found.energy_error < 0.01
     return found
@@ -114,7 +114,7 @@ def test_metals_read_their_values():
         ('hardening = "1 GPa"', 'hardening = [[0, "900 MPa"]]', "the stress of the first point of hardening"),
         ('hardening = "1 GPa"', 'hardening = [[0, "800 MPa"], [0.1, "700 MPa"]]', "stresses above 0 that do not fall"),
         ('hardening = "1 GPa"', 'hardening = [[0, "800 MPa"], [0, "900 MPa"]]', "begin at 0 and increase"),
-        ('hardening = "1 GPa"', 'hardening = {gain = "1 MPa"}', "given together with rate"),
+        ('hardening = "1 GPa"', 'hardening = {gain = "1 MPa"}', "give rate as well"),
         ('hardening = "1 GPa"', 'hardening = {modulos = "1 GPa"}', "did you mean modulus?"),
         ("points = 7", "points = 2", "mine.toml:12: points is 2; it must be a whole number from 3 to 31"),
         ('rule = "lobatto"', 'rule = "labotto"', "did you mean lobatto?"),

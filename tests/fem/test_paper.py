@@ -1,4 +1,4 @@
-"""P2's case with its head of shells: its figures, within what was asked of them."""
+"""Roh and Lee's case with its head of shells: its figures, within what was asked of them."""
 
 import math
 from functools import cache
@@ -11,7 +11,7 @@ from clubface.fem.case import case
 from clubface.fem.sweep import sweep
 from fem_runs import drive_case, throw_case
 
-# P2's figures are read off pictures: 2% of speeds, 5% of spin and force, 25 us; its contraction has no reference.
+# Roh and Lee's figures are read off pictures: 2% of speeds, 5% of spin and force, 25 us; contraction is undefined.
 TOLERANCES = {
     "ball_speed_mps": 0.02 * 50.4,
     "launch_deg": 0.3,
@@ -45,14 +45,14 @@ def test_the_tangential_velocity_is_that_relative_to_the_clubhead():
     head = [run.launch[f"club_velocity_{axis}"] for axis in "xyz"]
     own = (run.world_velocity()[-1] - head) @ run.attitude @ run.axes.T
     assert relative[-1] == pytest.approx(own, abs=1e-8)
-    # P2, Fig. 6: 7.0 m/s at first, least where the force turns at 320 us, 5.15 at take-off; not fitted.
+    # Roh and Lee, Fig. 6: 7.0 m/s at first, least where the force turns at 320 us, 5.15 at take-off; not fitted.
     assert relative[0, 1] == pytest.approx(7.0, abs=0.05)
     assert run.motion["time"][relative[:, 1].argmin()] == pytest.approx(320e-6, abs=25e-6)
     assert relative[-1, 1] == pytest.approx(5.15, rel=0.05)
 
 
 def test_what_factor_a_spin_means():
-    # 7 R w / (5 V sin phi) with 21.4 mm, 2047 rpm, 35 m/s and 11.5 deg; P2 prints 0.9476, from the forces.
+    # 7 R w / (5 V sin phi) with 21.4 mm, 2047 rpm, 35 m/s and 11.5 deg; they print 0.9476, from the forces.
     assert pytest.approx(0.9204, abs=1e-4) == paper.SPIN_FACTOR
     # In proportion to the spin, for the same ball and blow.
     spin = found().launch["backspin"] * 30.0 / math.pi
@@ -67,13 +67,13 @@ def test_a_blow_without_loft_has_no_factor():
 
 
 def test_trends_over_speed_and_loft():
-    # P2's Fig. 8. Its text has the ball speed rise with loft too, and the launch angle with speed: neither is so here.
+    # Fig. 8 of Roh and Lee. By their text ball speed rises with loft too, and launch angle with speed: not so here.
     speeds, lofts = (30.0, 45.0, 60.0), tuple(math.radians(loft) for loft in (8.0, 10.0, 12.0))
     base = case("paper").replace(settings={"until_separation": True})
     rows = sweep(base, speeds=(speeds[0], speeds[2]), lofts=(lofts[0], lofts[2]))
     rows += sweep(base, speeds=speeds[1:2], lofts=lofts)
     at = {(round(row["speed_mps"]), round(row["loft_deg"])): row for row in rows}
-    # Twice the speed, all but 5 to 10% for what the ball loses more; P2 has f fall by some 0.03.
+    # Twice the speed, all but 5 to 10% for what the ball loses more; they have f fall by some 0.03.
     for loft in (8, 12):
         slow, fast = at[30, loft], at[60, loft]
         assert fast["ball_speed_mps"] > 1.8 * slow["ball_speed_mps"]
@@ -92,7 +92,7 @@ def test_trends_over_speed_and_loft():
     for figure in ("launch_deg", "spin_rpm"):
         rise = at[45, 12][figure] - at[45, 8][figure]
         assert at[45, 10][figure] == pytest.approx(at[45, 8][figure] + 0.5 * rise, abs=0.02 * rise)
-    # P2: at least 0.92.
+    # Roh and Lee: at least 0.92.
     assert min(row["f"] for row in rows) == pytest.approx(0.92, abs=0.01)
 
 
@@ -106,5 +106,5 @@ def test_the_case_of_the_paper_is_whole():
 
 
 def test_a_throw_is_no_variation_of_the_case():
-    with pytest.raises(InputError, match="one with a head"):
+    with pytest.raises(InputError, match="a case with a head"):
         paper.paper(throw_case())

@@ -1,4 +1,4 @@
-"""Pictures of finite element impacts: that what they show is what was computed, P2's numbers beside it."""
+"""Pictures of finite element impacts: what they show is what was computed, with the published numbers beside it."""
 
 import numpy as np
 import pytest

@@ -41,7 +41,7 @@ MISTAKES = [
     ('unit = "mm"', 'unit = "m"', "size of the head"),
     ('unit = "mm"', 'unit = "kg"', "unit"),
     ('file = "head.msh"', 'file = "none.msh"', "there is no such file"),
-    ('file = "head.msh"', 'file = "own.toml"', "is no mesh that can be read"),
+    ('file = "head.msh"', 'file = "own.toml"', "this mesh cannot be read"),
     ('name = "sole"', 'name = "soul"', "unknown group of the mesh 'sole' (did you mean soul?)"),
     (
         'thickness = "1.4 mm"',

@@ -16,7 +16,7 @@ def coarse(name="reference"):
 
 
 def throw_case(**settings):
-    """P2's ball, coarse, thrown at a plane as in the reference case."""
+    """Roh and Lee's ball, coarse, thrown at a plane as in the reference case."""
     return Case(
         name="throw",
         ball=coarse(),
@@ -27,18 +27,18 @@ def throw_case(**settings):
 
 
 def drive_case(**settings):
-    """P2's case with a rigid head and a coarse ball."""
+    """Roh and Lee's case with a rigid head and a coarse ball."""
     return case("paper-rigid").replace(ball=coarse("paper"), settings=settings)
 
 
 @cache
 def coarse_head():
-    """P2's head of few shells."""
-    return fem.head(replace(from_toml(builtin_path("fem_head", "p2", fem.head_names())), elements=(14, 8, 10)))
+    """Roh and Lee's head of few shells."""
+    return fem.head(replace(from_toml(builtin_path("fem_head", "paper", fem.head_names())), elements=(14, 8, 10)))
 
 
 def shells_case(**settings):
-    """P2's case with a coarse head of shells and a coarse ball."""
+    """Roh and Lee's case with a coarse head of shells and a coarse ball."""
     return case("paper").replace(ball=coarse("paper"), club=coarse_head(), settings=settings)
 
 

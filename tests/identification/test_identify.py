@@ -11,7 +11,7 @@ import clubface
 from clubface.errors import FileError, InputError, UnknownNameError
 from synthetic_shots import published, recorded
 
-# What 1e-4 means where the true value is 0: of P1's other displacements, 0.5 mm, and of Penner's slope, 0.0029 s/m.
+# What 1e-4 means where the true value is 0: of other published displacements, 0.5 mm, and Penner's slope, 0.0029 s/m.
 ZERO = {"dcg_x": 5e-8, "cor_slope": 2.9e-7}
 QUICK = {"population": 30, "generations": 8, "refined": 3, "folds": 0, "bootstrap": 0, "profiles": ()}
 
@@ -122,7 +122,7 @@ def test_a_checkpoint_of_something_else_is_refused(tmp_path):
             with pytest.raises(FileError, match="cannot be read as a checkpoint"):
                 small(checkpoint=path, resume=resume)
         assert path.read_text() == content
-    with pytest.raises(FileError, match="its folder is not there"):
+    with pytest.raises(FileError, match="this folder does not exist"):
         small(checkpoint=tmp_path / "none" / "fit.json")
     assert small(checkpoint=tmp_path / "none.json", resume=True).cost > 0.0
 
@@ -139,7 +139,7 @@ def test_the_hold_out_and_the_intervals_say_what_a_fit_is_worth():
     found = small(folds=5, bootstrap=60, noise={"backspin": "60 rpm"})
     # Held out, a fit is worse than on what it was made from; three parameters on 25 shots cost it little.
     assert found.cost < found.cost_holdout < 1.5 * found.cost
-    # The held-out launches themselves: P1's cost of them is the one stated.
+    # The held-out launches themselves: the published cost of them is the one stated.
     assert found.held_out is not None
     measured = np.array([recorded(25, "slip", noise=1.0).launches[name] for name in found.deviations])
     parts = np.abs(found.held_out - measured).mean(axis=1) / np.abs(measured).mean(axis=1)

@@ -150,12 +150,12 @@ def test_launches_of_another_club_are_refused_unless_a_note_is_enough(clubface_,
 def test_mistakes_are_one_message(clubface_, write, tmp_path):
     source = str(write("ball_speed_mph,launch_deg\n159,14\n"))
     assert_mistake(clubface_("infer", *LAUNCH), "--club is missing")
-    assert_mistake(clubface_("infer", "--club", "driver"), "at least one of ball_speed")
+    assert_mistake(clubface_("infer", "--club", "driver"), "give at least one of --ball-speed, --launch")
     assert_mistake(clubface_("infer", "--club", "driver", *LAUNCH, "--prior", "elit"), "did you mean elite")
     assert_mistake(clubface_("infer", "--club", "driver", *LAUNCH, "--plot", "x.bmp"), "x.bmp")
-    assert_mistake(clubface_("infer", source, "--club", "driver"), "-o is missing")
-    assert_mistake(clubface_("infer", source, "--club", "driver", "-o", source), "must not be the file read")
+    assert_mistake(clubface_("infer", source, "--club", "driver"), "--output is missing")
+    assert_mistake(clubface_("infer", source, "--club", "driver", "-o", source), "another file than")
     fast = clubface_("infer", "--club", "driver", "--ball-speed", "159")
     assert_mistake(fast, "within reach of the prior")
     assert "note: --ball-speed 159 has no unit and is taken in m/s" in fast.err
-    assert_mistake(clubface_("infer", source, *LAUNCH, "--club", "driver"), "--ball-speed is of one launch")
+    assert_mistake(clubface_("infer", source, *LAUNCH, "--club", "driver"), "--ball-speed is for one launch")

@@ -9,8 +9,8 @@ import clubface
 from clubface import Prior, infer
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.inference import UnreachableLaunchError, words
-from clubface.inference.posterior import NOISE
 from clubface.inference.prior import prior_of
+from clubface.inference.run import NOISE
 from clubface.measured.shots import QUANTITIES
 
 DEG, RPM, MPH = math.pi / 180, math.pi / 30, 0.44704
@@ -205,7 +205,7 @@ def test_a_bad_file_is_told_with_its_line(write, old, new, words_of_error):
     [
         ({}, {}, "at least one of ball_speed"),
         ({"ball_sped": 70.0}, {}, "did you mean ball_speed"),
-        ({"total_spin": 300.0}, {}, "the other of total_spin and spin_axis"),
+        ({"total_spin": 300.0}, {}, "give total_spin and spin_axis together"),
         ({"ball_speed": "70 deg"}, {}, "ball_speed"),
         ({"ball_speed": 70.0}, {"noise": {"ball_speed": 0.0}}, "an exact measurement cannot be sampled"),
         ({"ball_speed": 70.0}, {"samples": 0}, "from 1 to"),

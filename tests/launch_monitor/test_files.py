@@ -8,7 +8,7 @@ import pytest
 
 from clubface import launch_monitor
 from clubface.errors import FileError, InputError, UnitError, UnknownNameError
-from clubface.recorded.shots import read_shots
+from clubface.recorded.file import read_shots
 
 DATA = Path(__file__).parents[1] / "data" / "launch_monitors"
 MPH, KMH, DEG, RPM = 0.44704, 1 / 3.6, math.pi / 180, math.pi / 30
@@ -405,7 +405,7 @@ def test_what_is_asked_for_must_exist():
         launch_monitor.read(path, hand="Left")
     with pytest.raises(FileError, match=r"this is no Garmin.*no row names the columns Carry Deviation Distance"):
         launch_monitor.read(DATA / "other.csv", format="garmin")
-    with pytest.raises(InputError, match="left out where a mapping"):
+    with pytest.raises(InputError, match="leave it out, since the mapping"):
         launch_monitor.read(path, format="garmin", mapping=DATA / "other.toml")
     with pytest.raises(FileError, match="no row names the columns Tempo, Bahn"):
         launch_monitor.read(path, mapping=DATA / "other.toml")

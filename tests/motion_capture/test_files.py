@@ -187,7 +187,7 @@ def test_the_template_is_a_mapping():
         ('target = "+y"', 'target = "+z"', 24, r"across the axis that points up, \+z"),
         ('target = "+y"', 'target = "north"', 24, r"one of \+x, -x"),
         ('target = "+y"', "target = 3", 24, "an axis in quotes or a list of two markers"),
-        ('marker = "BALL"', "", None, "given by its marker or by its position"),
+        ('marker = "BALL"', "", None, "give either its marker or its position"),
         ('file = "calibration.c3d"', "file = 7", 11, "file must be text in quotes"),
         ('# unit = "mm"', 'unit = "furlong"', 26, "in m or mm"),
         ("[ball]", "[ball", None, "this is not TOML"),
@@ -206,12 +206,12 @@ def test_a_mistake_in_a_mapping_is_told_with_its_line(old, new, line, message):
     ("changes", "message"),
     [
         ({"cluster": {"A": None, "B": None}}, "2 markers.*at least 3"),
-        ({"face": {}}, "neither"),
+        ({"face": {}}, "without positions; give the position of each marker"),
         (
             {"calibration": "x.c3d", "face": {}, "cluster": dict.fromkeys("ABC", (0.0, 0.0, 0.0))},
             "no points of the face",
         ),
-        ({"ball_position": (0.0, 0.0, 0.0)}, "both or neither"),
+        ({"ball_position": (0.0, 0.0, 0.0)}, "given twice"),
         ({"up": "z"}, r"up is 'z'; it must be one of \+x"),
     ],
 )

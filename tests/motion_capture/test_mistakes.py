@@ -272,7 +272,7 @@ def test_calibrations_that_cannot_be_used_are_refused(tmp_path):
         calibrated(outside, club, seen, turn)
     two = seen.positions.copy()
     two[:, :3] = np.nan
-    with pytest.raises(FileError, match="never seen together with the face: HEAD1, HEAD2, HEAD3"):
+    with pytest.raises(FileError, match="no frame shows the face together with: HEAD1, HEAD2, HEAD3"):
         calibrated(mapping, club, replace(seen, positions=two), turn)
     one = seen.positions.copy()
     one[:, 0] = np.nan
@@ -290,7 +290,7 @@ def test_of_many_files_the_bad_ones_are_listed_and_the_good_ones_read(tmp_path):
     assert "cut short" in found.rejected[0].reason
     written = found.write(tmp_path / "shots.csv")
     assert [each.name for each in written] == ["shots.csv", "shots.sd.csv"]
-    from clubface.recorded.shots import read_shots
+    from clubface.recorded.file import read_shots
 
     table = read_shots(written[0])
     assert table.deliveries["loft"] == pytest.approx(found.shots.deliveries["loft"], rel=1e-12)

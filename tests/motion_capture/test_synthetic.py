@@ -9,7 +9,7 @@ from captures import swings, world_cameras
 from clubface.motion_capture.reduction import QUANTITIES, gap
 from clubface.motion_capture.rotations import logarithm
 from clubface.motion_capture.synthetic import Cameras, random_swing, synthesize
-from clubface.recorded.shots import read_shots
+from clubface.recorded.file import read_shots
 
 
 @pytest.mark.parametrize("club", ["driver", "7-iron"])
@@ -42,7 +42,7 @@ def test_the_face_first_touches_the_ball_at_time_zero():
 
 def test_a_swing_has_the_magnitudes_of_a_golfers():
     closing = [math.degrees(each.truth["closure"]) / 720 for each in swings(60)]
-    # P1: the face turns 3-4 degrees between frames of 720 Hz.
+    # Caldwell and McPhee: the face turns 3-4 degrees between frames of 720 Hz.
     assert 3.0 < np.mean(closing) < 4.0
     assert 2.6 < min(closing) < max(closing) < 4.4
     for swing in swings(10):

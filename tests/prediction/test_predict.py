@@ -173,7 +173,7 @@ def test_a_column_is_known_by_many_names(write, tmp_path, heading):
 def test_a_column_without_a_unit_is_si_and_said_so(write, tmp_path):
     report = predict(write("speed,toe_mm\n50,5\n"), club="driver", output=tmp_path / "out.csv")
     assert report.used["speed"] == ("speed", "m/s")
-    assert "names no unit: taken as m/s" in report.notes[0]
+    assert "names no unit and is taken in m/s" in report.notes[0]
 
 
 def test_a_misspelt_column_is_pointed_out(write, tmp_path):
@@ -254,12 +254,12 @@ def test_a_file_that_is_no_table_of_deliveries_is_refused_with_the_line(write, t
 
 def test_paths_that_cannot_be_are_refused(write, tmp_path):
     path = write(GOOD)
-    for output, said in ((path, "must not be the file read"), (tmp_path / "no" / "out.csv", "no folder"),
+    for output, said in ((path, "another file than the one that is read"), (tmp_path / "no" / "out.csv", "no folder"),
                          (tmp_path / "out.xlsx", "must end in"), (tmp_path / "dir.csv", "is a folder")):  # fmt: skip
         (tmp_path / "dir.csv").mkdir(exist_ok=True)
         with pytest.raises(FileError, match=said):
             predict(path, club="driver", output=output)
-    with pytest.raises(FileError, match="must not be the output"):
+    with pytest.raises(FileError, match="another file than the output"):
         predict(path, club="driver", output=tmp_path / "out.csv", rejects=tmp_path / "out.csv")
     with pytest.raises(FileError, match="No such file"):
         predict(tmp_path / "none.csv", club="driver")

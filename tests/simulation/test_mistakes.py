@@ -12,11 +12,11 @@ from clubface.support import memory
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 
 BAD = [
-    ({}, "speed", "given"),
+    ({}, "speed", "missing; give it"),
     ({"speed": math.nan}, "speed", "finite"),
     ({"speed": math.inf}, "speed", "finite"),
     ({"speed": "fast"}, "speed", "finite number"),
-    ({"speed": None}, "speed", "given"),
+    ({"speed": None}, "speed", "missing; give it"),
     ({"speed": True}, "speed", "finite number"),
     ({"speed": "50 deg"}, "speed", "not an angle"),
     ({"speed": -1.0}, "speed", "above 0"),

@@ -13,8 +13,10 @@ from clubface.cli.fem_parts import ball as report_ball
 from clubface.cli.fem_parts import face as report_face
 from clubface.cli.fem_parts import head as report_head
 from clubface.cli.fem_progress import progress_bar, run_with_progress
-from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RPM, RUN_ROWS
-from clubface.errors import RunError
+from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RUN_ROWS
+from clubface.errors import RunError, Told
+from clubface.support.folders import prepared_folder
+from clubface.units import fixed, from_si
 
 if TYPE_CHECKING:
     from clubface.fem.case import Case
@@ -24,16 +26,18 @@ app.command("ball")(report_ball)
 app.command("head")(report_head)
 app.command("face")(report_face)
 
-Friction = Annotated[float, typer.Option("--friction", metavar="NUMBER", help="Coulomb's coefficient.")]
-Refine = Annotated[int, typer.Option("--refine", metavar="TIMES", help="Finer along every edge, 1 to 8 times.")]
+Friction = Annotated[float, typer.Option("--friction", metavar="NUMBER", help="Coefficient of friction.")]
+Refine = Annotated[
+    int, typer.Option("--refine", metavar="TIMES", help="How many times finer the mesh is along every edge, 1 to 8.")
+]
 BallOption = Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball of finite elements.")]
 Folder = Annotated[
-    str | None, typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures there.")
+    str | None, typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures to this folder.")
 ]
 MOVING, SHAPES = 81, 51
 """Pictures of an animation, and deformed shapes to choose from for a picture of some."""
 SPEEDS, LOFTS = "30:60:5", "8:12:1"
-"""Of P2's Fig. 8."""
+"""Of Fig. 8 of Roh and Lee."""
 
 
 @app.command("reference")
@@ -50,7 +54,7 @@ def reference(
     ] = "penalty",
     as_json: options.Json = False,
 ) -> None:
-    """Throw P2's ball at a rigid plane: the case by which solvers are compared."""
+    """Throw the ball of Roh and Lee at a rigid plane, the case on which solvers are compared."""
     from clubface import fem
 
     settings = fem.Settings(contact=contact)
@@ -62,8 +66,8 @@ def reference(
     document = {
         "normal_mps": found.normal_velocity,
         "tangential_mps": found.tangential_velocity,
-        "spin_rpm": found.backspin * RPM,
-        "spin_max_rpm": found.spin_max * RPM,
+        "spin_rpm": from_si(found.backspin, "rpm"),
+        "spin_max_rpm": from_si(found.spin_max, "rpm"),
         "peak_force_n": found.peak_force,
         "peak_force_time_s": found.peak_force_time,
         "contact_time_s": found.contact_time,
@@ -80,14 +84,16 @@ def reference(
         _end(found)
         return
     from clubface.cli.tables import print_numbers
+    from clubface.fem.reference_case import other_solvers
 
     # What other solvers found is known of this case alone.
     same = friction == 0.35 and ball == "reference"
+    beside, others = other_solvers() if same else ((), {})
     rows = [
-        [label, output.number(document[key] * scale, digits), *(others if same else ())]
-        for label, key, scale, digits, *others in REFERENCE_ROWS
+        [label, *(output.number(from_si(value, unit), digits) for value in (document[key], *others.get(key, ())))]
+        for label, key, unit, digits in REFERENCE_ROWS
     ]
-    beside = ("one-point", "8-point", "2nd code") if same else ()
+    rows = [[*row, *[""] * (len(beside) + 2 - len(row))] for row in rows]
     title = "Reference case, beside other solvers" if same else "Reference case, varied"
     print_numbers(("", "clubface", *beside), rows, title=title)
     print(_cost(found))
@@ -100,9 +106,13 @@ def run(
     folder: Folder = None,
     frames: Annotated[
         int | None,
-        typer.Option("--frames", metavar="NUMBER", help="Deformed shapes to keep; those of the case unless given."),
+        typer.Option(
+            "--frames", metavar="NUMBER", help="Number of deformed shapes to keep; that of the case unless given."
+        ),
     ] = None,
-    animate: Annotated[bool, typer.Option("--animate", help="With -o: the impact as a moving picture (GIF).")] = False,
+    animate: Annotated[
+        bool, typer.Option("--animate", help="With --output: also write a moving picture (GIF).")
+    ] = False,
     as_json: options.Json = False,
 ) -> None:
     """Run a case: ball, head, delivery and settings in one TOML file."""
@@ -112,11 +122,11 @@ def run(
 
     chosen = cases.case(case)
     if animate and folder is None:
-        raise InputError("--animate", True, "given together with --output, the folder to write to")
+        raise InputError("--animate", Told("without --output"), "give the folder to write to, as in --output out/")
     if frames is not None or (animate and chosen.settings.frames < 2):
         chosen = chosen.replace(settings={"frames": MOVING if frames is None else frames})
     if folder is not None:
-        files.prepare(folder)
+        prepared_folder(folder)
     found = run_with_progress(lambda progress: chosen.run(progress))
     if as_json:
         output.print_json(files.document(found))
@@ -132,19 +142,21 @@ def run(
 
 @app.command("paper")
 def paper(
-    case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="A variation of P2's case.")] = "paper",
+    case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="A variation of the case.")] = "paper",
     folder: Folder = None,
-    swept: Annotated[bool, typer.Option("--sweep/--no-sweep", help="With -o: Fig. 8 too, of 35 runs.")] = True,
+    swept: Annotated[
+        bool, typer.Option("--sweep/--no-sweep", help="With --output: also redraw Fig. 8, which takes 35 runs.")
+    ] = True,
     as_json: options.Json = False,
 ) -> None:
-    """Run P2's case and show its table with ours beside it; with -o redraw its Figs. 3 to 8."""
+    """Run the case of Roh and Lee and print their figures beside ours; with --output redraw their Figs. 3 to 8."""
     from clubface.fem import case as cases
     from clubface.fem import files
     from clubface.fem import paper as job
 
     base = chosen = cases.case(case)
     if folder is not None:
-        files.prepare(folder)
+        prepared_folder(folder)
         if base.settings.frames < 2:
             chosen = base.replace(settings={"frames": SHAPES})
     found = run_with_progress(lambda progress: job.paper(chosen, progress))
@@ -155,12 +167,18 @@ def paper(
 
         ours = job.table(found)
         rows = [
-            [label, output.number(job.PUBLISHED[key] * scale, digits), output.number(ours[key] * scale, digits)]
-            for label, key, scale, digits in PAPER_ROWS
+            [
+                label,
+                output.number(from_si(job.PUBLISHED[key], unit), digits),
+                output.number(from_si(ours[key], unit), digits),
+            ]
+            for label, key, unit, digits in PAPER_ROWS
         ]
         factors = (job.SPIN_FACTOR, job.spin_factor(found))
         rows.append(["f that the spin means, Eq. (6)", *(output.number(factor, 4) for factor in factors)])
-        print_numbers(("", "P2", "clubface"), rows, title="P2's case, as published and as computed")
+        print_numbers(
+            ("", "Roh and Lee", "clubface"), rows, title="The case of Roh and Lee, as published and as computed"
+        )
         print(_cost(found))
     if folder is not None:
         say_written(files.write_paper(found, folder))
@@ -176,10 +194,12 @@ def sweep(
     loft: Annotated[str, typer.Option("--loft", metavar="FIRST:LAST:STEP", help="Lofts, deg.")] = LOFTS,
     case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="The case that is varied.")] = "paper",
     folder: Folder = None,
-    workers: Annotated[int | None, typer.Option("--workers", help="Runs at a time; all cores unless given.")] = None,
+    workers: Annotated[
+        int | None, typer.Option("--workers", help="Number of runs at a time; all cores unless given.")
+    ] = None,
     as_json: options.Json = False,
 ) -> None:
-    """Run a case over speeds and lofts, a run a core (P2's Fig. 8); with -o it can be resumed."""
+    """Run a case over speeds and lofts, one run on each core; with --output it can be resumed."""
     from clubface.fem import case as cases
 
     rows, written = _sweep(cases.case(case), speed, loft, folder, workers=workers, published=case == "paper")
@@ -199,18 +219,18 @@ def sweep(
 def export(
     case: Annotated[str, typer.Argument(metavar="CASE", help="A built-in case, or a TOML file.")] = "paper",
     form: Annotated[
-        str, typer.Option("--format", metavar="lsdyna|vtu", help="Keyword deck, or shapes over time.")
+        str, typer.Option("--format", metavar="lsdyna|vtu", help="lsdyna writes a keyword deck, vtu shapes over time.")
     ] = "vtu",
-    folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Where to write.")] = "out",
+    folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Write to this folder.")] = "out",
 ) -> None:
     """Write a case as a keyword deck, or run it and write its shapes for ParaView."""
     from clubface.fem import case as cases
-    from clubface.fem import files, keyword, vtu
+    from clubface.fem import keyword, vtu
     from clubface.support.checks import check_choice
 
     check_choice("--format", form, ("lsdyna", "vtu"))
     chosen = cases.case(case)
-    target = files.prepare(folder)
+    target = prepared_folder(folder)
     if form == "lsdyna":
         say_written([keyword.write(chosen, target / f"{vtu.file_stem(chosen.name)}.k")])
         return
@@ -228,7 +248,7 @@ def _sweep(
     from clubface.fem import sweep as job
 
     speeds, lofts = job.grid(speed, "speed", "--speed"), job.grid(loft, "angle", "--loft")
-    target = files.prepare(folder) / "sweep.csv" if folder is not None else None
+    target = prepared_folder(folder) / "sweep.csv" if folder is not None else None
     with progress_bar() as update:
         rows = job.sweep(
             base, speeds=speeds, lofts=lofts, output=target, workers=workers,
@@ -243,7 +263,7 @@ def _cost(found: Any) -> str:
     steps = f"{found.steps} steps of {found.settings.safety:g} of the stable one"
     counts = f"{found.elements} elements, {steps}, {found.wall:.2f} s"
     # A run that failed keeps what it had until energies were last in balance; its error tells of a later time.
-    last = found.energy["time"][-1:].sum() * 1e6
+    last = from_si(found.energy["time"][-1:].sum(), "us")
     until = f" until {last:.0f} us, the last record kept" if found.stopped and not found.unfinished else ""
     return f"{counts}; energies close to {found.energy_error:.2%}{until}"
 
@@ -257,16 +277,16 @@ def _rows_of(found: Any) -> list[list[str]]:
     }
     figures.setdefault("backspin", found.backspin)
     shown = [row for row in RUN_ROWS if row[1] in figures and not (found.launch and row[1] in REBOUND)]
-    rows = [[label, output.number(figures[key] * scale, digits)] for label, key, scale, digits in shown]
+    rows = [[label, output.number(from_si(figures[key], unit), digits)] for label, key, unit, digits in shown]
     return rows + [
-        [label, output.number(getattr(found, key) * scale, digits)] for label, key, scale, digits in FIGURE_ROWS
+        [label, output.number(from_si(getattr(found, key), unit), digits)] for label, key, unit, digits in FIGURE_ROWS
     ]
 
 
 def _end(found: Any) -> None:
     """When all that a run has is printed and written: tell if there is no launch, because of Ctrl-C or by itself."""
     if found.interrupted:
-        raise Interrupted(f"interrupted at {found.contact['time'][-1:].sum() * 1e6:.0f} us of the impact")
+        raise Interrupted(f"interrupted at {fixed(found.contact['time'][-1:].sum(), 'us', 0)} of the impact")
     if found.unfinished:
         # As long as was asked for.
         say(found.stopped)

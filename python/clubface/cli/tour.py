@@ -18,7 +18,9 @@ app = typer.Typer(add_completion=False)
 def tour(
     folder: Annotated[
         str | None,
-        typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures there.", show_default=False),
+        typer.Option(
+            "--output", "-o", metavar="FOLDER", help="Write tables and pictures to this folder.", show_default=False
+        ),
     ] = None,
     model: options.Models = None,
     ball: options.Ball = "published",

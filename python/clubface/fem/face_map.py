@@ -67,7 +67,7 @@ def face_map(
     made, struck = head(which), ball(with_ball)
     points = [(float(toe), float(high)) for high in highs for toe in toes]
     if not 1 <= len(points) <= MOST:
-        raise InputError("the points of a face", len(points), f"1 to {MOST}")
+        raise InputError("the number of points of a face", len(points), f"1 to {MOST}")
     for toe, high in points:
         # The quickest model refuses points outside the face.
         impact(made.club, speed=head_tests.COR_SPEED, loft=0.0, toe=toe, high=high, ball=rigid_ball(struck))
@@ -88,7 +88,7 @@ def face_map(
 
 
 def _row(point: tuple[float, float], restitution: float, time: float, stopped: str = "") -> dict[str, Any]:
-    return dict(zip(COLUMNS, (*_millimetres(point), restitution, time * 1e6, stopped), strict=True))
+    return dict(zip(COLUMNS, (*_millimetres(point), restitution, units.from_si(time, "us"), stopped), strict=True))
 
 
 def _millimetres(point: tuple[float, float]) -> tuple[float, float]:

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from clubface import units
 from clubface.errors import InputError, UnknownNameError
+from clubface.fem import core
 
 
 class Law(NamedTuple):
@@ -42,17 +43,15 @@ class Law(NamedTuple):
         wanted = names[: (last // self.needed + 1) * self.needed]
         missing = [name for name in wanted if name not in constants]
         if missing:
-            raise InputError("constants", dict(constants), f"given in full: {', '.join(missing)} missing")
+            raise InputError("constants", dict(constants), f"give {', '.join(missing)} as well")
         return {name: units.parse(constants[name], self.constants[name], name=name) for name in wanted}
 
 
 @cache
 def laws() -> Mapping[str, Law]:
     """Return the elastic laws by name."""
-    from clubface import _core
-
     found = {}
-    for each in _core.fem_laws():
+    for each in core.fem_laws():
         names = each["constants"]
         dimensions = each.get("dimensions", ["pressure"] * len(names))
         constants = MappingProxyType(dict(zip(names, dimensions, strict=True)))

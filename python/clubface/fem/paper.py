@@ -1,4 +1,4 @@
-"""The case of P2: "Analysis of golf ball spin mechanism at impact by FEM", its table and ours beside it."""
+"""The case of Roh and Lee, "Analysis of golf ball spin mechanism at impact by FEM": their figures beside ours."""
 
 from __future__ import annotations
 
@@ -11,33 +11,31 @@ from clubface.errors import InputError
 from clubface.fem.case import PLANE, Case, case
 from clubface.fem.core import Progress
 from clubface.fem.result import Impact
+from clubface.support.shipped import DATA
+from clubface.support.strict_toml import Document
 
-PUBLISHED: dict[str, float] = {
-    "ball_speed_mps": 50.4,
-    "launch_deg": 9.8,
-    "club_speed_after_mps": 24.0,
-    "spin_rpm": 2047.0,
-    "peak_force_n": 6600.0,
-    "peak_force_time_s": 280e-6,
-    "reversal_time_s": 320e-6,
-    "contraction": 0.23,
-    "contraction_time_s": 300e-6,
-    "f_prime": 0.8379,
-    "f": 0.9476,
-}
-"""What P2 computed: Figs. 3 to 7, Eqs. (9) and (11)."""
+_ROH_LEE = Document.read(DATA / "published_impacts.toml").data["roh-lee"]
+PUBLISHED: dict[str, float] = _ROH_LEE["figures"]
+"""What Roh and Lee computed."""
+LEAST_FACTOR: float = _ROH_LEE["least_factor"]
+"""The least compression factor they tell."""
+SPEED, LOFT, RADIUS = (
+    units.parse(_ROH_LEE["case"][name], dimension)
+    for name, dimension in (("speed", "speed"), ("loft", "angle"), ("ball_radius", "length"))
+)
+"""Their case [m/s, rad, m]."""
 
 
 def paper(which: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> Impact:
-    """Run P2's case, or a variation of it."""
+    """Run Roh and Lee's case, or a variation of it."""
     chosen = case(which)
     if chosen.head == PLANE:
-        raise InputError("case", chosen.name, "one with a head, as P2's; clubface fem run runs a throw at a plane")
+        raise InputError("case", chosen.name, "a case with a head; for a throw at a plane use clubface fem run")
     return chosen.run(progress)
 
 
 def table(found: Impact) -> dict[str, float]:
-    """Return P2's figures as computed, under the keys of ``PUBLISHED``."""
+    """Return Roh and Lee's figures as computed, under the keys of ``PUBLISHED``."""
     launch = found.launch
     return {
         "ball_speed_mps": launch["ball_speed"],
@@ -54,19 +52,24 @@ def table(found: Impact) -> dict[str, float]:
     }
 
 
-SPIN_FACTOR = 7.0 * 0.0214 * units.parse("2047 rpm", "angular rate") / (5.0 * 35.0 * math.sin(math.radians(11.5)))
-"""The factor of Eq. (6) that P2's spin means."""
+def _rolling_factor(spin: float, radius: float, along: float) -> float:
+    """Return the compression factor of Eq. (6): the ball rolls off the face that it met at ``along`` [m/s]."""
+    return 7.0 * radius * spin / (5.0 * along)
+
+
+SPIN_FACTOR = _rolling_factor(units.to_si(PUBLISHED["spin_rpm"], "rpm"), RADIUS, SPEED * math.sin(LOFT))
+"""The factor of Eq. (6) that their spin means."""
 
 
 def spin_factor(found: Impact) -> float:
-    """Return the compression factor that the backspin means by P2's Eq. (6), in which the ball rolls off the face.
+    """Return the compression factor that the backspin means by Eq. (6) of Roh and Lee: the ball rolls off the face.
 
-    P2 derives its f from the forces instead, Eqs. (9) and (11). NaN for a blow without velocity along the face.
+    They derive their f from the forces instead, Eqs. (9) and (11). NaN for a blow without velocity along the face.
     """
     approach = sum(found.relative_velocity()[:1, 1])
     if not approach > 0.0:
         return math.nan
-    return float(7.0 * 0.5 * found.ball.diameter * found.launch["backspin"] / (5.0 * approach))
+    return float(_rolling_factor(found.launch["backspin"], 0.5 * found.ball.diameter, approach))
 
 
 def document(found: Impact) -> dict[str, Any]:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from clubface.equipment.balls import Ball as RigidBall
     from clubface.equipment.clubs import Club
     from clubface.fem.heads import MeshedHead
-    from clubface.fem.run import Settings
+    from clubface.fem.settings import Settings
     from clubface.simulation.inputs import Shots
 
 FIGURES = (
@@ -53,7 +53,7 @@ class Impact:
     contraction, contraction_time
         Greatest loss of the distance from mass centre to face over the radius, and when [s].
     f_prime, f
-        P2's compression factors, Eqs. (9) and (11).
+        Roh and Lee's compression factors, Eqs. (9) and (11).
     energy_error
         Largest error of the energy balance over the initial kinetic energy, in the records of ``energy``. A run that
         stops because energies are off keeps the records before, so that ``stopped`` tells a larger error.
@@ -220,8 +220,8 @@ class Impact:
     def relative_velocity(self) -> NDArray[Any]:
         """Return the velocity of the ball relative to the CG of the clubhead, or to the plane, over the records [m/s].
 
-        Records by three: along the normal, up the face (P2's tangential velocity) and to the toe of first touch. The
-        clubhead's follows from the ball's, as their momentum stays.
+        Records by three: along the normal, up the face (the tangential velocity of Roh and Lee) and to the toe of first
+        touch. The clubhead's follows from the ball's, as their momentum stays.
         """
         velocity = self.motion["velocity"]
         if self.equipment is None:

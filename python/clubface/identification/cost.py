@@ -23,7 +23,7 @@ LOSSES: dict[str, Loss] = {"published": "absolute", "least-squares": "squares", 
 
 NORMALISERS = ("absolute", "signed")
 
-NOISE = {"ball_speed": 0.5 * 0.44704, **MONITOR}
+NOISE = {"ball_speed": units.to_si(0.5, "mph"), **MONITOR}
 """Standard deviations of a launch monitor [SI]: angles and spin after Caldwell and McPhee (2023), section 4; the
 0.5 mph of ball speed is assumed."""
 
@@ -145,7 +145,7 @@ def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None
     for name in quantities:
         told = given.get(name, NOISE.get(name))
         if told is None:
-            raise InputError(f"noise of {name}", None, "given: no default noise is known for it")
+            raise InputError(f"noise of {name}", None, "give it, since no default noise is known for this quantity")
         value = units.parse(told, outputs()[name].dimension, name=f"noise of {name}")
         if not 0.0 < value < np.inf:
             raise InputError(f"noise of {name}", told, "positive")

@@ -12,13 +12,12 @@ import numpy as np
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError, Told, UnknownNameError
 from clubface.launch_monitor import read
 from clubface.measured.shots import QUANTITIES, measured_shots
 from clubface.recorded.shots import RecordedShots, RejectedRow
 from clubface.simulation.impact import impact
-from clubface.simulation.inputs import broadcast, equipment, shots
-from clubface.simulation.quantities import input_columns, outputs
+from clubface.simulation.quantities import input_columns, inputs, outputs
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -121,15 +120,16 @@ def prepared_shots(
     labels = _groups(groups, len(recorded))
     asked = tuple(QUANTITIES) if quantities is None else _asked(quantities)
     measured = measured_shots(recorded, club=club, only=only, mismatch=mismatch, quantities=asked)
-    with_ = equipment(measured.club, ball)
     there = tuple(name for name, values in measured.launch.items() if np.isfinite(values).any())
     missing = [name for name in asked if name not in there]
     if missing and quantities is not None:
-        raise InputError("quantities", ", ".join(missing), f"measured; of {measured.source} are {', '.join(there)}")
+        raise InputError(
+            "quantities", ", ".join(missing), f"measured quantities; those of {measured.source} are {', '.join(there)}"
+        )
     notes = [f"not measured, so not in the cost: {', '.join(missing)}"] if missing else []
     launches = np.array([measured.launch[name] for name in there])
     launch = impact(
-        measured.club, measured.delivery, model=parameters.model, parameters=parameters, ball=with_.ball,
+        measured.club, measured.delivery, model=parameters.model, parameters=parameters, ball=ball,
         on_error="nan",
     )  # fmt: skip
     problems = {each.row[0] if each.row else 0: f"{each.parameter}: {each.reason}" for each in launch.problems}
@@ -139,12 +139,11 @@ def prepared_shots(
     dropped = [RejectedRow(int(measured.rows[row]), reason) for row, reason in sorted(problems.items())]
     if not len(kept):
         told = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
-        raise InputError("shots", measured.source, f"such that a launch can be computed for some ({told})")
-    hit = shots(with_, measured.delivery)
-    hit, _ = broadcast(hit, [], (), len(outputs()))
-    columns = [each if isinstance(each, float) else np.ascontiguousarray(each[kept]) for each in hit.columns]
+        raise InputError("shots", measured.source, f"shots of which some have a launch that can be computed ({told})")
+    columns = [launch.input(name) for name in inputs()]
+    columns = [each if isinstance(each, float) else np.ascontiguousarray(each[kept]) for each in columns]
     return PreparedShots(
-        club=measured.club, ball=with_.ball, columns=columns, quantities=there,
+        club=launch.club, ball=launch.ball, columns=columns, quantities=there,
         launches=np.ascontiguousarray(launches[:, kept]), rows=measured.rows[kept],
         groups=np.unique(labels[measured.places[kept]], return_inverse=True)[1], source=measured.source,
         dropped=(*measured.dropped, *dropped), notes=(*measured.notes, *notes),
@@ -154,7 +153,7 @@ def prepared_shots(
 def _groups(given: Any, shots: int) -> NDArray[Any]:
     labels = np.arange(shots) if given is None else np.asarray(given)
     if labels.shape != (shots,):
-        raise InputError("groups", f"of shape {labels.shape}", f"one label a shot: ({shots},)")
+        raise InputError("groups", Told(f"of shape {labels.shape}"), f"one label for each shot: ({shots},)")
     return labels
 
 

@@ -68,14 +68,14 @@ class Prior:
 
     def __post_init__(self) -> None:
         if list(self.mean) != list(self.deviation):
-            raise InputError("deviation", list(self.deviation), f"of the same quantities: {', '.join(self.mean)}")
+            raise InputError("deviation", list(self.deviation), f"for the same quantities: {', '.join(self.mean)}")
         for name in self.mean:
             if name not in DIMENSIONS:
                 raise UnknownNameError("quantity of a delivery", name, DIMENSIONS)
             if not (np.isfinite(self.mean[name]) and self.deviation[name] > 0.0):
                 raise InputError(name, self.deviation[name], "a positive standard deviation; leave out what is known")
         if "speed" not in self.mean:
-            raise InputError("speed", None, "among the quantities of the prior")
+            raise InputError("speed", None, "give it: it must be among the quantities of the prior")
         for pair, value in self.correlations.items():
             for name in pair:
                 if name not in self.mean:
@@ -86,7 +86,7 @@ class Prior:
             np.linalg.cholesky(self._matrix())
         except np.linalg.LinAlgError:
             told = ", ".join(f"{' and '.join(pair)} {value}" for pair, value in self.correlations.items())
-            raise InputError("correlations", told, "possible together") from None
+            raise InputError("correlations", told, "correlations that are possible together") from None
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -112,7 +112,7 @@ def columns_of(
         used.setdefault(quantity, []).append(Used(position, headings[position].strip(), quantity, symbol, side))
     if not used:
         found = listed([each.strip() for each in headings])
-        raise FileError(*place, f"no column is one of a {layout.title} file; {found}")
+        raise FileError(*place, f"no column belongs to a {layout.title} file; {found}")
     names = [each.name if each.unit is None else "" for each in heads]
     return Columns(
         len(headings),

@@ -12,7 +12,7 @@ from clubface.launch_monitor.formats import Format
 from clubface.launch_monitor.registry import FORMATS
 from clubface.tables.csv_rows import Row
 from clubface.tables.headings import layout, listed, shot_words
-from clubface.tables.reader import Reject
+from clubface.tables.rows import Reject
 
 OWN = "clubface"
 """The name of the layout of clubface's own tables."""
@@ -43,7 +43,8 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format | None:
         best = max(known.values())
         fitting = [name for name, count in known.items() if count == best]
         if len(fitting) > 1:
-            raise FileError(path, None, f"this may be {' or '.join(fitting)}: say which, as in format={fitting[0]!r}")
+            message = f"this may be a file of {' or '.join(fitting)}; give the format, such as {fitting[0]}"
+            raise FileError(path, None, message)
         return FORMATS[fitting[0]]
     headings, line, _ = rows[0]
     used = {each.quantity for each in layout(list(dict.fromkeys(headings)), path, line, shot_words()).used}

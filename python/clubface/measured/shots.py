@@ -11,7 +11,7 @@ import numpy as np
 
 from clubface import units
 from clubface.equipment.clubs import Club, club
-from clubface.errors import InputError
+from clubface.errors import InputError, Told
 from clubface.launch_monitor import read, refer
 from clubface.measured.other_club import check_club
 from clubface.recorded.shots import RecordedShots, RejectedRow
@@ -111,14 +111,16 @@ def measured_shots(
     if "speed" not in recorded.deliveries:
         measured = ", ".join(recorded.deliveries) or "nothing"
         raise InputError(
-            "shots", recorded.source, f"with the speed of the clubhead; measured of deliveries: {measured}"
+            "shots",
+            recorded.source,
+            f"shots with the speed of the clubhead; measured of the deliveries: {measured}",
         )
     wanted = [name for name in quantities if name in recorded.launches]
     if not wanted:
-        raise InputError("shots", recorded.source, f"with a measured launch: {', '.join(quantities)}")
+        raise InputError("shots", recorded.source, f"shots with a measured launch: {', '.join(quantities)}")
     delivery = {name: values for name, values in recorded.delivery().items() if np.isfinite(values).any()}
     if "speed" not in delivery:
-        raise InputError("speed", "empty in every shot", "measured in at least one shot")
+        raise InputError("speed", Told("empty in every shot"), "measured in at least one")
     reasons: dict[int, str] = {}
     for name, values in delivery.items():
         for row in np.flatnonzero(~np.isfinite(values)):
@@ -150,17 +152,17 @@ def of_one_club(recorded: RecordedShots, only: str | None) -> NDArray[np.int64]:
     """Return the places of the shots of the one club wanted."""
     if recorded.clubs is None:
         if only is not None:
-            raise InputError("only", only, "left out: the shots name no club")
+            raise InputError("only", only, "leave it out: the shots name no club")
         return np.arange(len(recorded))
     counts = {name: int(np.sum(recorded.clubs == name)) for name in dict.fromkeys(recorded.clubs)}
     listed = ", ".join(f"{name or 'without a name'} ({count})" for name, count in counts.items())
     if only is None:
         if len(counts) > 1:
-            raise InputError("only", None, f"given, since there are shots of several clubs: {listed}")
+            raise InputError("only", None, f"give one of the several clubs that were hit: {listed}")
         return np.arange(len(recorded))
     chosen = [name for name in counts if name.strip().casefold() == only.strip().casefold()]
     if not chosen:
-        raise InputError("only", only, f"a club of the shots: {listed}")
+        raise InputError("only", only, f"one of the clubs that were hit: {listed}")
     return np.flatnonzero(np.isin(recorded.clubs, chosen))
 
 
@@ -175,7 +177,7 @@ def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None
     named = str(recorded.clubs[0]) if recorded.clubs is not None and len(recorded) else ""
     plain = "-".join(named.casefold().split())
     if plain not in CLUB_NAMES:
-        told = f"given: the shots name {named!r}" if named else "given: the shots name none"
+        told = f"give it: the shots name {named!r}" if named else "give it: the shots name none"
         raise InputError("club", None, f"{told}, and the built-in clubs are {', '.join(CLUB_NAMES)}")
     return club(plain)
 

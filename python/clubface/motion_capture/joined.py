@@ -19,7 +19,7 @@ from clubface.recorded.shots import RecordedShots, RejectedRow
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-SAME = {"ball_speed": 1.5, "launch": float(np.radians(2.0)), "speed": 2.5}
+SAME = {"ball_speed": 1.5, "launch": units.to_si(2.0, "deg"), "speed": 2.5}
 """Differences [SI] beyond which two measurements are not of the same shot.
 
 Azimuth is not looked at: lines to the target may differ.
@@ -65,7 +65,7 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
             f" {', '.join(SAME)} in common to tell which are the same",
         )  # fmt: skip
     if not len(pairs):
-        raise InputError("measured", measured.source, f"of the same shots as {captured.source}: not one pair is alike")
+        raise InputError("measured", measured.source, f"of the same shots as {captured.source}; not one pair is alike")
     one, other = captured.select(pairs[:, 0]), measured.select(pairs[:, 1])
     left = [*_rejected(captured, pairs[:, 0], measured), *_rejected(measured, pairs[:, 1], captured)]
     return RecordedShots(

@@ -17,7 +17,7 @@ from clubface.equipment.clubs import Club, club
 from clubface.equipment.described import FLAT, HANDS
 from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, ShotError, UnknownNameError
+from clubface.errors import InputError, ShotError, Told, UnknownNameError
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.quantities import input_columns, input_dimensions, inputs
 from clubface.support.checks import check_choice
@@ -114,7 +114,7 @@ def shots(with_: Equipment, values: Mapping[str, Any], *, hand: Any = None) -> S
         if type(hand) is not float:
             varied[_HAND] = hand
     if values.get("speed") is None:
-        raise InputError("speed", None, 'given, as in speed="113 mph": it is the one value without a default')
+        raise InputError("speed", None, 'give it, as in speed="113 mph": it is the one value without a default')
     if values.get(_LOFT) is None and values.get("static_loft") is not None:
         columns[column_of[_LOFT]] = columns[column_of["static_loft"]]
     return Shots(with_.club, with_.ball, columns, (), varied)
@@ -174,7 +174,7 @@ def common_shape(arrays: Mapping[str, Any]) -> tuple[int, ...]:
         return np.broadcast_shapes(*(each.shape for each in arrays.values()))
     except ValueError:
         shapes = ", ".join(f"{name} {each.shape}" for name, each in arrays.items())
-        raise InputError("the shapes of the inputs", shapes, "such that they broadcast") from None
+        raise InputError("the shapes of the inputs", shapes, "shapes that broadcast") from None
 
 
 def parameter_set(model_name: str, of_club: Club, given: Any) -> ParameterSet:
@@ -188,7 +188,7 @@ def parameter_set(model_name: str, of_club: Club, given: Any) -> ParameterSet:
         return _published(model_name, family)
     if isinstance(given, ParameterSet):
         if given.model != model_name:
-            raise InputError("parameters", f"a set of {given.model}", f"a set of {model_name}")
+            raise InputError("parameters", Told(f"a set of {given.model}"), f"a set of {model_name}")
         return given
     if isinstance(given, Mapping):
         return _published(model_name, family).replace(**given)
@@ -209,7 +209,7 @@ def single(of: Shots, parameters: ParameterSet, what: str) -> tuple[list[float],
     """Return the columns of one shot; arrays are refused, since ``what`` is of a single shot."""
     arrays = [*of.varied, *(name for name, value in parameters.values.items() if not isinstance(value, float))]
     if arrays:
-        raise InputError(arrays[0], "an array", f"a single number: {what} is of one shot")
+        raise InputError(arrays[0], Told("an array"), f"a single number: {what} is of one shot")
     return of.columns, parameters.columns()
 
 

@@ -36,11 +36,11 @@ def vectors(values: Mapping[str, Any]) -> dict[str, Any]:
     }
     mixed = [name for name in given if inputs[name].group == "launch"]
     if terms and mixed:
-        raise InputError(mixed[0], values[mixed[0]], "left out where the launch is given as " + ", ".join(terms))
+        raise InputError(mixed[0], values[mixed[0]], "leave it out, since the launch is given as " + ", ".join(terms))
     if not terms:
         for axis in "xyz":
             if f"velocity_{axis}" not in given:
-                raise InputError(f"velocity_{axis}", None, "given, or the launch as ball_speed, launch and so on")
+                raise InputError(f"velocity_{axis}", None, "give it, or the launch as ball_speed, launch and so on")
             given.setdefault(f"spin_{axis}", 0.0)
         return given
     return {**given, **_from_terms(terms)}
@@ -53,12 +53,12 @@ def _from_terms(terms: dict[str, Any]) -> dict[str, Any]:
     check_request(math.prod(shape), 8 * (len(MONITOR) + 6))
     for name in ("ball_speed", "launch"):
         if name not in terms:
-            raise InputError(name, None, "given for a flight")
+            raise InputError(name, None, "give it: a flight cannot start without")
     if "total_spin" in terms or "spin_axis" in terms:
         if "backspin" in terms or "sidespin" in terms:
-            raise InputError("total_spin", terms.get("total_spin"), "left out where backspin or sidespin is given")
+            raise InputError("total_spin", terms.get("total_spin"), "leave it out, since backspin or sidespin is given")
         if "total_spin" not in terms:
-            raise InputError("total_spin", None, "given where spin_axis is")
+            raise InputError("total_spin", None, "give it together with spin_axis")
         axis = terms.get("spin_axis", 0.0)
         terms["backspin"] = terms["total_spin"] * np.cos(axis)
         terms["sidespin"] = terms["total_spin"] * np.sin(axis)

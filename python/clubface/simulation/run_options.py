@@ -26,7 +26,7 @@ def thread_count(threads: object) -> int:
     except TypeError:
         count = 0
     if not 1 <= count <= MOST_THREADS:
-        raise InputError("threads", threads, f"a whole number from 1 to {MOST_THREADS}, or left out for all cores")
+        raise InputError("threads", threads, f"a whole number from 1 to {MOST_THREADS}, or None for all cores")
     return count
 
 

@@ -45,12 +45,14 @@ class Document:
             reason = getattr(error, "strerror", None) or str(error)
             raise FileError(name, None, f"cannot be read: {reason}") from None
         if len(content) > MAXIMUM_SIZE:
-            raise FileError(name, None, f"larger than {MAXIMUM_SIZE // 1000} kB; this cannot be the right file")
+            raise FileError(
+                name, None, f"this file is larger than {MAXIMUM_SIZE // 1000} kB; it cannot be the right one"
+            )
         try:
             text = content.decode()
         except UnicodeDecodeError as error:
             line = content[: error.start].count(b"\n") + 1
-            raise FileError(name, line, "not UTF-8 text") from None
+            raise FileError(name, line, "this is not UTF-8 text") from None
         return cls(text, name)
 
     def line(self, key: str, table: str = "", occurrence: int = 0) -> int | None:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import csv
-import math
 from collections.abc import Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
 from clubface.errors import FileError
-from clubface.tables.reader import Reject
+from clubface.tables.rows import Reject
 
 LONGEST_LINE = 2_000_000
 """Bytes; a longer line is no row of a table."""
+DECIMAL_ROWS = 200
+"""Rows that tell how numbers are written."""
 FALLBACK = "cp1252"
 """The encoding of spreadsheets that do not write UTF-8."""
 
@@ -60,7 +61,7 @@ class CsvRows:
             raise FileError(self.path, None, f"cannot be read: {getattr(error, 'strerror', None) or error}") from None
         try:
             if not self._file.seekable():
-                raise FileError(self.path, None, "a pipe cannot be read twice: save it as a file first")
+                raise FileError(self.path, None, "a pipe cannot be read twice; save it as a file first")
             self._start(head_lines, delimiter)
         except BaseException:
             self._file.close()
@@ -69,9 +70,9 @@ class CsvRows:
     def _start(self, head_lines: int, delimiter: str | None) -> None:
         start = self._file.read(4)
         if start.startswith((b"\xff\xfe", b"\xfe\xff")):
-            raise FileError(self.path, 1, "not UTF-8 text but UTF-16: save it as CSV UTF-8")
+            raise FileError(self.path, 1, "this is not UTF-8 text but UTF-16; save it as CSV UTF-8")
         if start.startswith(b"PAR1"):
-            raise FileError(self.path, None, "a Parquet file: its name must end in .parquet")
+            raise FileError(self.path, None, "this is a Parquet file; its name must end in .parquet")
         self._file.seek(3 if start.startswith(b"\xef\xbb\xbf") else 0)
         first, head = self._first_line()
         named = _separator(head) if head_lines > 1 else None
@@ -108,12 +109,14 @@ class CsvRows:
         for raw in iter(partial(self._file.readline, LONGEST_LINE), b""):
             line += 1
             if len(raw) >= LONGEST_LINE:
-                raise FileError(self.path, line, f"longer than {LONGEST_LINE // 1_000_000} MB: this is no table")
+                raise FileError(
+                    self.path, line, f"this line is longer than {LONGEST_LINE // 1_000_000} MB: it is no table"
+                )
             try:
                 text = raw.decode()
             except UnicodeDecodeError:
                 if not self._any_encoding:
-                    raise FileError(self.path, line, "not UTF-8 text: save it as CSV UTF-8") from None
+                    raise FileError(self.path, line, "this is not UTF-8 text; save it as CSV UTF-8") from None
                 self.other_encoding = True
                 text = raw.decode(FALLBACK, errors="replace")
             self._raw.append(text)
@@ -130,7 +133,7 @@ class CsvRows:
                 return None
             except csv.Error as error:
                 if "new-line character" in str(error):
-                    message = "lines end with a carriage return alone: save it with usual line ends"
+                    message = "lines end with a carriage return alone; save the file with usual line ends"
                     raise FileError(self.path, begins, message) from None
                 return Reject(begins, _explained(str(error)), ["".join(self._raw)])
             if cells:
@@ -142,14 +145,6 @@ def delimiter_of(lines: Sequence[str]) -> str:
     """Return the delimiter that is most frequent in one of the lines, outside quotes."""
     plain = ["".join(line.split('"')[::2]) for line in lines]
     return max(",;\t", key=lambda each: max(line.count(each) for line in plain))
-
-
-def is_number(text: str) -> bool:
-    """Tell whether a text is a finite number with a decimal point."""
-    try:
-        return math.isfinite(float(text))
-    except ValueError:
-        return False
 
 
 def _explained(message: str) -> str:

@@ -15,12 +15,12 @@ SHOWN = (("restitution", "restitution", "{:.3f}"), ("characteristic_time_us", "c
 
 @styled
 def face_figure(rows: Sequence[Mapping[str, Any]]) -> Figure:
-    """Draw restitution and characteristic time, seen from in front: towards the toe is right.
+    """Draw restitution and characteristic time over the face, seen from in front: the toe is on the right.
 
     Parameters
     ----------
     rows
-        Of :func:`clubface.fem.face_map.face_map`, over a grid.
+        The rows of :func:`clubface.fem.face_map.face_map`, over a grid.
     """
     toes, highs = (sorted({row[key] for row in rows}) for key in ("toe_mm", "high_mm"))
     figure = Figure(figsize=(WIDTH, 1.5 + 0.3 * len(highs)), layout="constrained")

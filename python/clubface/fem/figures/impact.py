@@ -1,4 +1,4 @@
-"""Pictures of finite element impacts: histories, forces over the patch, sweeps; P2's numbers beside them."""
+"""Pictures of finite element impacts: histories, forces over the patch, sweeps, and the numbers of Roh and Lee."""
 
 from __future__ import annotations
 
@@ -10,18 +10,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from clubface import units
-from clubface.fem.paper import PUBLISHED
+from clubface.fem.paper import LEAST_FACTOR, PUBLISHED, SPEED
 from clubface.fem.result import Impact
 from clubface.plots.style import COLOURS, DASHES, MARKERS, WIDTH, styled
 
 BLUE, RED, GREEN = COLOURS[0], COLOURS[1], COLOURS[2]
 MARK: dict[str, Any] = {"color": "0.25", "marker": "x", "markersize": 5.0, "linestyle": "none", "zorder": 5}
-RPM = units.from_si(1.0, "rpm")
 
 TAKE_OFF = 5.15
-"""Velocity along the face, relative to the clubhead, at take-off in P2, section 3.2 [m/s]."""
-P2_SPEED, LEAST_FACTOR = 35.0, 0.92
-"""Clubhead speed of P2's case [m/s], and the least compression factor of its sweep, section 4."""
+"""Velocity along the face, relative to the clubhead, at take-off in Roh and Lee, section 3.2 [m/s]."""
 ENERGIES = {
     "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction", "damping": "damping",
     "hourglass": "hourglass", "contact": "contact springs",
@@ -30,38 +27,44 @@ ENERGIES = {
 
 @styled
 def paper_figure(found: Impact) -> Figure:
-    """Draw velocities, forces, spin and effective radius over time as in P2's Figs. 3, 4, 6 and 7, P2's numbers marked.
+    """Draw velocities, forces, spin and effective radius over time, as figures 3, 4, 6 and 7 of Roh and Lee.
+
+    Their numbers are marked.
 
     Parameters
     ----------
     found
-        A run of P2's case, or of one like it.
+        A run of their case, or of one like it.
     """
     figure = Figure(figsize=(WIDTH, 4.3), layout="constrained")
     panels = figure.subplots(2, 3, sharex=True)
     speed, force, radius, tangential, sliding, spin = panels.flat
     end = _end(found)
-    when = found.motion["time"] * 1e6
+    when = units.from_si(found.motion["time"], "us")
     world = np.linalg.norm(found.world_velocity(), axis=1)
     speed.plot(when, world, color=BLUE)
-    speed.plot([end], [PUBLISHED["ball_speed_mps"]], clip_on=False, label="P2", **MARK)
+    speed.plot([end], [PUBLISHED["ball_speed_mps"]], clip_on=False, label="Roh and Lee", **MARK)
     _name(speed, "ball speed (m/s)", "Fig. 3")
     _forces(force, found)
-    force.plot([PUBLISHED["peak_force_time_s"] * 1e6], [PUBLISHED["peak_force_n"] / 1e3], **MARK)
+    force.plot(
+        [units.from_si(PUBLISHED["peak_force_time_s"], "us")], [units.from_si(PUBLISHED["peak_force_n"], "kN")], **MARK
+    )
     _name(force, "force on the ball (kN)", "Fig. 4")
     _radius(radius, found, PUBLISHED["contraction"])
-    least = found.ball.diameter * 500.0 * (1.0 - PUBLISHED["contraction"])
-    radius.plot([PUBLISHED["contraction_time_s"] * 1e6], [least], **MARK)
+    least = units.from_si(0.5 * found.ball.diameter, "mm") * (1.0 - PUBLISHED["contraction"])
+    radius.plot([units.from_si(PUBLISHED["contraction_time_s"], "us")], [least], **MARK)
     _name(radius, "mass centre to face (mm)", "Fig. 7")
-    tangential.plot(found.contact["time"] * 1e6, found.contact["tangential"], color=RED, linestyle=DASHES[0])
+    tangential.plot(
+        units.from_si(found.contact["time"], "us"), found.contact["tangential"], color=RED, linestyle=DASHES[0]
+    )
     tangential.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
-    tangential.plot([PUBLISHED["reversal_time_s"] * 1e6], [0.0], **MARK)
+    tangential.plot([units.from_si(PUBLISHED["reversal_time_s"], "us")], [0.0], **MARK)
     _name(tangential, "force along the face (N)", "Fig. 6")
     sliding.plot(when, found.relative_velocity()[:, 1], color=GREEN)
-    last = found.last_touch * 1e6
+    last = units.from_si(found.last_touch, "us")
     sliding.plot([0.0, last], [7.0, TAKE_OFF], clip_on=False, **MARK)
     _name(sliding, "velocity along the face (m/s)", "Fig. 6")
-    spin.plot(when, found.motion["spin"][:, 2] * RPM, color=GREEN)
+    spin.plot(when, units.from_si(found.motion["spin"][:, 2], "rpm"), color=GREEN)
     spin.plot([last], [PUBLISHED["spin_rpm"]], **MARK)
     _name(spin, "backspin (rpm)", "Fig. 6")
     _time_axes(panels[1], end)
@@ -78,8 +81,8 @@ def impact_figure(found: Impact) -> Figure:
     force, spin, radius, energy = panels.flat
     _forces(force, found)
     _name(force, "force on the ball (kN)")
-    when = found.motion["time"] * 1e6
-    spin.plot(when, found.motion["spin"][:, 2] * RPM, color=GREEN)
+    when = units.from_si(found.motion["time"], "us")
+    spin.plot(when, units.from_si(found.motion["spin"][:, 2], "rpm"), color=GREEN)
     _name(spin, "backspin (rpm)")
     _radius(radius, found, found.contraction)
     _name(radius, "mass centre to face (mm)")
@@ -92,9 +95,9 @@ def impact_figure(found: Impact) -> Figure:
 
 @styled
 def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
-    """Draw normal and tangential forces over the contact patch at times ``every`` [s] apart (P2, Fig. 5).
+    """Draw normal and tangential forces over the contact patch, as figure 5 of Roh and Lee.
 
-    Positive tangential forces make backspin, negative ones take it.
+    The moments are ``every`` [s] apart. Positive tangential forces make backspin, negative ones take it away.
     """
     patch = found.patch
     moments = np.unique(patch["time"])
@@ -119,11 +122,11 @@ def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
         low = -high if key == "tangential" else 0.0
         for panel, moment in zip(panels[row], chosen, strict=True):
             at = patch["time"] == moment
-            points = patch["toe"][at] * 1e3, patch["up"][at] * 1e3
+            points = units.from_si(patch["toe"][at], "mm"), units.from_si(patch["up"][at], "mm")
             panel.scatter(*points, c=patch[key][at], s=dots, cmap=map_, vmin=low, vmax=high, linewidths=0)
             panel.set(aspect="equal", xlim=(-extent, extent), ylim=(-extent, extent))
             if row == 0:
-                panel.set_title(f"{moment * 1e6:.0f} µs")
+                panel.set_title(f"{units.from_si(moment, 'us'):.0f} µs")
         figure.colorbar(panels[row][0].collections[0], ax=list(panels[row]), label=label, fraction=0.05, pad=0.01)
         panels[row][0].set_ylabel("up the face (mm)")
     figure.supxlabel("towards the toe (mm); both from the ball's mass centre", fontsize=8)
@@ -132,14 +135,14 @@ def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
 
 @styled
 def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Figure:
-    """Draw ball speed, launch angle, spin and compression factor over speed and loft (P2, Fig. 8).
+    """Draw ball speed, launch angle, spin and compression factor over speed and loft, as figure 8 of Roh and Lee.
 
     Parameters
     ----------
     rows
-        Of :func:`clubface.fem.sweep.sweep`.
+        The rows of :func:`clubface.fem.sweep.sweep`.
     published
-        Whether to mark what P2 tells in numbers: its case of 35 m/s and 11.5 deg, and the least compression factor.
+        Whether to mark their numbers: the case of 35 m/s and 11.5 deg, and the least compression factor.
     """
     figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
     panels = figure.subplots(2, 2, sharex=True)
@@ -155,10 +158,10 @@ def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) 
             look["marker"] = MARKERS[index % len(MARKERS)]
             panel.plot(*zip(*points, strict=True), markersize=3, label=f"{loft:.4g}°", **look)
         if published:
-            panel.plot([P2_SPEED], [PUBLISHED[key]], label="P2, 11.5°", **MARK)
+            panel.plot([SPEED], [PUBLISHED[key]], label="Roh and Lee, 11.5°", **MARK)
         _name(panel, label)
     if published:
-        panels[1][1].axhline(LEAST_FACTOR, color="0.25", linewidth=0.8, linestyle=":", label="P2's least")
+        panels[1][1].axhline(LEAST_FACTOR, color="0.25", linewidth=0.8, linestyle=":", label="least of Roh and Lee")
         panels[1][1].legend(handles=panels[1][1].lines[-1:], loc="lower left")
     for panel in panels[1]:
         panel.set_xlabel("clubhead speed (m/s)")
@@ -180,9 +183,11 @@ def _time_axes(panels: Any, end: float) -> None:
 
 
 def _forces(panel: Axes, found: Impact) -> None:
-    time = found.contact["time"] * 1e6
-    panel.plot(time, found.contact["normal"] / 1e3, color=BLUE, label="normal")
-    panel.plot(time, found.contact["tangential"] / 1e3, color=RED, linestyle=DASHES[1], label="along the face")
+    time = units.from_si(found.contact["time"], "us")
+    panel.plot(time, units.from_si(found.contact["normal"], "kN"), color=BLUE, label="normal")
+    panel.plot(
+        time, units.from_si(found.contact["tangential"], "kN"), color=RED, linestyle=DASHES[1], label="along the face"
+    )
     panel.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
     top = float(np.max(found.contact["normal"], initial=0.0)) / 1e3
     low = float(np.min(found.contact["tangential"], initial=0.0)) / 1e3
@@ -196,7 +201,7 @@ def _energies(panel: Axes, found: Impact) -> None:
     shown = {key: energy[key] for key in ENERGIES if np.max(energy[key], initial=0.0) > 0.0}
     if not shown:
         return
-    times = energy["time"] * 1e6
+    times = units.from_si(energy["time"], "us")
     colours = [COLOURS[index % len(COLOURS)] for index in (0, 6, 5, 1, 2, 3)]
     panel.stackplot(times, *shown.values(), labels=[ENERGIES[key] for key in shown], colors=colours, alpha=0.75)
     missing = energy["kinetic"][0] - energy["kinetic"]
@@ -206,10 +211,11 @@ def _energies(panel: Axes, found: Impact) -> None:
 
 
 def _radius(panel: Axes, found: Impact, contraction: float) -> None:
-    motion, radius = found.motion, found.ball.diameter * 500.0
-    panel.plot(motion["time"] * 1e6, motion["radius"] * 1e3, color=BLUE)
+    motion, radius = found.motion, units.from_si(0.5 * found.ball.diameter, "mm")
+    from_face = units.from_si(motion["radius"], "mm")
+    panel.plot(units.from_si(motion["time"], "us"), from_face, color=BLUE)
     panel.axhline(radius, color="0.5", linewidth=0.6, zorder=1)
-    least = min(radius * (1.0 - contraction), float(np.min(motion["radius"], initial=radius / 1e3)) * 1e3)
+    least = min(radius * (1.0 - contraction), float(np.min(from_face, initial=radius)))
     panel.set_ylim(least - 0.08 * radius, radius * 1.05)
 
 

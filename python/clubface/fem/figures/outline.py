@@ -12,7 +12,7 @@ from clubface.fem.heads import ShellHead
 class Outline:
     """Where the plane z = 0 cuts the shells of a head, in the axes of first touch.
 
-    The cut goes through the same material at all times: it is found in the shape of first touch.
+    The cut is found in the shape of first touch and goes through the same material at all times.
     """
 
     def __init__(self, head: ShellHead, places: Any) -> None:

@@ -16,16 +16,16 @@ MAX_POINTS = 8
 
 @dataclass(frozen=True, kw_only=True)
 class Hardening:
-    """What the yield stress gains with the plastic strain p: ``modulus p + gain (1 - exp(-rate p))``; or a table.
+    """How the yield stress grows with the plastic strain p: by ``modulus p + gain (1 - exp(-rate p))``, or by a table.
 
     Attributes
     ----------
     modulus
-        Of linear hardening [Pa].
+        Modulus of linear hardening [Pa].
     gain
-        Of Voce's saturating hardening, in the end [Pa].
+        What Voce's saturating hardening adds in the end [Pa].
     rate
-        Of its saturation: 63% of the gain are there at a plastic strain of 1 / rate.
+        Rate of its saturation: 63% of the gain are reached at a plastic strain of 1 / rate.
     table
         Points of plastic strain, the first 0, and yield stress [Pa], joined by straight lines and constant behind the
         last; or none.
@@ -47,7 +47,7 @@ class Hardening:
                 )
         if (self.gain > 0.0) != (self.rate > 0.0):
             name, other = ("gain", "rate") if self.gain > 0.0 else ("rate", "gain")
-            raise InputError(f"hardening.{name}", getattr(self, name), f"given together with {other}")
+            raise InputError(f"hardening.{name}", getattr(self, name), f"give {other} as well")
         object.__setattr__(self, "table", tuple(_point(each) for each in self.table))
         if self.table:
             _check_table(self.table)

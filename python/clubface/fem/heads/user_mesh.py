@@ -63,15 +63,15 @@ class MeshHead:
     Attributes
     ----------
     name, description
-        For tables.
+        What it is called in tables.
     file
-        Any format of meshio with quadrilaterals.
+        A file with quadrilaterals in any format that meshio reads.
     groups
         What the groups are; every quadrilateral belongs to one of them.
     loft
         Elevation of the face normal at the face centre [rad].
     unit
-        Of the file's lengths, such as "mm".
+        Unit of the lengths in the file, such as "mm".
     face_centre
         Its place in the file, numbers in that unit or text with its own: where the outer side of the face has its
         centre.
@@ -109,7 +109,7 @@ class MeshHead:
         object.__setattr__(self, "masses", parsed_places(self.masses, "mass"))
         _check_place("face_centre", self.face_centre)
         if not any(group.face for group in self.groups):
-            raise InputError("groups", [group.name for group in self.groups], "at least one with face = true")
+            raise InputError("groups", [group.name for group in self.groups], "groups, at least one with face = true")
 
     def mesh(self) -> ShellHead:
         """Read the file.
