@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build demo test check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures identification-coverage capture-coverage clean
+.PHONY: help setup build dev wheel demo test check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures identification-coverage capture-coverage clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -22,23 +22,34 @@ help: ## list the targets
 
 setup: $(VENV)/.setup ## make the virtual environment; say which tools are missing
 build: $(VENV)/.build ## compile the core and install the package into the virtual environment
+dev: $(VENV)/.dev ## the same, and the tools that tests, checks and documentation need
 
 $(VENV)/.setup: constraints-dev.txt scripts/find-tools.sh
 	@python=$$(scripts/find-tools.sh) && $$python -m venv $(VENV)
 	@$(PYTHON) -m pip install --quiet maturin
 	@touch $@
 
+# The packages of Python arrive while the core compiles.
 $(VENV)/.build: $(VENV)/.setup pyproject.toml $(RUST_SOURCES)
-	$(BIN)/maturin develop --release --extras cli,tables,plots,fem,capture,fit,dev
+	@$(PYTHON) scripts/requirements.py cli tables plots fem capture fit | $(PYTHON) -m pip install --quiet -r /dev/stdin & \
+	cargo build --release --locked -p clubface-fem && wait $$!
+	$(BIN)/maturin develop --release
 	@touch $@
+
+$(VENV)/.dev: $(VENV)/.build constraints-dev.txt
+	@$(PYTHON) scripts/requirements.py dev | $(PYTHON) -m pip install --quiet -r /dev/stdin
+	@touch $@
+
+wheel: $(VENV)/.setup ## a wheel for other machines, optimised as a whole; some ten minutes
+	$(BIN)/maturin build --profile dist
 
 demo: build ## the published tour averages by every model; tables and pictures in out/
 	$(BIN)/clubface tour --output out/
 
-test: build ## all tests; the last line is "N passed, N failed"
+test: dev ## all tests; the last line is "N passed, N failed"
 	@$(PYTHON) scripts/run_tests.py
 
-check: build ## formatting, lints, types, documentation
+check: dev ## formatting, lints, types, documentation
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 	$(BIN)/ruff format --check .
@@ -46,15 +57,15 @@ check: build ## formatting, lints, types, documentation
 	$(BIN)/pyright --pythonpath $(PYTHON)
 	$(BIN)/sphinx-build -W --keep-going -q -E docs docs/_build
 
-docs: build ## the documentation as web pages in docs/_build
+docs: dev ## the documentation as web pages in docs/_build
 	$(BIN)/sphinx-build -W --keep-going -q docs docs/_build
 	@echo "docs/_build/index.html"
 
-bench: build ## speed, printed beside the computed results
+bench: dev ## speed, printed beside the computed results
 	cargo bench $(RUST_TESTED)
 	$(PYTHON) -m pytest benchmarks --benchmark-only
 
-study: build ## the tests that take minutes
+study: dev ## the tests that take minutes
 	cargo test $(RUST_TESTED) -- --ignored
 	$(PYTHON) -m pytest -m study
 
@@ -65,17 +76,17 @@ benchmark-identification: build ## identify every model on the benchmark shots: 
 	@mkdir -p out
 	$(PYTHON) -m clubface.findings out/benchmark-identification docs/findings.json
 
-benchmark-identification-speed: build ## time of P1's whole identification of the volumetric driver, and its cost
+benchmark-identification-speed: dev ## time of Caldwell and McPhee's whole identification of the volumetric driver, and its cost
 	$(PYTHON) benchmarks/identification_speed.py
 
-fem-figures: build ## the figures of docs/finite-elements.md, computed again; some three minutes
+fem-figures: dev ## the figures of docs/finite-elements.md, computed again; some three minutes
 	$(PYTHON) benchmarks/fem_figures.py
 
-identification-coverage: build ## how often intervals of identified parameters hold the truth, over 400 repeats
-	$(PYTHON) -m pytest -m study tests/test_identify_coverage.py -s
+identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats
+	$(PYTHON) -m pytest -m study tests/identification/test_coverage.py -s
 
-capture-coverage: build ## errors and coverage of motion capture on 200 and 400 synthetic swings; some minutes
-	$(PYTHON) -m pytest -q -m study tests/test_capture_study.py
+capture-coverage: dev ## errors and coverage of motion capture on 200 and 400 synthetic swings; some minutes
+	$(PYTHON) -m pytest -q -m study tests/motion_capture/test_study.py
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks

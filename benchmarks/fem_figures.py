@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 
 from clubface import fem
-from clubface.equipment import builtin_path
 from clubface.fem import head_tests, paper, reduced, sweep
 from clubface.fem.case import case
 from clubface.fem.heads.read import from_toml
 from clubface.fem.result import Impact
+from clubface.support.shipped import builtin_path
 
 RPM = 60.0 / math.tau
 END = fem.Settings(until_separation=True)
@@ -60,15 +60,15 @@ def the_reference() -> None:
 
 
 def thin_middle() -> fem.MeshedHead:
-    """Return P2's head with a face thinner in the middle than at its edge."""
-    design = from_toml(builtin_path("fem_head", "p2", fem.head_names()))
+    """Return Roh and Lee's head with a face thinner in the middle than at its edge."""
+    design = from_toml(builtin_path("fem_head", "paper", fem.head_names()))
     assert isinstance(design, fem.DriverHead)
     walls = {**design.thickness, "face_centre": 1.6e-3, "face_edge": 2.1e-3}
     return fem.head(replace(design, thickness=walls))
 
 
 def the_paper() -> None:
-    """P2's case and its variations."""
+    """Roh and Lee's case and its variations."""
     found = paper.paper()
     variations = {
         "paper": found,
@@ -84,12 +84,12 @@ def the_paper() -> None:
         slides = {"first": along[0], "least": along.min(), "last": along[-1]}
         say(name, **paper.table(run), **of_spin, **slides, energies=run.energy_error)
     say("top within 2%", **flat_top(found, 0.02))
-    head = fem.head("p2")
+    head = fem.head("paper")
     say("its head", restitution=head_tests.restitution(head), ct_us=head_tests.characteristic_time(head) * 1e6)
 
 
 def the_sweep() -> None:
-    """P2's Fig. 8."""
+    """Roh and Lee's Fig. 8."""
     speeds, lofts = np.arange(30.0, 61.0, 5.0), np.radians(np.arange(8.0, 13.0))
     base = case("paper").replace(settings={"until_separation": True})
     rows = sweep.sweep(base, speeds=speeds.tolist(), lofts=lofts.tolist())

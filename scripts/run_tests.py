@@ -7,10 +7,10 @@ import re
 import subprocess
 import sys
 
-# Optimised by the test profile of Cargo.toml, which keeps the checks of indices and overflow that a release leaves out.
-# The bindings hold no physics and are tested from Python; their test binary could not link without an interpreter.
-RUST = ["cargo", "test", "--workspace", "--exclude", "clubface-python", "--locked", "--no-fail-fast"]
-PYTHON = [sys.executable, "-m", "pytest", "--color=no"]
+# The profile of the build, so that what was compiled for it is linked, and what people run is tested. The bindings hold
+# no physics and are tested from Python; their test binary could not link without an interpreter.
+RUST = ["cargo", "test", "--release", "--workspace", "--exclude", "clubface-python", "--locked", "--no-fail-fast"]
+PYTHON = [sys.executable, "-m", "pytest", "--color=no", "-n", str(min(os.cpu_count() or 1, 8)), "--dist", "worksteal"]
 
 RUST_RESULT = re.compile(r"^test result: .*?(\d+) passed; (\d+) failed")
 PYTEST_COUNT = re.compile(r"(\d+) (passed|failed|error)")

@@ -4,7 +4,7 @@ import pickle
 
 import pytest
 
-from clubface.errors import ClubfaceError, FileError, InputError, UnitError, UnknownNameError, nearest_names
+from clubface.errors import ClubfaceError, FileError, InputError, Told, UnitError, UnknownNameError, nearest_names
 
 EXAMPLES = [
     InputError("mass", -1.0, "above 0 kg"),
@@ -29,6 +29,14 @@ def test_an_error_crosses_a_process_boundary_whole(error):
 
 def test_an_input_error_names_parameter_value_and_range():
     assert str(EXAMPLES[0]) == "mass is -1.0; it must be above 0 kg"
+
+
+def test_an_input_error_says_what_is_missing_and_what_to_do_instead():
+    assert str(InputError("speed", None, "above 0 m/s")) == "speed is missing; it must be above 0 m/s"
+    assert str(InputError("mass", "3 g", "leave it out")) == "mass is '3 g'; leave it out"
+    twice = InputError("ball", Told("given twice"), "give either its marker or its position")
+    assert str(twice) == "ball is given twice; give either its marker or its position"
+    assert str(pickle.loads(pickle.dumps(twice))) == str(twice)
 
 
 def test_an_unknown_name_is_a_key_error_with_a_readable_message():

@@ -2,7 +2,9 @@
 
 import subprocess
 import sys
-import types
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
 
 import clubface
 
@@ -16,11 +18,15 @@ def test_importing_the_package_loads_neither_numpy_nor_anything_slow():
     assert result.stdout.strip() == "[]"
 
 
-def test_a_function_is_not_hidden_by_the_module_of_its_name():
-    import clubface.models
-
-    assert isinstance(sys.modules["clubface.models"], types.ModuleType)
-    assert callable(clubface.models)
+def test_no_module_hides_a_public_function_of_its_package():
+    """Importing a module sets it as an attribute of its package, in place of a function of that name."""
+    root = Path(clubface.__file__).parent
+    packages = [path.parent for path in root.rglob("__init__.py")]
+    for package in packages:
+        name = ".".join(("clubface", *package.relative_to(root).parts))
+        modules = {each.stem for each in package.iterdir() if each.is_dir() or each.suffix == ".py"}
+        for exported in modules & set(getattr(import_module(name), "__all__", ())):
+            assert isinstance(getattr(import_module(name), exported), ModuleType), f"{name}.{exported}"
 
 
 def test_public_names_are_listed():

@@ -15,11 +15,13 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
-from clubface import _core, benchmark_data, tour, tour_tables, units
-from clubface.evaluation.published import published
-from clubface.measured_shots import QUANTITIES
-from clubface.models import model, models
-from clubface.parameters import builtin_sets
+from clubface import _core, benchmark_data, units
+from clubface.equipment.models import model, models
+from clubface.equipment.parameters import builtin_sets
+from clubface.evaluation.published_accuracy import published
+from clubface.measured.shots import QUANTITIES
+from clubface.tour import averages as tour
+from clubface.tour import tables as tour_tables
 
 
 def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> list[str]:

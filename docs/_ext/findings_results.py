@@ -10,7 +10,7 @@ from typing import Any
 
 from clubface import units
 from clubface.evaluation.tables import TITLES
-from clubface.measured_shots import QUANTITIES
+from clubface.measured.shots import QUANTITIES
 
 RESULTS = Path(__file__).parent.parent / "findings.json"
 DIGITS = {"ball_speed": 2, "launch": 2, "azimuth": 2, "backspin": 0, "sidespin": 0, "spin": 0, "carry": 1}

@@ -10,12 +10,12 @@ from findings_results import UNITS, heads, results, shown
 from sphinx.application import Sphinx
 
 from clubface import units
-from clubface.evaluation.published import published
+from clubface.equipment.models import model as model_named
+from clubface.equipment.parameters import ParameterSet
+from clubface.evaluation.published_accuracy import published
 from clubface.evaluation.tables import TITLES, duration, percent
 from clubface.findings.implied_bias import bias_of, bias_of_magnitudes
-from clubface.measured_shots import QUANTITIES
-from clubface.models import model as model_named
-from clubface.parameters import ParameterSet
+from clubface.measured.shots import QUANTITIES
 
 SOURCES = {
     "all": "everything, as measured",
@@ -33,12 +33,12 @@ EFFECTS = {
 
 
 class Errors(CoreTable):
-    """``{findings-errors} driver``: mean absolute errors of the identified models with intervals, beside P1's."""
+    """``{findings-errors} driver``: mean absolute errors of identified models with intervals, and those published."""
 
     required_arguments = 1
 
     def table(self) -> list[str]:
-        """One row a model, and one of P1's below it."""
+        """One row a model, and the published one below it."""
         club = self.arguments[0]
         found = results()["clubs"][club]["errors"]
         rows = [["*mean magnitude*", *(f"*{shown(found['mean'][name], name)}*" for name in QUANTITIES), ""]]
@@ -68,7 +68,7 @@ class Spreads(CoreTable):
     required_arguments = 1
 
     def table(self) -> list[str]:
-        """One row a model, and one of P1's below it."""
+        """One row a model, and the published one below it."""
         club = self.arguments[0]
         found, rows = results()["clubs"][club]["errors"]["sizes"], []
         for model in results()["models"]:
@@ -115,7 +115,7 @@ class Best(CoreTable):
 
 
 class Costs(CoreTable):
-    """``{findings-costs}``: P1's cost on the shots a model was identified on and on shots held out, beside P1's own."""
+    """``{findings-costs}``: Cost on the shots of an identification and on shots held out, beside the published one."""
 
     def table(self) -> list[str]:
         """One row a model."""
@@ -125,7 +125,7 @@ class Costs(CoreTable):
             for club, found in results()["clubs"].items():
                 fit = found["fits"][model]
                 given = published().get((model, club))
-                # P1 prints two of the ten; this is what its errors and means add up to.
+                # Caldwell and McPhee print two of the ten; this is what its errors and means add up to.
                 cost = sum(given.mae[name] / given.mean[name] for name in QUANTITIES) if given else None
                 row += [f"{fit['cost']:.4f}", f"{fit['cost_holdout']:.4f}", "" if cost is None else f"*{cost:.2f}*"]
             rows.append(row)
@@ -199,7 +199,7 @@ class Budget(CoreTable):
 
 
 class ImpliedBias(CoreTable):
-    """``{implied-bias} azimuth sidespin``: the bias that P1's MAE and STD imply, for both readings of STD."""
+    """``{implied-bias} azimuth sidespin``: the bias that published MAE and STD imply, for both readings of STD."""
 
     required_arguments = 1
     final_argument_whitespace = True

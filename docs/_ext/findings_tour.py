@@ -11,8 +11,8 @@ from findings_results import results, shown
 from sphinx.application import Sphinx
 
 from clubface import units
+from clubface.equipment.models import model as model_named
 from clubface.findings.tour_fit import FREE
-from clubface.models import model as model_named
 
 
 def tour_means(of: dict[str, Any], kind: str) -> dict[str, float]:

@@ -5,10 +5,10 @@ Every public name is loaded when it is first used, so that ``import clubface`` c
 
 from __future__ import annotations
 
-import sys
 from importlib import import_module
-from types import ModuleType
 from typing import TYPE_CHECKING, Any
+
+from clubface.support.version import __version__ as __version__
 
 if TYPE_CHECKING:
     from clubface import benchmark_data as benchmark_data
@@ -16,50 +16,49 @@ if TYPE_CHECKING:
     from clubface import fem as fem
     from clubface import launch_monitor as launch_monitor
     from clubface import units as units
-    from clubface.balls import Ball as Ball
-    from clubface.balls import ball as ball
-    from clubface.clubs import Club as Club
-    from clubface.clubs import club as club
+    from clubface.equipment.balls import Ball as Ball
+    from clubface.equipment.balls import ball as ball
+    from clubface.equipment.clubs import Club as Club
+    from clubface.equipment.clubs import club as club
+    from clubface.equipment.models import Model as Model
+    from clubface.equipment.models import models as models
+    from clubface.equipment.parameters import ParameterSet as ParameterSet
     from clubface.errors import ClubfaceError as ClubfaceError
-    from clubface.models import Model as Model
-    from clubface.models import models as models
-    from clubface.parameters import ParameterSet as ParameterSet
 
-__version__ = "0.1.0"
 
 _HOME = {
-    "Air": "air",
-    "Ball": "balls",
-    "Club": "clubs",
+    "Air": "simulation.air",
+    "Ball": "equipment.balls",
+    "Club": "equipment.clubs",
     "ClubfaceError": "errors",
-    "Comparison": "launch",
-    "Delivery": "delivery",
-    "Flight": "flight",
-    "History": "history",
-    "Identification": "identify",
-    "Launch": "launch",
-    "Model": "models",
-    "ParameterSet": "parameters",
-    "PredictReport": "predict",
-    "RecordedShots": "recorded",
-    "Sensitivity": "sensitivity",
-    "Trajectory": "trajectory",
-    "Evaluation": "evaluation.evaluate",
-    "Posterior": "inference.infer",
+    "Comparison": "simulation.launch",
+    "Delivery": "simulation.delivery",
+    "Flight": "simulation.flight",
+    "History": "simulation.history",
+    "Identification": "identification.result",
+    "Launch": "simulation.launch",
+    "Model": "equipment.models",
+    "ParameterSet": "equipment.parameters",
+    "PredictReport": "prediction.predict",
+    "RecordedShots": "recorded.shots",
+    "Sensitivity": "simulation.sensitivity",
+    "Trajectory": "simulation.trajectory",
+    "Evaluation": "evaluation.evaluation",
+    "Posterior": "inference.posterior",
     "Prior": "inference.prior",
-    "ball": "balls",
-    "club": "clubs",
-    "evaluate": "evaluation.evaluate",
-    "fly": "flight",
-    "history": "history",
-    "identify": "identify",
-    "impact": "impact",
-    "infer": "inference.infer",
-    "models": "models",
-    "predict": "predict",
-    "read_shots": "recorded",
-    "sensitivity": "sensitivity",
-    "trajectory": "trajectory",
+    "ball": "equipment.balls",
+    "club": "equipment.clubs",
+    "evaluate": "evaluation.evaluation",
+    "fly": "simulation.flight",
+    "history": "simulation.history",
+    "identify": "identification.run",
+    "impact": "simulation.impact",
+    "infer": "inference.posterior",
+    "models": "equipment.models",
+    "predict": "prediction.predict",
+    "read_shots": "recorded.shots",
+    "sensitivity": "simulation.sensitivity",
+    "trajectory": "simulation.trajectory",
 }
 """The module in which each public name is defined."""
 
@@ -80,17 +79,3 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     return sorted([*__all__, "__version__"])
-
-
-class _Package(ModuleType):
-    """Keeps ``clubface.impact`` the function although a module of that name exists.
-
-    Importing a submodule sets it as an attribute of its package; here a public name wins.
-    """
-
-    def __setattr__(self, name: str, value: object) -> None:
-        if not (name in _HOME and isinstance(value, ModuleType)):
-            super().__setattr__(name, value)
-
-
-sys.modules[__name__].__class__ = _Package

@@ -13,6 +13,19 @@ class ClubfaceError(Exception):
     """The root of every error clubface raises on purpose."""
 
 
+_ADVICE = ("give ", "leave ", "use ", "keep ")
+"""How a sentence begins that says what to do instead."""
+
+
+class Told(str):
+    """Words that stand for a value in a message, which shows them without quotation marks."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return str(self)
+
+
 class InputError(ClubfaceError, ValueError):
     """A value that cannot be used.
 
@@ -23,7 +36,8 @@ class InputError(ClubfaceError, ValueError):
     value
         The value that was given.
     allowed
-        What would have been accepted, completing the sentence "it must be ...".
+        What would have been accepted, completing the sentence "it must be ..."; or a sentence of its own, which begins
+        with "give", "leave", "use" or "keep".
     """
 
     def __init__(self, parameter: str, value: object, allowed: str) -> None:
@@ -33,8 +47,8 @@ class InputError(ClubfaceError, ValueError):
         self.allowed = allowed
 
     def __str__(self) -> str:
-        given = "not given" if self.value is None else _shown(self.value)
-        return f"{self.parameter} is {given}; it must be {self.allowed}"
+        given = "missing" if self.value is None else _shown(self.value)
+        return f"{self.parameter} is {given}; {'' if self.allowed.startswith(_ADVICE) else 'it must be '}{self.allowed}"
 
 
 class ShotError(InputError):

@@ -212,7 +212,7 @@ def parse_values(value: object, dimension: str, *, name: str = "value") -> float
         return parse(value, dimension, name=name)
     import numpy as np
 
-    from clubface.memory import check_request
+    from clubface.support.memory import check_request
 
     try:
         given = np.asarray(value)

@@ -6,12 +6,13 @@
 
 #![allow(missing_docs)]
 
-use clubface_fem::ball::{Ball, Piece};
-use clubface_fem::cases::against_plane;
+use clubface_fem::ball::{BallConstruction, BallPiece};
+use clubface_fem::cases::ball_against_plane;
 use clubface_fem::contact::Contact;
 use clubface_fem::element::Element;
+use clubface_fem::environment::Environment;
 use clubface_fem::material::{Hencky, Material, MooneyRivlin};
-use clubface_fem::solve::{Impact, Options, Outcome, Structure};
+use clubface_fem::solve::{Options, Simulation, SimulationResult, Structure};
 use clubface_math::Vec3;
 use criterion::Criterion;
 use std::time::{Duration, Instant};
@@ -33,7 +34,7 @@ fn bulk(shear: f64, poisson: f64) -> f64 {
 }
 
 /// The reference case, `refine` times as fine.
-fn impact(refine: usize) -> Impact<f64> {
+fn impact(refine: usize) -> Simulation<f64> {
     let core = Material {
         law: MooneyRivlin { c10: 4e6, c01: 1e6 }.law(),
         bulk: bulk(10e6, 0.49),
@@ -43,15 +44,16 @@ fn impact(refine: usize) -> Impact<f64> {
     let shear = 350e6 / 2.8;
     let cover =
         Material { law: Hencky { shear }.law(), bulk: bulk(shear, 0.4), maxwell: vec![], density: 950.0 };
-    let piece = |name: &str, radius: f64, layers: usize, material: Material<f64>| Piece {
+    let piece = |name: &str, radius: f64, layers: usize, material: Material<f64>| BallPiece {
         name: name.into(),
         radius,
         layers: layers * refine,
         material,
     };
     let pieces = vec![piece("core", 0.0196, 6, core), piece("cover", 0.0214, 3, cover)];
-    let ball = Ball { pieces, cube: 12 * refine, element: Element::OnePoint, mass: Some(0.046) };
-    against_plane(&ball, 35.0, 11.5_f64.to_radians(), 0.35).expect("the reference case")
+    let ball = BallConstruction { pieces, cube: 12 * refine, element: Element::OnePoint, mass: Some(0.046) };
+    ball_against_plane(&ball, 35.0, 11.5_f64.to_radians(), 0.35, &Environment::native())
+        .expect("the reference case")
 }
 
 fn elements(refine: usize) -> usize {
@@ -60,7 +62,7 @@ fn elements(refine: usize) -> usize {
 
 /// Its steps alone.
 fn case(refine: usize) -> Case {
-    let Impact { mut structure, contact, .. } = impact(refine);
+    let Simulation { mut structure, contact, .. } = impact(refine);
     let step = 0.9 * structure.stable_step(40);
     Case { structure, contact, step, elements: elements(refine) }
 }
@@ -76,7 +78,7 @@ fn figures(velocity: Vec3<f64>, spin: Vec3<f64>, peak: f64) -> String {
 }
 
 /// The quickest of some runs.
-fn quickest(refine: usize, pool: &rayon::ThreadPool) -> Outcome<f64> {
+fn quickest(refine: usize, pool: &rayon::ThreadPool) -> SimulationResult<f64> {
     let run = |_| {
         let mut impact = impact(refine);
         pool.install(|| impact.run(&Options::default(), &mut |_| true)).expect("the options are valid")
@@ -85,8 +87,8 @@ fn quickest(refine: usize, pool: &rayon::ThreadPool) -> Outcome<f64> {
 }
 
 impl Case {
-    fn march(&mut self) {
-        self.structure.march(self.contact.as_mut(), self.step, MARCH, &mut |_, _| true);
+    fn integrate(&mut self) {
+        self.structure.integrate(self.contact.as_mut(), self.step, MARCH, &mut |_, _| true);
     }
 }
 
@@ -107,12 +109,12 @@ fn main() {
             pool.install(|| {
                 for _ in 0..steps / MARCH {
                     let start = Instant::now();
-                    case.march();
+                    case.integrate();
                     least = least.min(start.elapsed());
                     peak = peak.max(case.contact.resultant().normal);
                 }
             });
-            let launch = case.structure.kinetics(0..case.structure.positions.len());
+            let launch = case.structure.body_motion(0..case.structure.positions.len());
             let each = |time: Duration| time.as_secs_f64() * 1e9 / (MARCH * case.elements) as f64;
             let found = quickest(refine, &pool);
             table += &format!(
@@ -121,12 +123,12 @@ fn main() {
                 figures(launch.velocity, launch.spin, peak),
                 "",
                 found.wall * 1e9 / (found.steps * case.elements) as f64,
-                figures(found.ball.velocity, found.ball.spin, found.history.figures(1.0).peak_force),
+                figures(found.ball.velocity, found.ball.spin, found.records.summary(1.0).peak_force),
             );
             criterion.bench_function(
                 &format!("ball, {MARCH} steps/fineness {refine}/{threads} threads"),
                 |b| {
-                    b.iter(|| pool.install(|| case.march()));
+                    b.iter(|| pool.install(|| case.integrate()));
                 },
             );
         }

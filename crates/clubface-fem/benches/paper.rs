@@ -5,23 +5,24 @@
 
 #![allow(missing_docs)]
 
-#[path = "../tests/shells/delivered.rs"]
+#[path = "../tests/fem/shells/delivered.rs"]
 mod delivered;
 
-use clubface_fem::ball::{Ball, Piece};
-use clubface_fem::cases::against_head;
+use clubface_fem::ball::{BallConstruction, BallPiece};
+use clubface_fem::cases::{ball_against_deformable_head, ball_against_rigid_head};
 use clubface_fem::element::Element;
-use clubface_fem::head::{against_ball, Driver};
+use clubface_fem::environment::Environment;
+use clubface_fem::head::Driver;
 use clubface_fem::material::{Hencky, Material, Maxwell, MooneyRivlin};
 use clubface_fem::mesh::DriverThickness;
-use clubface_fem::solve::{Impact, Options};
+use clubface_fem::solve::{Options, Simulation};
 use std::time::Instant;
 
 const RUNS: usize = 5;
 const FRICTION: f64 = 0.3;
 
 /// The ball called "paper".
-fn ball() -> Ball<f64> {
+fn ball() -> BallConstruction<f64> {
     let bulk = |shear: f64, poisson: f64| 2.0 * shear * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson));
     let (c10, c01) = (6.44e6, 0.344e6);
     let core = Material {
@@ -37,18 +38,19 @@ fn ball() -> Ball<f64> {
         maxwell: vec![Maxwell { modulus: 4.25, time: 1.68e-6 }],
         density: 950.0,
     };
-    let piece = |name: &str, radius, layers, material| Piece { name: name.into(), radius, layers, material };
+    let piece =
+        |name: &str, radius, layers, material| BallPiece { name: name.into(), radius, layers, material };
     let pieces = vec![piece("core", 0.0196, 6, core), piece("cover", 0.0214, 3, cover)];
-    Ball { pieces, cube: 12, element: Element::OnePoint, mass: Some(0.046) }
+    BallConstruction { pieces, cube: 12, element: Element::OnePoint, mass: Some(0.046) }
 }
 
 /// Runs a case on some threads; returns the time of its loop, s, and its figures.
-fn run(make: &(dyn Fn() -> Impact<f64> + Sync), options: &Options, threads: usize) -> (f64, String) {
+fn run(make: &(dyn Fn() -> Simulation<f64> + Sync), options: &Options, threads: usize) -> (f64, String) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     let mut impact = make();
     let found = pool.install(|| impact.run(options, &mut |_| true)).expect("the options are valid");
     assert!(found.stopped.is_none(), "{:?}", found.stopped);
-    let (v, figures) = (found.ball.velocity, found.history.figures(impact.radius));
+    let (v, figures) = (found.ball.velocity, found.records.summary(impact.radius));
     let told = format!(
         "{} steps, {:.1} us each; ball {:.2} m/s, {:.0} rpm, {:.0} N, energies off by {:.0e}",
         found.steps,
@@ -67,7 +69,7 @@ fn least(mut time: impl FnMut() -> f64) -> f64 {
 }
 
 /// Share of the contact in the steps about the peak of the force, on one thread.
-fn contact_share(mut impact: Impact<f64>) -> f64 {
+fn contact_share(mut impact: Simulation<f64>) -> f64 {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("threads");
     let options = Options { duration: 280e-6, ..Options::default() };
     let found = pool.install(|| impact.run(&options, &mut |_| true)).expect("the options are valid");
@@ -84,18 +86,22 @@ fn contact_share(mut impact: Impact<f64>) -> f64 {
 }
 
 fn main() {
-    let mut driver = Driver::p2();
+    let mut driver = Driver::roh_and_lee();
     driver.thickness = DriverThickness { face_centre: 1.85e-3, face_edge: 1.75e-3, ..driver.thickness };
     let start = Instant::now();
     let head = driver.mesh().expect("P2's head").head;
     println!("head meshed in {:.3} s", start.elapsed().as_secs_f64());
     let touch = delivered::delivered(&head, 0.0, 0.0);
-    let shells = || against_ball(&head, &ball(), &touch, FRICTION).expect("P2's case");
-    let rigid = || against_head(&ball(), &touch, FRICTION).expect("P2's ball");
+    let shells = || {
+        ball_against_deformable_head(&head, &ball(), &touch, FRICTION, &Environment::native())
+            .expect("P2's case")
+    };
+    let rigid =
+        || ball_against_rigid_head(&ball(), &touch, FRICTION, &Environment::native()).expect("P2's ball");
     // As in the case that is shipped.
     let whole = Options { safety: Some(0.99), ..Options::default() };
     let short = Options { until_separation: true, ..Options::default() };
-    type Make<'a> = &'a (dyn Fn() -> Impact<f64> + Sync);
+    type Make<'a> = &'a (dyn Fn() -> Simulation<f64> + Sync);
     let cases: [(&str, Make, &Options); 2] =
         [("P2's case", &shells, &whole), ("rigid head until separation", &rigid, &short)];
     for (name, make, options) in cases {

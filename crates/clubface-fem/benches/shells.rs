@@ -4,8 +4,9 @@
 
 #![allow(missing_docs)]
 
-use clubface_fem::contact::{Contact, ContactEnergy, Method, Resultant};
+use clubface_fem::contact::{Contact, ContactEnergy, ContactMethod, Resultant};
 use clubface_fem::element::{Patch, Rule, ShellMaterial};
+use clubface_fem::environment::Environment;
 use clubface_fem::head::{DeformableHead, Driver, ShellHead};
 use clubface_fem::material::Hardening;
 use clubface_fem::solve::Structure;
@@ -26,7 +27,7 @@ impl Contact<f64> for Free {
     fn nodes(&self) -> &[u32] {
         &[]
     }
-    fn keep_out(&mut self, _: Method) {}
+    fn set_method(&mut self, _: ContactMethod) {}
     fn assemble(&mut self, _: &[Row<f64>], _: &[Row<f64>], _: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &[]
@@ -40,7 +41,7 @@ impl Contact<f64> for Free {
     fn nearest(&self, _: &[Row<f64>], _: Vec3<f64>) -> (f64, Vec3<f64>) {
         (0.0, Vec3::zero())
     }
-    fn head(&self) -> Option<Motion<f64>> {
+    fn head_motion(&self) -> Option<Motion<f64>> {
         None
     }
 }
@@ -61,7 +62,7 @@ fn struck(
     let mut rows: Vec<_> = head.nodes().iter().map(|p| Row::from_vec(*p)).collect();
     rows.resize(2 * count, Row::zero());
     let all = masses.translation.into_iter().chain(masses.rotation).collect();
-    let mut structure = Structure::new(rows, all, patches, &[]);
+    let mut structure = Structure::new(rows, all, patches, &[], &Environment::native());
     structure.translations = count;
     let axis = Vec3::new(head.loft.cos(), head.loft.sin(), 0.0);
     for (v, p) in structure.velocities.iter_mut().zip(head.nodes()) {
@@ -74,7 +75,7 @@ fn struck(
 }
 
 fn main() {
-    let head = Driver::p2().mesh().expect("P2's head").head;
+    let head = Driver::roh_and_lee().mesh().expect("P2's head").head;
     let yields = |gain: f64| {
         move |m: &ShellMaterial<f64>| m.clone().yielding(Hardening::linear(0.8e9, 1e9).saturating(gain, 20.0))
     };
@@ -94,7 +95,7 @@ fn main() {
             pool.install(|| {
                 for _ in 0..STEPS / MARCH {
                     let start = Instant::now();
-                    structure.march(&mut Free, step, MARCH, &mut |_, _| true);
+                    structure.integrate(&mut Free, step, MARCH, &mut |_, _| true);
                     least = least.min(start.elapsed());
                 }
             });

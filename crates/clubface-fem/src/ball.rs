@@ -11,7 +11,7 @@ pub const MAX_PIECES: usize = 5;
 
 /// One piece of a ball: the core, or a layer around it.
 #[derive(Clone, Debug)]
-pub struct Piece<R> {
+pub struct BallPiece<R> {
     /// Name, for messages.
     pub name: String,
     /// Outer radius, m.
@@ -22,24 +22,24 @@ pub struct Piece<R> {
     pub material: Material<R>,
 }
 
-/// A ball as designed.
+/// The construction of a ball: its pieces, and how to mesh them.
 #[derive(Clone, Debug)]
-pub struct Ball<R> {
+pub struct BallConstruction<R> {
     /// Pieces from the centre outwards.
-    pub pieces: Vec<Piece<R>>,
+    pub pieces: Vec<BallPiece<R>>,
     /// Elements along the edge of the cube inside.
     pub cube: usize,
     /// Kind of elements.
     pub element: Element,
-    /// Mass of the ball, kg: the core takes the density that gives it. Without it the core's own density counts.
+    /// Mass of the ball, kg: the core gets the density that leads to it. Without it, the core has the density of its own material.
     pub mass: Option<f64>,
 }
 
-/// A ball as meshed.
+/// A meshed ball.
 pub struct MeshedBall<R> {
-    /// The mesh, in place.
+    /// The mesh, at its position in space.
     pub mesh: SolidMesh<R>,
-    /// Elements by patches, of one piece each.
+    /// Patches of elements, each of one piece.
     pub patches: Vec<Box<dyn Patch<R>>>,
     /// Name of the piece of each patch.
     pub parts: Vec<String>,
@@ -49,7 +49,7 @@ pub struct MeshedBall<R> {
     pub surface: Vec<u32>,
     /// Outer quadrilaterals.
     pub sides: Vec<[u32; 4]>,
-    /// Share of each node in the surface, m2.
+    /// Part of the surface that belongs to each node, m2.
     pub areas: Vec<f64>,
     /// Radius, m.
     pub radius: f64,
@@ -61,14 +61,14 @@ pub struct MeshedBall<R> {
     pub core_density: R,
 }
 
-impl<R: Kernels> Ball<R> {
+impl<R: Kernels> BallConstruction<R> {
     /// Outer radius, m.
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.pieces.last().map_or(f64::NAN, |piece| piece.radius.re())
     }
 
-    /// Checks what the mesh cannot be made of.
+    /// Checks that the ball can be meshed.
     ///
     /// # Errors
     /// [`FemError::Input`] that names the first value that is not allowed.
@@ -106,7 +106,6 @@ impl<R: Kernels> Ball<R> {
                 piece.material.check(name)?;
             }
             inside = radius;
-            piece.material.check_law(name)?;
         }
         if let Some(mass) = self.mass {
             if !(mass > 0.0 && mass < 1.0) {
@@ -120,25 +119,25 @@ impl<R: Kernels> Ball<R> {
         Ok(())
     }
 
-    /// Meshes the ball about `centre`, with a pole of the mesh along the first column of `turn`.
+    /// Meshes the ball about `centre`, with a pole of the mesh along the first column of `rotation`.
     ///
     /// # Errors
-    /// As [`Ball::check`], or when the other pieces alone are heavier than the ball.
-    pub fn mesh(&self, turn: &Mat3<R>, centre: Vec3<R>) -> Result<MeshedBall<R>, FemError> {
+    /// As [`BallConstruction::check`], or when the other pieces alone are heavier than the ball.
+    pub fn mesh(&self, rotation: &Mat3<R>, centre: Vec3<R>) -> Result<MeshedBall<R>, FemError> {
         self.check()?;
         let radii: Vec<R> = self.pieces.iter().map(|piece| piece.radius).collect();
         let layers = self.pieces.iter().map(|piece| piece.layers).collect();
         let mut mesh = cubed_sphere(&radii, &Fineness { cube: self.cube, layers });
         for node in &mut mesh.nodes {
-            *node = *turn * *node + centre;
+            *node = *rotation * *node + centre;
         }
         let volumes: Vec<R> = (0..mesh.elements.len()).map(|e| mesh.volume(e)).collect();
         let materials = self.materials(&mesh, &volumes)?;
         let mut masses = vec![R::zero(); mesh.nodes.len()];
         for ((element, &piece), &volume) in mesh.elements.iter().zip(&mesh.layer).zip(&volumes) {
-            let share = materials[piece as usize].density * (volume / 8.0);
+            let nodal_mass = materials[piece as usize].density * (volume / 8.0);
             for &node in element {
-                masses[node as usize] += share;
+                masses[node as usize] += nodal_mass;
             }
         }
         let (mut patches, mut parts) = (Vec::new(), Vec::new());
@@ -190,11 +189,11 @@ impl<R: Kernels> Ball<R> {
         for (&piece, &v) in mesh.layer.iter().zip(volumes) {
             volume[piece as usize] += v;
         }
-        let mut rest = R::from_f64(target);
+        let mut core_mass = R::from_f64(target);
         for (material, &v) in materials.iter().zip(&volume).skip(1) {
-            rest -= material.density * v;
+            core_mass -= material.density * v;
         }
-        let density = rest / volume[0];
+        let density = core_mass / volume[0];
         if density.re() <= 100.0 {
             return Err(FemError::input(
                 "ball.mass",

@@ -100,23 +100,3 @@ fn cause(edge: bool, element: usize, part: &str) -> String {
     }
     format!("the time step is too long (a smaller `safety` helps), or an element is failing; the most strained is element {element} of {part}")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{fate, off};
-
-    #[test]
-    fn an_error_is_told_whatever_it_is() {
-        let beyond = "more than they are themselves";
-        assert_eq!([1.04, 1e4, f64::NAN, f64::INFINITY].map(off), ["1.0%", beyond, beyond, beyond]);
-    }
-
-    #[test]
-    fn an_element_fails_in_words_whatever_is_left() {
-        assert_eq!([0.294, 2.6].map(fate), ["kept 0.29 of its volume", "kept 2.60 of its volume"]);
-        assert!([-0.1, 2e283, f64::INFINITY, f64::NAN]
-            .map(fate)
-            .iter()
-            .all(|one| one == "was turned inside out"));
-    }
-}

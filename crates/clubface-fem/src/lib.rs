@@ -1,4 +1,4 @@
-//! Explicit finite elements for the impact of club and ball (P2).
+//! Explicit finite elements for the impact of club and ball.
 //!
 //! SI units throughout. Everything is generic over the stored number, [`clubface_math::Real`]: `f64`, or `f64` with derivatives.
 
@@ -7,6 +7,7 @@ mod block;
 pub mod cases;
 pub mod contact;
 pub mod element;
+pub mod environment;
 pub mod error;
 pub mod head;
 pub mod material;

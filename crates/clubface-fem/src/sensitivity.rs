@@ -1,26 +1,27 @@
-//! Derivatives of the launch with respect to everything that goes into an impact with a head, by running the same code on dual numbers.
+//! Derivatives of the launch with respect to everything that goes into an impact with a head: the same code runs on dual numbers.
 
-use crate::ball::{Ball, Piece};
-use crate::cases::against_head;
+use crate::ball::{BallConstruction, BallPiece};
+use crate::cases::{ball_against_deformable_head, ball_against_rigid_head};
 use crate::element::{Isotropic, Kernels, ShellMaterial};
+use crate::environment::Environment;
 use crate::error::FemError;
-use crate::head::{against_ball, ShellHead, ShellPart};
+use crate::head::{ShellHead, ShellPart};
 use crate::material::{map_law, Material, Maxwell};
 use crate::mesh::ShellMesh;
-use crate::solve::{Impact, Options, Progress};
+use crate::solve::{Options, Progress, Simulation};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::launch::OUTPUT_COUNT;
 use clubface_impact::shot::{Shot, INPUTS, INPUT_COUNT};
 use clubface_math::Dual;
 
-/// Derivatives found in one run.
+/// Number of derivatives in one run.
 const WIDTH: usize = 4;
 
-/// A ball about to be met by a head.
+/// A shot whose launch is differentiated.
 #[derive(Clone, Debug)]
 pub struct Setting {
     /// The ball.
-    pub ball: Ball<f64>,
+    pub ball: BallConstruction<f64>,
     /// The head, if it is one of shells: then the clubhead of `inputs` is that of its mesh, and no variable.
     pub head: Option<ShellHead<f64>>,
     /// Delivery, club and ball in the order of [`INPUTS`]; those of the ball are not used, as its pieces say more.
@@ -64,13 +65,18 @@ impl Setting {
         });
         let friction = number("friction", self.friction);
         let pieces = self.ball.pieces.iter().map(|piece| lift_piece(piece, number)).collect();
-        let ball = Ball { pieces, cube: self.ball.cube, element: self.ball.element, mass: self.ball.mass };
+        let ball = BallConstruction {
+            pieces,
+            cube: self.ball.cube,
+            element: self.ball.element,
+            mass: self.ball.mass,
+        };
         let head = self.head.as_ref().map(|head| lift_head(head, number));
         Lifted { ball, head, touch: FirstTouch::of(&Shot::from_inputs(&inputs)), friction }
     }
 
-    /// Launch and its derivatives by some of [`Setting::variables`]; a run of the impact for every four of them. `watch` is called with the
-    /// run and its progress, and stops everything by returning false.
+    /// Launch and its derivatives by some of [`Setting::variables`]; a run of the impact for every four of them. `observer` is called with
+    /// the number of the run and its progress, and stops everything by returning false.
     ///
     /// # Errors
     /// [`FemError`] of a setting that cannot run, of an unknown variable, or of a run that stopped early.
@@ -80,7 +86,8 @@ impl Setting {
         &self,
         variables: &[String],
         options: &Options,
-        watch: &mut dyn FnMut(usize, &Progress) -> bool,
+        environment: &Environment,
+        observer: &mut dyn FnMut(usize, &Progress) -> bool,
     ) -> Result<Sensitivity, FemError> {
         let known = self.variables();
         if let Some(unknown) = variables.iter().find(|name| !known.contains(name)) {
@@ -93,13 +100,12 @@ impl Setting {
                 let place = group.iter().position(|each| each == name);
                 place.map_or_else(|| Dual::<f64, WIDTH>::constant(value), |i| Dual::variable(value, i))
             });
-            let mut impact = lifted.impact()?;
-            let outcome = impact.run(options, &mut |view| watch(run, &view.progress))?;
-            if let Some(stopped) = outcome.stopped {
+            let mut simulation = lifted.simulation(environment)?;
+            let result = simulation.run(options, &mut |snapshot| observer(run, &snapshot.progress))?;
+            if let Some(stopped) = result.stopped {
                 return Err(stopped);
             }
-            for (row, output) in lifted.touch.launch(outcome.ball, outcome.head).outputs().iter().enumerate()
-            {
+            for (row, output) in lifted.touch.launch(result.ball, result.head).outputs().iter().enumerate() {
                 found.values[row] = output.value;
                 found.jacobian[row].extend_from_slice(&output.tangent[..group.len()]);
             }
@@ -110,7 +116,7 @@ impl Setting {
 
 /// A setting in numbers with derivatives.
 struct Lifted<R> {
-    ball: Ball<R>,
+    ball: BallConstruction<R>,
     head: Option<ShellHead<R>>,
     touch: FirstTouch<R>,
     friction: R,
@@ -118,10 +124,12 @@ struct Lifted<R> {
 
 impl<R: Kernels> Lifted<R> {
     #[inline]
-    fn impact(&self) -> Result<Impact<R>, FemError> {
+    fn simulation(&self, environment: &Environment) -> Result<Simulation<R>, FemError> {
         match &self.head {
-            Some(head) => against_ball(head, &self.ball, &self.touch, self.friction),
-            None => against_head(&self.ball, &self.touch, self.friction),
+            Some(head) => {
+                ball_against_deformable_head(head, &self.ball, &self.touch, self.friction, environment)
+            }
+            None => ball_against_rigid_head(&self.ball, &self.touch, self.friction, environment),
         }
     }
 }
@@ -153,9 +161,9 @@ fn lift_head<R: Kernels>(head: &ShellHead<f64>, number: &mut dyn FnMut(&str, f64
     ShellHead { shells, parts, added: head.added.clone(), loft: head.loft }
 }
 
-fn lift_piece<R: Kernels>(piece: &Piece<f64>, number: &mut dyn FnMut(&str, f64) -> R) -> Piece<R> {
+fn lift_piece<R: Kernels>(piece: &BallPiece<f64>, number: &mut dyn FnMut(&str, f64) -> R) -> BallPiece<R> {
     let name = &piece.name;
-    let Piece { radius, layers, material, .. } = piece;
+    let BallPiece { radius, layers, material, .. } = piece;
     let mut of = |constant: &str, value: f64| number(&format!("{name}.{constant}"), value);
     let maxwell = material
         .maxwell
@@ -170,5 +178,5 @@ fn lift_piece<R: Kernels>(piece: &Piece<f64>, number: &mut dyn FnMut(&str, f64) 
     let material =
         Material { law, bulk: of("bulk", material.bulk), maxwell, density: of("density", material.density) };
     let radius = of("radius", *radius);
-    Piece { name: name.clone(), radius, layers: *layers, material }
+    BallPiece { name: name.clone(), radius, layers: *layers, material }
 }

@@ -1,6 +1,6 @@
 //! Time of a flight beside the flight: one shot, shots in a batch on one core, all derivatives.
 
-use clubface_impact::batch::Column;
+use clubface_impact::columns::Column;
 use clubface_impact::flight::{
     default_inputs, fly, sensitivity, trajectory, FlightBatch, FlightShot, INPUT_COUNT, OUTPUTS, OUTPUT_COUNT,
 };
@@ -52,9 +52,7 @@ fn flight(criterion: &mut Criterion) {
     let columns: Vec<Column<'_>> = columns.iter().map(|values| Column::Values(values)).collect();
     let batch = FlightBatch { inputs: &columns };
     let mut outputs = vec![vec![0.0; SHOTS]; OUTPUT_COUNT];
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");
-    let mut run =
-        || pool.install(|| batch.run(0..SHOTS, outputs.iter_mut().map(Vec::as_mut_slice).collect()));
+    let mut run = || batch.run(0..SHOTS, outputs.iter_mut().map(Vec::as_mut_slice).collect());
     run();
     let mut group = criterion.benchmark_group("batch on one core");
     group.throughput(Throughput::Elements(SHOTS as u64)).sample_size(20);

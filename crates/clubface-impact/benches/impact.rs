@@ -1,17 +1,18 @@
 //! Time of an impact beside the launch, by every model: shots in a batch on one core, one shot, all derivatives.
 
-use clubface_impact::batch::{Batch, Column};
+use clubface_impact::batch::Batch;
+use clubface_impact::columns::Column;
 use clubface_impact::launch::OUTPUT_COUNT;
 use clubface_impact::sensitivity::sensitivity;
 use clubface_impact::shot::INPUT_COUNT;
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::{registry, Accuracy};
 use criterion::{Criterion, Throughput};
 use std::hint::black_box;
 
 /// Shots of a batch: enough to fill every pack, few enough to repeat.
 const SHOTS: usize = 2048;
 
-/// P1's driver and ball, delivered at 108 mph, attack 2 deg, dynamic loft 13 deg; the face outline is assumed.
+/// Caldwell and McPhee's driver and ball, delivered at 108 mph, attack 2 deg, dynamic loft 13 deg; the face outline is assumed.
 fn drive() -> [f64; INPUT_COUNT] {
     let degrees = |angle: f64| angle.to_radians();
     let mut inputs = [0.0; INPUT_COUNT];
@@ -43,8 +44,7 @@ fn impact(criterion: &mut Criterion) {
     let inputs = drive();
     let columns = deliveries(&inputs);
     let columns: Vec<Column<'_>> = columns.iter().map(|values| Column::Values(values)).collect();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");
-    for &model in ModelKind::ALL {
+    for &model in registry::ALL {
         let info = model.info();
         let parameters = info.defaults();
         let fixed: Vec<Column<'_>> = parameters.iter().map(|&value| Column::Constant(value)).collect();
@@ -59,7 +59,7 @@ fn impact(criterion: &mut Criterion) {
             let batch = Batch { model, inputs: &part, parameters: &fixed, accuracy };
             let mut outputs = vec![vec![0.0; shots]; OUTPUT_COUNT];
             let slices = outputs.iter_mut().map(Vec::as_mut_slice).collect();
-            let rejects = pool.install(|| batch.run(0..shots, slices));
+            let rejects = batch.run(0..shots, slices);
             assert!(rejects.is_empty(), "{rejects:?}");
             outputs
         };

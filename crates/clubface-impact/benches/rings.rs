@@ -1,10 +1,12 @@
 //! Time of the rings beside what they found: one solve, a sphere on a plane, a drive and an iron shot.
 
-use clubface_impact::first_touch::FirstTouch;
-use clubface_impact::history::Unrecorded;
+use clubface_impact::batch::Batch;
+use clubface_impact::columns::Column;
+use clubface_impact::launch::OUTPUT_COUNT;
+use clubface_impact::registry::RINGS;
 use clubface_impact::rings::plane::{Resolution, Sphere};
 use clubface_impact::rings::{Load, RingContact, RingMaterial};
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::Accuracy;
 use criterion::Criterion;
 use std::f64::consts::PI;
 use std::hint::black_box;
@@ -59,7 +61,6 @@ fn shots(criterion: &mut Criterion) {
     let centred = [48.28, 2.0 * degree, 0.0, 13.0 * degree, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     let toe = [50.5, -0.02, 0.05, 0.22, -0.03, 0.0, 0.012, -0.005, 40.0, 0.0, 0.0];
     let seven = [40.0, -4.0 * degree, 0.0, 22.0 * degree, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-    let rings = ModelKind::Rings;
     for (title, delivery, club, face, set) in [
         ("drive", centred, driver, wood_face, driver_set),
         ("drive off the toe", toe, driver, wood_face, driver_set),
@@ -68,11 +69,16 @@ fn shots(criterion: &mut Criterion) {
         let ball = [1.0, 0.0459, 0.0213, 83.36e-7];
         let mut inputs = [0.0; 30];
         inputs.copy_from_slice(&[&delivery[..], &club, &face, &ball].concat());
+        let parameters = set.map(Column::Constant);
         let shot = |accuracy| {
-            let touch = FirstTouch::of_inputs(black_box(&inputs));
-            rings.impact(&touch, &set, accuracy, &mut Unrecorded).launch
+            let inputs = black_box(inputs).map(Column::Constant);
+            let batch = Batch { model: RINGS, inputs: &inputs, parameters: &parameters, accuracy };
+            let mut outputs = [0.0; OUTPUT_COUNT];
+            assert!(batch.run(0..1, outputs.chunks_mut(1).collect()).is_empty());
+            outputs
         };
-        let rpm = |accuracy| shot(accuracy).ball_spin.norm() * 30.0 / PI;
+        // The seventh output is the total spin.
+        let rpm = |accuracy| shot(accuracy)[6] * 30.0 / PI;
         let (fast, converged) = (rpm(Accuracy::Fast), rpm(Accuracy::Tolerance(1e-10)));
         let error = (fast / converged - 1.0) * 100.0;
         println!("{title}: {fast:.1} rpm, converged {converged:.1} rpm, {error:+.3}%");

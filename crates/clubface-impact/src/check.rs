@@ -1,7 +1,7 @@
 //! Checks of one shot, before any physics: each fault names the input, its value and what is allowed.
 
+use crate::description::ModelInfo;
 use crate::error::ImpactError;
-use crate::model::ModelInfo;
 use crate::shot::{Shot, DELIVERY_COUNT, INPUTS, INPUT_COUNT};
 use clubface_math::{Mask, Mat3, Scalar, Vec3};
 use core::f64::consts::FRAC_PI_2;

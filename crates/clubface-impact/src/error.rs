@@ -18,3 +18,13 @@ impl ImpactError {
         Self { input, message: message.into() }
     }
 }
+
+/// As many values as there are inputs.
+///
+/// # Errors
+/// Another number of values.
+pub fn all_inputs<const N: usize>(values: &[f64]) -> Result<&[f64; N], ImpactError> {
+    values
+        .try_into()
+        .map_err(|_| ImpactError::new("inputs", format!("{} values given, {N} needed", values.len())))
+}

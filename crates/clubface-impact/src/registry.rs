@@ -1,98 +1,44 @@
 //! The models there are. A new model is one file under `models/` and one line here.
 
-use crate::first_touch::FirstTouch;
-use crate::history::Recorder;
-use crate::model::{Accuracy, Describe, Impact, Model, ModelInfo};
+use crate::error::ImpactError;
+use crate::impact_model::ImpactModel;
 use crate::models;
-use clubface_math::{Computation, Scalar};
 
+/// Declares a constant for each model, and `ALL` of them: `NAME => path::to::Model;` for a model that implements
+/// [`Describe`](crate::model::Describe) as `Model<()>`. Its kernels are compiled in the crate of the registry.
+#[macro_export]
 macro_rules! registry {
-    ($($variant:ident => $($path:ident)::+;)+) => {
-        /// A model by name, for choices made at run time.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum ModelKind {
-            $(#[doc = stringify!($variant)] $variant,)+
-        }
-        impl ModelKind {
-            /// Every model.
-            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
-            /// Its description.
-            #[must_use]
-            pub const fn info(self) -> &'static ModelInfo {
-                match self {
-                    $(Self::$variant => &<$($path)::+<()> as Describe>::INFO,)+
-                }
-            }
-            /// Impact by this model with parameter values in the order of its table.
-            #[inline(always)]
-            pub fn impact<S: Scalar, R: Recorder<S>>(
-                self,
-                touch: &FirstTouch<S>,
-                parameters: &[S],
-                accuracy: Accuracy,
-                recorder: &mut R,
-            ) -> Impact<S> {
-                match self {
-                    $(Self::$variant => {
-                        let model = <$($path)::+<S> as Model<S>>::from_values(parameters);
-                        S::outline(Run { model, touch, accuracy, recorder })
-                    })+
-                }
-            }
-            /// [`ModelKind::impact`] of lanes that hold different shots, for models whose lanes may (see
-            /// [`ModelInfo::lanes`]) and for single shots: the others are not even compiled for packs here.
-            #[inline(always)]
-            pub fn impacts<S: Scalar, R: Recorder<S>>(
-                self,
-                touch: &FirstTouch<S>,
-                parameters: &[S],
-                accuracy: Accuracy,
-                recorder: &mut R,
-            ) -> Impact<S> {
-                match self {
-                    $(Self::$variant => {
-                        if const { S::LANES == 1 || <$($path)::+<()> as Describe>::INFO.lanes } {
-                            let model = <$($path)::+<S> as Model<S>>::from_values(parameters);
-                            S::outline(Run { model, touch, accuracy, recorder })
-                        } else {
-                            unreachable!("this model takes one shot at a time")
-                        }
-                    })+
-                }
-            }
-        }
+    ($($constant:ident => $($path:ident)::+;)+) => {
+        $(
+            #[doc = concat!("[`", stringify!($($path)::+), "`].")]
+            pub const $constant: $crate::ImpactModel = {
+                static KERNELS: $crate::impact_model::Kernels =
+                    $crate::impact_model::Kernels::of::<$($path)::+<()>>();
+                $crate::ImpactModel::new(&KERNELS)
+            };
+        )+
+        /// Every model of this registry.
+        pub static ALL: &[$crate::ImpactModel] = &[$($constant),+];
     };
 }
 
 registry! {
-    Standard => models::standard::Standard;
-    Adjusted => models::adjusted::Adjusted;
-    Slip => models::slip::Slip;
-    Jorgensen => models::jorgensen::Jorgensen;
-    Volumetric => models::volumetric::Volumetric;
-    Rings => models::rings::Rings;
-    Area => models::area::Area;
+    STANDARD => models::standard::Standard;
+    ADJUSTED => models::adjusted::Adjusted;
+    SLIP => models::slip::Slip;
+    JORGENSEN => models::jorgensen::Jorgensen;
+    VOLUMETRIC => models::volumetric::Volumetric;
+    RINGS => models::rings::Rings;
+    AREA => models::area::Area;
 }
 
-struct Run<'a, M, S, R> {
-    model: M,
-    touch: &'a FirstTouch<S>,
-    accuracy: Accuracy,
-    recorder: &'a mut R,
-}
-
-impl<M: Model<S>, S: Scalar, R: Recorder<S>> Computation for Run<'_, M, S, R> {
-    type Output = Impact<S>;
-    #[inline(always)]
-    fn run(self) -> Impact<S> {
-        self.model.impact(self.touch, self.accuracy, self.recorder)
-    }
-}
-
-impl ModelKind {
-    /// The model of this name.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.iter().copied().find(|model| model.info().name == name)
-    }
+/// The model of this name.
+///
+/// # Errors
+/// A name that no model has.
+pub fn named(name: &str) -> Result<ImpactModel, ImpactError> {
+    ALL.iter().copied().find(|model| model.info().name == name).ok_or_else(|| {
+        let names: Vec<_> = ALL.iter().map(|model| model.info().name).collect();
+        ImpactError::new("model", format!("'{name}' is unknown; known: {}", names.join(", ")))
+    })
 }

@@ -1,9 +1,8 @@
-//! Arithmetic that physics is written on: one [`Scalar`] trait that `f64`, packs of shots ([`lanes`]) and dual
+//! Arithmetic that physics is written on: one [`Scalar`] trait that `f64`, packs of numbers ([`pack`]) and dual
 //! numbers ([`Dual`]) implement, small vectors and matrices over it, and ODE steppers that treat every lane on its own.
 
 pub mod dual;
 pub mod elementary;
-pub mod lanes;
 pub mod mat3;
 pub mod ode;
 pub mod pack;
@@ -12,9 +11,8 @@ pub mod scalar;
 pub mod vec3;
 
 pub use dual::Dual;
-pub use lanes::{dispatch, with_lanes, Kernel, Lanes};
 pub use mat3::Mat3;
-pub use pack::{Pack, PackKernel, Real, Row};
+pub use pack::{dispatch, with_lanes, Kernel, Lanes, Pack, PackKernel, Real, Row};
 pub use quat::Quat;
 pub use scalar::{Computation, Mask, Scalar};
 pub use vec3::Vec3;

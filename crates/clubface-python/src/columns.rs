@@ -1,6 +1,7 @@
 //! Columns from Python, and long work in pieces between which Python may interrupt.
 
-use clubface_impact::batch::{Column, Reject};
+use clubface_impact::columns::{Column, Reject};
+use clubface_impact::parallel::in_parallel;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -89,9 +90,10 @@ pub fn run_in_pieces<'py>(
                 // Few rows: a thread hand-over would cost more than the GIL held for them.
                 work(start..start + count, parts)
             } else {
+                let shared = || in_parallel(chunk, start..start + count, parts, &work);
                 py.detach(|| match &pool {
-                    Some(pool) => pool.install(|| work(start..start + count, parts)),
-                    None => work(start..start + count, parts),
+                    Some(pool) => pool.install(shared),
+                    None => shared(),
                 })
             };
             rejects.extend(found.into_iter().map(|r| (r.row, r.error.input, r.error.message)));

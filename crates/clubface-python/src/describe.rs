@@ -2,31 +2,22 @@
 
 use clubface_impact::flight;
 use clubface_impact::launch::OUTPUTS;
-use clubface_impact::model::{Kind, Law, ModelInfo};
+use clubface_impact::registry;
 use clubface_impact::shot::INPUTS;
-use clubface_impact::ModelKind;
+use clubface_impact::{Law, ModelInfo};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-
-fn law_name(law: Law) -> &'static str {
-    match law {
-        Law::Momentum => "momentum",
-        Law::AngularMomentum => "angular_momentum",
-        Law::Energy => "energy",
-        Law::FrictionCone => "friction_cone",
-    }
-}
 
 fn model<'py>(py: Python<'py>, info: &ModelInfo) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
     dict.set_item("name", info.name)?;
     dict.set_item("title", info.title)?;
-    dict.set_item("kind", if info.kind == Kind::Contact { "contact" } else { "impulse" })?;
+    dict.set_item("kind", info.kind.name())?;
     dict.set_item("summary", info.summary)?;
     dict.set_item("reference", info.reference)?;
-    dict.set_item("laws", info.laws.iter().copied().map(law_name).collect::<Vec<_>>())?;
+    dict.set_item("laws", info.laws.iter().copied().map(Law::name).collect::<Vec<_>>())?;
     let without =
-        info.laws_without.map(|(name, laws)| (name, laws.iter().copied().map(law_name).collect::<Vec<_>>()));
+        info.laws_without.map(|(name, laws)| (name, laws.iter().copied().map(Law::name).collect::<Vec<_>>()));
     dict.set_item("laws_without", without)?;
     let mut parameters = Vec::new();
     for parameter in info.parameters {
@@ -48,7 +39,7 @@ fn model<'py>(py: Python<'py>, info: &ModelInfo) -> PyResult<Bound<'py, PyDict>>
 /// lower, upper, source).
 #[pyfunction]
 pub fn models(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
-    ModelKind::ALL.iter().map(|kind| model(py, kind.info())).collect()
+    registry::ALL.iter().map(|each| model(py, each.info())).collect()
 }
 
 fn entry<'py>(py: Python<'py>, fields: &[(&str, &str)]) -> PyResult<Bound<'py, PyDict>> {

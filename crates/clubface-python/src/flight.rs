@@ -1,21 +1,13 @@
 //! Flights: batches, trajectories, derivatives.
 
 use crate::columns::{columns, run_in_pieces, value_error, Computed, Derivatives, Values};
-use clubface_impact::batch::{Column, CHUNK};
-use clubface_impact::flight::{self, FlightBatch, INPUT_COUNT, OUTPUT_COUNT};
-use clubface_impact::ImpactError;
+use clubface_impact::batch::CHUNK;
+use clubface_impact::columns::Column;
+use clubface_impact::error::all_inputs;
+use clubface_impact::flight::{self, FlightBatch, OUTPUT_COUNT};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-
-fn one_flight(values: &[f64]) -> PyResult<&[f64; INPUT_COUNT]> {
-    values.try_into().map_err(|_| {
-        value_error(&ImpactError::new(
-            "inputs",
-            format!("{} values given, {INPUT_COUNT} needed", values.len()),
-        ))
-    })
-}
 
 /// Flights of `n` launches: (array of outputs by flights, [(row, input, message), ...]).
 ///
@@ -41,7 +33,7 @@ pub fn fly<'py>(
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn trajectory(py: Python<'_>, inputs: Vec<f64>) -> PyResult<Bound<'_, PyDict>> {
-    let track = flight::trajectory(one_flight(&inputs)?).map_err(|e| value_error(&e))?;
+    let track = all_inputs(&inputs).and_then(flight::trajectory).map_err(|e| value_error(&e))?;
     let dict = PyDict::new(py);
     dict.set_item("time", PyArray1::from_slice(py, &track.time))?;
     for (name, vectors) in
@@ -57,7 +49,7 @@ pub fn trajectory(py: Python<'_>, inputs: Vec<f64>) -> PyResult<Bound<'_, PyDict
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn fly_sensitivity<'py>(py: Python<'py>, inputs: Vec<f64>) -> PyResult<Derivatives<'py>> {
-    let result = flight::sensitivity(one_flight(&inputs)?).map_err(|e| value_error(&e))?;
+    let result = all_inputs(&inputs).and_then(flight::sensitivity).map_err(|e| value_error(&e))?;
     let rows: Vec<Vec<f64>> = result.jacobian.iter().map(|row| row.to_vec()).collect();
     Ok((PyArray1::from_slice(py, &result.values), PyArray2::from_vec2(py, &rows)?))
 }

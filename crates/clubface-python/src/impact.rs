@@ -1,50 +1,25 @@
 //! Impacts: batches, histories, derivatives.
 
 use crate::columns::{columns, run_in_pieces, value_error, Computed, Derivatives, Values};
-use clubface_impact::batch::{Batch, Column, CHUNK};
-use clubface_impact::history::History;
+use clubface_impact::batch::{Batch, CHUNK};
+use clubface_impact::columns::Column;
+use clubface_impact::contact::History;
+use clubface_impact::error::all_inputs;
 use clubface_impact::launch::OUTPUT_COUNT;
-use clubface_impact::sensitivity::{Sensitivities, CHUNK as DIFFERENTIATED};
-use clubface_impact::shot::{INPUTS, INPUT_COUNT};
-use clubface_impact::{Accuracy, ImpactError, ModelKind};
+use clubface_impact::registry::named;
+use clubface_impact::sensitivity::{sensitivity_to_all, Sensitivities, CHUNK as DIFFERENTIATED};
+use clubface_impact::{Accuracy, ImpactError};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-fn model_of(name: &str) -> PyResult<ModelKind> {
-    let names: Vec<_> = ModelKind::ALL.iter().map(|kind| kind.info().name).collect();
-    ModelKind::from_name(name).ok_or_else(|| {
-        value_error(&ImpactError::new("model", format!("'{name}' is unknown; known: {}", names.join(", "))))
-    })
-}
-
-fn accuracy_of(tolerance: Option<f64>) -> PyResult<Accuracy> {
-    match tolerance {
-        None => Ok(Accuracy::Fast),
-        Some(value) if (1e-13..=1e-2).contains(&value) => Ok(Accuracy::Tolerance(value)),
-        Some(value) => {
-            let message = format!("{value} is not allowed; 1e-13 to 1e-2, or None for the fast setting");
-            Err(value_error(&ImpactError::new("accuracy", message)))
-        }
-    }
-}
-
-fn one_shot(values: &[f64]) -> PyResult<&[f64; INPUT_COUNT]> {
-    values.try_into().map_err(|_| {
-        value_error(&ImpactError::new(
-            "inputs",
-            format!("{} values given, {INPUT_COUNT} needed", values.len()),
-        ))
-    })
-}
-
-fn check_count(model: ModelKind, parameters: &[f64]) -> PyResult<()> {
-    let wanted = model.info().parameters.len();
-    if parameters.len() == wanted {
-        return Ok(());
-    }
-    let message = format!("{} values given, {wanted} needed by {}", parameters.len(), model.info().name);
-    Err(value_error(&ImpactError::new("parameters", message)))
+fn batch<'a>(
+    model: &str,
+    inputs: &'a [Column<'a>],
+    parameters: &'a [Column<'a>],
+    accuracy: Option<f64>,
+) -> Result<Batch<'a>, ImpactError> {
+    Ok(Batch { model: named(model)?, inputs, parameters, accuracy: Accuracy::of_tolerance(accuracy)? })
 }
 
 /// Launches of `n` shots: (array of outputs by shots, [(row, input, message), ...]).
@@ -64,10 +39,8 @@ pub fn impact<'py>(
     threads: usize,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Computed<'py>> {
-    let model = model_of(model)?;
-    let inputs: Vec<Column> = columns(&inputs)?;
-    let parameters: Vec<Column> = columns(&parameters)?;
-    let batch = Batch { model, inputs: &inputs, parameters: &parameters, accuracy: accuracy_of(accuracy)? };
+    let (inputs, parameters) = (columns(&inputs)?, columns(&parameters)?);
+    let batch = batch(model, &inputs, &parameters, accuracy).map_err(|e| value_error(&e))?;
     batch.validate(n).map_err(|e| value_error(&e))?;
     run_in_pieces(py, OUTPUT_COUNT, n, CHUNK, threads, progress.as_ref(), |rows, out| batch.run(rows, out))
 }
@@ -91,10 +64,8 @@ pub fn sensitivities<'py>(
     threads: usize,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Computed<'py>> {
-    let model = model_of(model)?;
-    let inputs: Vec<Column> = columns(&inputs)?;
-    let parameters: Vec<Column> = columns(&parameters)?;
-    let batch = Batch { model, inputs: &inputs, parameters: &parameters, accuracy: accuracy_of(accuracy)? };
+    let (inputs, parameters) = (columns(&inputs)?, columns(&parameters)?);
+    let batch = batch(model, &inputs, &parameters, accuracy).map_err(|e| value_error(&e))?;
     let wanted = Sensitivities { batch, outputs: &outputs, variables: &variables };
     wanted.validate(n).map_err(|e| value_error(&e))?;
     let count = wanted.columns();
@@ -105,7 +76,8 @@ pub fn sensitivities<'py>(
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn check(inputs: Vec<f64>) -> PyResult<Option<(&'static str, String)>> {
-    Ok(clubface_impact::check::check(one_shot(&inputs)?).err().map(|e| (e.input, e.message)))
+    let inputs = all_inputs(&inputs).map_err(|e| value_error(&e))?;
+    Ok(clubface_impact::check::check(inputs).err().map(|e| (e.input, e.message)))
 }
 
 /// Launch of one shot and its derivatives: (outputs, array of outputs by (inputs + parameters)). The derivative by an
@@ -120,25 +92,12 @@ pub fn sensitivity<'py>(
     parameters: Vec<f64>,
     accuracy: Option<f64>,
 ) -> PyResult<Derivatives<'py>> {
-    let model = model_of(model)?;
-    let inputs = one_shot(&inputs)?;
-    check_count(model, &parameters)?;
-    let variables: Vec<usize> = (0..INPUT_COUNT + parameters.len())
-        .filter(|&i| i >= INPUT_COUNT || INPUTS[i].differentiable)
-        .collect();
-    let accuracy = accuracy_of(accuracy)?;
-    let result = py
-        .detach(|| {
-            clubface_impact::sensitivity::sensitivity(model, inputs, &parameters, &variables, accuracy)
-        })
-        .map_err(|e| value_error(&e))?;
-    let mut rows = vec![vec![f64::NAN; INPUT_COUNT + parameters.len()]; OUTPUT_COUNT];
-    for (row, derivatives) in rows.iter_mut().zip(&result.jacobian) {
-        for (&variable, &derivative) in variables.iter().zip(derivatives) {
-            row[variable] = derivative;
-        }
-    }
-    Ok((PyArray1::from_slice(py, &result.values), PyArray2::from_vec2(py, &rows)?))
+    let shot = || {
+        let accuracy = Accuracy::of_tolerance(accuracy)?;
+        sensitivity_to_all(named(model)?, all_inputs(&inputs)?, &parameters, accuracy)
+    };
+    let result = py.detach(shot).map_err(|e| value_error(&e))?;
+    Ok((PyArray1::from_slice(py, &result.values), PyArray2::from_vec2(py, &result.jacobian)?))
 }
 
 /// History of one shot by a contact model: a dictionary of arrays over the steps (see `clubface.history`), and its
@@ -153,13 +112,11 @@ pub fn history<'py>(
     parameters: Vec<f64>,
     accuracy: Option<f64>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let model = model_of(model)?;
-    let inputs = one_shot(&inputs)?;
-    check_count(model, &parameters)?;
-    let accuracy = accuracy_of(accuracy)?;
-    let (history, launch) = py
-        .detach(|| clubface_impact::history::history(model, inputs, &parameters, accuracy))
-        .map_err(|e| value_error(&e))?;
+    let shot = || {
+        let accuracy = Accuracy::of_tolerance(accuracy)?;
+        named(model)?.history(all_inputs(&inputs)?, &parameters, accuracy)
+    };
+    let (history, launch) = py.detach(shot).map_err(|e| value_error(&e))?;
     history_arrays(py, &history, &launch)
 }
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from clubface.benchmark_data.recipe import CLUBS, FOLDER
 from clubface.errors import UnknownNameError
-from clubface.recorded import RecordedShots, read_shots
+from clubface.recorded.shots import RecordedShots, read_shots
 
 if TYPE_CHECKING:
     import numpy as np
@@ -55,7 +55,7 @@ def load(club: str) -> BenchmarkShots:
     """Return the benchmark shots of ``club``, "driver" (550) or "7-iron" (120). Needs pyarrow."""
     if club not in CLUBS:
         raise UnknownNameError("benchmark club", club, CLUBS)
-    from clubface.parquet import pyarrow_for
+    from clubface.tables.parquet import pyarrow_for
 
     true_file = FOLDER / f"{club}-truth.parquet"
     beside = pyarrow_for(true_file).parquet.read_table(true_file, columns=["player", "model", "restitution_offset"])

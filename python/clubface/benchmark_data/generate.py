@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.benchmark_data import impacts, measured, swings
 from clubface.benchmark_data.recipe import CLUBS, FOLDER, Recipe, Values, recipe
-from clubface.parquet import pyarrow_for
-from clubface.quantities import inputs, outputs
-from clubface.recorded_file import heading
+from clubface.recorded.file import heading
+from clubface.simulation.quantities import inputs, outputs
+from clubface.tables.parquet import pyarrow_for
 
 CAPTURE_DIGITS = {"mm": 1, "deg/s": 0}
 """Decimals of a measured delivery in the unit of its column; 2 for speed and angles."""

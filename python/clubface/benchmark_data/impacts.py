@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from clubface.benchmark_data.recipe import Recipe, Values
-from clubface.clubs import Club
-from clubface.clubs import club as club_named
-from clubface.impact import impact
-from clubface.parameters import ParameterSet
+from clubface.equipment.clubs import Club
+from clubface.equipment.clubs import club as club_named
+from clubface.equipment.parameters import ParameterSet
+from clubface.simulation.impact import impact
 
 LAUNCH = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 

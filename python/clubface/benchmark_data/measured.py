@@ -15,9 +15,9 @@ RATES = {"face": ("closure", -1.0), "loft": ("pitch_rate", 1.0), "lie": ("lie_ra
 def captured(recipe: Recipe, truth: Mapping[str, Values], random: np.random.Generator) -> dict[str, Values]:
     """Return the delivery that motion capture gives for the true one, SI.
 
-    The head moves on an arc; its position and attitude are seen with noise in the last three frames before impact, and
-    straight lines through the last two positions, attitudes and velocities give the delivery at impact, as in P1. What
-    the lines miss, for the arc and for rates that grow, is the error of extrapolation.
+    The head moves on an arc. Its position and attitude are seen with noise in the last three frames before impact. As
+    in Caldwell and McPhee (2023), straight lines through the last two positions, attitudes and velocities give the
+    delivery at impact. What the lines miss, because of the arc and of growing rates, is the error of extrapolation.
     """
     shots = truth["speed"].size
     first = recipe.frame * random.random(shots)

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.equipment import DATA
-from clubface.models import model
-from clubface.quantities import input_dimensions, outputs
-from clubface.strict_toml import Document
+from clubface.equipment.models import model
+from clubface.simulation.quantities import input_dimensions, outputs
+from clubface.support.shipped import DATA
+from clubface.support.strict_toml import Document
 
 FOLDER = DATA / "benchmark"
 CLUBS = ("driver", "7-iron")

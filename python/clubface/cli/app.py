@@ -12,8 +12,9 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from clubface.cli.failures import Interrupted, ReaderGone, report, show_warnings
+from clubface.cli.failures import Interrupted, ReaderGone, as_typed, report, show_warnings
 from clubface.errors import UnknownNameError
+from clubface.support.version import __version__
 
 COMMANDS = {
     "shot": "shot",
@@ -75,8 +76,6 @@ app = typer.Typer(cls=Commands, help="From delivery to launch: how a golf club m
 
 def _version(wanted: bool) -> None:
     if wanted:
-        from clubface import __version__
-
         print(f"clubface {__version__}")
         raise typer.Exit
 
@@ -88,6 +87,16 @@ def _root(
     ] = False,
 ) -> None:
     """From delivery to launch: how a golf club meets a ball."""
+
+
+def _options(arguments: Sequence[str]) -> dict[str, str]:
+    """Return the options of the command that ``arguments`` name, as they are typed, by the names of their values."""
+    command: Any = typer.main.get_command(app)
+    for word in arguments:
+        if not isinstance(command, TyperGroup) or (found := command.get_command(None, word)) is None:
+            break
+        command = found
+    return {each.name: max(each.opts, key=len) for each in command.params if each.opts[0].startswith("-")}
 
 
 def run(arguments: Sequence[str]) -> int:
@@ -102,5 +111,5 @@ def run(arguments: Sequence[str]) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return READER_GONE
     except (Exception, Interrupted) as error:
-        return report(error)
+        return report(as_typed(error, _options(arguments)))
     return status if isinstance(status, int) else 0

@@ -14,7 +14,10 @@ app = typer.Typer(add_completion=False, no_args_is_help=True, help="Motion captu
 app.command("join")(join)
 
 Club = Annotated[str, typer.Option("--club", metavar="CLUB", help="Name of a built-in club, or a TOML file.")]
-Hand = Annotated[str | None, typer.Option("--hand", metavar="right|left", help="Of the club.", show_default=False)]
+Hand = Annotated[
+    str | None,
+    typer.Option("--hand", metavar="right|left", help="Hand of the club; its own unless given.", show_default=False),
+]
 FILE, SEVERAL = "FILE", "FILE..."
 ROWS = (
     ("club speed", "speed", "mph", 2), ("attack", "attack", "deg", 2), ("path", "path", "deg", 2),
@@ -30,36 +33,52 @@ SHOWN = ROWS[:5] + ROWS[6:9]
 @app.command("read")
 def read(
     files: Annotated[list[str], typer.Argument(metavar=SEVERAL, help="C3D files of one session.")],
-    markers: Annotated[str, typer.Option("--markers", metavar=FILE, help="TOML: which marker is what.")],
+    markers: Annotated[str, typer.Option("--markers", metavar=FILE, help="TOML file that says which marker is what.")],
     club: Club,
     estimator: Annotated[
-        str, typer.Option("--estimator", metavar="NAME", help="smoother, polynomial, or linear as in P1.")
+        str, typer.Option("--estimator", metavar="NAME", help="How a path is read: smoother, polynomial or linear.")
     ] = "smoother",
     hand: Hand = None,
-    ball: Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="Its radius counts.")] = "published",
+    ball: Annotated[
+        str, typer.Option("--ball", metavar="NAME|FILE", help="The ball, whose radius is used.")
+    ] = "published",
     target: Annotated[
         str | None,
-        typer.Option("--target", metavar="AXIS", help="Laboratory axis to the target: +x, -x, ...", show_default=False),
+        typer.Option(
+            "--target",
+            metavar="AXIS",
+            help="Axis of the laboratory that points to the target: +x, -x, ...",
+            show_default=False,
+        ),
     ] = None,
     up: Annotated[
-        str | None, typer.Option("--up", metavar="AXIS", help="Laboratory axis that points up.", show_default=False)
+        str | None,
+        typer.Option("--up", metavar="AXIS", help="Axis of the laboratory that points up.", show_default=False),
     ] = None,
     units: Annotated[
         str | None,
-        typer.Option("--units", metavar="UNIT", help="Of length, in place of the files' own.", show_default=False),
+        typer.Option(
+            "--units",
+            metavar="UNIT",
+            help="Unit of length, in place of the one that the files name.",
+            show_default=False,
+        ),
     ] = None,
     roughness: Annotated[
-        float, typer.Option("--roughness", metavar="NUMBER", help="Of the smoother: how much a path may bend.")
+        float, typer.Option("--roughness", metavar="NUMBER", help="How much the path of the smoother may bend.")
     ] = 0.6,
     noise: Annotated[
         str | None,
         typer.Option(
-            "--noise", metavar='"0.3 mm"', help="Of a marker along an axis; estimated unless given.", show_default=False
+            "--noise",
+            metavar='"0.3 mm"',
+            help="Standard deviation of a marker along an axis; estimated unless given.",
+            show_default=False,
         ),
     ] = None,
     target_file: Annotated[
         str | None,
-        typer.Option("--output", "-o", metavar=FILE, help="CSV or Parquet for the shots.", show_default=False),
+        typer.Option("--output", "-o", metavar=FILE, help="Write the deliveries, CSV or Parquet.", show_default=False),
     ] = None,
     as_json: options.Json = False,
 ) -> None:
@@ -99,7 +118,12 @@ def markers(
     file: Annotated[str, typer.Argument(metavar=FILE, help="A C3D file.")],
     units: Annotated[
         str | None,
-        typer.Option("--units", metavar="UNIT", help="Of length, in place of the file's own.", show_default=False),
+        typer.Option(
+            "--units",
+            metavar="UNIT",
+            help="Unit of length, in place of the one that the file names.",
+            show_default=False,
+        ),
     ] = None,
     as_json: options.Json = False,
 ) -> None:
@@ -132,10 +156,13 @@ def markers(
 @app.command("template")
 def template(
     target_file: Annotated[
-        str | None, typer.Option("--output", "-o", metavar=FILE, help="Write it there.", show_default=False)
+        str | None,
+        typer.Option(
+            "--output", "-o", metavar=FILE, help="Write it to this file instead of the screen.", show_default=False
+        ),
     ] = None,
 ) -> None:
-    """Print an explained mapping file to start one's own from."""
+    """Print an explained mapping file to start your own from."""
     from pathlib import Path
 
     from clubface.errors import FileError
@@ -145,22 +172,24 @@ def template(
         print(text(), end="")
         return
     if Path(target_file).exists():
-        raise FileError(target_file, None, "this file exists; it is not overwritten")
+        raise FileError(target_file, None, "this file exists already; it is left as it is")
     Path(target_file).write_text(text(), encoding="utf-8")
     say(f"wrote {target_file}")
 
 
 @app.command("synthesize")
 def synthesize(
-    folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Where to write.")],
-    count: Annotated[int, typer.Option("--count", metavar="NUMBER", help="Swings.")] = 10,
+    folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Write to this folder.")],
+    count: Annotated[int, typer.Option("--count", metavar="NUMBER", help="Number of swings.")] = 10,
     club: Club = "driver",
     hand: Hand = None,
-    noise: Annotated[str, typer.Option("--noise", metavar='"0.3 mm"', help="Of a marker along an axis.")] = "0 mm",
+    noise: Annotated[
+        str, typer.Option("--noise", metavar='"0.3 mm"', help="Standard deviation of a marker along an axis.")
+    ] = "0 mm",
     gaps: Annotated[
-        float, typer.Option("--gaps", metavar="PART", help="Of the time a marker is hidden, 0 to 0.5.")
+        float, typer.Option("--gaps", metavar="PART", help="Part of the time in which a marker is hidden, 0 to 0.5.")
     ] = 0.0,
-    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Frames a second.")] = 720.0,
+    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Frames per second.")] = 720.0,
     seed: Annotated[int, typer.Option("--seed", help="The same seed gives the same files.")] = 1,
 ) -> None:
     """Write swings whose delivery is known exactly, with calibration, mapping file and truth."""
@@ -180,19 +209,23 @@ def synthesize(
 
 @app.command("study")
 def study(
-    count: Annotated[int, typer.Option("--count", metavar="NUMBER", help="Swings.")] = 200,
+    count: Annotated[int, typer.Option("--count", metavar="NUMBER", help="Number of swings.")] = 200,
     club: Club = "driver",
     hand: Hand = None,
-    noise: Annotated[str, typer.Option("--noise", metavar='"0.3 mm"', help="Of a marker along an axis.")] = "0.3 mm",
+    noise: Annotated[
+        str, typer.Option("--noise", metavar='"0.3 mm"', help="Standard deviation of a marker along an axis.")
+    ] = "0.3 mm",
     gaps: Annotated[
-        float, typer.Option("--gaps", metavar="PART", help="Of the time a marker is hidden, 0 to 0.5.")
+        float, typer.Option("--gaps", metavar="PART", help="Part of the time in which a marker is hidden, 0 to 0.5.")
     ] = 0.0,
-    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Frames a second.")] = 720.0,
-    roughness: Annotated[float, typer.Option("--roughness", metavar="NUMBER", help="Of the smoother.")] = 0.6,
+    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Frames per second.")] = 720.0,
+    roughness: Annotated[
+        float, typer.Option("--roughness", metavar="NUMBER", help="How much the path of the smoother may bend.")
+    ] = 0.6,
     seed: Annotated[int, typer.Option("--seed", help="The same seed gives the same swings.")] = 1,
     picture: Annotated[
         str | None,
-        typer.Option("--plot", metavar=FILE, help="Bias and spread, as .png, .svg or .pdf.", show_default=False),
+        typer.Option("--plot", metavar=FILE, help="Draw bias and spread: .png, .svg or .pdf.", show_default=False),
     ] = None,
     as_json: options.Json = False,
 ) -> None:
@@ -218,7 +251,7 @@ def study(
         _print_study(found)
     if picture is not None:
         from clubface import plots
-        from clubface.plots.capture import study_figure
+        from clubface.motion_capture.figures import study_figure
 
         told = "no noise" if cameras.noise == 0.0 else f"{cameras.noise * 1e3:g} mm noise"
         say(f"wrote {plots.save(study_figure({told: found}), picture)}")

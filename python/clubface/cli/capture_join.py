@@ -16,13 +16,13 @@ def join(
     captured: Annotated[
         str, typer.Argument(metavar="CAPTURED", help="Table of deliveries, as capture read writes it.")
     ],
-    session: Annotated[str, typer.Argument(metavar="SESSION", help="Launches: a monitor's file, or a table.")],
-    target: Annotated[str, typer.Option("--output", "-o", metavar="FILE", help="CSV or Parquet for the shots.")],
+    session: Annotated[str, typer.Argument(metavar="SESSION", help="The launches: a monitor's file, or a table.")],
+    target: Annotated[str, typer.Option("--output", "-o", metavar="FILE", help="Write the shots, CSV or Parquet.")],
     format_: Annotated[
         str | None, typer.Option("--format", metavar="NAME", help="Layout of the session; recognised unless given.")
     ] = None,
     mapping: Annotated[
-        str | None, typer.Option("--mapping", metavar="FILE", help="TOML that names the columns of its CSV.")
+        str | None, typer.Option("--mapping", metavar="FILE", help="TOML file that names the columns of the session.")
     ] = None,
     as_json: options.Json = False,
 ) -> None:

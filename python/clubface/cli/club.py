@@ -20,16 +20,18 @@ def new(
     like: Annotated[
         str | None,
         typer.Option(
-            "--like", metavar="CLUB", help="Start from this club, not the explained template.", show_default=False
+            "--like", metavar="CLUB", help="Start from this club instead of the explained template.", show_default=False
         ),
     ] = None,
     target: Annotated[
         str | None,
-        typer.Option("--output", "-o", metavar="FILE", help="Write it there, not to the screen.", show_default=False),
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Write it to this file instead of the screen.", show_default=False
+        ),
     ] = None,
 ) -> None:
     """Write a template of a club file."""
-    from clubface.clubs import Club, club
+    from clubface.equipment.clubs import Club, club
 
     text = Club.template(name) if like is None else club(like).replace(name=name).to_toml()
     if target is None:
@@ -39,7 +41,7 @@ def new(
         with Path(target).open("x", encoding="utf-8") as file:
             file.write(text)
     except FileExistsError:
-        raise FileError(target, None, "exists already; it was left as it is") from None
+        raise FileError(target, None, "this file exists already; it is left as it is") from None
     say(f"wrote {target}; fill it in, then try: clubface club check {target}")
 
 
@@ -48,9 +50,9 @@ def check(
     file: Annotated[str, typer.Argument(metavar="FILE", help="A club file (TOML).")],
     as_json: options.Json = False,
 ) -> None:
-    """Check a club file: mass, inertia, face, rule limits."""
+    """Check the mass, the inertia and the face of a club file, and the limits of the rules."""
     from clubface.cli.clubs import describe, print_club
-    from clubface.clubs import Club
+    from clubface.equipment.clubs import Club
 
     found = Club.from_toml(file)
     if as_json:

@@ -20,13 +20,13 @@ _COLUMNS = {
 @app.command()
 def clubs(
     name: Annotated[
-        str | None, typer.Argument(metavar="[NAME|FILE]", help="One club, in full.", show_default=False)
+        str | None, typer.Argument(metavar="[NAME|FILE]", help="Show this club in full.", show_default=False)
     ] = None,
     as_json: options.Json = False,
 ) -> None:
     """List the built-in clubs and balls, or show one club with the source of every value."""
-    from clubface.balls import ball_names
-    from clubface.clubs import CLUB_NAMES, Ball, club
+    from clubface.equipment.balls import ball_names
+    from clubface.equipment.clubs import CLUB_NAMES, Ball, club
 
     if name is not None:
         found = club(name)
@@ -62,8 +62,8 @@ def clubs(
 def describe(subject: Any) -> dict[str, Any]:
     """Return a club or ball as a document: its values in SI with the unit of each, and their sources."""
     from clubface import units
-    from clubface.balls import BALL_QUANTITIES
-    from clubface.clubs import CLUB_QUANTITIES, Club
+    from clubface.equipment.balls import BALL_QUANTITIES
+    from clubface.equipment.clubs import CLUB_QUANTITIES, Club
 
     is_club = isinstance(subject, Club)
     quantities = CLUB_QUANTITIES if is_club else BALL_QUANTITIES
@@ -78,7 +78,7 @@ def describe(subject: Any) -> dict[str, Any]:
 
 def print_club(found: Any) -> None:
     """Print one club with the meaning and source of every value."""
-    from clubface.clubs import CLUB_QUANTITIES
+    from clubface.equipment.clubs import CLUB_QUANTITIES
 
     hand = "" if found.hand > 0 else ", left-handed"
     print(f"{found.name}: {found.description or found.kind}{hand}; parameters of {found.parameters}")
@@ -100,7 +100,7 @@ def _cell(found: Any, key: str) -> str:
     import math
 
     from clubface import units
-    from clubface.clubs import CLUB_QUANTITIES
+    from clubface.equipment.clubs import CLUB_QUANTITIES
 
     value = getattr(found, key)
     if key.startswith("cg"):

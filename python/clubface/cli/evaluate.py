@@ -19,7 +19,7 @@ _MODELS = typer.Option("--models", "--model", metavar="NAME", help=options.MODEL
 _PARAMETERS = typer.Option(
     "--parameters",
     metavar="NAME|FILE",
-    help="A published parameter set or a TOML file; models it does not fit keep theirs. Repeatable.",
+    help="A published parameter set or a TOML file; models that it does not fit keep theirs. Repeatable.",
     show_default=False,
 )
 _NOISE = typer.Option(
@@ -41,23 +41,25 @@ def evaluate(
     setting: Annotated[list[str] | None, options.SETTING] = None,
     noise: Annotated[list[str] | None, _NOISE] = None,
     delivery_noise: Annotated[list[str] | None, _DELIVERY_NOISE] = None,
-    resamples: Annotated[int, typer.Option("--resamples", metavar="N", help="Of the bootstrap.")] = 2000,
-    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Of the random numbers.")] = 0,
+    resamples: Annotated[int, typer.Option("--resamples", metavar="N", help="Number of bootstrap samples.")] = 2000,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Seed of the random numbers.")] = 0,
     folder: Annotated[
         str | None,
-        typer.Option("--output", "-o", metavar="FOLDER", help="Write report and pictures there.", show_default=False),
+        typer.Option(
+            "--output", "-o", metavar="FOLDER", help="Write report and pictures to this folder.", show_default=False
+        ),
     ] = None,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
-    """Compare models with measured shots: errors, what they go with, which model is best."""
+    """Compare models with measured shots: how large their errors are, what these depend on, which model is best."""
     names = given.model_names(models)
     if folder is not None:
         # Before the work: a folder that cannot be made, or a missing library, is found at once.
         Path(folder).mkdir(parents=True, exist_ok=True)
         import clubface.plots as plots  # noqa: F401
-    from clubface.evaluation import evaluate as compute
     from clubface.evaluation import report, tables
+    from clubface.evaluation.evaluation import evaluate as compute
 
     if folder is not None:
         report.refuse_input(folder, shots)

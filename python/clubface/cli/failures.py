@@ -5,10 +5,10 @@ from __future__ import annotations
 import sys
 import traceback
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from clubface.errors import ClubfaceError, RuleWarning
+from clubface.errors import ClubfaceError, InputError, RuleWarning, UnknownNameError
 
 EXTRAS = {
     "typer": "cli",
@@ -42,6 +42,14 @@ def say_written(files: Sequence[object]) -> None:
     """Tell which files were written, if any."""
     if files:
         say(f"wrote {', '.join(map(str, files))}")
+
+
+def as_typed(error: BaseException, options: Mapping[str, str]) -> BaseException:
+    """Name the option as it is typed in an error about its value; ``options`` go by the names of their values."""
+    if isinstance(error, InputError) and not isinstance(error, UnknownNameError):
+        first, rest = error.parameter.partition(" ")[::2]
+        error.parameter = " ".join([options.get(first, first), *([rest] if rest else [])])
+    return error
 
 
 def report(error: BaseException) -> int:

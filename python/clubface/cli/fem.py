@@ -14,7 +14,7 @@ from clubface.cli.fem_parts import face as report_face
 from clubface.cli.fem_parts import head as report_head
 from clubface.cli.fem_progress import progress_bar, run_with_progress
 from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RPM, RUN_ROWS
-from clubface.errors import RunError
+from clubface.errors import RunError, Told
 
 if TYPE_CHECKING:
     from clubface.fem.case import Case
@@ -24,16 +24,18 @@ app.command("ball")(report_ball)
 app.command("head")(report_head)
 app.command("face")(report_face)
 
-Friction = Annotated[float, typer.Option("--friction", metavar="NUMBER", help="Coulomb's coefficient.")]
-Refine = Annotated[int, typer.Option("--refine", metavar="TIMES", help="Finer along every edge, 1 to 8 times.")]
+Friction = Annotated[float, typer.Option("--friction", metavar="NUMBER", help="Coefficient of friction.")]
+Refine = Annotated[
+    int, typer.Option("--refine", metavar="TIMES", help="How many times finer the mesh is along every edge, 1 to 8.")
+]
 BallOption = Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball of finite elements.")]
 Folder = Annotated[
-    str | None, typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures there.")
+    str | None, typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures to this folder.")
 ]
 MOVING, SHAPES = 81, 51
 """Pictures of an animation, and deformed shapes to choose from for a picture of some."""
 SPEEDS, LOFTS = "30:60:5", "8:12:1"
-"""Of P2's Fig. 8."""
+"""Of Fig. 8 of Roh and Lee."""
 
 
 @app.command("reference")
@@ -50,7 +52,7 @@ def reference(
     ] = "penalty",
     as_json: options.Json = False,
 ) -> None:
-    """Throw P2's ball at a rigid plane: the case by which solvers are compared."""
+    """Throw the ball of Roh and Lee at a rigid plane, the case on which solvers are compared."""
     from clubface import fem
 
     settings = fem.Settings(contact=contact)
@@ -100,9 +102,13 @@ def run(
     folder: Folder = None,
     frames: Annotated[
         int | None,
-        typer.Option("--frames", metavar="NUMBER", help="Deformed shapes to keep; those of the case unless given."),
+        typer.Option(
+            "--frames", metavar="NUMBER", help="Number of deformed shapes to keep; that of the case unless given."
+        ),
     ] = None,
-    animate: Annotated[bool, typer.Option("--animate", help="With -o: the impact as a moving picture (GIF).")] = False,
+    animate: Annotated[
+        bool, typer.Option("--animate", help="With --output: also write a moving picture (GIF).")
+    ] = False,
     as_json: options.Json = False,
 ) -> None:
     """Run a case: ball, head, delivery and settings in one TOML file."""
@@ -112,7 +118,7 @@ def run(
 
     chosen = cases.case(case)
     if animate and folder is None:
-        raise InputError("--animate", True, "given together with --output, the folder to write to")
+        raise InputError("--animate", Told("without --output"), "give the folder to write to, as in --output out/")
     if frames is not None or (animate and chosen.settings.frames < 2):
         chosen = chosen.replace(settings={"frames": MOVING if frames is None else frames})
     if folder is not None:
@@ -132,12 +138,14 @@ def run(
 
 @app.command("paper")
 def paper(
-    case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="A variation of P2's case.")] = "paper",
+    case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="A variation of the case.")] = "paper",
     folder: Folder = None,
-    swept: Annotated[bool, typer.Option("--sweep/--no-sweep", help="With -o: Fig. 8 too, of 35 runs.")] = True,
+    swept: Annotated[
+        bool, typer.Option("--sweep/--no-sweep", help="With --output: also redraw Fig. 8, which takes 35 runs.")
+    ] = True,
     as_json: options.Json = False,
 ) -> None:
-    """Run P2's case and show its table with ours beside it; with -o redraw its Figs. 3 to 8."""
+    """Run the case of Roh and Lee and print their figures beside ours; with --output redraw their Figs. 3 to 8."""
     from clubface.fem import case as cases
     from clubface.fem import files
     from clubface.fem import paper as job
@@ -160,7 +168,9 @@ def paper(
         ]
         factors = (job.SPIN_FACTOR, job.spin_factor(found))
         rows.append(["f that the spin means, Eq. (6)", *(output.number(factor, 4) for factor in factors)])
-        print_numbers(("", "P2", "clubface"), rows, title="P2's case, as published and as computed")
+        print_numbers(
+            ("", "Roh and Lee", "clubface"), rows, title="The case of Roh and Lee, as published and as computed"
+        )
         print(_cost(found))
     if folder is not None:
         say_written(files.write_paper(found, folder))
@@ -176,10 +186,12 @@ def sweep(
     loft: Annotated[str, typer.Option("--loft", metavar="FIRST:LAST:STEP", help="Lofts, deg.")] = LOFTS,
     case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="The case that is varied.")] = "paper",
     folder: Folder = None,
-    workers: Annotated[int | None, typer.Option("--workers", help="Runs at a time; all cores unless given.")] = None,
+    workers: Annotated[
+        int | None, typer.Option("--workers", help="Number of runs at a time; all cores unless given.")
+    ] = None,
     as_json: options.Json = False,
 ) -> None:
-    """Run a case over speeds and lofts, a run a core (P2's Fig. 8); with -o it can be resumed."""
+    """Run a case over speeds and lofts, one run on each core; with --output it can be resumed."""
     from clubface.fem import case as cases
 
     rows, written = _sweep(cases.case(case), speed, loft, folder, workers=workers, published=case == "paper")
@@ -199,14 +211,14 @@ def sweep(
 def export(
     case: Annotated[str, typer.Argument(metavar="CASE", help="A built-in case, or a TOML file.")] = "paper",
     form: Annotated[
-        str, typer.Option("--format", metavar="lsdyna|vtu", help="Keyword deck, or shapes over time.")
+        str, typer.Option("--format", metavar="lsdyna|vtu", help="lsdyna writes a keyword deck, vtu shapes over time.")
     ] = "vtu",
-    folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Where to write.")] = "out",
+    folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Write to this folder.")] = "out",
 ) -> None:
     """Write a case as a keyword deck, or run it and write its shapes for ParaView."""
-    from clubface.equipment import check_choice
     from clubface.fem import case as cases
     from clubface.fem import files, keyword, vtu
+    from clubface.support.checks import check_choice
 
     check_choice("--format", form, ("lsdyna", "vtu"))
     chosen = cases.case(case)

@@ -24,9 +24,9 @@ SHOWN = {
 @options.takes(options.LAUNCH, options.BALL, options.AIR)
 def flight(as_json: options.Json = False, **texts: Any) -> None:
     """Compute where a launched ball flies, bounces and rolls."""
-    from clubface.balls import ball
-    from clubface.flight import fly
-    from clubface.quantities import outputs
+    from clubface.equipment.balls import ball
+    from clubface.simulation.flight import fly
+    from clubface.simulation.quantities import outputs
 
     dimensions = {name: outputs()[name].dimension for name in options.LAUNCH}
     values = given.quantities(texts, dimensions, {"ball_speed": "167 mph", "launch": "10.9 deg"})

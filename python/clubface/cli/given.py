@@ -36,14 +36,14 @@ def quantities(
 
 def delivery(given: Mapping[str, str | None]) -> dict[str, float]:
     """Return the delivery values that were given, SI; the speed must be among them."""
-    from clubface.delivery import DIMENSIONS
+    from clubface.simulation.delivery import DIMENSIONS
 
     return quantities(given, DIMENSIONS, {"speed": "113 mph"})
 
 
 def club_of(which: str, hand: str | None = None) -> Any:
     """Return the club called ``which``, turned to ``hand`` where one is given."""
-    from clubface.clubs import club
+    from clubface.equipment.clubs import club
 
     found = club(which)
     return found if hand is None else found.replace(hand=hand)
@@ -51,7 +51,7 @@ def club_of(which: str, hand: str | None = None) -> Any:
 
 def model_names(given: Iterable[str] | None) -> list[str]:
     """Return the models asked for, in the order asked; all of the registry where none or "all" is given."""
-    from clubface.models import model, models
+    from clubface.equipment.models import model, models
 
     names = [name.strip() for each in given or ["all"] for name in each.split(",") if name.strip()]
     if not names:
@@ -62,7 +62,7 @@ def model_names(given: Iterable[str] | None) -> list[str]:
 
 def one_model(name: str) -> str:
     """Return the name of a model if there is one of that name."""
-    from clubface.models import model
+    from clubface.equipment.models import model
 
     return model(name).name
 
@@ -78,7 +78,7 @@ def parameter_sets(
     A set named or read from a file serves the models it fits, the others keep their default; so does each setting. One
     that fits none of the models is an error; of several, the last wins.
     """
-    from clubface.parameters import ParameterSet
+    from clubface.equipment.parameters import ParameterSet
 
     sets = {name: ParameterSet.builtin(name, family) for name in names}
     for each in [chosen] if isinstance(chosen, str) else chosen or ():
@@ -92,9 +92,9 @@ def parameter_sets(
 
 
 def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
-    from clubface.equipment import is_path
-    from clubface.parameters import ParameterSet, builtin_sets, read_sets
-    from clubface.strict_toml import Document
+    from clubface.equipment.parameters import ParameterSet, builtin_sets, read_sets
+    from clubface.support.shipped import is_path
+    from clubface.support.strict_toml import Document
 
     if is_path(chosen):
         models = {each.model for each in read_sets(Document.read(chosen))}
@@ -127,7 +127,7 @@ def conditions(given: Mapping[str, str | None]) -> dict[str, Any]:
 
 
 def _air_dimension(name: str) -> str:
-    from clubface.quantities import flight_inputs
+    from clubface.simulation.quantities import flight_inputs
 
     return "length" if name == "altitude" else flight_inputs()[name].dimension
 

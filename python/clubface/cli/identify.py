@@ -28,7 +28,8 @@ def _option(*names: str, panel: str, metavar: str | None = None, text: str) -> A
 @options.takes(RECORDED, options.ONE_MODEL)
 def identify(
     shots: Annotated[
-        str, typer.Argument(metavar="SHOTS", help="Recorded shots: a launch monitor's file, CSV, Parquet.")
+        str,
+        typer.Argument(metavar="SHOTS", help="Recorded shots: a launch monitor's file, or a table, CSV or Parquet."),
     ],
     free: Annotated[
         list[str] | None,
@@ -48,42 +49,66 @@ def identify(
         _option("--bounds", panel=_FIT, metavar="NAME=LOW:HIGH", text="Narrower bounds of a parameter. Repeatable."),
     ] = None,
     cost: Annotated[
-        str, _option("--cost", panel=_FIT, text="published (P1's Eq. 22), least-squares or robust.")
+        str,
+        _option(
+            "--cost",
+            panel=_FIT,
+            text="What is minimised: published (Caldwell and McPhee, Eq. 22), least-squares or robust.",
+        ),
     ] = "published",
     normaliser: Annotated[
-        str, _option("--normaliser", panel=_FIT, text="Of Eq. 22: absolute or signed means.")
+        str, _option("--normaliser", panel=_FIT, text="Means by which Eq. 22 divides: absolute or signed.")
     ] = "absolute",
     noise: Annotated[
         list[str] | None,
-        _option("--noise", panel=_FIT, metavar="NAME=VALUE", text='Of the monitor: backspin="80 rpm". Repeatable.'),
+        _option(
+            "--noise", panel=_FIT, metavar="NAME=VALUE", text='Noise of the monitor: backspin="80 rpm". Repeatable.'
+        ),
     ] = None,
     quantities: Annotated[
         list[str] | None,
-        _option("--quantity", panel=_FIT, metavar="NAME", text="Launch quantity to compare; P1's five unless given."),
+        _option(
+            "--quantity",
+            panel=_FIT,
+            metavar="NAME",
+            text="Launch quantity to compare. Repeatable; the five of Caldwell and McPhee unless given.",
+        ),
     ] = None,
-    population: Annotated[int, _option("--population", panel=_SEARCH, text="Of the genetic algorithm.")] = 200,
-    generations: Annotated[int, _option("--generations", panel=_SEARCH, text="Of the genetic algorithm.")] = 100,
-    refined: Annotated[int, _option("--refined", panel=_SEARCH, text="Best points refined by derivatives.")] = 5,
-    folds: Annotated[int, _option("--folds", panel=_SEARCH, text="Of the hold-out; 0 for none.")] = 5,
+    population: Annotated[
+        int, _option("--population", panel=_SEARCH, text="Population of the genetic algorithm.")
+    ] = 200,
+    generations: Annotated[
+        int, _option("--generations", panel=_SEARCH, text="Generations of the genetic algorithm.")
+    ] = 100,
+    refined: Annotated[
+        int, _option("--refined", panel=_SEARCH, text="How many of the best points are refined by derivatives.")
+    ] = 5,
+    folds: Annotated[int, _option("--folds", panel=_SEARCH, text="Folds of the hold-out; 0 for none.")] = 5,
     bootstrap: Annotated[int, _option("--bootstrap", panel=_SEARCH, text="Bootstrap samples; 0 for none.")] = 200,
     profiles: Annotated[
-        bool, _option("--profiles/--no-profiles", panel=_SEARCH, text="Make profile likelihoods.")
+        bool, _option("--profiles/--no-profiles", panel=_SEARCH, text="Compute profile likelihoods.")
     ] = True,
-    confidence: Annotated[float, _option("--confidence", panel=_SEARCH, text="Of the intervals.")] = 0.95,
-    seed: Annotated[int, _option("--seed", panel=_SEARCH, text="Of all random numbers.")] = 1,
+    confidence: Annotated[float, _option("--confidence", panel=_SEARCH, text="Confidence of the intervals.")] = 0.95,
+    seed: Annotated[int, _option("--seed", panel=_SEARCH, text="Seed of the random numbers.")] = 1,
     threads: Annotated[
-        int | None, _option("--threads", panel=_SEARCH, metavar="N", text="All cores unless given.")
+        int | None, _option("--threads", panel=_SEARCH, metavar="N", text="Number of threads; all cores unless given.")
     ] = None,
     target: Annotated[
         str | None,
-        typer.Option("--output", "-o", metavar="FILE", help="TOML for --parameters elsewhere.", show_default=False),
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="FILE",
+            help="Write the parameters to this TOML file, which --parameters takes elsewhere.",
+            show_default=False,
+        ),
     ] = None,
     plot: Annotated[
         str | None,
         typer.Option(
             "--plot",
             metavar="FILE",
-            help="Profiles and intervals as a picture: .png, .svg or .pdf.",
+            help="Draw profiles and intervals: .png, .svg or .pdf.",
             show_default=False,
         ),
     ] = None,
@@ -93,7 +118,7 @@ def identify(
             "--checkpoint",
             metavar="FILE",
             show_default=False,
-            help="Keeps what is finished; SHOTS-CLUB-MODEL.checkpoint.json unless given.",
+            help="File that keeps what is finished; SHOTS-CLUB-MODEL.checkpoint.json unless given.",
         ),
     ] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")] = False,
@@ -113,7 +138,7 @@ def identify(
 
         output.check_target("--plot", str(check_ending(plot, name="--plot")), read)
 
-    from clubface.identify.run import identify as fit
+    from clubface.identification.run import identify as fit
 
     recorded, head = recorded_shots(shots, texts)
     sets = given.parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])
@@ -141,14 +166,14 @@ def _write(found: Any, target: str | None, plot: str | None) -> None:
     if target is not None:
         Path(target).write_text(found.to_toml(), encoding="utf-8")
     if plot is not None:
-        from clubface.plots.identification import identification_figure
+        from clubface.identification.figures import identification_figure
         from clubface.plots.style import save
 
         save(identification_figure(found), plot)
 
 
 def _print(found: Any) -> None:
-    from clubface.identify import report
+    from clubface.identification import report
 
     share = f"{100 * found.confidence:g}% interval"
     heads = ["parameter", "value", f"{share}\nfrom", "\nto", "profile\nlikelihood", "\nidentified"]

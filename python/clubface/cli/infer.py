@@ -18,13 +18,18 @@ from clubface.errors import ClubfaceError
 app = typer.Typer(add_completion=False)
 
 _PRIOR = typer.Option(
-    "--prior", metavar="NAME|FILE", help="elite, tour, wide or a TOML file; elite where there is one, else tour."
+    "--prior",
+    metavar="NAME|FILE",
+    help="Deliveries believed before: elite, tour, wide or a TOML file; elite, or else tour, unless given.",
 )
 _NOISE = typer.Option(
     "--noise", metavar="NAME=VALUE", help='Standard deviation of a measurement: "backspin=100 rpm". Repeatable.'
 )
 _OUTPUT = typer.Option(
-    "--output", "-o", metavar="FILE", help="The draws, CSV or Parquet; of a file of shots, one row a shot, CSV."
+    "--output",
+    "-o",
+    metavar="FILE",
+    help="Write the draws, CSV or Parquet; for a file of launches, a CSV file with a row for each.",
 )
 
 
@@ -36,18 +41,18 @@ def infer(
     ] = None,
     prior: Annotated[str | None, _PRIOR] = None,
     noise: Annotated[list[str] | None, _NOISE] = None,
-    samples: Annotated[int, typer.Option("--samples", metavar="N", help="Draws.")] = 2000,
-    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Of the random numbers.")] = 0,
+    samples: Annotated[int, typer.Option("--samples", metavar="N", help="Number of deliveries that are drawn.")] = 2000,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Seed of the random numbers.")] = 0,
     target: Annotated[str | None, _OUTPUT] = None,
     picture: Annotated[
-        str | None, typer.Option("--plot", metavar="FILE", help="Every pair of quantities as a picture.")
+        str | None, typer.Option("--plot", metavar="FILE", help="Draw every pair of quantities: .png, .svg or .pdf.")
     ] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run of a file stopped.")] = False,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
-    """Sample the deliveries that can have made a launch: what it tells, and what it cannot."""
-    from clubface.quantities import outputs
+    """Sample the deliveries that can have made a launch, and say what the launch leaves open."""
+    from clubface.simulation.quantities import outputs
 
     dimensions = {name: outputs()[name].dimension for name in options.MEASURED_LAUNCH}
     launch = given.quantities(texts, dimensions, {})
@@ -58,8 +63,8 @@ def infer(
     if shots is not None:
         if launch or picture:
             option = "plot" if picture else next(iter(launch)).replace("_", "-")
-            raise ClubfaceError(f"--{option} is of one launch, not of a file")
-        from clubface.other_club import check_club
+            raise ClubfaceError(f"--{option} is for one launch; leave out either --{option} or the file {shots}")
+        from clubface.measured.other_club import check_club
 
         recorded, head = recorded_shots(shots, texts)
         names = recorded.clubs if texts["only"] is None else None
@@ -76,16 +81,19 @@ def infer(
         from clubface.plots.style import check_ending
 
         check_ending(picture)
-    from clubface.inference import infer as compute
     from clubface.inference import words
+    from clubface.inference.posterior import infer as compute
 
+    if not launch:
+        measured = ", ".join(f"--{name.replace('_', '-')}" for name in options.MEASURED_LAUNCH)
+        raise ClubfaceError(f"no launch is given; give at least one of {measured}")
     found = compute(launch, club=head, **settings, **_parameters(settings["model"], head, texts))
     if target is not None:
         found.shots().write(target)
         say(f"wrote {target}")
     if picture is not None:
         from clubface import plots
-        from clubface.plots.inference import pairs_figure
+        from clubface.inference.figures import pairs_figure
 
         say(f"wrote {plots.save(pairs_figure(found), picture)}")
     if as_json:
@@ -104,7 +112,7 @@ def _parameters(model: str, head: Any, texts: dict[str, Any]) -> dict[str, Any]:
 
 def _whole_file(recorded: Any, settings: dict[str, Any], target: str | None, resume: bool, as_json: bool) -> None:
     if target is None:
-        raise ClubfaceError("-o is missing; name the CSV file to write, as in -o deliveries.csv")
+        raise ClubfaceError("--output is missing; give the CSV file to write, as in --output deliveries.csv")
     from clubface.inference.file import infer_shots
 
     with _progress() as progress:

@@ -12,21 +12,21 @@ from clubface.cli.tables import print_numbers, print_words
 app = typer.Typer(add_completion=False)
 
 PAPERS = {
-    "P1": "Three-dimensional golf clubhead-ball impact models for drivers and irons",
-    "P2": "W.-J. Roh and C.-W. Lee, Analysis of golf ball spin mechanism at impact by FEM",
+    "Caldwell and McPhee (2023)": "Three-dimensional golf clubhead-ball impact models for drivers and irons",
+    "Roh and Lee": "Analysis of golf ball spin mechanism at impact by FEM",
 }
 
 
 @app.command()
 def models(
     name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="One model, in full.", show_default=False)
+        str | None, typer.Argument(metavar="[NAME]", help="Show this model in full.", show_default=False)
     ] = None,
     as_json: options.Json = False,
 ) -> None:
     """List the impact models, or show one with its parameters and their published values."""
-    from clubface.models import FEM, model
-    from clubface.models import models as registry
+    from clubface.equipment.models import FEM, model
+    from clubface.equipment.models import models as registry
 
     if name is not None:
         found = model(name)
@@ -46,7 +46,7 @@ def models(
 
 def describe(found: Any) -> dict[str, Any]:
     """Return a model as a document; values in SI."""
-    from clubface.parameters import builtin_sets
+    from clubface.equipment.parameters import builtin_sets
 
     return {
         "name": found.name,
@@ -86,7 +86,7 @@ def describe(found: Any) -> dict[str, Any]:
 
 
 def _print_model(found: Any) -> None:
-    from clubface.parameters import builtin_sets
+    from clubface.equipment.parameters import builtin_sets
 
     print(f"{found.name}: {found.title} ({found.kind})")
     output.print_paragraph(found.summary)

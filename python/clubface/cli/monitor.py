@@ -14,7 +14,7 @@ from clubface.errors import InputError
 from clubface.units import display_unit, from_si
 
 if TYPE_CHECKING:
-    from clubface.recorded import RecordedShots
+    from clubface.recorded.shots import RecordedShots
 
 app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Launch monitors: their files, and their shots live."
@@ -22,43 +22,49 @@ app = typer.Typer(
 app.command("listen")(listen)
 app.command("send")(send)
 
-Hand = Annotated[str | None, typer.Option("--hand", metavar="right|left", help="Of the player.", show_default=False)]
+Hand = Annotated[
+    str | None, typer.Option("--hand", metavar="right|left", help="Hand of the player.", show_default=False)
+]
 SHOWN = 20
 """Rejected rows that are printed."""
 
 
 @app.command("read")
 def read(
-    file: Annotated[str, typer.Argument(metavar="FILE", help="What the monitor's program exported.")],
+    file: Annotated[str, typer.Argument(metavar="FILE", help="A file that the monitor's program exported.")],
     format_: Annotated[
-        str | None, typer.Option("--format", metavar="NAME", help="Its layout; recognised unless given.")
+        str | None, typer.Option("--format", metavar="NAME", help="Layout of the file; recognised unless given.")
     ] = None,
     mapping: Annotated[
-        str | None, typer.Option("--mapping", metavar="FILE", help="TOML that names the columns of any other CSV.")
+        str | None,
+        typer.Option("--mapping", metavar="FILE", help="TOML file that names the columns of any other CSV file."),
     ] = None,
     hand: Hand = None,
     unit: Annotated[
         list[str] | None,
-        typer.Option("--unit", metavar="NAME=UNIT", help="Where the file names none: speed=km/h, carry=m; repeatable."),
+        typer.Option(
+            "--unit", metavar="NAME=UNIT", help="Unit where the file names none: speed=km/h, carry=m. Repeatable."
+        ),
     ] = None,
     club: Annotated[
         list[str] | None,
         typer.Option(
             "--club",
             metavar="CLUB|NAME=CLUB",
-            help="Refer club data to this club, or to that of each name in the file.",
+            help="Refer club data to this club, or NAME=CLUB for each name in the file.",
         ),
     ] = None,
     target: Annotated[
         str | None,
-        typer.Option("--output", "-o", metavar="FILE", help="Write one table: CSV or Parquet by its ending."),
+        typer.Option("--output", "-o", metavar="FILE", help="Write one table, CSV or Parquet by its ending."),
     ] = None,
     rejects: Annotated[
-        str | None, typer.Option("--rejects", metavar="FILE", help="Write the rows without a shot: line and reason.")
+        str | None,
+        typer.Option("--rejects", metavar="FILE", help="Write the rows without a shot, with line and reason."),
     ] = None,
     as_json: options.Json = False,
 ) -> None:
-    """Read a launch monitor's file; write its shots in the units and signs of clubface."""
+    """Read a launch monitor's file and write its shots in the units and signs of clubface."""
     from clubface import launch_monitor
 
     for name, written in (("--output", target), ("--rejects", rejects)):
@@ -92,7 +98,7 @@ def read(
 @app.command("formats")
 def formats(
     name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="One of them, with its columns.", show_default=False)
+        str | None, typer.Argument(metavar="[NAME]", help="Show the columns of this layout.", show_default=False)
     ] = None,
     as_json: options.Json = False,
 ) -> None:
@@ -200,7 +206,7 @@ def _layout(of: Any) -> dict[str, Any]:
 def _write_rejects(shots: RecordedShots, path: Path) -> None:
     import csv
 
-    from clubface.table_writer import open_text
+    from clubface.tables.writer import open_text
 
     with open_text(path, None) as file:
         csv.writer(file, lineterminator="\n").writerows([("line", "reason"), *shots.rejected])

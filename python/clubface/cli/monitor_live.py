@@ -17,7 +17,7 @@ from clubface.units import from_si, parse
 if TYPE_CHECKING:
     from clubface.launch_monitor.open_connect import Message
 
-Port = Annotated[int, typer.Option("--port", metavar="NUMBER", help="Of the socket on this machine.")]
+Port = Annotated[int, typer.Option("--port", metavar="NUMBER", help="Port on this machine.")]
 SHOWN = (("ball_speed", "mph", 1), ("launch", "deg", 1), ("azimuth", "deg", 1), ("total_spin", "rpm", 0))
 """What is printed of a shot: quantity, unit, digits."""
 
@@ -25,28 +25,34 @@ SHOWN = (("ball_speed", "mph", 1), ("launch", "deg", 1), ("azimuth", "deg", 1), 
 def listen(
     port: Port = 921,
     target: Annotated[
-        str | None, typer.Option("--output", "-o", metavar="FILE", help="A new table, CSV or Parquet, kept up to date.")
+        str | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Write the shots to a new table, CSV or Parquet, kept up to date."
+        ),
     ] = None,
     hand: Annotated[
-        str | None, typer.Option("--hand", metavar="right|left", help="Of the player; told to the monitor.")
+        str | None, typer.Option("--hand", metavar="right|left", help="Hand of the player, which the monitor is told.")
     ] = None,
-    club: Annotated[str, typer.Option("--club", metavar="NAME", help="Told to the monitor, such as DR.")] = "",
+    club: Annotated[
+        str, typer.Option("--club", metavar="NAME", help="Club that the monitor is told, such as DR.")
+    ] = "",
     count: Annotated[
-        int | None, typer.Option("--shots", metavar="NUMBER", help="End after so many.", show_default=False)
+        int | None,
+        typer.Option("--shots", metavar="NUMBER", help="End after this number of shots.", show_default=False),
     ] = None,
     timeout: Annotated[
-        str | None, typer.Option("--timeout", metavar='"60 s"', help="End when nothing came for so long.")
+        str | None, typer.Option("--timeout", metavar='"60 s"', help="End when nothing has come for so long.")
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document a shot.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document for each shot.")] = False,
 ) -> None:
     """Receive the shots of launch monitors that speak GSPro Open Connect, as the simulator does."""
     from clubface.launch_monitor.open_connect import Listener, recorded
-    from clubface.table_writer import is_parquet
+    from clubface.tables.writer import is_parquet
 
     if target is not None:
         is_parquet(Path(target))
         if Path(target).exists():
-            raise FileError(target, None, "is there already: name a new file, so that no shots are lost")
+            raise FileError(target, None, "this file exists already; give a new one, so that no shots are lost")
     wait = parse(timeout, "time", name="timeout") if timeout is not None else None
     got: list[Message] = []
     with Listener(port, hand=hand, club=club, on_problem=say) as listener:
@@ -70,10 +76,13 @@ def send(
     file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a table of clubface.")],
     port: Port = 921,
     which: Annotated[
-        str | None, typer.Option("--shot", metavar="FIRST:LAST", help="Only these, counted from 1; all unless given.")
+        str | None,
+        typer.Option("--shot", metavar="FIRST:LAST", help="Send only these, counted from 1; all unless given."),
     ] = None,
-    pause: Annotated[str, typer.Option("--pause", metavar='"2 s"', help="Between two shots.")] = "0 s",
-    timeout: Annotated[str, typer.Option("--timeout", metavar='"5 s"', help="For each answer.")] = "5 s",
+    pause: Annotated[str, typer.Option("--pause", metavar='"2 s"', help="Pause between two shots.")] = "0 s",
+    timeout: Annotated[
+        str, typer.Option("--timeout", metavar='"5 s"', help="How long to wait for each answer.")
+    ] = "5 s",
 ) -> None:
     """Send the launches of a table to a simulator by GSPro Open Connect, as a launch monitor does."""
     from clubface import launch_monitor

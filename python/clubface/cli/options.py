@@ -40,28 +40,28 @@ DELIVERY: Group = _quantities(
     loft=("12.8 deg", "Dynamic loft; the club's static loft unless given."),
     face=("1 deg", "Face angle: to the right is positive."),
     lie=("1 deg", "Lie: toe up is positive."),
-    toe=("8 mm", "Impact point: towards the toe."),
-    high=("-3 mm", "Impact point: towards the crown."),
+    toe=("8 mm", "Impact point: towards the toe is positive."),
+    high=("-3 mm", "Impact point: towards the crown is positive."),
     closure=("2400 deg/s", "Rate at which the face closes."),
     pitch_rate=("500 deg/s", "Rate at which the loft grows."),
     lie_rate=("100 deg/s", "Rate at which the toe rises."),
 )
 _DIRECTION_AND_SPIN = {
-    "azimuth": ("1 deg", "To the right is positive."),
-    "backspin": ("2700 rpm", "Or the total spin and its axis."),
-    "sidespin": ("-200 rpm", "Curves right is positive."),
-    "total_spin": ("2700 rpm", "In place of back- and sidespin."),
-    "spin_axis": ("3 deg", "Tilted to the right is positive."),
+    "azimuth": ("1 deg", "Azimuth: to the right is positive."),
+    "backspin": ("2700 rpm", "Backspin; or give the total spin and its axis."),
+    "sidespin": ("-200 rpm", "Sidespin: curving to the right is positive."),
+    "total_spin": ("2700 rpm", "Total spin, in place of backspin and sidespin."),
+    "spin_axis": ("3 deg", "Axis of the spin: tilted to the right is positive."),
 }
 LAUNCH: Group = _quantities(
     "Launch",
-    ball_speed=("167 mph", "Required."),
+    ball_speed=("167 mph", "Speed of the ball. Required."),
     launch=("10.9 deg", "Launch angle. Required."),
     **_DIRECTION_AND_SPIN,
 )
 MEASURED_LAUNCH: Group = _quantities(
     "Launch, as much of it as was measured",
-    ball_speed=("159 mph", "Of the ball."),
+    ball_speed=("159 mph", "Speed of the ball."),
     launch=("14.5 deg", "Launch angle: up is positive."),
     **_DIRECTION_AND_SPIN,
 )
@@ -72,14 +72,17 @@ _BALL = _option(
 )
 Ball = Annotated[str, _BALL]
 BALL: Group = {"ball": (Ball, "published")}
-EQUIPMENT: Group = {"hand": text_option("--hand", _EQUIPMENT, "right|left", "Hand of the club."), **BALL}
+EQUIPMENT: Group = {
+    "hand": text_option("--hand", _EQUIPMENT, "right|left", "Hand of the club; its own unless given."),
+    **BALL,
+}
 
-MODELS_TEXT = "A model, several with commas or repeated; all unless given."
+MODELS_TEXT = "A model, or several with commas or repeated; all unless given."
 Models = Annotated[list[str] | None, _option("--model", panel=_MODEL, metavar="NAME", text=MODELS_TEXT)]
 _ONE_MODEL = Annotated[str, _option("--model", panel=_MODEL, metavar="NAME", text="The model; standard unless given.")]
 _SETTINGS = list[str] | None
 _SET_TEXT = "Change a model parameter: friction=0.4. Repeatable."
-_ACCURACY_TEXT = "Relative tolerance of a contact step, 1e-13 to 1e-2."
+_ACCURACY_TEXT = "Relative tolerance of a step of a contact model, 1e-13 to 1e-2."
 SETTING = _option("--set", panel=_MODEL, metavar="NAME=VALUE", text=_SET_TEXT)
 _PARAMETERS: Group = {
     "parameters": text_option("--parameters", _MODEL, "NAME|FILE", "A published parameter set or a TOML file."),
@@ -96,12 +99,12 @@ ONE_MODEL: Group = {"model": (_ONE_MODEL, "standard"), **_PARAMETERS}
 MODELS: Group = {"model": (Models, None), **_PARAMETERS}
 
 AIR: Group = {
-    "air": text_option("--air", _AIR, "TEXT", 'All of the air in one: "temperature=30 degC, altitude=1600 m".'),
-    "temperature": text_option("--temperature", _AIR, '"30 degC"', "Of the air."),
-    "altitude": text_option("--altitude", _AIR, '"1600 m"', "Sets the pressure."),
-    "pressure": text_option("--pressure", _AIR, '"840 hPa"', "At the course."),
-    "humidity": text_option("--humidity", _AIR, '"40 %"', "Relative humidity."),
-    "wind": text_option("--wind", _AIR, '"5 m/s"', 'Tailwind, or "along, right" as in "5 m/s, -2 m/s".'),
+    "air": text_option("--air", _AIR, "TEXT", 'All of these in one text: "temperature=30 degC, altitude=1600 m".'),
+    "temperature": text_option("--temperature", _AIR, '"30 degC"', "Temperature of the air; 25 degC unless given."),
+    "altitude": text_option("--altitude", _AIR, '"1600 m"', "Altitude of the course, which sets the pressure."),
+    "pressure": text_option("--pressure", _AIR, '"840 hPa"', "Pressure at the course; that at sea level unless given."),
+    "humidity": text_option("--humidity", _AIR, '"40 %"', "Relative humidity; 50 % unless given."),
+    "wind": text_option("--wind", _AIR, '"5 m/s"', 'Tailwind, or wind along and to the right: "5 m/s, -2 m/s".'),
 }
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface.errors import InputError
-from clubface.plain_json import plain
+from clubface.support.plain_json import plain
 
 
 def check_target(name: str, target: str, inputs: Iterable[str | None] = ()) -> None:

@@ -20,17 +20,27 @@ app = typer.Typer(add_completion=False)
 @options.takes(options.EQUIPMENT, options.ONE_MODEL, options.AIR)
 def predict(
     deliveries: Annotated[
-        str, typer.Argument(metavar="DELIVERIES", help="CSV or Parquet; columns by name and unit: club_speed_mph.")
+        str,
+        typer.Argument(
+            metavar="DELIVERIES",
+            help="CSV or Parquet file whose columns have names with units, such as club_speed_mph.",
+        ),
     ],
     club: Annotated[str, typer.Option("--club", metavar="CLUB", help="Name of a built-in club, or a TOML file.")],
     target: Annotated[
         str | None,
-        typer.Option("--output", "-o", metavar="FILE", help="CSV or Parquet, by its ending.", show_default=False),
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="FILE",
+            help="Write the launches, CSV or Parquet by its ending.",
+            show_default=False,
+        ),
     ] = None,
     rejects: Annotated[
         str | None,
         typer.Option(
-            "--rejects", metavar="FILE", help="For rows that cannot be used, with reasons.", show_default=False
+            "--rejects", metavar="FILE", help="Write the rows that cannot be used, with reasons.", show_default=False
         ),
     ] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")] = False,
@@ -44,7 +54,7 @@ def predict(
     sets = given.parameter_sets([chosen], head.parameters, texts["parameters"], texts["setting"])
     conditions = given.conditions(texts)
 
-    from clubface.predict import predict as compute
+    from clubface.prediction.predict import predict as compute
 
     with _progress() as progress:
         report = compute(

@@ -12,15 +12,17 @@ from clubface.cli.options import Group, text_option
 
 _SHOTS = "Shots"
 _MISMATCH = typer.Option(
-    "--mismatch", rich_help_panel=_SHOTS, help="What shots that look like another club's do: refuse, or note."
+    "--mismatch",
+    rich_help_panel=_SHOTS,
+    help="What happens to shots that look like those of another club: refuse or note.",
 )
 RECORDED: Group = {
     "club": text_option(
         "--club", "Club and ball", "CLUB", "Name or TOML file; the club that the shots name unless given."
     ),
-    "only": text_option("--only", _SHOTS, "NAME", "Take the shots of the club called so in the file."),
+    "only": text_option("--only", _SHOTS, "NAME", "Take only the shots of the club that the file calls so."),
     "format": text_option("--format", _SHOTS, "NAME", "Layout of the file; recognised unless given."),
-    "mapping": text_option("--mapping", _SHOTS, "FILE", "TOML file that names the columns of any other CSV."),
+    "mapping": text_option("--mapping", _SHOTS, "FILE", "TOML file that names the columns of any other CSV file."),
     "mismatch": (Annotated[str, _MISMATCH], "refuse"),
     **options.EQUIPMENT,
 }
@@ -33,7 +35,7 @@ def recorded_shots(path: str, texts: Mapping[str, str | None]) -> tuple[Any, Any
     Velocities and angles that a launch monitor takes elsewhere are referred to the points of clubface.
     """
     from clubface import launch_monitor
-    from clubface.measured_shots import club_of, of_one_club
+    from clubface.measured.shots import club_of, of_one_club
 
     shots = launch_monitor.read(path, texts["format"], texts["hand"], texts["mapping"])
     shots = shots.select(of_one_club(shots, texts["only"]))

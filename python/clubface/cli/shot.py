@@ -46,7 +46,7 @@ def shot(
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
-    """Compute one shot, a row a model."""
+    """Compute one shot and print a row for each model."""
     delivery = given.delivery(texts)
     if plot is not None:
         from clubface.plots.style import check_ending
@@ -57,8 +57,8 @@ def shot(
     sets = given.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
     conditions = given.conditions(texts)
 
-    from clubface.flight import fly
-    from clubface.impact import impact
+    from clubface.simulation.flight import fly
+    from clubface.simulation.impact import impact
 
     launches = {
         name: impact(head, delivery, model=name, parameters=each, ball=texts["ball"], accuracy=texts["accuracy"])
@@ -91,31 +91,27 @@ def _print(launches: Mapping[str, Any], flights: Mapping[str, Any], as_json: boo
         for name, launch in launches.items()
     ]
     tables.print_numbers(HEADS, rows)
-    output.print_notes(_notes(launches, flights))
+    if note := _note(launches, flights):
+        output.print_paragraph(note)
 
 
-def _notes(launches: Mapping[str, Any], flights: Mapping[str, Any]) -> list[str]:
-    """Return what a reader of the table must know of parameters and flights, each remark with its models."""
-    remarks: dict[str, list[str]] = {}
-    for name, launch in launches.items():
-        for caveat in launch.parameters.caveats:
-            remarks.setdefault(caveat, []).append(name)
-        if flights[name].outside_fit:
-            text = "the spin of this flight leaves the range to which the aerodynamics were fitted"
-            remarks.setdefault(text, []).append(name)
-    notes = [f"{', '.join(names)}: {text}" for text, names in remarks.items()]
-    corrected = [name for name, launch in launches.items() if launch.parameters.value_caveats]
-    if corrected:
-        notes.append(f"printed values corrected or in doubt: see clubface models {' or '.join(corrected)}")
-    return notes
+def _note(launches: Mapping[str, Any], flights: Mapping[str, Any]) -> str:
+    """Return the one line under the table: flights beyond the aerodynamic data, and where the caveats stand."""
+    said = []
+    if outside := [name for name in launches if flights[name].outside_fit]:
+        said.append(f"Spin beyond the aerodynamic data: {', '.join(outside)}.")
+    if doubted := [name for name, each in launches.items() if each.parameters.caveats or each.parameters.value_caveats]:
+        which = doubted[0] if len(doubted) == 1 else "NAME"
+        said.append(f"Caveats: clubface models {which}")
+    return " ".join(said)
 
 
 def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any], delivery: Mapping[str, float]) -> None:
     """Draw forces and flights of all models into one file."""
     from clubface import plots, units
-    from clubface.history import history
-    from clubface.models import FEM, model
-    from clubface.trajectory import trajectory
+    from clubface.equipment.models import FEM, model
+    from clubface.simulation.history import history
+    from clubface.simulation.trajectory import trajectory
 
     positions = {name: trajectory(launch, **conditions).position for name, launch in launches.items()}
     histories: dict[str, Any] = {
@@ -141,7 +137,7 @@ def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any],
 
 def _finite_elements(launch: Any, delivery: Mapping[str, float]) -> Mapping[str, Any]:
     """Return the forces of a shot by finite elements."""
-    from clubface.fem.as_model import force_history, meshed_ball
+    from clubface.fem.backend import force_history, meshed_ball
     from clubface.fem.run import Settings, strike
 
     made, _ = meshed_ball(launch.ball)

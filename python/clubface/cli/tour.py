@@ -18,7 +18,9 @@ app = typer.Typer(add_completion=False)
 def tour(
     folder: Annotated[
         str | None,
-        typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures there.", show_default=False),
+        typer.Option(
+            "--output", "-o", metavar="FOLDER", help="Write tables and pictures to this folder.", show_default=False
+        ),
     ] = None,
     model: options.Models = None,
     ball: options.Ball = "published",
@@ -30,11 +32,10 @@ def tour(
         # Before the work: a folder that cannot be made, or a missing library, is found at once.
         Path(folder).mkdir(parents=True, exist_ok=True)
         import clubface.plots as plots  # noqa: F401
-    import clubface.tour_tables as tables
-    from clubface import tour as job
+    from clubface.tour import averages, report, tables
 
-    result = job.tour(names, ball=ball)
-    files = job.write(result, Path(folder)) if folder is not None else []
+    result = averages.tour(names, ball=ball)
+    files = report.write(result, Path(folder)) if folder is not None else []
     if as_json:
         output.print_json(tables.document(result))
     else:

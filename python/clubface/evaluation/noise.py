@@ -1,4 +1,4 @@
-"""How small errors can get: what is left of a perfect model's when launch and delivery are measured with noise."""
+"""How small errors can become: the error of a perfect model if launch and delivery are measured with noise."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.delivery import DIMENSIONS
 from clubface.errors import InputError, UnknownNameError
-from clubface.measured_shots import QUANTITIES
+from clubface.measured.shots import QUANTITIES
+from clubface.simulation.delivery import DIMENSIONS
 
 Values = NDArray[np.float64]
 
@@ -24,7 +24,8 @@ MONITOR = {
     "backspin": 50.0 * math.pi / 30.0 / TO_MEAN_ABSOLUTE,
     "sidespin": 50.0 * math.pi / 30.0 / TO_MEAN_ABSOLUTE,
 }
-"""Standard deviations [SI] of a monitor whose mean errors are those P1 quotes for its own, 0.2 deg and 50 rpm."""
+"""Standard deviations [SI] of a monitor with the mean errors that Caldwell and McPhee (2023) quote for theirs, 0.2 deg
+and 50 rpm."""
 DRAWS = 8
 """Disturbed copies of every shot from which the effect of noise in the delivery is estimated."""
 
@@ -44,7 +45,7 @@ def standard_deviations(given: Mapping[str, Any] | None, dimensions: Mapping[str
 
 
 def monitor_noise(given: Mapping[str, Any] | None) -> dict[str, float]:
-    """Return the standard deviations of the monitor: those of ``MONITOR``, changed where ``given``."""
+    """Return the standard deviations of the monitor: those of ``MONITOR``, with the values ``given`` replaced."""
     return {**MONITOR, **standard_deviations(given, _LAUNCH_DIMENSIONS, "noise")}
 
 
@@ -60,20 +61,20 @@ def floor(
     disturbance: Mapping[str, float],
     seed: int,
 ) -> dict[str, float]:
-    """Return the mean absolute error of a perfect model in each quantity whose noise is known, SI.
+    """Return the mean absolute error of a perfect model [SI] in each quantity whose noise is known.
 
     Parameters
     ----------
     predict
-        Computes launches from deliveries, of the model that stands for the truth; not needed without ``disturbance``.
+        Computes launches from deliveries with the model that stands for the truth; not needed without ``disturbance``.
     delivery
-        The measured deliveries, around which noise is drawn.
+        The measured deliveries, to which noise is added.
     monitor
         Standard deviation of each measured launch quantity.
     disturbance
-        Standard deviation of each measured delivery quantity, independent and normal.
+        Standard deviation of each measured delivery quantity; the errors are independent and normally distributed.
     seed
-        Of the random numbers.
+        Seed of the random numbers.
     """
     if not disturbance or predict is None:
         return {name: TO_MEAN_ABSOLUTE * monitor[name] for name in QUANTITIES if name in monitor}

@@ -16,10 +16,10 @@ from typing import Any, NamedTuple
 from clubface import units
 from clubface.errors import FileError
 from clubface.evaluation import tables
-from clubface.evaluation.evaluate import Evaluation
+from clubface.evaluation.evaluation import Evaluation
 from clubface.evaluation.tables import Table
-from clubface.measured_shots import QUANTITIES
-from clubface.plain_json import plain
+from clubface.measured.shots import QUANTITIES
+from clubface.support.plain_json import plain
 
 PICTURES = {
     "errors": "Mean absolute error of every model with its 95% interval, as published (hollow), and what measurement"
@@ -175,7 +175,7 @@ def document(of: Evaluation) -> dict[str, Any]:
 
 
 def as_csv(of: Evaluation) -> str:
-    """Return one line a shot: its row in the source, what was measured, and what every model makes of it."""
+    """Return one line a shot: its row in the source, what was measured, and what every model computes."""
     columns: dict[str, Any] = {"row": of.shots.rows}
     for name in of.quantities:
         unit = QUANTITIES[name]
@@ -195,10 +195,10 @@ def _cell(value: Any) -> str:
 
 
 def refuse_input(folder: str | os.PathLike[str], source: str) -> None:
-    """Refuse a folder in which the table of the report would take the place of the file of the shots."""
+    """Refuse a folder in which the table of the report would overwrite the file of the shots."""
     table = Path(folder) / TABLE
     if table.exists() and os.path.exists(source) and table.samefile(source):
-        raise FileError(source, None, "the report would overwrite this file: name another folder")
+        raise FileError(source, None, "the report would overwrite this file; give another folder")
 
 
 def write(of: Evaluation, folder: str | os.PathLike[str]) -> list[Path]:
@@ -210,7 +210,7 @@ def write(of: Evaluation, folder: str | os.PathLike[str]) -> list[Path]:
         One of the files is that of the shots.
     """
     from clubface import plots
-    from clubface.plots import evaluation as draw
+    from clubface.evaluation import figures as draw
 
     target = Path(folder)
     refuse_input(target, of.shots.source)

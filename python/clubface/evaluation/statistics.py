@@ -1,4 +1,4 @@
-"""Errors of models on shots and what can be said of them: sizes with confidence, differences with significance."""
+"""Statistics of the errors of models: sizes with confidence intervals, differences with significance."""
 
 from __future__ import annotations
 
@@ -19,29 +19,29 @@ _CHUNK, _KEPT = 1_000_000, 8_000_000
 
 
 class Interval(NamedTuple):
-    """The ends of a 95% confidence interval; NaN where fewer than two different shots leave none."""
+    """The ends of a 95% confidence interval; NaN if there are fewer than two different shots."""
 
     low: float
     high: float
 
 
 class ErrorSize(NamedTuple):
-    """How large the errors of one model in one quantity are, SI.
+    """How large the errors of one model in one quantity are, in SI units.
 
     Attributes
     ----------
     shots
-        How many were compared.
+        Number of shots compared.
     bias
-        Mean of model less measured, and its interval.
+        Mean of model minus measured values, with ``bias_interval``.
     mae
-        Mean absolute error, and its interval.
+        Mean absolute error, with ``mae_interval``.
     std
         Standard deviation of the error (n - 1); NaN for a single shot.
     rms
-        Root of the mean square.
+        Root mean square of the error.
     worst
-        Largest magnitude.
+        Largest magnitude of the error.
     """
 
     shots: int
@@ -55,17 +55,18 @@ class ErrorSize(NamedTuple):
 
 
 class Rival(NamedTuple):
-    """A model beside the one with the least mean absolute error.
+    """A model compared with the one that has the least mean absolute error.
 
     Attributes
     ----------
     model
-        Its name.
+        Name of the model.
     difference
-        Its mean absolute error less that of the best, and its interval.
+        Its mean absolute error minus that of the best model, with its interval.
     p
-        Two-sided probability that resampled shots favour the other one as clearly, after Holm's correction for the
-        number of rivals; before it never below the least one that changes of sign of as many shots can give.
+        Two-sided probability that resampled shots favour the other model as clearly, corrected for the number of rivals
+        after Holm. Before the correction it is never below the least value that changes of sign of as many shots can
+        give.
     """
 
     model: str
@@ -80,14 +81,14 @@ class Rival(NamedTuple):
 
 
 class Best(NamedTuple):
-    """The best model in one quantity and how sure that is.
+    """The best model in one quantity, and how sure that is.
 
     Attributes
     ----------
     model
-        With the least mean absolute error.
+        The model with the least mean absolute error.
     rivals
-        The others, the nearest first.
+        The other models, the nearest first.
     """
 
     model: str
@@ -152,11 +153,11 @@ class Resamples:
 
 
 def interval(resampled: Values, groups: int) -> Interval:
-    """Return the percentile interval of the resampled means of ``groups`` that were drawn; of fewer than two, NaN.
+    """Return the percentile interval of resampled means if ``groups`` groups were drawn; NaN for fewer than two.
 
-    Percentiles, further out by as much as Student's t is wider than the normal distribution, since plain ones are too
-    narrow for few groups: T. C. Hesterberg, What teachers should know about the bootstrap, The American Statistician 69
-    (2015) 371-386.
+    The ends are moved outwards by as much as Student's t distribution is wider than the normal distribution, because
+    plain percentiles are too narrow for few groups: T. C. Hesterberg, What teachers should know about the bootstrap,
+    The American Statistician 69 (2015) 371-386.
     """
     if groups < 2:
         return Interval(math.nan, math.nan)

@@ -1,4 +1,4 @@
-"""An evaluation as tables of text: P1's form, every model in detail, the best ones, the noise, what errors go with."""
+"""An evaluation as tables of text: the published form, every model in detail, the best models, noise and trends."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ import math
 from typing import NamedTuple
 
 from clubface import units
-from clubface.evaluation.evaluate import Evaluation
+from clubface.evaluation.evaluation import Evaluation
 from clubface.evaluation.statistics import Interval
 from clubface.evaluation.trends import COVARIATES
-from clubface.measured_shots import QUANTITIES
+from clubface.measured.shots import QUANTITIES
 
 TITLES = {
     "ball_speed": "Ball speed", "launch": "Launch angle", "azimuth": "Azimuth", "backspin": "Backspin",
@@ -70,14 +70,14 @@ def counted(shots: int, what: str = "shot") -> str:
 
 
 def percent(part: float, whole: float) -> str:
-    """Write a percentage to three digits as P1 does."""
+    """Write a percentage with three digits, as Caldwell and McPhee (2023) do."""
     if whole == 0.0 or math.isnan(part):
         return ""
     return f"{100.0 * part / whole:.3g}%"
 
 
 def in_published_form(of: Evaluation) -> list[Table]:
-    """Return the tables of P1's form: a quantity a row, MAE and STD of each model with percentages of the mean."""
+    """Return the tables in the published form: one row a quantity, MAE and STD of each model with percentages."""
     found = []
     for what, words in (("mae", "Mean absolute error"), ("std", "Standard deviation of the error")):
         rows = []

@@ -1,4 +1,4 @@
-"""How the errors of a model go with the delivery: with speed, with the place on the face, with path and attack."""
+"""How the errors of a model depend on the delivery: on speed, place on the face, path and attack."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ LEAST_SPREAD = 1e-9
 
 
 class Trend(NamedTuple):
-    """The straight line of the errors of one model in one quantity over one covariate, SI.
+    """A straight line through the errors of one model in one quantity over one value of the delivery, in SI units.
 
     Attributes
     ----------
     covariate
-        Its name.
+        The value of the delivery over which the line is drawn.
     slope
-        Change of the error with the covariate, and its interval.
+        Change of the error for a unit of the covariate, with its interval.
     explained
-        Part of the variance of the error that the line explains, 0 to 1.
+        Fraction of the variance of the error that the line explains, 0 to 1.
     """
 
     covariate: str

@@ -2,7 +2,7 @@
 
 A :class:`Ball` is made of pieces, each of a :class:`Material`; :func:`ball` reads one by name or from TOML.
 :func:`strike` hits it with a club, :func:`throw` throws it at a rigid plane; both give an :class:`Impact` with forces,
-motion, energies and the figures of P2 ("Analysis of golf ball spin mechanism at impact by FEM").
+motion, energies and the figures of Roh and Lee ("Analysis of golf ball spin mechanism at impact by FEM").
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from importlib import import_module
 from typing import Any
 
 from clubface.fem.balls import Ball, Piece, ball, ball_names
+from clubface.fem.derivatives import Derivatives, sensitivity, variables
 from clubface.fem.fields import ElementFields
 from clubface.fem.heads import (
     DriverHead,
@@ -25,10 +26,9 @@ from clubface.fem.heads import (
     head_names,
 )
 from clubface.fem.materials import Material, Maxwell, laws
-from clubface.fem.reference import reference
+from clubface.fem.reference_case import reference
 from clubface.fem.result import Impact
 from clubface.fem.run import Settings, strike, throw
-from clubface.fem.sensitivity import Derivatives, sensitivity, variables
 
 __all__ = [
     "Ball",

@@ -10,10 +10,11 @@ from functools import cached_property
 from typing import Any
 
 from clubface import units
-from clubface.equipment import builtin_names, builtin_path, check_choice, check_count, check_name, check_text, is_path
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.fem.materials import Material, Maxwell, laws
-from clubface.strict_toml import Document
+from clubface.support.checks import check_choice, check_count, check_name, check_text
+from clubface.support.shipped import builtin_names, builtin_path, is_path
+from clubface.support.strict_toml import Document
 
 FOLDER = "fem_balls"
 MAX_PIECES = 5
@@ -107,13 +108,17 @@ class Ball:
             raise InputError("pieces", len(self.pieces), f"1 to {MAX_PIECES}")
         core, *around = self.pieces
         if core.thickness is not None:
-            raise InputError("thickness of the core", units.show(core.thickness, "mm"), "left out: it fills the rest")
+            raise InputError(
+                "thickness of the core",
+                units.show(core.thickness, "mm"),
+                "leave it out: the core fills what the other pieces leave",
+            )
         if core.material.density is None and self.mass is None:
-            raise InputError("mass", None, "given, or else the density of the core")
+            raise InputError("mass", None, "give it, or the density of the core")
         for piece in around:
             if piece.thickness is None or piece.material.density is None:
                 missing = "thickness" if piece.thickness is None else "density"
-                raise InputError(f"{missing} of {piece.name}", None, "given; only the core may leave it out")
+                raise InputError(f"{missing} of {piece.name}", None, "give it; only the core may do without")
         self._check_core()
 
     def _check_core(self) -> None:
@@ -233,10 +238,10 @@ def _piece(document: Document, table: dict[str, Any], number: int, branches: int
         common = {"density": table.get("density"), "maxwell": _branches(document, table, branches)}
         if "youngs" in table:
             if table["law"] != "linear":
-                raise InputError("youngs", table["youngs"], f"left out: {table['law']} has constants of its own")
+                raise InputError("youngs", table["youngs"], f"leave it out: {table['law']} has constants of its own")
             also = [name for name in table if name in constants]
             if also:
-                raise InputError(also[0], table[also[0]], "left out where youngs is given")
+                raise InputError(also[0], table[also[0]], "leave it out, since youngs is given")
             material = Material.linear(table["youngs"], table["poisson"], **common)
         else:
             given = {name: table[name] for name in table if name in constants}

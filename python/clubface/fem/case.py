@@ -8,17 +8,18 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
-from clubface.clubs import Club, club
-from clubface.delivery import DIMENSIONS
-from clubface.equipment import builtin_names, builtin_path, check_choice, check_name, check_text, is_path
+from clubface.equipment.clubs import Club, club
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
 from clubface.fem.run import Settings, friction_value, rigid_ball, strike, throw, throw_values
-from clubface.impact import impact
-from clubface.strict_toml import Document
+from clubface.simulation.delivery import DIMENSIONS
+from clubface.simulation.impact import impact
+from clubface.support.checks import check_choice, check_name, check_text
+from clubface.support.shipped import builtin_names, builtin_path, is_path
+from clubface.support.strict_toml import Document
 
 T = TypeVar("T")
 FOLDER = "fem_cases"
@@ -69,17 +70,15 @@ class Case:
             if key not in known:
                 raise UnknownNameError("value of the delivery", key, known)
         if "speed" not in self.delivery:
-            raise InputError("speed", None, 'given, as in speed = "35 m/s"')
+            raise InputError("speed", None, 'give it, as in speed = "35 m/s"')
         object.__setattr__(self, "friction", friction_value(self.friction))
         if self.head == PLANE:
             if self.club is not None:
-                raise InputError(
-                    "club", self.club.name, 'left out for a plane; a club needs kind = "rigid" or "meshed"'
-                )
+                raise InputError("club", self.club.name, 'leave it out for a plane, or set kind = "rigid" or "meshed"')
             throw_values(self.delivery["speed"], self.delivery.get("angle", 0.0))
             return
         if self.club is None:
-            raise InputError("club", None, f"given for a head of kind {self.head}")
+            raise InputError("club", None, f"give the club, which a head of kind {self.head} needs")
         if isinstance(self.club, MeshedHead) != (self.head == MESHED):
             raise InputError("club", self.club.name, "a meshed head" if self.head == MESHED else "a club")
         # The quickest model refuses what no model can compute, such as a face that moves away from the ball.

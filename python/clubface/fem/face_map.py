@@ -17,7 +17,7 @@ from clubface.fem.heads.read import Design
 from clubface.fem.resumable import ResumableTable
 from clubface.fem.run import rigid_ball
 from clubface.fem.side_by_side import workers_of
-from clubface.impact import impact
+from clubface.simulation.impact import impact
 
 COLUMNS = ("toe_mm", "high_mm", "restitution", "characteristic_time_us", "stopped")
 """Columns of the table, one row a point."""
@@ -67,7 +67,7 @@ def face_map(
     made, struck = head(which), ball(with_ball)
     points = [(float(toe), float(high)) for high in highs for toe in toes]
     if not 1 <= len(points) <= MOST:
-        raise InputError("the points of a face", len(points), f"1 to {MOST}")
+        raise InputError("the number of points of a face", len(points), f"1 to {MOST}")
     for toe, high in points:
         # The quickest model refuses points outside the face.
         impact(made.club, speed=head_tests.COR_SPEED, loft=0.0, toe=toe, high=high, ball=rigid_ball(struck))

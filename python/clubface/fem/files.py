@@ -59,8 +59,8 @@ def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool 
     if not len(found.patch["time"]):
         return [figures, *tables]
     from clubface import plots
-    from clubface.plots import fem as pictures
-    from clubface.plots import fem_section as sections
+    from clubface.fem.figures import impact as pictures
+    from clubface.fem.figures import section as sections
 
     drawn = [plots.save(pictures.impact_figure(found), path / "impact.png")]
     drawn.append(plots.save(pictures.patch_figure(found), path / "patch.png"))
@@ -72,9 +72,9 @@ def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool 
 
 
 def write_paper(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
-    """Write a run, and P2's Figs. 3 to 7 redrawn."""
+    """Write a run, and Roh and Lee's Figs. 3 to 7 redrawn."""
     from clubface import plots
-    from clubface.plots import fem as pictures
+    from clubface.fem.figures import impact as pictures
 
     written = write_run(found, folder)
     if not len(found.patch["time"]):
@@ -85,9 +85,9 @@ def write_paper(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
 def write_sweep(
     rows: Sequence[Mapping[str, Any]], folder: str | os.PathLike[str], *, published: bool = False
 ) -> list[Path]:
-    """Draw a sweep (P2, Fig. 8), if wanted with P2's numbers."""
+    """Draw a sweep (Roh and Lee, Fig. 8), if wanted with Roh and Lee's numbers."""
     from clubface import plots
-    from clubface.plots import fem as pictures
+    from clubface.fem.figures import impact as pictures
 
     return [plots.save(pictures.sweep_figure(rows, published=published), prepare(folder) / "sweep.png")]
 
@@ -95,7 +95,7 @@ def write_sweep(
 def draw_face(rows: Sequence[Mapping[str, Any]], path: Path) -> Path:
     """Draw what was measured over a face."""
     from clubface import plots
-    from clubface.plots.fem_face import face_figure
+    from clubface.fem.figures.face import face_figure
 
     return plots.save(face_figure(rows), path)
 

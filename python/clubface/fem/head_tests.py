@@ -6,7 +6,7 @@ import os
 from typing import Any
 
 from clubface import units
-from clubface.clubs import Club, club
+from clubface.equipment.clubs import Club, club
 from clubface.errors import RunError
 from clubface.fem.balls import Ball, Piece
 from clubface.fem.core import Progress
@@ -69,7 +69,7 @@ def restitution(
     """
     import numpy as np
 
-    from clubface.face import face_point, turn_to_sole
+    from clubface.equipment.face import face_point, turn_to_sole
 
     shaped = head if isinstance(head, MeshedHead) else club(head)
     rigid = shaped.club if isinstance(shaped, MeshedHead) else shaped

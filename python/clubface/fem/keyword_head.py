@@ -7,13 +7,13 @@ from itertools import repeat
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
-from clubface.clubs import Club
-from clubface.delivery import DIMENSIONS
-from clubface.face import face_point, nearest, turn_to_sole
+from clubface.equipment.clubs import Club
+from clubface.equipment.face import face_point, nearest, turn_to_sole
 from clubface.fem.cards import Cards, element
 from clubface.fem.case import Case
 from clubface.fem.heads import MeshedHead, Metal, ShellHead
 from clubface.fem.run import Settings, strike
+from clubface.simulation.delivery import DIMENSIONS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

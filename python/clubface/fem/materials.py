@@ -42,7 +42,7 @@ class Law(NamedTuple):
         wanted = names[: (last // self.needed + 1) * self.needed]
         missing = [name for name in wanted if name not in constants]
         if missing:
-            raise InputError("constants", dict(constants), f"given in full: {', '.join(missing)} missing")
+            raise InputError("constants", dict(constants), f"give {', '.join(missing)} as well")
         return {name: units.parse(constants[name], self.constants[name], name=name) for name in wanted}
 
 

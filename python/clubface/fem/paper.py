@@ -1,4 +1,4 @@
-"""The case of P2: "Analysis of golf ball spin mechanism at impact by FEM", its table and ours beside it."""
+"""The case of Roh and Lee, "Analysis of golf ball spin mechanism at impact by FEM": their figures beside ours."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ PUBLISHED: dict[str, float] = {
     "f_prime": 0.8379,
     "f": 0.9476,
 }
-"""What P2 computed: Figs. 3 to 7, Eqs. (9) and (11)."""
+"""What Roh and Lee computed: Figs. 3 to 7, Eqs. (9) and (11)."""
 
 
 def paper(which: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> Impact:
-    """Run P2's case, or a variation of it."""
+    """Run Roh and Lee's case, or a variation of it."""
     chosen = case(which)
     if chosen.head == PLANE:
-        raise InputError("case", chosen.name, "one with a head, as P2's; clubface fem run runs a throw at a plane")
+        raise InputError("case", chosen.name, "a case with a head; for a throw at a plane use clubface fem run")
     return chosen.run(progress)
 
 
 def table(found: Impact) -> dict[str, float]:
-    """Return P2's figures as computed, under the keys of ``PUBLISHED``."""
+    """Return Roh and Lee's figures as computed, under the keys of ``PUBLISHED``."""
     launch = found.launch
     return {
         "ball_speed_mps": launch["ball_speed"],
@@ -55,13 +55,13 @@ def table(found: Impact) -> dict[str, float]:
 
 
 SPIN_FACTOR = 7.0 * 0.0214 * units.parse("2047 rpm", "angular rate") / (5.0 * 35.0 * math.sin(math.radians(11.5)))
-"""The factor of Eq. (6) that P2's spin means."""
+"""The factor of Eq. (6) that Roh and Lee's spin means."""
 
 
 def spin_factor(found: Impact) -> float:
-    """Return the compression factor that the backspin means by P2's Eq. (6), in which the ball rolls off the face.
+    """Return the compression factor that the backspin means by Eq. (6) of Roh and Lee: the ball rolls off the face.
 
-    P2 derives its f from the forces instead, Eqs. (9) and (11). NaN for a blow without velocity along the face.
+    They derive their f from the forces instead, Eqs. (9) and (11). NaN for a blow without velocity along the face.
     """
     approach = sum(found.relative_velocity()[:1, 1])
     if not approach > 0.0:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from clubface.errors import InputError
+from clubface.errors import InputError, Told
 from clubface.fem.result import Impact
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
     if model not in LAWS:
         raise InputError("model", model, f"one of {', '.join(LAWS)}")
     if found.equipment is None or found.stopped is not None:
-        raise InputError("impact", "with a plane, or ended early", "a complete impact with a head")
+        raise InputError("impact", Told("one with a plane, or one that ended early"), "a complete impact with a head")
     club, ball = found.equipment
     wanted = np.log([found.launch["ball_speed"], _peak(found)])
     names = LAWS[model]

@@ -6,15 +6,16 @@ from typing import TYPE_CHECKING, Any
 
 from clubface.fem.balls import Ball
 from clubface.fem.fields import ElementFields
+from clubface.support.version import __version__
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from clubface.balls import Ball as RigidBall
-    from clubface.clubs import Club
+    from clubface.equipment.balls import Ball as RigidBall
+    from clubface.equipment.clubs import Club
     from clubface.fem.heads import MeshedHead
     from clubface.fem.run import Settings
-    from clubface.shots import Shots
+    from clubface.simulation.inputs import Shots
 
 FIGURES = (
     "peak_force",
@@ -52,7 +53,7 @@ class Impact:
     contraction, contraction_time
         Greatest loss of the distance from mass centre to face over the radius, and when [s].
     f_prime, f
-        P2's compression factors, Eqs. (9) and (11).
+        Roh and Lee's compression factors, Eqs. (9) and (11).
     energy_error
         Largest error of the energy balance over the initial kinetic energy, in the records of ``energy``. A run that
         stops because energies are off keeps the records before, so that ``stopped`` tells a larger error.
@@ -166,8 +167,6 @@ class Impact:
 
         A density of 0 is that of a core which gives the ball its mass: its "core_density".
         """
-        from clubface import __version__
-
         met: dict[str, Any] = {"name": "plane"} if self._shots is None else {"name": self._shots.club.name}
         if self.head is not None:
             met["elements"] = self.head.elements
@@ -184,7 +183,7 @@ class Impact:
     def _delivery(self) -> dict[str, float]:
         if self._shots is None:
             return self.given
-        from clubface.quantities import inputs
+        from clubface.simulation.quantities import inputs
 
         named = zip(inputs().values(), self._shots.columns, strict=True)
         return {each.name: float(value) for each, value in named if each.group == "delivery"}
@@ -214,15 +213,15 @@ class Impact:
         """Launch quantities in world axes [SI], as of the reduced models; empty for a ball thrown at a plane."""
         if self._launch is None:
             return {}
-        from clubface.quantities import outputs
+        from clubface.simulation.quantities import outputs
 
         return dict(zip(outputs(), map(float, self._launch), strict=True))
 
     def relative_velocity(self) -> NDArray[Any]:
         """Return the velocity of the ball relative to the CG of the clubhead, or to the plane, over the records [m/s].
 
-        Records by three: along the normal, up the face (P2's tangential velocity) and to the toe of first touch. The
-        clubhead's follows from the ball's, as their momentum stays.
+        Records by three: along the normal, up the face (the tangential velocity of Roh and Lee) and to the toe of first
+        touch. The clubhead's follows from the ball's, as their momentum stays.
         """
         velocity = self.motion["velocity"]
         if self.equipment is None:

@@ -9,18 +9,20 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
-from clubface.balls import Ball as RigidBall
-from clubface.clubs import Club
-from clubface.delivery import Delivery
-from clubface.equipment import builtin_names, check_choice, check_count, warn_once
+from clubface.equipment.balls import Ball as RigidBall
+from clubface.equipment.clubs import Club
 from clubface.errors import EdgeWarning, InputError, RuleWarning
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress, core_call
 from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.result import Impact
+from clubface.simulation.delivery import Delivery
+from clubface.support.checks import check_choice, check_count
+from clubface.support.shipped import builtin_names
+from clubface.support.warning import warn_once
 
 if TYPE_CHECKING:
-    from clubface.shots import Shots
+    from clubface.simulation.inputs import Shots
 
 
 METHODS = ("penalty", "augmented-lagrange")
@@ -192,7 +194,7 @@ def strike(
         As of :func:`throw`.
     """
     from clubface import _core
-    from clubface.shots import as_values
+    from clubface.simulation.inputs import as_values
 
     made, mu, how = ball(which), friction_value(friction), settings_of(settings)
     given = dict(as_values(delivery, values))
@@ -218,7 +220,7 @@ def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], m
     import numpy as np
 
     from clubface.fem.heads import head_names
-    from clubface.shots import equipment, shots
+    from clubface.simulation.inputs import equipment, shots
 
     if isinstance(club, str) and club in head_names() and club not in builtin_names("clubs"):
         raise InputError("club", club, f'a club; the meshed head of this name is clubface.fem.head("{club}")')

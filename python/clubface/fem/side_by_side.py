@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from typing import TypeVar
 
-from clubface.equipment import is_count
 from clubface.errors import InputError
 from clubface.fem.core import Progress
+from clubface.support.checks import is_count
 
 P = TypeVar("P")
 R = TypeVar("R")
@@ -18,7 +18,7 @@ R = TypeVar("R")
 def workers_of(asked: int | None) -> int:
     """Return how many runs go side by side: as many as asked for, or as there are cores."""
     if asked is not None and not is_count(asked, 1, 1024):
-        raise InputError("workers", asked, "a whole number from 1 to 1024, or left out for all cores")
+        raise InputError("workers", asked, "a whole number from 1 to 1024, or None for all cores")
     return asked or os.cpu_count() or 1
 
 

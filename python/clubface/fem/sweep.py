@@ -76,7 +76,7 @@ def sweep(
     workers_of(workers)
     points = [(speed, loft) for speed in speeds for loft in lofts]
     if not 1 <= len(points) <= MOST:
-        raise InputError("the runs of a sweep", len(points), f"1 to {MOST}")
+        raise InputError("the number of runs of a sweep", len(points), f"1 to {MOST}")
     for speed in (min(speeds), max(speeds)):
         for loft in (min(lofts), max(lofts)):
             base.replace(speed=speed, loft=loft)

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from clubface.benchmark_data import BenchmarkShots
 from clubface.benchmark_data.measured import captured
 from clubface.benchmark_data.recipe import recipe
-from clubface.impact import impact
-from clubface.measured_shots import QUANTITIES
-from clubface.parameters import ParameterSet
+from clubface.equipment.parameters import ParameterSet
+from clubface.measured.shots import QUANTITIES
+from clubface.simulation.impact import impact
 
 Values = NDArray[np.float64]
 

@@ -15,20 +15,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface import __version__
 from clubface.benchmark_data import CLUBS, BenchmarkShots, load
 from clubface.benchmark_data.impacts import true_parameters
 from clubface.benchmark_data.recipe import recipe
+from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError
-from clubface.evaluation import Evaluation, evaluate
+from clubface.evaluation import Evaluation
+from clubface.evaluation.evaluation import evaluate
 from clubface.evaluation.statistics import Resamples, interval
 from clubface.findings.effects import effect_sizes
 from clubface.findings.error_budget import error_budget
 from clubface.findings.tour_fit import FREE, fit
-from clubface.identify import Identification, identify
-from clubface.measured_shots import QUANTITIES
-from clubface.parameters import ParameterSet
-from clubface.plain_json import plain
+from clubface.identification import Identification, identify
+from clubface.measured.shots import QUANTITIES
+from clubface.support.plain_json import plain
+from clubface.support.version import __version__
 
 MODELS = ("standard", "adjusted", "slip", "jorgensen", "volumetric", "area", "rings")
 EVERY = {"driver-rings": 10, "7-iron-rings": 3}
@@ -128,7 +129,7 @@ def _identified(
 
 
 def _told(of: Identification, shots: BenchmarkShots, which: NDArray[np.int64]) -> dict[str, Any]:
-    """Return what is kept of an identification, and the share of each shot in P1's cost when it was held out."""
+    """Return what is kept of an identification, and what each shot adds to the cost when it is held out."""
     assert of.held_out is not None
     measured = np.array([shots.measured.launches[name][which] for name in QUANTITIES])
     losses = np.abs(of.held_out - measured) / np.abs(measured).mean(axis=1, keepdims=True)

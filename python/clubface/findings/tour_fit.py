@@ -14,14 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.clubs import club
-from clubface.flight import fly
-from clubface.impact import impact
-from clubface.launch import Launch
-from clubface.models import model as model_named
-from clubface.parameters import ParameterSet
-from clubface.quantities import input_dimensions
-from clubface.tour import PUBLISHED_LOFTS, Average, averages
+from clubface.equipment.clubs import club
+from clubface.equipment.models import model as model_named
+from clubface.equipment.parameters import ParameterSet
+from clubface.simulation.flight import fly
+from clubface.simulation.impact import impact
+from clubface.simulation.launch import Launch
+from clubface.simulation.quantities import input_dimensions
+from clubface.tour.averages import PUBLISHED_LOFTS, Average, averages
 
 Values = NDArray[np.float64]
 

@@ -1,8 +1,11 @@
-"""From a launch back to the deliveries that can have made it: a sample of all of them, not one."""
+"""From a measured launch back to the deliveries that can have made it.
+
+Many deliveries make the same launch, so the answer is a sample of deliveries. :func:`clubface.infer` draws it.
+"""
 
 from clubface.inference.expectation import UnreachableLaunchError as UnreachableLaunchError
-from clubface.inference.infer import Posterior as Posterior
-from clubface.inference.infer import infer as infer
+from clubface.inference.posterior import Posterior as Posterior
+from clubface.inference.posterior import infer as infer
 from clubface.inference.prior import Prior as Prior
 
 __all__ = ["Posterior", "Prior", "UnreachableLaunchError", "infer"]

@@ -1,4 +1,4 @@
-"""Which launches a prior expects: how surprising a measured one is beside them, or whether it is out of reach."""
+"""The launches that a prior expects: how surprising a measured launch is, and whether it is out of reach."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
-from clubface.measured_shots import QUANTITIES
+from clubface.measured.shots import QUANTITIES
 
 Values = NDArray[np.float64]
 
@@ -18,23 +18,24 @@ DRAWS = 4000
 
 
 class UnreachableLaunchError(InputError):
-    """A launch so far from those of the prior that no delivery for it can be told."""
+    """A launch so far from those of the prior that no delivery can be inferred for it."""
 
 
 def expected_launches(predict: Callable[[Values], Values], dimensions: int, seed: int) -> Values:
-    """Return launches of the prior, shape [draws, quantities], without those that cannot be computed.
+    """Return launches of the prior, shape (draws, quantities), without those that cannot be computed.
 
-    ``predict`` computes the launches of points of a standard normal prior, shape [n, dimensions].
+    ``predict`` computes the launches of points of a standard normal prior, shape (n, dimensions).
     """
     found = predict(np.random.default_rng([seed, 1]).standard_normal((DRAWS, dimensions)))
     return found[np.isfinite(found).all(axis=1)]
 
 
 def surprise(expected: Values, target: Values, scale: Values, seed: int) -> float:
-    """Return the probability of launches further from the mean of those ``expected`` than ``target``.
+    """Return the probability of a launch that lies further from the mean of the ``expected`` launches than ``target``.
 
-    The distance, by their covariance, of a normal launch has a chi-squared distribution; what is measured adds its
-    noise, of the standard deviations ``scale``.
+    The distance is measured with the covariance of the expected launches, to which the noise of the measurement is
+    added, with the standard deviations ``scale``. For normally distributed launches the distance has a chi-squared
+    distribution.
     """
     random = np.random.default_rng([seed, 2])
     covariance = np.atleast_2d(np.cov(expected.T)) + np.diag(scale**2)
@@ -46,7 +47,7 @@ def surprise(expected: Values, target: Values, scale: Values, seed: int) -> floa
 
 
 def unreachable(measured: Mapping[str, float], expected: Values, who: str) -> UnreachableLaunchError:
-    """Return the error for a launch beyond the reach of ``who`` expects the launches ``expected``."""
+    """Return the error for a launch that the prior ``who`` cannot reach; ``expected`` are the launches it expects."""
     given = ", ".join(f"{name} {units.show(value, QUANTITIES[name], 4)}" for name, value in measured.items())
     told = ", ".join(
         f"{name} {units.show(float(values.mean()), QUANTITIES[name], 3)}"

@@ -1,4 +1,4 @@
-"""A whole file of launches back to deliveries: one row a shot, written as it is found, resumed where it stopped."""
+"""Inference for a whole file of launches: one row a shot, written as it is found, and resumable."""
 
 from __future__ import annotations
 
@@ -13,33 +13,33 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from clubface import units
-from clubface.clubs import club
+from clubface.equipment.clubs import club
 from clubface.errors import FileError, InputError
 from clubface.inference.expectation import UnreachableLaunchError
-from clubface.inference.infer import infer
+from clubface.inference.posterior import infer
 from clubface.inference.prior import prior_of
 from clubface.inference.words import unit_of
-from clubface.measured_shots import QUANTITIES
-from clubface.recorded import RecordedShots
+from clubface.measured.shots import QUANTITIES
+from clubface.recorded.shots import RecordedShots
 
 REMARK = "remark"
 
 
 class InferReport(NamedTuple):
-    """What became of a file of launches.
+    """Result of the inference for a file of launches.
 
     Attributes
     ----------
     output
         The file written.
     shots
-        Rows in it.
+        Number of rows in it.
     resumed
-        Of these, found by an earlier run.
+        Number of rows that an earlier run found.
     without
-        Rows without a delivery, whose remark says why.
+        Number of rows without a delivery; their remark says why.
     warned
-        Rows with a delivery and a warning.
+        Number of rows with a delivery and a warning.
     """
 
     output: str
@@ -57,40 +57,40 @@ def infer_shots(
     progress: Callable[[int, int], object] | None = None,
     **options: Any,
 ) -> InferReport:
-    """Infer the delivery of every shot and write mean, standard deviation and 95% interval of each quantity as CSV.
+    """Infer the delivery of every shot, and write mean, standard deviation and 95% interval of each quantity as CSV.
 
-    The file has ``.part`` in its name until it is complete; interrupted, it holds the shots that are finished.
+    The file has ``.part`` in its name until it is complete. After an interruption it holds the shots that are finished.
 
     Parameters
     ----------
     shots
         Recorded shots with at least one launch quantity.
     output
-        A CSV file.
+        Path of a CSV file.
     resume
-        Whether to go on where an interrupted run with the same settings stopped.
+        Continue where an interrupted run with the same settings stopped.
     progress
-        Called with the shots done and their number.
+        Called with the number of shots done and the number of shots.
     **options
-        As of :func:`infer`.
+        As for :func:`infer`.
 
     Raises
     ------
     FileError
-        A file that cannot be written, or an unfinished one of other settings.
+        The file cannot be written, or an unfinished one belongs to other settings.
     KeyboardInterrupt
-        On Ctrl-C, telling where the finished rows are.
+        On Ctrl-C; the message says where the finished rows are.
     """
     target = Path(output)
     if target.suffix.lower() != ".csv":
         raise InputError("output", str(output), "a file ending in .csv")
     if target.exists() and os.path.exists(shots.source) and target.samefile(shots.source):
-        raise FileError(str(target), None, "the output must not be the file read")
+        raise FileError(str(target), None, "the output must be another file than the one that is read")
     if not target.parent.is_dir():
         raise FileError(str(target), None, f"there is no folder {str(target.parent)!r}")
     wanted = [name for name in QUANTITIES if name in shots.launches]
     if not wanted:
-        raise InputError("shots", shots.source, f"with a measured launch: {', '.join(QUANTITIES)}")
+        raise InputError("shots", shots.source, f"shots with a measured launch: {', '.join(QUANTITIES)}")
     head = club(options.pop("club"))
     options = {**options, "club": head, "prior": prior_of(options.get("prior"), head)}
     part, settings = (target.with_name(f"{target.stem}.part{ending}") for ending in (".csv", ".json"))

@@ -1,10 +1,11 @@
 """Samples of a posterior by tempered, adaptive importance sampling.
 
-The prior is standard normal; what differs is scaled before. A proposal, at first the prior, is drawn from and weighted
-towards the posterior with its likelihood raised to a power as high as the draws can bear; mean and covariance of the
-weighted draws make the next proposal, a multivariate t with heavier tails than what it stands for. At power one, draws
-are collected until as many are effective as wanted. All draws of the last proposal are independent, so that the
-effective size is known, other than for a Markov chain. Tempering as in Neal (2001), adaption as in Cappe et al. (2004).
+The prior is a standard normal distribution; the caller scales the quantities accordingly. The first proposal is the
+prior. Its draws are weighted by the likelihood raised to a power, which is as high as the draws can bear. The mean and
+covariance of the weighted draws make the next proposal, a multivariate t distribution with heavier tails. Once the
+power is one, draws are collected until as many are effective as wanted. All draws of the last proposal are independent,
+so their effective number is known, which it is not for a Markov chain. Tempering follows Neal (2001), adaptation
+follows Cappé et al. (2004).
 """
 
 from __future__ import annotations
@@ -43,19 +44,19 @@ class Sample(NamedTuple):
     Attributes
     ----------
     points
-        Shape [draws, dimensions].
+        The draws, shape (draws, dimensions).
     effective
-        Effective size of the weighted draws they were resampled from.
+        Effective number of the weighted draws from which they were resampled.
     draws
-        Number of those, of the last proposal alone.
+        Number of weighted draws, of the last proposal alone.
     evaluations
-        Likelihoods computed in all.
+        Number of likelihoods computed in all.
     stages
-        Proposals made.
+        Number of proposals made.
     log_evidence
         Logarithm of the mean likelihood under the prior.
     largest_weight
-        Largest part of a single draw in the total weight; near 1, the sample rests on one draw.
+        Largest fraction of the total weight that a single draw has. If it is near 1, the sample rests on one draw.
     """
 
     points: Values
@@ -121,16 +122,16 @@ def sample(
     Parameters
     ----------
     log_likelihood
-        Computes the logarithm of the likelihood of points, shape [n, dimensions]; NaN or minus infinity where a point
+        Computes the logarithm of the likelihood of points, shape (n, dimensions); NaN or minus infinity where a point
         is impossible.
     dimensions
-        Of the points.
+        Number of dimensions of the points.
     size
-        How many points to return; twice as many draws shall be effective.
+        How many points to return. Twice as many draws are made effective.
     seed
-        Of the random numbers.
+        Seed of the random numbers.
     progress
-        Called with the power of the likelihood reached, 0 to 1, before each stage.
+        Called before each stage with the power of the likelihood that is reached, 0 to 1.
 
     Raises
     ------

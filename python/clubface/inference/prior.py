@@ -26,11 +26,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.clubs import Club
-from clubface.delivery import DIMENSIONS
-from clubface.equipment import is_path
+from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
-from clubface.strict_toml import Document
+from clubface.simulation.delivery import DIMENSIONS
+from clubface.support.shipped import is_path
+from clubface.support.strict_toml import Document
 
 Values = NDArray[np.float64]
 
@@ -49,16 +49,16 @@ SLOWER = 0.87
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Prior:
-    """A normal distribution of deliveries, SI; impacts outside the face are impossible.
+    """A normal distribution of deliveries, in SI units; impacts outside the face are impossible.
 
     Attributes
     ----------
     name
-        What it is called in reports.
+        Its name in reports.
     mean, deviation
         Mean and standard deviation of each quantity.
     correlations
-        Of pairs of quantities; others are independent.
+        Correlations of pairs of quantities; all other pairs are independent.
     """
 
     name: str
@@ -68,14 +68,14 @@ class Prior:
 
     def __post_init__(self) -> None:
         if list(self.mean) != list(self.deviation):
-            raise InputError("deviation", list(self.deviation), f"of the same quantities: {', '.join(self.mean)}")
+            raise InputError("deviation", list(self.deviation), f"for the same quantities: {', '.join(self.mean)}")
         for name in self.mean:
             if name not in DIMENSIONS:
                 raise UnknownNameError("quantity of a delivery", name, DIMENSIONS)
             if not (np.isfinite(self.mean[name]) and self.deviation[name] > 0.0):
                 raise InputError(name, self.deviation[name], "a positive standard deviation; leave out what is known")
         if "speed" not in self.mean:
-            raise InputError("speed", None, "among the quantities of the prior")
+            raise InputError("speed", None, "give it: it must be among the quantities of the prior")
         for pair, value in self.correlations.items():
             for name in pair:
                 if name not in self.mean:
@@ -86,7 +86,7 @@ class Prior:
             np.linalg.cholesky(self._matrix())
         except np.linalg.LinAlgError:
             told = ", ".join(f"{' and '.join(pair)} {value}" for pair, value in self.correlations.items())
-            raise InputError("correlations", told, "possible together") from None
+            raise InputError("correlations", told, "correlations that are possible together") from None
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -101,20 +101,20 @@ class Prior:
         return found
 
     def deliveries(self, standard: Values) -> dict[str, Values]:
-        """Return deliveries from standard normal deviates, shape [n, quantities]."""
+        """Return the deliveries that belong to standard normal deviates, shape (n, quantities)."""
         root = np.linalg.cholesky(self._matrix())
         scaled = standard @ root.T
         return {name: self.mean[name] + self.deviation[name] * scaled[:, place] for place, name in enumerate(self.mean)}
 
     def for_hand(self, hand: float) -> Self:
-        """Return the prior of right-handers for a club of that hand: path and face are in world terms."""
+        """Return the prior for a club of the given hand, made from that for right-handers."""
         if hand > 0:
             return self
         return replace(self, mean={name: -each if name in MIRRORED else each for name, each in self.mean.items()})
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Self:
-        """Read the prior in a file."""
+        """Read a prior from a TOML file."""
         document = Document.read(path)
         data = document.data
         document.check_keys(data, ("title", "spread", "correlation"), ("title", "spread"))
@@ -144,9 +144,9 @@ class Prior:
 
 
 def prior_of(given: Prior | str | os.PathLike[str] | None, head: Club) -> Prior:
-    """Return the prior called ``given``, read from that file, or left out, "elite" where there is one, else "tour".
+    """Return the prior that ``given`` names, or that in a file; if left out, "elite" where it exists, else "tour".
 
-    Those with a name are mirrored for a left-handed club; one of your own is taken as it is.
+    A named prior is mirrored for a left-handed club; a prior of your own is taken as it is.
     """
     if isinstance(given, Prior):
         return given
@@ -185,12 +185,13 @@ def elite(club_name: str) -> Prior:
 
 
 def tour(head: Club) -> Prior:
-    """Return the published tour averages of a built-in club with the spreads of elite golfers.
+    """Return the published tour averages of a built-in club, with the spreads of elite golfers.
 
-    Speed and attack are published; the dynamic loft of most clubs is the one that gives the published launch angle by
-    ``standard``. The rest and the spreads are those of the benchmark shots, of the driver for woods, else the 7-iron.
+    Speed and attack are published. The dynamic loft of most clubs is the one with which ``standard`` gives the
+    published launch angle. All other means and the spreads are those of the benchmark shots: of the driver for woods,
+    and of the 7-iron for the other clubs.
     """
-    from clubface.tour import averages, dynamic_loft
+    from clubface.tour.averages import averages, dynamic_loft
 
     known = {each.club: each for each in averages()}
     if head.name not in known:
@@ -207,7 +208,7 @@ def tour(head: Club) -> Prior:
 
 
 def wide(head: Club) -> Prior:
-    """Return deliveries of golfers of any skill: slower than the tour, and about twice as spread."""
+    """Return deliveries of golfers of any skill: slower than the tour, with about twice the spreads."""
     base = tour(head)
     return Prior(
         name=f"golfers of any skill, {head.name}",

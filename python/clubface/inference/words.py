@@ -1,4 +1,4 @@
-"""A posterior in tables and words: what is known, what goes with what, what the launch says nothing of."""
+"""A posterior in tables and words: what is known, which quantities are tied, and what the launch leaves open."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface import units
-from clubface.delivery import DIMENSIONS
-from clubface.measured_shots import QUANTITIES
+from clubface.measured.shots import QUANTITIES
+from clubface.simulation.delivery import DIMENSIONS
 
 if TYPE_CHECKING:
-    from clubface.inference.infer import Posterior
+    from clubface.inference.posterior import Posterior
 
 CLOSE = 0.5
 """Correlation from which two quantities are said to go together."""
@@ -53,7 +53,7 @@ def summary(of: Posterior) -> tuple[list[str], list[list[str]]]:
 
 
 def ambiguities(of: Posterior) -> list[str]:
-    """Return a sentence about each pair of quantities that go together, the closest first."""
+    """Return a sentence about each pair of quantities that are tied together, the closest first."""
     correlation, names, same = of.correlation, of.names, not_learned(of)
     pairs = [
         (abs(correlation[i, j]), i, j)
@@ -83,8 +83,8 @@ def not_learned(of: Posterior) -> list[str]:
 
 
 def warnings(of: Posterior) -> list[str]:
-    """Return what speaks against trusting the sample."""
-    from clubface.inference.infer import FEWEST_EFFECTIVE, SURPRISING
+    """Return the reasons not to trust the sample."""
+    from clubface.inference.posterior import FEWEST_EFFECTIVE, SURPRISING
 
     found = []
     if of.surprise < SURPRISING:

@@ -1,4 +1,7 @@
-"""Launch monitors: their files, and the messages they send, as shots with the units and signs of clubface."""
+"""Launch monitors: their files and their live messages, as shots with the units and signs of clubface.
+
+:func:`read` reads a file, and ``clubface.launch_monitor.open_connect`` exchanges shots over a socket.
+"""
 
 from __future__ import annotations
 

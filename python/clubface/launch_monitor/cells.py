@@ -1,4 +1,4 @@
-"""What the headings and cells of a launch monitor's file say: names, units, numbers and the side they point to."""
+"""The headings and cells of a launch monitor's file: names, units, numbers, and the side to which they point."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ import unicodedata
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from clubface.csv_rows import is_number
 from clubface.errors import UnitError
+from clubface.tables.csv_rows import is_number
 from clubface.units import unit
 
 MISSING = frozenset({"", "-", "--", "---", "–", "—", "n/a", "na", "nan", "null", "none"})
@@ -21,7 +21,7 @@ WORLD, CLUB = "world", "club"
 
 
 class Side(NamedTuple):
-    """What a word such as "left" or "open" means: the sign it has here for a right-hander, and in whose terms."""
+    """The meaning of a word such as "left" or "open": its sign for a right-hander, in world or club terms."""
 
     sign: float
     frame: str
@@ -74,7 +74,7 @@ class CellError(ValueError):
 
 
 class Heading(NamedTuple):
-    """What a heading says.
+    """The parts of a heading.
 
     Attributes
     ----------
@@ -83,10 +83,10 @@ class Heading(NamedTuple):
     unit
         The text of the unit in brackets, or None.
     positive
-        The word for what is positive, as in ``(deg closed-/open+)``, or None.
+        The word for the positive side, as in ``(deg closed-/open+)``, or None.
     bare
-        Its words without those in brackets, which are part of the name where they are no unit: "spin axis" of
-        ``Spin Axis (Sim)``.
+        Its words without those in brackets: "spin axis" for ``Spin Axis (Sim)``. Words in brackets that are not a unit
+        belong to ``name``.
     """
 
     name: str
@@ -101,7 +101,7 @@ def plain(text: str) -> str:
 
 
 def heading(text: str) -> Heading:
-    """Take a heading such as ``Push/Pull (deg L-/R+)`` apart."""
+    """Return the parts of a heading such as ``Push/Pull (deg L-/R+)``."""
     found = _BRACKETS.search(text)
     if not found:
         return Heading(plain(text), None, None, plain(text))
@@ -116,7 +116,7 @@ def heading(text: str) -> Heading:
 
 
 def unit_symbol(text: str) -> str | None:
-    """Return the symbol of the unit a monitor spells ``text``, or None for one that is not known."""
+    """Return the symbol of the unit that a monitor writes as ``text``, or None for an unknown one."""
     spelled = text.strip().strip("[]()").strip()
     for each in (spelled, spelled.lower(), _UNITS.get(spelled.lower(), "")):
         try:
@@ -128,7 +128,13 @@ def unit_symbol(text: str) -> str | None:
 
 
 def number(text: str, decimal_comma: bool) -> float:
-    """Return the number a text stands for; a :class:`CellError` where it is none."""
+    """Return the number that a text stands for.
+
+    Raises
+    ------
+    CellError
+        The text is not a number.
+    """
     point, group = (",", ".") if decimal_comma else (".", ",")
     if _THOUSANDS[group].fullmatch(text):
         text = text.replace(group, "")
@@ -141,14 +147,14 @@ def number(text: str, decimal_comma: bool) -> float:
 
 
 class Reading(NamedTuple):
-    """What a cell says: a number in the terms of the file or, where ``side`` is told, here."""
+    """The content of a cell: a number and its side; without a ``side`` the sign is as the file has it."""
 
     value: float
     side: Side | None
 
 
 def reading(cell: str, quantity: str, decimal_comma: bool) -> Reading | None:
-    """Return what a cell says, None where nothing was measured.
+    """Return the content of a cell; None if nothing was measured.
 
     A number may be followed by its side (``10.5 L``, ``3.1 In-Out``) or preceded by it (``L3.1``), and by a unit.
     """
@@ -184,9 +190,9 @@ def _side(before: str, rest: str, quantity: str) -> Side | None:
 
 
 def uses_decimal_comma(cells: list[str], delimiter: str) -> bool:
-    """Tell whether numbers are written with a decimal comma: whether more cells are numbers so than with a point.
+    """Return whether numbers have a decimal comma: whether more cells are numbers that way than with a point.
 
-    Where commas stand between the cells, one inside a cell and before three digits separates thousands.
+    If commas separate the cells, a comma inside a cell and before three digits separates thousands.
     """
     numbers = [found["number"] for cell in cells if (found := _CELL.fullmatch(cell.strip()))]
     commas = sum(

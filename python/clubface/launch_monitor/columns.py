@@ -9,7 +9,7 @@ from typing import NamedTuple
 from clubface.errors import FileError
 from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, heading, plain, unit_symbol
 from clubface.launch_monitor.formats import Format, side_of
-from clubface.table_columns import listed, shot_words
+from clubface.tables.headings import listed, shot_words
 from clubface.units import symbols, unit
 
 _WORD = re.compile(r"[^\W\d_]|[°%]")
@@ -24,13 +24,13 @@ class Used(NamedTuple):
     place
         Its place in a row.
     heading
-        As in the file.
+        Its heading, as in the file.
     quantity
-        What it gives.
+        The quantity that it gives.
     unit
         The symbol of its unit.
     side
-        The sign of a bare number, and in whose terms it is.
+        The sign of a number without a side, and whether it is in world or club terms.
     """
 
     place: int
@@ -69,7 +69,7 @@ class Columns(NamedTuple):
 
 
 def is_units_row(cells: Sequence[str]) -> bool:
-    """Tell whether a row holds nothing but units, most often in brackets."""
+    """Return whether a row holds nothing but units, usually in brackets."""
     told = [cell.strip() for cell in cells if cell.strip()]
     bracketed = [cell for cell in told if cell[0] in "[(" and cell[-1] in "])"]
     known = [cell for cell in told if cell in ("[]", "()") or (_WORD.search(cell) and unit_symbol(cell) is not None)]
@@ -83,7 +83,10 @@ def columns_of(
     units: Mapping[str, str],
     place: tuple[str, int],
 ) -> Columns:
-    """Return the columns of a header that a layout uses; ``units`` by quantity or dimension where the file has none."""
+    """Return the columns of a header that a layout uses.
+
+    ``units`` gives the units, by quantity or dimension, for columns where the file names none.
+    """
     heads = [heading(each) for each in headings]
     best: dict[str, int] = {}
     for each in heads:
@@ -109,7 +112,7 @@ def columns_of(
         used.setdefault(quantity, []).append(Used(position, headings[position].strip(), quantity, symbol, side))
     if not used:
         found = listed([each.strip() for each in headings])
-        raise FileError(*place, f"no column is one of a {layout.title} file; {found}")
+        raise FileError(*place, f"no column belongs to a {layout.title} file; {found}")
     names = [each.name if each.unit is None else "" for each in heads]
     return Columns(
         len(headings),

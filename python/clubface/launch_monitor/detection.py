@@ -1,18 +1,18 @@
-"""Which launch monitor wrote a file, told by its columns."""
+"""Recognition of the launch monitor that wrote a file, by its columns."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from clubface.csv_rows import Row
 from clubface.errors import FileError
 from clubface.launch_monitor.cells import heading
 from clubface.launch_monitor.columns import is_units_row
 from clubface.launch_monitor.formats import Format
 from clubface.launch_monitor.registry import FORMATS
-from clubface.table_columns import layout, listed, shot_words
-from clubface.table_reader import Reject
+from clubface.tables.csv_rows import Row
+from clubface.tables.headings import layout, listed, shot_words
+from clubface.tables.reader import Reject
 
 OWN = "clubface"
 """The name of the layout of clubface's own tables."""
@@ -21,9 +21,9 @@ FEWEST_KNOWN = 2
 
 
 def detected(path: str, head: Sequence[Row | Reject]) -> Format | None:
-    """Return the layout whose header is among the first rows, None for the columns of clubface.
+    """Return the layout whose header is among the first rows; None for the columns of clubface.
 
-    Where several fit, it is the one that knows most of the columns.
+    If several layouts fit, the one that knows most of the columns is taken.
     """
     rows = [row for row in head if not isinstance(row, Reject)]
     if not rows:
@@ -43,7 +43,8 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format | None:
         best = max(known.values())
         fitting = [name for name, count in known.items() if count == best]
         if len(fitting) > 1:
-            raise FileError(path, None, f"this may be {' or '.join(fitting)}: say which, as in format={fitting[0]!r}")
+            message = f"this may be a file of {' or '.join(fitting)}; give the format, such as {fitting[0]}"
+            raise FileError(path, None, message)
         return FORMATS[fitting[0]]
     headings, line, _ = rows[0]
     used = {each.quantity for each in layout(list(dict.fromkeys(headings)), path, line, shot_words()).used}
@@ -63,9 +64,10 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format | None:
 
 
 def asked_for(layout: Format, head: Sequence[Row | Reject]) -> Format:
-    """Return a layout that was asked for, with the header known by whichever of its columns the file has.
+    """Return the layout that was asked for, adapted to the columns that the file has.
 
-    The header is the row that has most of them; a file in which no row has two stays unknown to the layout.
+    The header is the row that contains most of the layout's columns. A file in which no row has two of them is not read
+    by the layout.
     """
     rows = [row[0] for row in head if not isinstance(row, Reject)]
     if not rows or _marked(layout, rows):
@@ -78,7 +80,7 @@ def asked_for(layout: Format, head: Sequence[Row | Reject]) -> Format:
 
 
 def others(layout: Format, head: Sequence[Row | Reject]) -> list[str]:
-    """Return the names of the layouts whose header is among the first rows, where that of ``layout`` is not."""
+    """Return the names of the layouts whose header is among the first rows if that of ``layout`` is not."""
     rows = [row[0] for row in head if not isinstance(row, Reject)]
     if _marked(FORMATS[layout.name], rows):
         return []

@@ -1,6 +1,6 @@
-"""Foresight (GCQuad, GC3, GCHawk and kin): the tables of FSX Play and of FSX 2020 and FSX Pro.
+"""Foresight (GCQuad, GC3, GCHawk and others): the tables of FSX Play, and of FSX 2020 and FSX Pro.
 
-FSX Play names unit and sign in its headings, as in ``Face Impact Horizontal (mm toe-/heel+)``; the older programs write
+FSX Play names unit and sign in its headings, as in ``Face Impact Horizontal (mm toe-/heel+)``. The older programs write
 a title line and the side after each number, as in ``2.1 R`` or ``3.4 In-Out``, with rows of averages. The headings are
 those of public parsers of such exports; the meanings are those of Foresight's guide to club and ball data.
 """

@@ -1,4 +1,4 @@
-"""How a launch monitor's file is declared: which heading is which quantity, in which unit and with which sign."""
+"""How the file of a launch monitor is declared: which heading gives which quantity, in which unit and sign."""
 
 from __future__ import annotations
 
@@ -19,16 +19,17 @@ POINTS = {
 
 
 class Field:
-    """The columns that may give a quantity.
+    """The columns that may give one quantity.
 
     Parameters
     ----------
     headings
-        Without unit, the preferred one first; case, spaces and punctuation do not count.
+        The headings without units, the preferred one first. Case, spaces and punctuation do not count.
     unit
-        The unit where neither the heading nor a row of units tells it. None: a heading without a unit is not it.
+        The unit if neither the heading nor a row of units names one. With None, a column without a unit is not used.
     positive
-        The word for what is positive in the file, such as "right", "in-out", "heel"; a heading may tell otherwise.
+        The word for the positive side in the file, such as "right", "in-out" or "heel". A heading that names a side
+        takes precedence.
     """
 
     def __init__(self, *headings: str, unit: str | None = None, positive: str | None = None) -> None:
@@ -45,25 +46,25 @@ class Format:
     Attributes
     ----------
     name
-        What it is called in ``format=`` and on the command line.
+        Its name in ``format=`` and on the command line.
     title
         The monitor and program, for people.
     fields
         The columns of each quantity, by name.
     marks
-        Headings by which the layout is recognised: all of one of the groups are in its header.
+        Groups of headings by which the layout is recognised: its header contains all headings of at least one group.
     club, hand
-        Headings of the column that names the club, and of the one that says right or left.
+        Headings of the column that names the club, and of the column that says right or left.
     needs_units
-        Whether a file that names no units cannot be read unless they are given.
+        Whether a file that names no units can only be read if they are given.
     speed_at
-        Where speed, attack angle and path are taken: "cg", "face" or "unknown".
+        Where speed, attack angle and path are measured: "cg", "face" or "unknown".
     face_at
-        Where dynamic loft and face angle are taken: "face" (its centre), "contact" or "unknown".
+        Where dynamic loft and face angle are measured: "face" (its centre), "contact" or "unknown".
     told
-        Headings of columns whose different values are told in a note, such as whether spin was measured.
+        Headings of columns whose values a note counts, such as whether spin was measured or estimated.
     notes
-        What a reader of the shots should know where a quantity was measured, by its name.
+        Remarks on quantities, by their names, for shots in which they were measured.
     source
         Where the layout is documented.
     """
@@ -83,7 +84,7 @@ class Format:
 
     @cached_property
     def names(self) -> Mapping[str, tuple[str, int]]:
-        """The quantity each plain heading may give, and its rank among the headings of that quantity."""
+        """The quantity that each heading in plain words may give, and its rank among the headings of that quantity."""
         return {
             each: (quantity, rank)
             for quantity, columns in self.fields.items()
@@ -91,17 +92,17 @@ class Format:
         }
 
     def is_marked(self, names: set[str]) -> bool:
-        """Tell whether a row with these plain headings is the header of such a file."""
+        """Return whether a row with these headings in plain words is the header of such a file."""
         return any({plain(each) for each in group} <= names for group in self.marks)
 
 
 def side_of(quantity: str, positive: str | None) -> Side:
-    """Return the sign of a bare number of a quantity and whose terms it is in, from the word for what is positive."""
+    """Return the sign of a number without a side, and whether it is in world or club terms, from the positive side."""
     if positive is None:
         return Side(1.0, SIDES["azimuth"]["right"].frame)
     return SIDES[quantity][plain(positive)]
 
 
 def is_mirrored(quantity: str) -> bool:
-    """Tell whether a left-hander's value, where told in terms of the club, has the other sign here."""
+    """Return whether the value of a left-hander changes its sign if the file gives it in terms of the club."""
     return quantity in MIRRORED

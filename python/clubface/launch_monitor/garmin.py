@@ -1,8 +1,9 @@
 """Garmin Approach R10 and R50: the driving range table of the Garmin Golf app, in the language of the phone.
 
-UTF-8 with a byte order mark, most often a row of units such as ``[km/h]`` below the header; where the language has
-decimal commas there may be semicolons between cells. The headings are those of public exports and parsers (repositories
-ummerr/mackenzie, jgamblin/golf and others on GitHub). Sidespin has the opposite sign of the spin axis in all of them.
+The file is UTF-8 with a byte order mark, and usually has a row of units such as ``[km/h]`` below the header. In
+languages with decimal commas, semicolons may separate the cells. The headings are those of public exports and parsers
+(repositories ummerr/mackenzie, jgamblin/golf and others on GitHub). In all of them sidespin has the opposite sign of
+the spin axis.
 """
 
 from __future__ import annotations

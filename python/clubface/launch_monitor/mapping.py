@@ -1,23 +1,23 @@
-"""Mapping files: the columns of any CSV, told in TOML, so that it is read like that of a known launch monitor.
+"""Mapping files: a TOML file that describes the columns of any CSV, so that it is read like a known format.
 
 .. code-block:: toml
 
-    name = "my-monitor"     # optional; what the shots say of their format
-    delimiter = ";"         # optional; found out otherwise
-    decimal = ","           # optional; found out otherwise
+    name = "my-monitor"     # optional; the name of the format
+    delimiter = ";"         # optional; found out if left out
+    decimal = ","           # optional; found out if left out
     club = "Schläger"       # optional: the heading of the column that names the club
-    hand = "Hand"           # optional: the one that says right or left
-    speed_at = "cg"         # optional: where speed, attack and path are taken: "cg" or "face"
-    face_at = "face"        # optional: where loft and face angle are taken: "face" (its centre) or "contact"
+    hand = "Hand"           # optional: the heading of the column that says right or left
+    speed_at = "cg"         # optional: where speed, attack and path are measured: "cg" or "face"
+    face_at = "face"        # optional: where loft and face angle are measured: "face" (its centre) or "contact"
 
     [columns.speed]         # a quantity of a delivery or launch
     heading = "Tempo"       # without its unit; case, spaces and punctuation do not count
-    unit = "km/h"           # needed where neither the heading nor a row of units says it
+    unit = "km/h"           # needed if neither the heading nor a row of units names it
 
     [columns.path]
     heading = "Bahn"
     unit = "deg"
-    positive = "in-out"     # what is positive: right unless told; or left, in-out, open, toe, heel, up, toe up, ...
+    positive = "in-out"     # the positive side: right if left out; or left, open, toe, heel, up, toe up, ...
     optional = true         # the file may lack it
 """
 
@@ -29,8 +29,8 @@ from typing import Any, NamedTuple
 from clubface.errors import UnitError, UnknownNameError
 from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, plain
 from clubface.launch_monitor.formats import CG, CONTACT, FACE, UNKNOWN, Field, Format
-from clubface.strict_toml import Document
-from clubface.table_columns import HAND, shot_words
+from clubface.support.strict_toml import Document
+from clubface.tables.headings import HAND, shot_words
 from clubface.units import DIMENSIONLESS, unit
 
 KEYS = ("name", "delimiter", "decimal", "club", "hand", "speed_at", "face_at", "columns")
@@ -41,14 +41,14 @@ SPEED_AT, FACE_AT = (CG, FACE), (FACE, CONTACT)
 
 
 class Mapped(NamedTuple):
-    """What a mapping file says.
+    """The content of a mapping file.
 
     Attributes
     ----------
     layout
         The columns.
     delimiter
-        Between cells, or None.
+        The character between cells, or None.
     decimal_comma
         Whether numbers are written with a decimal comma, or None.
     """
@@ -59,7 +59,7 @@ class Mapped(NamedTuple):
 
 
 def mapping_of(path: str | os.PathLike[str]) -> Mapped:
-    """Read a mapping file; a key, quantity, unit or word that is not known is an error with its line."""
+    """Read a mapping file; an unknown key, quantity, unit or word is an error that names its line."""
     document = Document.read(path)
     data = document.data
     document.check_keys(data, KEYS, ("columns",))

@@ -1,6 +1,6 @@
-"""Rapsodo MLM2PRO: the shot export, a table a club below a title line, each ended by rows of average and deviation.
+"""Rapsodo MLM2PRO: the shot export, one table a club below a title line, ended by rows of average and deviation.
 
-A newer export is one table without the title. Neither names its units. The headings are those of public exports
+A newer export is a single table without the title. Neither names its units. The headings are those of public exports
 (repository mmender2/GolfAnalysis on GitHub) and parsers.
 """
 

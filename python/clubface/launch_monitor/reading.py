@@ -1,4 +1,4 @@
-"""Reading a launch monitor's file: find its layout, go through its rows, lay out its shots."""
+"""Reading the file of a launch monitor: find its layout, go through its rows, and make shots of them."""
 
 from __future__ import annotations
 
@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from clubface.csv_rows import CsvRows, Row
-from clubface.equipment import HANDS, check_choice
+from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.launch_monitor.cells import FACE_TO_PATH, uses_decimal_comma
 from clubface.launch_monitor.detection import OWN, asked_for, detected, others
@@ -20,11 +19,13 @@ from clubface.launch_monitor.formats import POINTS, Format
 from clubface.launch_monitor.mapping import Mapped, mapping_of
 from clubface.launch_monitor.registry import FORMATS
 from clubface.launch_monitor.rows import Session, SessionReader, Shot
-from clubface.quantities import inputs
-from clubface.recorded import SIDES, RecordedShots, read_shots
-from clubface.recorded_file import refuse_empty
-from clubface.table_columns import shot_words
-from clubface.table_reader import PARQUET, Reject
+from clubface.recorded.file import refuse_empty
+from clubface.recorded.shots import SIDES, RecordedShots, read_shots
+from clubface.simulation.quantities import inputs
+from clubface.support.checks import check_choice
+from clubface.tables.csv_rows import CsvRows, Row
+from clubface.tables.headings import shot_words
+from clubface.tables.reader import PARQUET, Reject
 from clubface.units import unit
 
 HEAD_ROWS = 30
@@ -42,43 +43,44 @@ def read(
     units: Mapping[str, str] | None = None,
     club: Any = None,
 ) -> RecordedShots:
-    """Read the file of a launch monitor: deliveries and launches, SI, with the signs of clubface.
+    """Read the file of a launch monitor: deliveries and launches in SI units, with the signs of clubface.
 
-    Path, face angle, azimuth, sidespin and everything across the target line are positive to the right for either hand,
-    impact offsets towards the toe and the crown, whatever the file's own convention.
+    Path, face angle, azimuth, sidespin and everything else across the target line are positive to the right for either
+    hand. Impact offsets are positive towards the toe and the crown. The convention of the file does not matter.
 
     Parameters
     ----------
     path
         The file: CSV in UTF-8 or Windows-1252, with commas, semicolons or tabs; or a table with clubface's own columns.
     format
-        The name of a layout, see ``FORMATS``; left out, it is recognised by its columns.
+        The name of a layout, see ``FORMATS``. If left out, it is recognised by its columns.
     hand
-        ``"right"`` or ``"left"``: the hand of every shot. Left out, it is what the file says, if it does.
+        ``"right"`` or ``"left"``: the hand for every shot. If left out, it is what the file says, if anything.
     mapping
         A TOML file that names the columns of any other CSV, see :mod:`clubface.launch_monitor.mapping`.
     units
         Units of columns for which the file names none, by quantity or dimension: ``{"speed": "km/h", "carry": "m"}``.
     club
-        The club, or a mapping from the names of clubs in the file to clubs. With it, velocities taken at the face
-        centre are referred to the centre of gravity and face angles taken at the point of contact to the face centre,
-        see :func:`refer`. Left out, they stay as measured, which a note says.
+        The club, or a mapping from the names of clubs in the file to clubs. With it, velocities measured at the face
+        centre are converted to the centre of gravity, and face angles measured at the point of contact to the face
+        centre, see :func:`refer`. Without it they stay as measured, and a note says so.
 
     Returns
     -------
     RecordedShots
-        With the rows that gave no shot in ``rejected``, each with its line and reason, and what to know in ``notes``.
+        The shots. ``rejected`` holds the rows that gave no shot, each with its line and reason, and ``notes`` holds
+        what you should know.
 
     Raises
     ------
     FileError
-        A file that cannot be read, whose layout is not known, or without a single shot.
+        The file cannot be read, its layout is unknown, or it holds no shot.
     """
     if hand is not None:
         check_choice("hand", hand, SIDES.values())
     told_units = _units(units or {})
     if format is not None and mapping is not None:
-        raise InputError("format", format, "left out where a mapping is given")
+        raise InputError("format", format, "leave it out, since the mapping says how the file is laid out")
     if format is not None and format not in (*FORMATS, OWN):
         raise UnknownNameError("format", format, (*FORMATS, OWN))
     source = Path(path)
@@ -108,9 +110,9 @@ def _refuse_no_table(path: Path) -> None:
     """Say of files that people have, and that are no tables, what to do with them."""
     ending = path.suffix.lower()
     if ending == ".c3d":
-        raise FileError(str(path), None, "is motion capture: clubface capture read makes a table of deliveries of it")
+        raise FileError(str(path), None, "this is motion capture; clubface capture read makes a table of it")
     if ending in (".xlsx", ".xls", ".ods", ".numbers"):
-        raise FileError(str(path), None, "is a spreadsheet: save it as CSV, which is read")
+        raise FileError(str(path), None, "this is a spreadsheet; save it as CSV")
 
 
 def _own(path: str | os.PathLike[str], hand: str | None, club: Any) -> RecordedShots:

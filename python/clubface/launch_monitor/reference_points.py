@@ -1,9 +1,9 @@
-"""Club data referred to the points of clubface: velocities to the centre of gravity, face angles to the face centre.
+"""Conversion of club data to the points of clubface: velocities to the CG, face angles to the face centre.
 
-A clubhead turns as it moves, so its parts move differently: with a closure rate of 2500 deg/s the face centre of a
-driver, 40 mm in front of the centre of gravity, moves 2 degrees more to the left. And the face of a wood is curved:
-10 mm towards the toe it points 1.9 degrees more to the right than at its centre. Monitors take either where it suits
-them; TrackMan's article "Club Data Definitions" tells both of itself and of cameras.
+A clubhead turns as it moves, so its parts move differently: at a closure rate of 2500 deg/s the face centre of a
+driver, 40 mm in front of the centre of gravity, moves 2 degrees more to the left. The face of a wood is curved: 10 mm
+towards the toe it points 1.9 degrees more to the right than at its centre. Monitors measure at different points;
+TrackMan's article "Club Data Definitions" says where TrackMan and cameras do.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from clubface.clubs import Club
-from clubface.clubs import club as club_named
-from clubface.equipment import HANDS
+from clubface.equipment.clubs import Club
+from clubface.equipment.clubs import club as club_named
+from clubface.equipment.described import HANDS
 from clubface.errors import UnknownNameError
 from clubface.launch_monitor.formats import CG, CONTACT, FACE, UNKNOWN
-from clubface.recorded import RecordedShots
+from clubface.recorded.shots import RecordedShots
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -31,12 +31,12 @@ MOST_STEPS = 60
 
 
 def refer(shots: RecordedShots, club: Any) -> RecordedShots:
-    """Return the shots with the club's motion at its centre of gravity and the face angles at the face centre.
+    """Return the shots with the motion of the club at its centre of gravity and the face angles at the face centre.
 
-    The velocity of the centre of gravity is that of the face centre less omega x r, r from the one to the other in the
-    delivered attitude and omega from closure, pitch and lie rate. The attitude is the one whose face, a torus of the
-    club's bulge and roll, points as measured at the point of contact. A shot that lacks the closure rate or the point
-    of contact stays as measured; a note counts them.
+    The velocity of the centre of gravity is that of the face centre minus omega x r. Here r is the vector from the
+    centre of gravity to the face centre in the delivered attitude, and omega comes from closure, pitch and lie rate. In
+    this attitude the face, a torus with the club's bulge and roll, points as measured at the point of contact. A shot
+    without the closure rate or the point of contact stays as measured, and a note counts such shots.
 
     Parameters
     ----------
@@ -44,13 +44,13 @@ def refer(shots: RecordedShots, club: Any) -> RecordedShots:
         The shots, as measured.
     club
         The club (a :class:`Club`, a name or the path of a file), or a mapping from the names of clubs in the shots to
-        clubs; shots with other clubs stay as measured.
+        clubs. Shots with other clubs stay as measured.
 
     Returns
     -------
     RecordedShots
-        With ``speed_at`` "cg" and ``face_at`` "face" where all shots were referred, "unknown" where only some were.
-        What was unknown before stays as measured.
+        The shots. ``speed_at`` is "cg" and ``face_at`` is "face" if all shots were converted, and "unknown" if only
+        some were. What was unknown before stays as measured.
     """
     deliveries = {name: values.copy() for name, values in shots.deliveries.items()}
     notes = list(shots.notes)

@@ -1,4 +1,4 @@
-"""``FORMATS``: the layouts that are read, by name. A new one is one file and one line here."""
+"""``FORMATS``: the layouts that can be read, by name. A new layout is one file, and one line here."""
 
 from __future__ import annotations
 

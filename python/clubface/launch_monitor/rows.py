@@ -1,4 +1,4 @@
-"""The rows of a launch monitor's file: header, units, averages, shots, and what each shot says."""
+"""The rows of a launch monitor's file: header, units, averages and shots, and the values of each shot."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isclose, nan
 
-from clubface.csv_rows import Row
 from clubface.launch_monitor.cells import MIRRORED, NOT_MEASURED, WORLD, CellError, heading, plain, reading
 from clubface.launch_monitor.columns import Columns, Used, columns_of, is_units_row
 from clubface.launch_monitor.formats import Format
-from clubface.quantities import inputs
-from clubface.recorded import RejectedRow
-from clubface.table_reader import Reject
+from clubface.recorded.shots import RejectedRow
+from clubface.simulation.quantities import inputs
+from clubface.tables.csv_rows import Row
+from clubface.tables.reader import Reject
 from clubface.units import unit
 
 SUMMARIES = frozenset(
@@ -42,18 +42,18 @@ SAME = 1e-6
 
 @dataclass
 class Shot:
-    """What one row says, SI, every value by quantity, the sides across the target line in world terms.
+    """The values of one row, by quantity, in SI units; sides across the target line are in world terms.
 
     Attributes
     ----------
     line
-        Where the row begins.
+        Line in which the row begins.
     values
         What was measured.
     club
         Name of the club, or "".
     hand
-        +1, -1, or NaN where it is not known.
+        +1 for right, -1 for left, or NaN if it is not known.
     """
 
     line: int

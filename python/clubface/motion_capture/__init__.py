@@ -1,6 +1,6 @@
-"""Motion capture: C3D files of swings to deliveries with their uncertainty.
+"""Motion capture: from C3D files of swings to deliveries with their uncertainty.
 
-:func:`read_swing` reads one file, :func:`read_swings` many; a :class:`MarkerMap` says which marker is what.
+:func:`read_swing` reads one file and :func:`read_swings` reads many. A :class:`MarkerMap` says which marker is what.
 ``clubface.motion_capture.synthetic`` makes swings whose delivery is known.
 """
 

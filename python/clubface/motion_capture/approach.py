@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
 from clubface.errors import FileError
 from clubface.motion_capture.estimators import TIME, TURN, Path, estimator
 from clubface.motion_capture.impact_frame import Interval
@@ -25,18 +25,18 @@ WIDEST = 12
 
 
 class Approach(NamedTuple):
-    """The clubhead's path to the ball.
+    """The path of the clubhead to the ball.
 
     Attributes
     ----------
     path
-        About first touch.
+        The path about the instant of first touch.
     attitude
-        From club axes to the world where the rotation vector of the path is zero, shape (3, 3).
+        Rotation from club axes to the world where the rotation vector of the path is zero, shape (3, 3).
     touch
-        First touch [s], on the clock of the frames.
+        Time of first touch [s], on the clock of the frames.
     frames
-        The places of the frames used, ascending.
+        The numbers of the frames used, ascending.
     """
 
     path: Path
@@ -49,31 +49,31 @@ def follow(
     times: Array, followed: Track, interval: Interval, ball: Array, club: Club, radius: float,
     *, noise: float, name: str, roughness: float, where: str,
 ) -> Approach:  # fmt: skip
-    """Extend the path of the clubhead to where it first touches the ball.
+    """Extend the path of the clubhead to the place where it first touches the ball.
 
     Parameters
     ----------
     times
-        Of the frames [s].
+        Times of the frames [s].
     followed
-        The clubhead in every frame, its origin the CG.
+        The clubhead in every frame, with its origin at the CG.
     interval
-        The frames between which it meets the ball.
+        The frames between which the head meets the ball.
     ball
         Centre of the ball at rest [m].
     club, radius
-        The face, and the radius of the ball [m].
+        The club with its face, and the radius of the ball [m].
     noise
         Standard deviation of a marker along an axis [m].
     name, roughness
-        Of the estimator.
+        Name of the estimator, and the roughness for the smoother.
     where
-        The file, for errors.
+        The file, for error messages.
 
     Raises
     ------
     FileError
-        Too few frames before impact, or a path that does not lead to the ball.
+        There are too few frames before impact, or the path does not lead to the ball.
     """
     position, rotation = followed.poses.position, followed.poses.rotation
     known = np.flatnonzero(followed.known & (np.arange(len(times)) <= interval.before))

@@ -1,8 +1,8 @@
 """Dynamic loft, face angle and lie of a clubhead, and back: the four rotations that deliver it.
 
-Axes of the world: x to the target, y up, z to the right. Axes of the club: the same at its static loft, sole down, face
-to the target, z towards the toe. Everything here is seen as for a right-hander: what a left-hander does is mirrored
-in z before, and the face angle changes its sign after.
+Axes of the world: x towards the target, y up, z to the right. Axes of the club: the same at its static loft, with the
+sole down, the face towards the target, and z towards the toe. Everything here is for a right-hander. The caller mirrors
+a left-hander in z before, and changes the sign of the face angle after.
 """
 
 from __future__ import annotations
@@ -20,10 +20,11 @@ def face_axes(static_loft: Any) -> Array:
 
 
 def delivered(loft: Any, face: Any, lie: Any, static_loft: Any) -> Array:
-    """Return the rotation from club axes to the world, shape (..., 3, 3), of angles [rad] that broadcast.
+    """Return the rotation from club axes to the world, shape (..., 3, 3), for angles [rad] that broadcast.
 
-    Tilt by the lie, toe up; yaw the face normal back to azimuth zero; turn about z until its elevation is the dynamic
-    loft; yaw right by the face angle. Dynamic loft and face angle hold at any lie.
+    The club is tilted by the lie, toe up. Its face normal is yawed back to azimuth zero and turned about z until its
+    elevation is the dynamic loft. Then the club is yawed right by the face angle. Dynamic loft and face angle are exact
+    at any lie.
     """
     loft, face, lie, static_loft = np.broadcast_arrays(*(np.asarray(v, float) for v in (loft, face, lie, static_loft)))
     tilt = about(0, -lie)
@@ -36,8 +37,9 @@ def delivered(loft: Any, face: Any, lie: Any, static_loft: Any) -> Array:
 def angles(rotation: Any, static_loft: Any) -> tuple[Array, Array, Array]:
     """Return dynamic loft, face angle and lie [rad] of a rotation from club axes to the world.
 
-    The inverse of :func:`delivered`. With D the attitude of the face turned back by the face angle, w the part of its
-    toe axis along z and u that along the upward direction in the face, tan(lie) = cos(static loft) u/w.
+    This is the inverse of :func:`delivered`. Let D be the attitude of the face turned back by the face angle, w the
+    component of its toe axis along z, and u the component along the upward direction in the face. Then tan(lie) =
+    cos(static loft) u/w.
     """
     attitude = np.asarray(rotation, dtype=np.float64) @ face_axes(static_loft)
     normal, toe = attitude[..., :, 0], attitude[..., :, 2]

@@ -1,4 +1,4 @@
-"""A delivery as captured: its values, how far they can be trusted, and what was seen on the way."""
+"""A captured delivery: its values, their uncertainty, and what was noticed while reading it."""
 
 from __future__ import annotations
 
@@ -10,48 +10,49 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.clubs import Club
-from clubface.delivery import DIMENSIONS, Delivery
+from clubface.equipment.clubs import Club
 from clubface.errors import InputError, UnknownNameError
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.rotations import Array
+from clubface.simulation.delivery import DIMENSIONS, Delivery
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CapturedDelivery:
-    """A delivery from motion capture, SI and radians, with its uncertainty.
+    """A delivery from motion capture with its uncertainty, in SI units and radians.
 
     Attributes
     ----------
     delivery
-        The delivery at first touch, signs as of :class:`Delivery`.
+        The delivery at first touch, with the signs of :class:`Delivery`.
     uncertainty
         Standard deviation of each value [SI], by name.
     covariance
-        Of the values in the order of the delivery, shape (11, 11): noise of the markers, what the path may do between
-        the last frame and impact, where the ball lay, and how well the club is known against its markers.
+        Covariance of the values in the order of the delivery, shape (11, 11). It contains the noise of the markers,
+        what the path may do between the last frame and impact, the uncertainty of the place of the ball, and that of
+        the club against its markers.
     launch
-        ``ball_speed``, ``launch`` and ``azimuth`` [SI] of the ball as it flies off; empty where it is not seen to.
+        ``ball_speed``, ``launch`` and ``azimuth`` [SI] of the ball as it flies off; empty if the flight is not seen.
     launch_uncertainty
         Their standard deviations.
     club
-        What was delivered.
+        The club that was delivered.
     estimator
-        How the last frames were extended to impact.
+        Name of the estimator that extended the path to impact.
     time
-        First touch [s] from the first frame.
+        Time of first touch [s], from the first frame.
     frames
         The numbers of the frames before and after first touch, as the file counts.
     used
-        Frames before impact that the estimator used.
+        Number of frames before impact that the estimator used.
     marker_noise
         Standard deviation of a marker along an axis [m].
     marker_noise_freedom
-        Degrees of freedom of that estimate; 0 where it was given.
+        Degrees of freedom of that estimate; 0 if the noise was given.
     misfit
-        Residuals of the path by what was expected of them; above 1.5 the uncertainty is too small. NaN of ``linear``.
+        Residuals of the path divided by the expected ones. Above 1.5 the uncertainty is too small. NaN for ``linear``.
     notes
-        What a reader should know, warnings first.
+        What you should know about the result, warnings first.
     source
         The file.
     """
@@ -96,7 +97,7 @@ class CapturedDelivery:
         return dict(zip(QUANTITIES, drawn.T, strict=True))
 
     def document(self) -> dict[str, Any]:
-        """Return everything as plain values, SI."""
+        """Return the whole result as plain values, in SI units."""
         return {
             "source": self.source,
             "club": self.club.name,

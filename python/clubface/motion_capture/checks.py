@@ -1,4 +1,4 @@
-"""What makes a captured delivery doubtful, in words."""
+"""Checks of a captured delivery: remarks on what is doubtful about it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError
 from clubface.motion_capture.ball_flight import Launched
 from clubface.motion_capture.registration import Registration
@@ -22,7 +22,7 @@ SLOWEST = 0.3
 STARTS = (-0.3e-3, 0.75e-3)
 """Seconds from first touch to when the ball seems to start at once: half a contact of 0.4 to 0.5 ms, within 0.5 ms."""
 DIRECTION_OFF = math.radians(6.0)
-"""By which launch and azimuth may differ from those of the standard model; P1's models are within 1.2 degrees."""
+"""By which launch and azimuth may differ from those of the standard model; published models: 1.2 degrees."""
 SPEED_OFF = 0.15
 ROUGH = 1.5
 MOVED = 2e-3
@@ -31,7 +31,7 @@ FEW_FREEDOMS = 30
 
 
 def of_delivery(values: Mapping[str, float], deviations: Mapping[str, float], club: Club) -> list[str]:
-    """Return what is implausible of a delivery."""
+    """Return remarks on implausible values of a delivery."""
     notes = []
     toe, high = values["toe"], values["high"]
     if abs(toe) > 0.5 * club.face_width or abs(high) > 0.5 * club.face_height:
@@ -59,7 +59,7 @@ def of_delivery(values: Mapping[str, float], deviations: Mapping[str, float], cl
 
 
 def of_launch(values: Mapping[str, float], club: Club, ball: Any, seen: Launched | None, touch: float) -> list[str]:
-    """Return how the ball's flight contradicts the delivery: club, mapping or calibration are then in doubt."""
+    """Return how the flight of the ball contradicts the delivery; then club, mapping or calibration are in doubt."""
     if seen is None:
         return []
     notes = []
@@ -69,7 +69,7 @@ def of_launch(values: Mapping[str, float], club: Club, ball: Any, seen: Launched
             f"the ball starts {late * 1e3:.2f} ms after the face touches it, not the 0.2 ms of a real impact: a wrong"
             " club, mapping or calibration"
         )
-    from clubface.impact import impact
+    from clubface.simulation.impact import impact
 
     try:
         with warnings.catch_warnings():
@@ -90,7 +90,7 @@ def of_launch(values: Mapping[str, float], club: Club, ball: Any, seen: Launched
 
 
 def of_track(followed: Track, cluster: Registration, first_frame: int) -> list[str]:
-    """Return what had to be mended in the markers of the clubhead."""
+    """Return what had to be corrected in the markers of the clubhead."""
     notes = [f"{words} in {_frames(frames, first_frame)}: put right" for words, frames in followed.exchanged.items()]
     notes += [
         f"{name} strays in {_frames(frames, first_frame)}: left out there" for name, frames in followed.stray.items()

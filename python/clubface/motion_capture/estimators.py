@@ -1,7 +1,7 @@
-"""Position and velocity of the clubhead at impact from the frames before it: three estimators behind one call.
+"""Position and velocity of the clubhead at impact from the frames before it: three estimators with one interface.
 
-Coordinates of a frame are the position of the CG and the rotation vector from the last frame's attitude. No frame after
-first touch is used: the blow takes a third of the head's speed within half a millisecond.
+The coordinates of a frame are the position of the CG and the rotation vector from the attitude of the last frame. No
+frame after first touch is used, because the blow takes a third of the speed of the head within half a millisecond.
 """
 
 from __future__ import annotations
@@ -35,14 +35,14 @@ class Path(NamedTuple):
     Attributes
     ----------
     position
-        Coefficients of (position [m], rotation vector [rad]) in powers of time, the j-th multiplied by
-        (t / TIME)^j / j!, shape (m, 6).
+        Coefficients of (position [m], rotation vector [rad]) in powers of time, the j-th multiplied by (t / TIME)^j /
+        j!, shape (m, 6).
     rate
-        The same of their rates [1/TIME], shape (n, 6).
+        The same coefficients for the rates [1/TIME], shape (n, 6).
     covariance
-        Of both, one after the other, shape (6 (m + n), 6 (m + n)).
+        Covariance of both, one after the other, shape (6 (m + n), 6 (m + n)).
     misfit
-        Sum of squared residuals by what was expected of them, a degree of freedom; NaN where none is left.
+        Sum of squared residuals divided by the expected one, for each degree of freedom; NaN if none is left.
     """
 
     position: Array
@@ -57,9 +57,9 @@ class Estimator(NamedTuple):
     Attributes
     ----------
     extend
-        A function as :func:`linear`.
+        A function with the interface of :func:`linear`.
     fewest, most
-        The frames it needs, and the last ones it uses.
+        The least number of frames it needs, and the largest number it uses.
     """
 
     extend: Callable[..., Path]
@@ -68,19 +68,20 @@ class Estimator(NamedTuple):
 
 
 def linear(times: Array, coordinates: Array, covariances: Array, *, roughness: float = ROUGHNESS) -> Path:
-    """Extrapolate position and velocity along straight lines, as P1 does (2.3).
+    """Extrapolate position and velocity along straight lines, after Caldwell and McPhee (2023), section 2.3.
 
-    P1 does not say over which frames. Here the position goes on from the last frame with the slope from the one before;
-    velocities are central differences, which the last frame has not, and go on from the last two.
+    They do not say over which frames. Here the position goes on from the last frame with the slope from the frame
+    before it. Velocities are central differences, which the last frame does not have, and are extrapolated from the
+    last two that exist.
 
     Parameters
     ----------
     times
-        Of the last frames before impact, from the instant asked for [s]; here four.
+        Times of the last four frames before impact [s], counted from the instant for which the path is wanted.
     coordinates
         Position [m] and rotation vector [rad], shape (frames, 6).
     covariances
-        Of the coordinates, shape (frames, 6, 6).
+        Covariances of the coordinates, shape (frames, 6, 6).
     roughness
         Not used.
     """
@@ -104,26 +105,27 @@ def linear(times: Array, coordinates: Array, covariances: Array, *, roughness: f
 
 
 def polynomial(times: Array, coordinates: Array, covariances: Array, *, roughness: float = ROUGHNESS) -> Path:
-    """Fit a quartic to the last twenty frames by weighted least squares; parameters as of :func:`linear`."""
+    """Fit a quartic to the last twenty frames by weighted least squares; the parameters are those of :func:`linear`."""
     return _fit(times, coordinates, covariances, 4, 0.0)
 
 
 def smoother(times: Array, coordinates: Array, covariances: Array, *, roughness: float = ROUGHNESS) -> Path:
     """Smooth the approach as a path whose fourth derivative wanders at random, and extrapolate from its end.
 
-    The fourth derivatives of position and rotation are random walks driven by white noise; the best estimate of such a
-    path is what a Kalman filter gives at its last frame, and equals a smoothing spline of degree nine. It is computed
-    at once, by generalised least squares of a quartic about the instant asked for, with the errors of the markers and,
-    growing backwards in time, those of the wandering. So the frames near impact count most, how far back others
-    count follows from the noise, and the uncertainty holds what the path may do between the last frame and impact.
+    The fourth derivatives of position and rotation are random walks driven by white noise. The best estimate of such a
+    path is that of a Kalman filter at its last frame, and equals a smoothing spline of degree nine (Wahba 1978). It is
+    computed in one step, by generalised least squares of a quartic about the instant for which the path is wanted. The
+    errors are those of the markers and, growing backwards in time, those of the random walk. The frames near impact
+    therefore count most, and the noise decides how far back the others count. The uncertainty contains what the path
+    may do between the last frame and impact.
 
     The spectral density of the driving noise has the natural size of a club that turns at the rate w and moves at the
-    speed v: roughness times (v w^4)^2/w in the position, a quarter of (w^5)^2/w in the rotation.
+    speed v: roughness times (v w^4)^2/w in the position, and a quarter of (w^5)^2/w in the rotation.
 
     Parameters
     ----------
     times, coordinates, covariances
-        As of :func:`linear`.
+        As for :func:`linear`.
     roughness
         How much the path may depart from a quartic; 0 makes it one.
     """

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
 from clubface.errors import FileError
 from clubface.motion_capture.ball_flight import RestingBall
 from clubface.motion_capture.reduction import gap

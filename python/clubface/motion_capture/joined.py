@@ -1,9 +1,9 @@
-"""Deliveries of motion capture and launches of a launch monitor, measured of the same shots, as one table.
+"""Deliveries from motion capture and launches from a launch monitor, of the same shots, joined into one table.
 
-Each instrument misses shots of its own, so that rows cannot be paired by counting. Both keep the order in which the
-shots were hit, and both see some of each shot: the ball's speed and launch angle, the clubhead's speed. The pairs are
-the alignment of the two series that leaves the least deviation, found by dynamic programming (S. B. Needleman and
-C. D. Wunsch, Journal of Molecular Biology 48 (1970) 443-453).
+Each instrument misses shots of its own, so rows cannot be paired by counting. Both keep the order in which the shots
+were hit, and both see a part of each shot: ball speed and launch angle, and the speed of the clubhead. The pairs are
+the alignment of the two series with the least deviation, found by dynamic programming (S. B. Needleman and C. D.
+Wunsch, Journal of Molecular Biology 48 (1970) 443-453).
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 
 from clubface import units
 from clubface.errors import InputError
-from clubface.recorded import RecordedShots, RejectedRow
+from clubface.recorded.shots import RecordedShots, RejectedRow
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -34,19 +34,19 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
     Parameters
     ----------
     captured
-        Whose deliveries are taken.
+        The table whose deliveries are taken.
     measured
-        Whose launches are taken, and the names of the clubs. Both are in the order in which the shots were hit.
+        The table whose launches and names of clubs are taken. Both tables are in the order in which the shots were hit.
 
     Returns
     -------
     RecordedShots
-        The shots that both have; rows as in ``captured``. Rows without a partner are in ``rejected``.
+        The shots that both tables hold, with the rows of ``captured``. Rows without a partner are in ``rejected``.
 
     Raises
     ------
     InputError
-        Nothing to tell by which shots are the same, and not as many in both; or no pair at all.
+        No quantity tells which shots are the same and the tables differ in length, or no pair was found.
     """
     for what, shots, values in (("captured", captured, captured.deliveries), ("measured", measured, measured.launches)):
         if not len(shots) or not values:
@@ -65,7 +65,7 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
             f" {', '.join(SAME)} in common to tell which are the same",
         )  # fmt: skip
     if not len(pairs):
-        raise InputError("measured", measured.source, f"of the same shots as {captured.source}: not one pair is alike")
+        raise InputError("measured", measured.source, f"of the same shots as {captured.source}; not one pair is alike")
     one, other = captured.select(pairs[:, 0]), measured.select(pairs[:, 1])
     left = [*_rejected(captured, pairs[:, 0], measured), *_rejected(measured, pairs[:, 1], captured)]
     return RecordedShots(

@@ -1,4 +1,4 @@
-"""Which marker is what, and where the target is."""
+"""The mapping: which marker is what, and where the target is."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from clubface.errors import InputError
+from clubface.errors import InputError, Told
 from clubface.motion_capture.rigid_body import FEWEST
-from clubface.strict_toml import Document
+from clubface.support.strict_toml import Document
 
 AXES = ("+x", "-x", "+y", "-y", "+z", "-z")
 Point = tuple[float, float, float]
@@ -22,7 +22,7 @@ class FacePoint(NamedTuple):
     Attributes
     ----------
     toe, high
-        Its offsets from the face centre [m], in the plane tangent there.
+        Its distances from the face centre [m] towards the toe and upwards, in the plane that touches the face there.
     standoff
         How far the centre of its marker stands in front of the face [m].
     """
@@ -39,31 +39,32 @@ class MarkerMap:
     Attributes
     ----------
     cluster
-        Markers on the clubhead. Where no face was calibrated, the position of each: from the face centre [m], in club
-        axes at the static loft (x to the target, y up, z towards the toe). Otherwise None.
+        The markers on the clubhead by name. The value is the position of the marker from the face centre [m], in club
+        axes at the static loft (x towards the target, y up, z towards the toe), or None if a calibration of the face
+        gives it.
     face
-        Calibration points on the face, by marker; empty where the positions of the cluster are given.
+        Calibration points on the face, by marker; empty if the positions of the cluster are given.
     calibration
-        The C3D file in which cluster and face points are seen together; None is the swing itself.
+        The C3D file in which cluster and face points are seen together. None means the swing itself.
     accuracy
-        Standard deviation of a given position along each axis [m]: of a cluster marker, a face point, the ball.
+        Standard deviation along each axis [m] of a given position: of a cluster marker, a face point, or the ball.
     ball
         The marker whose centre is that of the ball, or None.
     ball_offset
-        From that marker to the centre of the ball [m], in world axes (x to the target, y up, z right).
+        From that marker to the centre of the ball [m], in world axes (x towards the target, y up, z to the right).
     ball_position
-        Where the ball lies [m], in the axes of the laboratory, in place of a marker.
+        Position of the ball [m] in the axes of the laboratory, instead of a marker.
     target
-        Axis of the laboratory that points to the target, such as "+y", or two markers from the first of which the
-        second lies in that direction.
+        Axis of the laboratory that points to the target, such as "+y"; or two markers, where the second lies in the
+        direction of the target from the first.
     up
         Axis of the laboratory that points up.
     unit
         Unit of length of the files, where they name none or a wrong one.
     noise
-        Standard deviation of a marker along each axis [m], or None: estimated from the residuals.
+        Standard deviation of a marker along each axis [m]; None to estimate it from the residuals.
     club
-        Name of the club this is for, or None.
+        Name of the club for which the mapping was made, or None.
     path
         The file, or another name of the source.
     """
@@ -89,22 +90,27 @@ class MarkerMap:
         if placed and len(placed) < len(self.cluster):
             without = ", ".join(name for name in self.cluster if name not in placed)
             raise InputError(
-                "cluster", f"without the position of {without}", "given for all of its markers or for none"
+                "cluster", Told(f"without the position of {without}"), "give the positions of all markers, or of none"
             )
         if bool(placed) == bool(self.face):
-            told = "both" if placed else "neither"
-            raise InputError("cluster", told, "given its positions, or points of the face by [face]; one of the two")
+            if placed:
+                advice = "keep either the positions or the points of the face"
+                raise InputError("cluster", Told("given positions, and [face] names points of the face"), advice)
+            advice = "give the position of each marker, or name points of the face under [face]"
+            raise InputError("cluster", Told("without positions"), advice)
         if self.calibration is not None and not self.face:
-            raise InputError("calibration", self.calibration, "left out where [face] names no points of the face")
+            raise InputError("calibration", self.calibration, "leave it out, since [face] names no points of the face")
         if self.face and len(self.face) < FEWEST:
             raise InputError("face", f"{len(self.face)} points", f"at least {FEWEST} points, not on a line")
         if (self.ball is None) == (self.ball_position is None):
-            raise InputError("ball", "both or neither", "given by its marker or by its position")
+            raise InputError(
+                "ball", Told("given twice" if self.ball else "not described"), "give either its marker or its position"
+            )
         _check_axes(self.target, self.up)
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> MarkerMap:
-        """Read a mapping file; see ``template`` for its form. Every error carries file and line."""
+        """Read a mapping file; ``template`` shows its form. Every error names file and line."""
         from clubface.motion_capture.mapping_file import from_document
 
         return from_document(Document.read(path))
@@ -129,7 +135,7 @@ class MarkerMap:
 
 
 def marker_map(which: str | os.PathLike[str] | MarkerMap) -> MarkerMap:
-    """Return the mapping meant by the path of its file, or by a :class:`MarkerMap` itself."""
+    """Return the mapping that is given as the path of its file, or as a :class:`MarkerMap` itself."""
     return which if isinstance(which, MarkerMap) else MarkerMap.read(which)
 
 

@@ -1,4 +1,4 @@
-"""The mapping of markers as a small TOML file, read strictly."""
+"""Mapping files: the mapping of markers as a small TOML file, with strict checks."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 from clubface import units
 from clubface.errors import ClubfaceError, InputError
 from clubface.motion_capture.mapping import FacePoint, MarkerMap, Point
-from clubface.strict_toml import Document, quoted
+from clubface.support.strict_toml import Document, quoted
 
 TABLES = {
     "cluster": None,
@@ -23,7 +23,7 @@ SEEN = "seen"
 
 
 def from_document(document: Document) -> MarkerMap:
-    """Read the mapping a TOML document describes; every error carries file and line."""
+    """Return the mapping that a TOML document describes; every error names file and line."""
     data = document.data
     document.check_keys(data, [*TABLES, "club"], ["cluster", "ball"])
     document.check_text(data, ["club"])
@@ -151,7 +151,7 @@ up = "+z"
 
 
 def template() -> str:
-    """Return TOML text to start one's own mapping file from, every key explained."""
+    """Return the TOML text of a mapping file to start from, with every key explained."""
     return TEMPLATE
 
 

@@ -19,14 +19,14 @@ from clubface.motion_capture.rotations import Array
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Recording:
-    """Markers of one trial.
+    """The markers of one trial.
 
     Attributes
     ----------
     labels
         Names of the markers.
     positions
-        [m] in the axes of the laboratory, shape (frames, markers, 3); NaN where a marker was not seen.
+        Positions [m] in the axes of the laboratory, shape (frames, markers, 3); NaN where a marker was not seen.
     rate
         Frames a second [Hz].
     first_frame
@@ -43,7 +43,7 @@ class Recording:
 
     @property
     def times(self) -> Array:
-        """Times of the frames [s] from the first one."""
+        """Times of the frames [s], counted from the first one."""
         return np.arange(len(self.positions)) / self.rate
 
     def marker(self, label: str) -> Array:
@@ -51,14 +51,14 @@ class Recording:
         return self.markers((label,))[:, 0]
 
     def markers(self, labels: Iterable[str]) -> Array:
-        """Return the positions of markers [m], shape (frames, markers, 3).
+        """Return the positions of several markers [m], shape (frames, markers, 3).
 
-        A name is found as it is, or after the name of its subject: ``HEAD1`` in ``club:HEAD1``.
+        A name is found as it stands in the file, or after the name of its subject: ``HEAD1`` in ``club:HEAD1``.
 
         Raises
         ------
         FileError
-            Names that are not in the file; the message lists those that are.
+            Some names are not in the file; the message lists those that are.
         """
         wanted = tuple(labels)
         places = [self._place(label) for label in wanted]
@@ -82,19 +82,19 @@ class Recording:
 def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Recording:
     """Read the markers of a C3D file.
 
-    A point marked invalid, not finite or exactly at the origin was not seen, and is NaN.
+    A point that is marked invalid, is not finite, or lies exactly at the origin was not seen, and becomes NaN.
 
     Parameters
     ----------
     path
         The file.
     unit
-        Unit of length to use in place of the one the file names; needed where it names none.
+        Unit of length, instead of the one the file names; needed if the file names none.
 
     Raises
     ------
     FileError
-        A file that is missing, empty, cut short, damaged or without points, or whose unit of length is unknown.
+        The file is missing, empty, cut short, damaged or without points, or its unit of length is unknown.
     """
     name = os.fspath(path)
     layout = check_layout(name)
@@ -127,7 +127,7 @@ def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Record
 
 
 def write_c3d(recording: Recording, path: str | os.PathLike[str]) -> Path:
-    """Write the markers of a recording as a C3D file, in mm; the markers not seen are invalid there."""
+    """Write the markers of a recording as a C3D file, in mm; markers that were not seen become invalid points."""
     import ezc3d
 
     target = Path(path)
@@ -153,13 +153,13 @@ def _metres(name: str, groups: Any, unit: str | None) -> float:
     given = _texts(groups, "UNITS")
     symbol = given[0] if given else ""
     if not symbol:
-        raise FileError(name, None, 'the file does not name its unit of length; give it, as in units "mm"')
+        raise FileError(name, None, "the file does not name its unit of length; give it, as in --units mm")
     try:
         found = units.unit(symbol, dimension="length")
     except (InputError, UnknownNameError):
         allowed = ", ".join(units.symbols("length"))
         raise FileError(
-            name, None, f"the unit of length {symbol!r} is unknown; name the right one of {allowed} by the units option"
+            name, None, f"the unit of length {symbol!r} is unknown; give the right one with --units: {allowed}"
         ) from None
     return found.numerator / found.denominator
 

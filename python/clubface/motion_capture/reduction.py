@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface.clubs import Club
-from clubface.delivery import DIMENSIONS
-from clubface.face import nearest
+from clubface.equipment.clubs import Club
+from clubface.equipment.face import nearest
 from clubface.motion_capture.attitude import angles, face_axes
 from clubface.motion_capture.estimators import TIME, Path
 from clubface.motion_capture.rotations import Array, exponential, left_jacobian
+from clubface.simulation.delivery import DIMENSIONS
 
 QUANTITIES = tuple(DIMENSIONS)
 """Order of rows and columns of a covariance."""

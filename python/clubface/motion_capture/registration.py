@@ -1,4 +1,4 @@
-"""Where the markers sit on the club: given by the mapping, or from points of the face seen together with them."""
+"""Where the markers sit on the club: as the mapping says, or from points of the face seen together with them."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
+from clubface.equipment.face import face_point, nearest
 from clubface.errors import FileError
-from clubface.face import face_point, nearest
 from clubface.motion_capture.attitude import face_axes
 from clubface.motion_capture.mapping import MarkerMap
 from clubface.motion_capture.recording import Recording
@@ -53,24 +53,25 @@ def given_positions(mapping: MarkerMap, club: Club) -> Registration:
 
 
 def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array) -> Registration:
-    """Return the cluster as seen together with the points of the face.
+    """Return the cluster as it is seen together with the points of the face.
 
-    In every frame that shows all points of the face, their pose turns the cluster into club axes; the mean over frames
-    is the cluster. Noise of the markers averages out over frames, errors of the face points' places do not.
+    In every frame that shows all points of the face, their attitude and position turn the cluster into club axes. The
+    mean over these frames is the cluster. The noise of the markers averages out over the frames; errors in the places
+    of the face points do not.
 
     Parameters
     ----------
     mapping, club
-        What is where.
+        Which marker is what, and the club.
     recording
-        The calibration.
+        The calibration trial.
     turn
-        From the laboratory to the world, mirrored for a left-hander, shape (3, 3).
+        Rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
 
     Raises
     ------
     FileError
-        Markers that are missing or never seen together, points that do not fit the face.
+        Markers are missing or never seen together, or the points do not fit the face.
     """
     local = _face_points(mapping, club)
     faces = recording.markers(mapping.face) @ turn.T
@@ -99,7 +100,7 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
     names = tuple(name for name, count in zip(mapping.cluster, counts, strict=True) if count)
     absent = [name for name in mapping.cluster if name not in names]
     if len(names) < FEWEST:
-        raise FileError(recording.path, None, f"never seen together with the face: {', '.join(absent)}")
+        raise FileError(recording.path, None, f"no frame shows the face together with: {', '.join(absent)}")
     shape = np.nanmean(turned[:, counts > 0], axis=0)
     # The face points' own frame scatters by noise; what their places are wrong by is the same in every frame.
     noise = mapping.noise if mapping.noise is not None else _scatter(turned)

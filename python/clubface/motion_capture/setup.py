@@ -9,9 +9,9 @@ from typing import Any, TypedDict
 import numpy as np
 
 from clubface import units
-from clubface.balls import Ball
-from clubface.clubs import Club
-from clubface.equipment import HANDS, check_choice
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.described import HANDS
 from clubface.errors import InputError
 from clubface.motion_capture.estimators import ROUGHNESS, check_roughness
 from clubface.motion_capture.estimators import estimator as estimator_of
@@ -20,6 +20,7 @@ from clubface.motion_capture.mapping import MarkerMap, marker_map
 from clubface.motion_capture.recording import Recording, read_c3d
 from clubface.motion_capture.registration import Registration, calibrated, given_positions
 from clubface.motion_capture.rotations import Array
+from clubface.support.checks import check_choice
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -76,14 +77,14 @@ def prepare(
     *,
     estimator: str = "smoother",
     roughness: float = ROUGHNESS,
-    ball: str | os.PathLike[str] | Ball = "published",
+    ball: str | os.PathLike[str] | Ball | None = None,
     hand: str | None = None,
     target: str | None = None,
     up: str | None = None,
     unit: str | None = None,
     noise: Any = None,
 ) -> Setup:
-    """Return the set-up of a session; reads the calibration file.
+    """Return the set-up of a session; this reads the calibration file.
 
     Parameters
     ----------
@@ -92,29 +93,30 @@ def prepare(
     club
         A built-in name, the path of a TOML file, or a :class:`Club`.
     estimator
-        "smoother", "polynomial", or "linear" as in P1.
+        "smoother", "polynomial", or "linear", the straight lines of Caldwell and McPhee (2023).
     roughness
-        Of the smoother: how much the path may depart from a quartic.
+        For the smoother: how much the path may depart from a quartic.
     ball
-        Its radius counts.
+        The ball, whose radius is used; the published one if left out.
     hand
-        "right" or "left"; that of the club unless given.
+        "right" or "left"; that of the club if left out.
     target, up
-        Axes of the laboratory such as "+y", in place of the mapping's.
+        Axes of the laboratory such as "+y", instead of those of the mapping.
     unit
-        Unit of length of the files, in place of the one they name.
+        Unit of length of the files, instead of the one they name.
     noise
-        Standard deviation of a marker along an axis, such as "0.3 mm"; the mapping's, or estimated from the residuals.
+        Standard deviation of a marker along an axis, such as "0.3 mm". If left out: that of the mapping, or an estimate
+        from the residuals.
 
     Raises
     ------
     FileError
-        A mapping or calibration file that cannot be used.
+        A mapping or calibration file cannot be used.
     InputError
-        An option that cannot be used, another club than the mapping's.
+        An option cannot be used, or the club is not that of the mapping.
     """
-    from clubface.balls import ball as ball_of
-    from clubface.clubs import club as club_of
+    from clubface.equipment.balls import ball as ball_of
+    from clubface.equipment.clubs import club as club_of
 
     estimator_of(estimator)
     told: dict[str, Any] = {key: value for key, value in (("target", target), ("up", up)) if value is not None}

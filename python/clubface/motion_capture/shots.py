@@ -10,7 +10,7 @@ from typing import Unpack
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
 from clubface.errors import FileError, InputError
 from clubface.motion_capture.captured import CapturedDelivery
 from clubface.motion_capture.mapping import MarkerMap
@@ -18,25 +18,25 @@ from clubface.motion_capture.recording import read_c3d
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.setup import Options, prepare
 from clubface.motion_capture.swing import capture
-from clubface.recorded import RecordedShots, RejectedRow
+from clubface.recorded.shots import RecordedShots, RejectedRow
 
 LAUNCHES = ("ball_speed", "launch", "azimuth")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CapturedSwings:
-    """Deliveries of many recordings.
+    """The deliveries of many recordings.
 
     Attributes
     ----------
     captured
-        Those that could be read, in the order of the files.
+        The deliveries that could be read, in the order of the files.
     places
-        The place of each among the files, from 1.
+        The place of each of them among the files, from 1.
     rejected
-        The files that gave none: their places and the reasons.
+        The files that gave no delivery: their places and the reasons.
     interrupted
-        Whether Ctrl-C ended the reading before its last file.
+        Whether Ctrl-C ended the reading before the last file.
     """
 
     captured: tuple[CapturedDelivery, ...]
@@ -54,7 +54,7 @@ class CapturedSwings:
 
     @property
     def uncertainty(self) -> RecordedShots:
-        """The same table of the standard deviations."""
+        """A table like ``shots`` that holds the standard deviations."""
         deviations = [each.uncertainty for each in self.captured]
         return self._table("c3d standard deviations", deviations, [each.launch_uncertainty for each in self.captured])
 
@@ -95,17 +95,17 @@ def read_swings(
 ) -> CapturedSwings:
     """Read the deliveries of many C3D files of one session: same club, markers and calibration.
 
-    A file that cannot be used is listed with its reason and does not stop the others. Ctrl-C ends the reading: what was
-    read until then is kept.
+    A file that cannot be used is listed with its reason and does not stop the others. Ctrl-C ends the reading and keeps
+    what was read until then.
 
     Parameters
     ----------
     paths
         The files.
     mapping, club, **options
-        As of :func:`read_swing`.
+        As for :func:`read_swing`.
     progress
-        Called with the files done and all of them.
+        Called with the number of files done and the number of files.
     """
     files = [os.fspath(path) for path in paths]
     setup = prepare(mapping, club, **options)

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.clubs import Club
-from clubface.delivery import DIMENSIONS
+from clubface.equipment.clubs import Club
 from clubface.motion_capture.estimators import ESTIMATORS, ROUGHNESS, estimator
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.rotations import Array
@@ -19,7 +18,8 @@ from clubface.motion_capture.swing import capture
 from clubface.motion_capture.synthetic.files import check_count, positions_map
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
-from clubface.motion_capture.synthetic.swing import LAUNCH
+from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH
+from clubface.simulation.delivery import DIMENSIONS
 
 UNITS = {
     name: "m/s" if name == "speed" else units.display_unit(name, units.SI_UNITS[dimension])
@@ -31,18 +31,18 @@ NORMAL_95 = 1.959964
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Study:
-    """Errors of estimators on the same swings, SI.
+    """Errors of the estimators on the same swings, in SI units.
 
     Attributes
     ----------
     club
-        What was swung.
+        The club of the swings.
     cameras
         The laboratory.
     errors
-        Captured less true deliveries by estimator, shape (swings, 11), in the order of ``QUANTITIES``.
+        Captured minus true deliveries by estimator, shape (swings, 11), in the order of ``QUANTITIES``.
     deviations
-        The standard deviations stated with them.
+        The standard deviations that the estimators state.
     touches
         Errors of the instant of first touch [s], shape (swings,).
     truth
@@ -64,38 +64,38 @@ class Study:
         return _told(self.errors[name].mean(0))
 
     def spread(self, name: str) -> dict[str, float]:
-        """Return the standard deviations of its errors [UNITS]."""
+        """Return the standard deviations of the errors of an estimator [UNITS]."""
         return _told(self.errors[name].std(0, ddof=1))
 
     def worst(self, name: str) -> dict[str, float]:
-        """Return its largest errors [UNITS]."""
+        """Return the largest errors of an estimator [UNITS]."""
         return _told(np.abs(self.errors[name]).max(0))
 
     def stated(self, name: str) -> dict[str, float]:
-        """Return the root mean square of the standard deviations it states [UNITS]."""
+        """Return the root mean square of the standard deviations that an estimator states [UNITS]."""
         return _told(np.sqrt((self.deviations[name] ** 2).mean(0)))
 
     def coverage(self, name: str) -> dict[str, float]:
-        """Return how often its intervals of 95% hold the truth, by quantity."""
+        """Return how often the 95% intervals of an estimator hold the truth, by quantity."""
         inside = np.abs(self.errors[name]) < NORMAL_95 * self.deviations[name]
         return dict(zip(QUANTITIES, inside.mean(0).tolist(), strict=True))
 
     def launch_errors(self, name: str, model: str = "standard") -> dict[str, Array]:
-        """Return by how much the launch changes, were it computed from the captured in place of the true deliveries.
+        """Return the error of a launch that is computed from the captured instead of the true deliveries.
 
         Parameters
         ----------
         name
             The estimator.
         model
-            Of the impact; every shot with its published parameters.
+            The model of the impact, with its published parameters.
 
         Returns
         -------
         dict
             ``ball_speed``, ``launch``, ``azimuth``, ``backspin``, ``sidespin`` [SI], shape (swings,).
         """
-        from clubface.impact import impact
+        from clubface.simulation.impact import impact
 
         true, seen = (
             impact(self.club, dict(zip(QUANTITIES, values.T, strict=True)), model=model)
@@ -128,24 +128,24 @@ def study(
     seed: int = 1,
     progress: Callable[[int, int], object] | None = None,
 ) -> Study:
-    """Read ``count`` synthetic swings by each estimator and compare with the truth.
+    """Read ``count`` synthetic swings with each estimator and compare the deliveries with the truth.
 
     Parameters
     ----------
     count
-        Swings.
+        Number of swings.
     club, hand
-        What is swung.
+        The club, and the hand of the player.
     cameras
-        The laboratory; 720 Hz and no noise unless given.
+        The laboratory; 720 Hz and no noise if left out.
     estimators
-        Which.
+        Names of the estimators.
     roughness
-        Of the smoother.
+        Roughness for the smoother.
     seed
         The same seed gives the same swings and noise.
     progress
-        Called with the swings read and all of them.
+        Called with the number of swings read and the number of swings.
     """
     check_count(count)
     seen = cameras or Cameras()

@@ -1,4 +1,4 @@
-"""From a recording of a swing to the delivery."""
+"""From the recording of a swing to its delivery."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from typing import Unpack
 
 import numpy as np
 
-from clubface.clubs import Club
-from clubface.delivery import Delivery
+from clubface.equipment.clubs import Club
 from clubface.errors import CaptureWarning, FileError
 from clubface.motion_capture import checks
 from clubface.motion_capture.approach import follow
@@ -24,6 +23,7 @@ from clubface.motion_capture.rigid_body import visible
 from clubface.motion_capture.rotations import Array
 from clubface.motion_capture.setup import Options, Setup, prepare
 from clubface.motion_capture.tracking import LEAST_MISFIT, Track, look_alikes, track
+from clubface.simulation.delivery import Delivery
 
 FLOOR = 1e-6
 """Metres; the least noise of a marker, above the rounding of a file in single precision."""
@@ -47,23 +47,24 @@ def read_swing(
     club
         A built-in name, the path of a TOML file, or a :class:`Club`.
     **options
-        ``estimator``: "smoother", "polynomial", or "linear" as in P1. ``roughness`` of the smoother: how much the path
-        may depart from a quartic. ``ball``, whose radius counts. ``hand``: "right" or "left", that of the club unless
-        given. ``target`` and ``up``: axes of the laboratory such as "+y", in place of the mapping's. ``unit`` of
-        length, in place of the one the file names. ``noise``: the standard deviation of a marker along an axis, such as
-        "0.3 mm"; the mapping's, or estimated from the residuals.
+        ``estimator``: "smoother", "polynomial", or "linear", the straight lines of Caldwell and McPhee (2023).
+        ``roughness``: for the smoother, how much the path may depart from a quartic. ``ball``: its radius is used.
+        ``hand``: "right" or "left"; that of the club if left out. ``target`` and ``up``: axes of the laboratory such as
+        "+y", instead of those of the mapping. ``unit``: the unit of length, instead of the one the file names.
+        ``noise``: the standard deviation of a marker along an axis, such as "0.3 mm"; if left out, that of the mapping,
+        or an estimate from the residuals.
 
     Raises
     ------
     FileError
-        A file that cannot be read, markers that are missing or do not fit, a swing without impact.
+        The file cannot be read, markers are missing or do not fit, or the swing has no impact.
     InputError
-        An option that cannot be used, another club than the mapping's.
+        An option cannot be used, or the club is not that of the mapping.
 
     Warns
     -----
     CaptureWarning
-        For each thing mended or doubtful, which ``notes`` of the result hold as well.
+        For each thing that was corrected or is doubtful; ``notes`` of the result holds them as well.
     """
     prepared = prepare(mapping, club, **options)
     found = capture(read_c3d(path, unit=prepared.mapping.unit), prepared)
@@ -73,7 +74,7 @@ def read_swing(
 
 
 def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
-    """Return the delivery of one recording; errors as of :func:`read_swing`."""
+    """Return the delivery of one recording; the errors are those of :func:`read_swing`."""
     where, head, radius = recording.path, setup.club, setup.ball.radius
     turn, cluster = setup.turn(recording), setup.cluster(recording)
     followed = track(cluster.shape, recording.markers(cluster.names) @ turn.T, cluster.names, where)

@@ -1,4 +1,4 @@
-"""The clubhead through a recording: its pose in every frame, exchanged and stray markers found and mended."""
+"""The clubhead through a recording: its attitude and position in every frame; exchanged and stray markers are found."""
 
 from __future__ import annotations
 
@@ -65,26 +65,27 @@ class Track(NamedTuple):
 
 
 def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Track:
-    """Fit the cluster in every frame, mending what can be mended.
+    """Fit the cluster in every frame, and correct what can be corrected.
 
-    A frame whose markers do not fit is tried with its labels in other orders, then without one marker; what fits
-    neither way has no pose.
+    A frame whose markers do not fit is tried with its labels in other orders, and then without one marker. A frame that
+    fits neither way has no attitude and position.
 
     Parameters
     ----------
     shape
         Markers in body axes [m], shape (markers, 3).
     observed
-        The same in the laboratory [m], shape (frames, markers, 3).
+        The same markers in the laboratory [m], shape (frames, markers, 3).
     names
-        Of the markers.
+        Names of the markers.
     path
-        The file, for errors.
+        The file, for error messages.
 
     Raises
     ------
     FileError
-        Too few markers in every frame, distances in another unit, or a cluster that is not that of the mapping.
+        There are too few markers in every frame, the distances are in another unit, or the cluster is not that of the
+        mapping.
     """
     observed = observed.copy()
     check_seen(observed, names, path)
@@ -149,12 +150,12 @@ def check_scale(shape: Array, observed: Array, path: str) -> None:
         raise FileError(
             path, None,
             f"the markers of the clubhead are {ratio:.3g} times as far apart as by the mapping: the unit of length"
-            " of the file or of the mapping is wrong (the units option overrides the file's)",
+            " of the file or of the mapping is wrong (--units overrides that of the file)",
         )  # fmt: skip
 
 
 def look_alikes(shape: Array, names: Sequence[str], smallest: float) -> list[str]:
-    """Return the exchanges, in words, that move no marker by ``smallest`` [m] or more: they would not be noticed."""
+    """Return, in words, the exchanges of labels that move no marker by ``smallest`` [m]: they would not be noticed."""
     orders = _orders(len(shape))[1:]
     misfit = _misfit(fit_poses(shape, shape[orders]))
     return [_words(orders[place], names) for place in np.flatnonzero(misfit < smallest)]

@@ -11,8 +11,8 @@ from typing import Any, ParamSpec, TypeVar
 import matplotlib as mpl
 from matplotlib.figure import Figure
 
+from clubface.equipment.models import models
 from clubface.errors import InputError
-from clubface.models import models
 
 P = ParamSpec("P")
 R = TypeVar("R")

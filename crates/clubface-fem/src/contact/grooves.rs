@@ -1,4 +1,4 @@
-//! Grooves of a face: how far its surface lies below its lands.
+//! Grooves of a face: the depth of its surface below its lands.
 
 use crate::error::FemError;
 use clubface_math::Real;
@@ -6,13 +6,13 @@ use clubface_math::Real;
 /// Straight grooves from heel to toe all over a face, with a land through its centre, m.
 #[derive(Clone, Copy, Debug)]
 pub struct Grooves {
-    /// From edge to edge.
+    /// Width from edge to edge.
     pub width: f64,
-    /// Below the lands.
+    /// Depth below the lands.
     pub depth: f64,
-    /// From the middle of one to that of the next.
+    /// Distance from the middle of one groove to the middle of the next.
     pub pitch: f64,
-    /// Width of each side wall, across which it falls smoothly.
+    /// Width of each side wall, across which the depth grows smoothly.
     pub wall: f64,
 }
 

@@ -1,18 +1,19 @@
-//! Contact of the ball with a face.
+//! Contact of the ball with a face, rigid or deformable.
 
-mod face;
+mod deformable;
 mod grooves;
-mod head;
-mod rests;
+mod penalty;
 mod rigid;
-mod spring;
+mod rigid_head;
+mod search_interval;
 mod surface;
 
-pub use face::{BallSide, FaceContact, FaceSide};
+pub use deformable::{BallSide, DeformableContact, FaceSide};
 pub use grooves::Grooves;
-pub use head::RigidHead;
+pub use penalty::{ContactMethod, NodeState, PenaltySprings, Penetration, TANGENTIAL_STIFFNESS};
 pub use rigid::{Plane, RigidContact, RigidSurface};
-pub use spring::{Held, Method, Springs, Touch, TANGENTIAL_STIFFNESS};
+pub use rigid_head::RigidHead;
+pub use search_interval::SearchIntervals;
 
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
@@ -24,13 +25,13 @@ pub struct ContactEnergy {
     pub stored: f64,
     /// Turned into heat by sliding.
     pub friction: f64,
-    /// Turned into heat by the damping of nodes that arrive.
+    /// Turned into heat by the damping of nodes that arrive at the face.
     pub damping: f64,
     /// Kinetic energy of rigid bodies.
     pub bodies: f64,
 }
 
-/// What the contact does in one step.
+/// Sum of the contact forces in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Resultant<R> {
     /// Force on the ball, N.
@@ -47,16 +48,16 @@ impl<R: Real> Default for Resultant<R> {
     }
 }
 
-/// A contact: it exerts forces on nodes, and on bodies of its own, which it moves.
+/// A contact. It exerts forces on nodes, and on rigid bodies of its own, which it moves.
 pub trait Contact<R: Real>: Send {
-    /// Nodes it may exert forces on.
+    /// Nodes on which it may exert forces.
     fn nodes(&self) -> &[u32];
-    /// Share of a node in the ball's undeformed surface, m2, by its place in [`Contact::nodes`]; 0 beyond the ball's.
+    /// Part of the ball's undeformed surface that belongs to a node, m2, by its index in [`Contact::nodes`]; 0 for other nodes.
     fn area(&self, _index: usize) -> f64 {
         0.0
     }
-    /// Keeps nodes out of the other side by another method than springs alone.
-    fn keep_out(&mut self, method: Method);
+    /// Chooses the method that keeps nodes out of the other side.
+    fn set_method(&mut self, method: ContactMethod);
     /// Computes the forces for positions (m) at a step and velocities (m/s) half a step before it; moves its bodies on by `dt` seconds.
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64);
     /// Forces on [`Contact::nodes`], N.
@@ -67,11 +68,11 @@ pub trait Contact<R: Real>: Send {
     fn energy(&self) -> ContactEnergy;
     /// Signed distance of a point from the face (m, positive in front of it) and the face's unit normal, for the given positions of all nodes.
     fn nearest(&self, positions: &[Row<R>], point: Vec3<R>) -> (R, Vec3<R>);
-    /// Whether the ball has reached round the edge of the face: nodes have passed it while they were pressed, and left behind what their springs had
-    /// stored, or have come back below the surface, where springs hold at once.
-    fn wrapped(&self) -> bool {
+    /// Whether the ball has reached round the edge of the face: nodes under load have passed the edge and lost the energy of their springs, or
+    /// have come back below the surface, where their springs act at once.
+    fn passed_edge(&self) -> bool {
         false
     }
     /// Motion of a rigid head; none if the head is made of nodes.
-    fn head(&self) -> Option<Motion<R>>;
+    fn head_motion(&self) -> Option<Motion<R>>;
 }

@@ -1,7 +1,7 @@
-//! Nodes of the ball against a rigid surface: penalty with Coulomb friction that sticks.
+//! Nodes of the ball against a rigid surface: penalty springs, and Coulomb friction that sticks.
 
-use super::rests::Rests;
-use super::{Contact, ContactEnergy, Held, Method, Resultant, Springs, Touch};
+use super::search_interval::SearchIntervals;
+use super::{Contact, ContactEnergy, ContactMethod, NodeState, PenaltySprings, Penetration, Resultant};
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
 
@@ -11,9 +11,9 @@ pub trait RigidSurface<R: Real>: Send {
     fn nearest(&self, point: Vec3<R>) -> (R, Vec3<R>);
     /// Velocity of the surface's material at a point, m/s.
     fn velocity(&self, point: Vec3<R>) -> Vec3<R>;
-    /// Takes up a force (N) at a point.
-    fn push(&mut self, force: Vec3<R>, point: Vec3<R>);
-    /// Moves on by `dt` seconds under the forces taken up.
+    /// Applies a force (N) at a point until the next [`RigidSurface::advance`].
+    fn apply_force(&mut self, force: Vec3<R>, point: Vec3<R>);
+    /// Moves on by `dt` seconds under the applied forces.
     fn advance(&mut self, dt: f64);
     /// Kinetic energy, J.
     fn kinetic_energy(&self) -> f64;
@@ -32,7 +32,7 @@ impl<R: Real> RigidSurface<R> for Plane {
     fn velocity(&self, _point: Vec3<R>) -> Vec3<R> {
         Vec3::zero()
     }
-    fn push(&mut self, _force: Vec3<R>, _point: Vec3<R>) {}
+    fn apply_force(&mut self, _force: Vec3<R>, _point: Vec3<R>) {}
     fn advance(&mut self, _dt: f64) {}
     fn kinetic_energy(&self) -> f64 {
         0.0
@@ -42,11 +42,11 @@ impl<R: Real> RigidSurface<R> for Plane {
     }
 }
 
-/// A node that may touch: its mass, its share of the surface, what it remembers of its contact.
+/// A node that may touch the surface: its mass, its part of the ball's surface, and the state of its contact.
 struct Candidate<R> {
     mass: R,
     area: f64,
-    held: Held<R>,
+    state: NodeState<R>,
 }
 
 /// Contact of some nodes with a rigid surface.
@@ -54,38 +54,42 @@ pub struct RigidContact<R, T> {
     /// The surface.
     pub surface: T,
     coefficient: R,
-    springs: Springs,
+    springs: PenaltySprings,
     nodes: Vec<u32>,
     candidates: Vec<Candidate<R>>,
-    rests: Rests,
+    intervals: SearchIntervals,
     forces: Vec<Row<R>>,
     resultant: Resultant<R>,
     energy: ContactEnergy,
 }
 
 impl<R: Real, T: RigidSurface<R>> RigidContact<R, T> {
-    /// Contact of `nodes`, given with their masses (kg) and shares of the surface (m2), under a coefficient of friction.
+    /// Contact of `nodes` with a coefficient of friction, given the masses of all nodes (kg) and the parts of the surface that belong to them (m2).
     pub fn new(surface: T, coefficient: R, nodes: Vec<u32>, masses: &[R], areas: &[f64]) -> Self {
         let candidates: Vec<_> = nodes
             .iter()
-            .map(|&n| Candidate { mass: masses[n as usize], area: areas[n as usize], held: Held::free() })
+            .map(|&n| Candidate {
+                mass: masses[n as usize],
+                area: areas[n as usize],
+                state: NodeState::free(),
+            })
             .collect();
         Self {
             surface,
             coefficient,
-            springs: Springs::default(),
+            springs: PenaltySprings::default(),
             forces: vec![Row::zero(); nodes.len()],
             nodes,
-            rests: Rests::new(candidates.len()),
+            intervals: SearchIntervals::new(candidates.len()),
             candidates,
             resultant: Resultant::default(),
             energy: ContactEnergy::default(),
         }
     }
 
-    /// With other springs.
+    /// The same contact with other springs.
     #[must_use]
-    pub fn with_springs(mut self, springs: Springs) -> Self {
+    pub fn with_springs(mut self, springs: PenaltySprings) -> Self {
         self.springs = springs;
         self
     }
@@ -98,14 +102,14 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
     fn area(&self, index: usize) -> f64 {
         self.candidates.get(index).map_or(0.0, |candidate| candidate.area)
     }
-    fn keep_out(&mut self, method: Method) {
+    fn set_method(&mut self, method: ContactMethod) {
         self.springs.multiplier = method.multiplier();
     }
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64) {
         self.resultant = Resultant::default();
         self.energy.stored = 0.0;
         for (index, candidate) in self.candidates.iter_mut().enumerate() {
-            if !self.rests.due(index) {
+            if !self.intervals.due(index) {
                 continue;
             }
             let (node, force) = (self.nodes[index] as usize, &mut self.forces[index]);
@@ -113,22 +117,23 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
             let (gap, normal) = self.surface.nearest(x);
             let velocity = velocities[node].vec() - self.surface.velocity(x);
             if gap.re() >= 0.0 {
-                candidate.held = Held::free();
+                candidate.state = NodeState::free();
                 *force = Row::zero();
-                self.rests.apart(index, gap.re(), velocity.norm_squared().re(), dt);
+                self.intervals.skip_gap(index, gap.re(), velocity.norm_squared().re(), dt);
                 continue;
             }
-            let touch = Touch { mass: candidate.mass, area: candidate.area, gap, normal, velocity };
-            let total = touch.force(
+            let penetration =
+                Penetration { mass: candidate.mass, area: candidate.area, gap, normal, velocity };
+            let total = penetration.force(
                 self.springs,
                 self.coefficient,
-                &mut candidate.held,
+                &mut candidate.state,
                 dt,
                 &mut self.resultant,
                 &mut self.energy,
             );
             *force = Row::from_vec(total);
-            self.surface.push(-total, x);
+            self.surface.apply_force(-total, x);
         }
         self.surface.advance(dt);
         self.energy.bodies = self.surface.kinetic_energy();
@@ -145,7 +150,7 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
     fn nearest(&self, _positions: &[Row<R>], point: Vec3<R>) -> (R, Vec3<R>) {
         self.surface.nearest(point)
     }
-    fn head(&self) -> Option<Motion<R>> {
+    fn head_motion(&self) -> Option<Motion<R>> {
         Some(self.surface.motion())
     }
 }

@@ -6,17 +6,17 @@ use clubface_math::{Real, Row, Vec3};
 
 /// Largest reference coordinate at which a point still belongs to a quadrilateral.
 const INSIDE: f64 = 1.0 + 1e-9;
-/// Most quadrilaterals a search passes through from where it starts.
-const WALK: usize = 64;
-/// Newton steps in one quadrilateral: from the last step's answer the second is exact to rounding.
-const NEWTON: usize = 2;
+/// Most quadrilaterals that a search passes through.
+const LONGEST_SEARCH: usize = 64;
+/// Newton iterations in one quadrilateral: starting from the result of the last time step, the second is exact to rounding.
+const NEWTON_ITERATIONS: usize = 2;
 
 /// Reference coordinates of a quadrilateral's corners.
 const SIGNS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
-/// Where a point stands over the surface.
+/// Closest-point projection of a point on the surface.
 #[derive(Clone, Copy, Debug)]
-pub struct Foot<R> {
+pub struct Projection<R> {
     /// Quadrilateral below the point.
     pub quad: u32,
     /// Reference coordinates in it.
@@ -45,8 +45,8 @@ pub struct Surface<R> {
     /// Grooves, and the height of each node up the undeformed face, m.
     pub grooves: Option<(Grooves, Vec<f64>)>,
     normals: Vec<Vec3<R>>,
-    /// Step at which each normal was made.
-    made: Vec<u32>,
+    /// Step in which each normal was computed.
+    computed_at: Vec<u32>,
     step: u32,
 }
 
@@ -88,31 +88,31 @@ impl<R: Real> Surface<R> {
             offsets,
             grooves: None,
             normals: vec![Vec3::zero(); nodes.len()],
-            made: vec![0; nodes.len()],
+            computed_at: vec![0; nodes.len()],
             step: 0,
             nodes,
         }
     }
 
-    /// Another step begins: normals are made anew.
-    pub fn turn(&mut self) {
+    /// Begins another step, in which normals are computed anew.
+    pub fn begin_step(&mut self) {
         self.step += 1;
     }
 
-    /// Position of a node, m. Read where it is needed: most nodes are far from the ball, and in the cache of another core.
+    /// Position of a node, m. Read only where it is needed: most nodes are far from the ball, and in the cache of another core.
     #[inline(always)]
-    pub fn place(&self, rows: &[Row<R>], node: u32) -> Vec3<R> {
+    pub fn position(&self, rows: &[Row<R>], node: u32) -> Vec3<R> {
         rows[self.nodes[node as usize] as usize].vec()
     }
 
     /// Positions of the corners of a quadrilateral, m.
     #[inline(always)]
     fn corners(&self, rows: &[Row<R>], quad: u32) -> [Vec3<R>; 4] {
-        self.quads[quad as usize].map(|node| self.place(rows, node))
+        self.quads[quad as usize].map(|node| self.position(rows, node))
     }
 
-    /// Sum of the area vectors round a node, to unit length.
-    fn fresh_normal(&self, rows: &[Row<R>], node: usize) -> Vec3<R> {
+    /// Normal at a node: the sum of the area vectors of the quadrilaterals round it, to unit length.
+    fn compute_normal(&self, rows: &[Row<R>], node: usize) -> Vec3<R> {
         let mut sum = Vec3::zero();
         for &q in &self.round[self.first[node] as usize..self.first[node + 1] as usize] {
             let [a, b, c, d] = self.corners(rows, q);
@@ -121,13 +121,13 @@ impl<R: Real> Surface<R> {
         sum * dot(sum, sum).sqrt().recip()
     }
 
-    /// Normals of a quadrilateral's corners at this step.
+    /// Normals at a quadrilateral's corners in this step.
     fn normals(&mut self, rows: &[Row<R>], quad: u32) -> [Vec3<R>; 4] {
         self.quads[quad as usize].map(|node| {
             let node = node as usize;
-            if self.made[node] != self.step {
-                self.made[node] = self.step;
-                self.normals[node] = self.fresh_normal(rows, node);
+            if self.computed_at[node] != self.step {
+                self.computed_at[node] = self.step;
+                self.normals[node] = self.compute_normal(rows, node);
             }
             self.normals[node]
         })
@@ -138,7 +138,7 @@ impl<R: Real> Surface<R> {
         let distance = |quad: &[u32; 4]| {
             let mut away = point * R::from_f64(-4.0);
             for &node in quad {
-                away += self.place(rows, node);
+                away += self.position(rows, node);
             }
             away.norm_squared().re()
         };
@@ -152,14 +152,20 @@ impl<R: Real> Surface<R> {
         best.1
     }
 
-    /// Foot of a point, searched from a quadrilateral and reference coordinates in it; none if the point is beyond the surface's edge.
-    pub fn foot(&mut self, rows: &[Row<R>], point: Vec3<R>, quad: u32, at: [R; 2]) -> Option<Foot<R>> {
+    /// Projection of a point, searched from a quadrilateral and reference coordinates in it; none if the point is beyond the surface's edge.
+    pub fn projection(
+        &mut self,
+        rows: &[Row<R>],
+        point: Vec3<R>,
+        quad: u32,
+        at: [R; 2],
+    ) -> Option<Projection<R>> {
         let (mut quad, mut at) = (quad, at);
-        for _ in 0..WALK {
+        for _ in 0..LONGEST_SEARCH {
             let normals = self.normals(rows, quad);
-            let foot = self.project(rows, point, quad, at, &normals);
-            match self.next(&foot) {
-                None => return Some(foot),
+            let projection = self.project(rows, point, quad, at, &normals);
+            match self.neighbour_beyond(&projection) {
+                None => return Some(projection),
                 Some(u32::MAX) => return None,
                 Some(neighbour) => quad = neighbour,
             }
@@ -168,45 +174,45 @@ impl<R: Real> Surface<R> {
         None
     }
 
-    /// Gradients of the weights along the surface at a foot on its lands, 1/m.
-    pub fn slopes(&self, rows: &[Row<R>], foot: &Foot<R>) -> [Vec3<R>; 4] {
-        let [_, x1, x2, x3] = modes(&self.corners(rows, foot.quad));
-        let ([xi, eta], n) = (foot.at, foot.normal);
+    /// Gradients of the weights along the surface at a projection on its lands, 1/m.
+    pub fn slopes(&self, rows: &[Row<R>], projection: &Projection<R>) -> [Vec3<R>; 4] {
+        let [_, x1, x2, x3] = modes(&self.corners(rows, projection.quad));
+        let ([xi, eta], n) = (projection.at, projection.normal);
         let (a, b) = (x1 + x3 * eta, x2 + x3 * xi);
         let scale = dot(cross(a, b), n).recip() * 0.25;
         let (along_xi, along_eta) = (cross(b, n) * scale, cross(n, a) * scale);
         SIGNS.map(|[s, t]| along_xi * ((eta * t + 1.0) * s) + along_eta * ((xi * s + 1.0) * t))
     }
 
-    /// The foot in the grooves of the face, if it has any: distance and normal of their walls and floors.
-    pub fn in_grooves(&self, rows: &[Row<R>], foot: Foot<R>) -> Foot<R> {
-        let Some((grooves, heights)) = &self.grooves else { return foot };
-        let nodes = self.quads[foot.quad as usize];
+    /// The projection in the grooves of the face, if it has any: distance and normal of their walls and floors.
+    pub fn in_grooves(&self, rows: &[Row<R>], projection: Projection<R>) -> Projection<R> {
+        let Some((grooves, heights)) = &self.grooves else { return projection };
+        let nodes = self.quads[projection.quad as usize];
         let h = nodes.map(|n| heights[n as usize]);
         let mut height = R::zero();
         for k in 0..4 {
-            height += foot.weights[k] * h[k];
+            height += projection.weights[k] * h[k];
         }
         let (depth, slope) = grooves.relief(height);
         if depth.re() <= 0.0 {
-            return foot;
+            return projection;
         }
-        // The distance is n . (x - foot) + depth(height): its gradient has a part up the face.
-        let mut gradient = foot.normal;
-        for (rise, at) in self.slopes(rows, &foot).into_iter().zip(h) {
+        // The distance is n . (x - projection) + depth(height): its gradient has a part up the face.
+        let mut gradient = projection.normal;
+        for (rise, at) in self.slopes(rows, &projection).into_iter().zip(h) {
             gradient += rise * (slope * at);
         }
         let steep = dot(gradient, gradient).sqrt().recip();
-        Foot { gap: (foot.gap + depth) * steep, normal: gradient * steep, ..foot }
+        Projection { gap: (projection.gap + depth) * steep, normal: gradient * steep, ..projection }
     }
 
     /// The same from the middle of a quadrilateral, without keeping the normals.
-    pub fn foot_from(&self, rows: &[Row<R>], point: Vec3<R>, quad: u32) -> Option<Foot<R>> {
+    pub fn projection_from(&self, rows: &[Row<R>], point: Vec3<R>, quad: u32) -> Option<Projection<R>> {
         let mut quad = quad;
-        for _ in 0..WALK {
-            let normals = self.quads[quad as usize].map(|node| self.fresh_normal(rows, node as usize));
+        for _ in 0..LONGEST_SEARCH {
+            let normals = self.quads[quad as usize].map(|node| self.compute_normal(rows, node as usize));
             let rough = self.project(rows, point, quad, [R::zero(); 2], &normals);
-            match self.next(&rough) {
+            match self.neighbour_beyond(&rough) {
                 None => return Some(self.project(rows, point, quad, rough.at, &normals)),
                 Some(u32::MAX) => return None,
                 Some(neighbour) => quad = neighbour,
@@ -215,9 +221,9 @@ impl<R: Real> Surface<R> {
         None
     }
 
-    /// Neighbour in whose direction a foot lies outside its quadrilateral, if it does: across the edge that is passed by more.
-    fn next(&self, foot: &Foot<R>) -> Option<u32> {
-        let [xi, eta] = foot.at.map(clubface_math::Scalar::re);
+    /// Neighbour in whose direction a projection lies outside its quadrilateral, if it does: across the edge that is passed by more.
+    fn neighbour_beyond(&self, projection: &Projection<R>) -> Option<u32> {
+        let [xi, eta] = projection.at.map(clubface_math::Scalar::re);
         if xi.abs() <= INSIDE && eta.abs() <= INSIDE {
             return None;
         }
@@ -227,7 +233,7 @@ impl<R: Real> Surface<R> {
             (false, _, true) => 2,
             (false, _, false) => 0,
         };
-        Some(self.neighbours[foot.quad as usize][side])
+        Some(self.neighbours[projection.quad as usize][side])
     }
 
     /// Point of a quadrilateral whose interpolated normal leads to `point`.
@@ -238,23 +244,23 @@ impl<R: Real> Surface<R> {
         quad: u32,
         start: [R; 2],
         normals: &[Vec3<R>; 4],
-    ) -> Foot<R> {
+    ) -> Projection<R> {
         let nodes = self.quads[quad as usize];
         let x = self.corners(rows, quad);
         let ([x0, x1, x2, x3], [n0, n1, n2, n3]) = (modes(&x), modes(normals));
         let mut at = start;
         let mut height = dot(point - x0, n0);
-        for _ in 0..NEWTON {
+        for _ in 0..NEWTON_ITERATIONS {
             let [xi, eta] = at;
             let (n, nx, ny) = (n0 + n1 * xi + (n2 + n3 * xi) * eta, n1 + n3 * eta, n2 + n3 * xi);
             let position = x0 + x1 * xi + (x2 + x3 * xi) * eta;
-            let rest = point - position - n * height;
+            let residual = point - position - n * height;
             let (a, b) = (x1 + x3 * eta + nx * height, x2 + x3 * xi + ny * height);
             let (ab, bn, na) = (cross(a, b), cross(b, n), cross(n, a));
             let scale = dot(ab, n).recip();
             // Far outside, a full step would leave the neighbourhood where the element means anything.
-            at = [limit(xi + dot(bn, rest) * scale), limit(eta + dot(na, rest) * scale)];
-            height += dot(ab, rest) * scale;
+            at = [limited(xi + dot(bn, residual) * scale), limited(eta + dot(na, residual) * scale)];
+            height += dot(ab, residual) * scale;
         }
         let [xi, eta] = at;
         let n = n0 + n1 * xi + (n2 + n3 * xi) * eta;
@@ -264,12 +270,12 @@ impl<R: Real> Surface<R> {
         for k in 0..4 {
             offset += weights[k] * self.offsets[nodes[k] as usize];
         }
-        Foot { quad, at, gap: height * size - offset, normal: n * size.recip(), weights }
+        Projection { quad, at, gap: height * size - offset, normal: n * size.recip(), weights }
     }
 }
 
 #[inline(always)]
-fn limit<R: Real>(c: R) -> R {
+fn limited<R: Real>(c: R) -> R {
     c.min(R::from_f64(3.0)).max(R::from_f64(-3.0))
 }
 

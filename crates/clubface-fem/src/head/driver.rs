@@ -3,10 +3,12 @@
 use super::{face_axes, ShellHead, ShellPart};
 use crate::element::{Isotropic, ShellMaterial};
 use crate::error::FemError;
-use crate::mesh::{tune, DriverFineness, DriverShape, DriverThickness, Region, Target, Trim, Tuned};
+use crate::mesh::{
+    check_wall, tune, DriverFineness, DriverShape, DriverThickness, Region, Target, Trim, Tuned,
+};
 use clubface_math::{Real, Vec3};
 
-/// A driver head as designed.
+/// The design of a driver head.
 #[derive(Clone, Debug)]
 pub struct Driver<R> {
     /// Shape.
@@ -21,26 +23,26 @@ pub struct Driver<R> {
     pub scales: (f64, f64),
     /// Masses that may be added.
     pub trims: Vec<Trim>,
-    /// What to reach.
+    /// Mass properties to reach.
     pub target: Target,
 }
 
-/// A driver head as meshed and tuned.
+/// A driver head, meshed and tuned.
 #[derive(Clone, Debug)]
 pub struct MeshedDriver<R> {
-    /// The head, a part a region.
+    /// The head, with one part for each region.
     pub head: ShellHead<R>,
-    /// What tuning did.
+    /// Result of the tuning.
     pub tuned: Tuned,
 }
 
 impl<R: Real> Driver<R> {
-    /// P2's head as far as it says: 210 g, loft 11.5 deg, 3264 shells, moment of inertia 1526 g cm2. P2 does not say about which axis; about the
-    /// vertical no head of a driver's size comes down to that, about the axis from heel to toe it is what a driver of its time has, so
-    /// that is how it is read. The rest is chosen: titanium, a shape of about 240 cm3, usual walls, and the mass centre on the face normal
-    /// through the face centre.
+    /// The head of Roh and Lee as far as they describe it: 210 g, loft 11.5 deg, 3264 shells, moment of inertia 1526 g cm2. They do not say about
+    /// which axis. About the vertical no head of a driver's size has so little, but about the axis from heel to toe drivers of that time
+    /// have, so this axis is assumed. The rest is chosen here: titanium, a shape of about 240 cm3, usual walls, and the mass centre on the
+    /// face normal through the face centre.
     #[must_use]
-    pub fn p2() -> Self {
+    pub fn roh_and_lee() -> Self {
         let shape = DriverShape {
             loft: 11.5_f64.to_radians(),
             bulge: 0.305,
@@ -83,7 +85,7 @@ impl<R: Real> Driver<R> {
         }
     }
 
-    /// Checks what no head can be made of.
+    /// Checks that the head can be meshed.
     ///
     /// # Errors
     /// [`FemError::Input`] that names the first value that is not allowed.
@@ -97,10 +99,7 @@ impl<R: Real> Driver<R> {
             ("thickness.skirt", t.skirt),
         ];
         for (name, value) in walls {
-            if !(2e-4..=0.02).contains(&value) {
-                let value = format!("{} mm", value * 1e3);
-                return Err(FemError::input(name, value, "0.2 to 20 mm is allowed"));
-            }
+            check_wall(name, value, "")?;
         }
         self.metal.check("metal")?;
         if self.fineness.0.iter().any(|n| !(4..=400).contains(n)) {

@@ -1,6 +1,7 @@
 //! Heads of hexahedra, such as irons.
 
-use super::{add, DeformableHead};
+use super::deformable::add_masses;
+use super::DeformableHead;
 use crate::contact::Grooves;
 use crate::element::{Element, Kernels, Patch};
 use crate::error::FemError;
@@ -17,7 +18,7 @@ pub struct SolidHead<R> {
     pub face: Vec<[u32; 4]>,
     /// What it is made of.
     pub material: Material<R>,
-    /// Grooves of the face, if it has any: felt by the contact, no part of the mesh.
+    /// Grooves of the face, if it has any. Only the contact knows them; they are not meshed.
     pub grooves: Option<Grooves>,
     /// Kind of elements.
     pub element: Element,
@@ -59,18 +60,18 @@ impl<R: Kernels> DeformableHead<R> for SolidHead<R> {
     fn masses(&self) -> ShellMasses<R> {
         let mut translation = vec![R::zero(); self.solid.nodes.len()];
         for (e, element) in self.solid.elements.iter().enumerate() {
-            let share = self.material.density * (self.solid.volume(e) / 8.0);
+            let nodal_mass = self.material.density * (self.solid.volume(e) / 8.0);
             for &node in element {
-                translation[node as usize] += share;
+                translation[node as usize] += nodal_mass;
             }
         }
-        add(&mut translation, &self.added);
+        add_masses(&mut translation, &self.added);
         ShellMasses { translation, rotation: Vec::new() }
     }
-    fn patches(&self, placed: &[Vec3<R>], first: u32) -> Vec<(String, Box<dyn Patch<R>>)> {
-        // Elements count their nodes from the first row of the structure.
+    fn patches(&self, positions: &[Vec3<R>], first: u32) -> Vec<(String, Box<dyn Patch<R>>)> {
+        // Elements number their nodes from the first row of the structure.
         let mut nodes = vec![Vec3::zero(); first as usize];
-        nodes.extend(placed);
+        nodes.extend(positions);
         let elements = self.solid.elements.iter().map(|element| element.map(|n| n + first)).collect();
         let mesh = SolidMesh { nodes, elements, layer: self.solid.layer.clone() };
         let patches = self.element.patches(&mesh, 0..mesh.elements.len(), &self.material);

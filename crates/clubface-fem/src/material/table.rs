@@ -5,8 +5,10 @@ use super::family::{Entry, Family, Law, DERIVATIVES};
 use super::stage::{Slot, Stage};
 use super::viscous::Branches;
 use crate::error::FemError;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+use clubface_math::pack::F64x2;
 #[cfg(target_arch = "x86_64")]
-use clubface_math::lanes::x86::{F64x4, F64x8};
+use clubface_math::pack::{F64x4, F64x8};
 use clubface_math::{Computation, Dual, Pack, Real, Scalar};
 use std::any::Any;
 use std::marker::PhantomData;
@@ -163,6 +165,8 @@ number!(
     f64,
     plain,
     f64,
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    F64x2,
     #[cfg(target_arch = "x86_64")]
     F64x4,
     #[cfg(target_arch = "x86_64")]
@@ -172,6 +176,8 @@ number!(
     Dual<f64, DERIVATIVES>,
     derived,
     Dual<f64, DERIVATIVES>,
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    Dual<F64x2, DERIVATIVES>,
     #[cfg(target_arch = "x86_64")]
     Dual<F64x4, DERIVATIVES>
 );

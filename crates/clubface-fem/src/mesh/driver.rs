@@ -1,95 +1,20 @@
 //! A hollow driver head of quadrilaterals: a closed surface, part of it the face with bulge, roll and loft.
 //!
 //! Axes as those of the ball at first touch: x towards the target, y up, z to the toe; the origin is the face centre, on the outside. The
-//! mesh is that of a box, wrapped round the body and smoothed, so it has no triangles, no seams, and no corner that lies in one plane with
+//! mesh is that of a box, wrapped round the body and smoothed, so that it has no triangles, no seams, and no corner in one plane with
 //! its neighbours.
 
+use super::driver_shape::{DriverFineness, DriverShape, DriverThickness, Region};
 use super::driver_surface::DriverSurface;
 use super::ShellMesh;
 use clubface_math::{Real, Vec3};
 
-/// Part of a head.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Region {
-    /// Struck side.
-    Face,
-    /// Top.
-    Crown,
-    /// Bottom.
-    Sole,
-    /// Sides and back.
-    Skirt,
-}
-
-impl Region {
-    /// All regions, in the order of their elements in a mesh.
-    pub const ALL: [Self; 4] = [Self::Face, Self::Crown, Self::Sole, Self::Skirt];
-
-    /// Name, as in reports.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Face => "face",
-            Self::Crown => "crown",
-            Self::Sole => "sole",
-            Self::Skirt => "skirt",
-        }
-    }
-}
-
-/// Shape of a driver head, m and rad.
-#[derive(Clone, Copy, Debug)]
-pub struct DriverShape {
-    /// Elevation of the face normal.
-    pub loft: f64,
-    /// Radius of the face from heel to toe.
-    pub bulge: f64,
-    /// Radius of the face from sole to crown.
-    pub roll: f64,
-    /// Heel to toe.
-    pub width: f64,
-    /// Face to back.
-    pub depth: f64,
-    /// Crown above the face centre.
-    pub crown: f64,
-    /// Sole below the face centre.
-    pub sole: f64,
-    /// Rounding between face and body.
-    pub rounding: f64,
-}
-
-/// Thickness by region, m.
-#[derive(Clone, Copy, Debug)]
-pub struct DriverThickness {
-    /// At the face centre.
-    pub face_centre: f64,
-    /// At the edge of the face.
-    pub face_edge: f64,
-    /// Of the crown.
-    pub crown: f64,
-    /// Of the sole.
-    pub sole: f64,
-    /// Of sides and back.
-    pub skirt: f64,
-}
-
-/// Elements from heel to toe, from sole to crown, from face to back.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct DriverFineness(pub [usize; 3]);
-
-impl Default for DriverFineness {
-    /// 3264 elements, as P2.
-    fn default() -> Self {
-        Self([36, 12, 25])
-    }
-}
-
-/// A driver head as meshed.
+/// A meshed driver head.
 #[derive(Clone, Debug)]
 pub struct DriverMesh<R> {
     /// Middle surface with thickness.
     pub shells: ShellMesh<R>,
-    /// Region of each element; elements of a region follow each other.
+    /// Region of each element; elements of a region are consecutive.
     pub regions: Vec<Region>,
 }
 

@@ -1,14 +1,15 @@
 //! The surface of a hollow driver head, and nodes that spread over it.
 
-use super::{convexity, DriverShape};
+use super::driver_shape::DriverShape;
+use super::shell_mesh::convexity;
 use clubface_math::Vec3;
 
-/// Share of the depth that lies in front of the widest section.
+/// Part of the depth in front of the widest section.
 const WIDEST: f64 = 0.42;
 /// Exponents of the outline from above, of which [`outlined`] is the power, and of the sections up and down.
 const OUTLINE: f64 = 2.5;
 const SECTION: f64 = 2.3;
-/// Share of the sum of pulls by which a node moves in a round of smoothing.
+/// Fraction of the sum of pulls by which a node moves in a round of smoothing.
 const RELAXATION: f64 = 0.15;
 /// Convexity below which smoothing leaves a node where it is, unless it helps: well above the 0.02 below which a head is refused.
 const FOLDED: f64 = 0.15;

@@ -1,20 +1,20 @@
-//! Bringing a shell head to its mass, mass centre and inertia, by the thickness of its body and by trim masses.
+//! Tuning of a shell head to its mass, mass centre and inertia, by the thickness of its body and by trim masses.
 
 use super::ShellMesh;
 use clubface_math::{Mat3, Real, Vec3};
 
-/// A mass spread over the nodes near a place on the head.
+/// A mass that is spread over the nodes near a point of the head.
 #[derive(Clone, Debug)]
 pub struct Trim {
     /// Name, for the report.
     pub name: String,
-    /// Place, m.
+    /// Position, m.
     pub at: Vec3<f64>,
-    /// Most it may weigh, kg.
+    /// Largest mass, kg.
     pub most: f64,
 }
 
-/// What a head should reach.
+/// Mass properties that a head should have.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     /// Mass, kg.
@@ -38,7 +38,7 @@ pub struct MassProperties {
     pub inertia: Mat3<f64>,
 }
 
-/// What tuning reached.
+/// Result of the tuning.
 #[derive(Clone, Debug)]
 pub struct Tuned {
     /// Factor on the thickness of the body.
@@ -51,7 +51,7 @@ pub struct Tuned {
     pub reached: MassProperties,
 }
 
-/// Of point masses.
+/// Mass properties of point masses.
 #[must_use]
 pub fn mass_properties(nodes: &[Vec3<f64>], masses: &[f64]) -> MassProperties {
     let (mut mass, mut first) = (0.0, Vec3::zero());
@@ -68,14 +68,14 @@ pub fn mass_properties(nodes: &[Vec3<f64>], masses: &[f64]) -> MassProperties {
     MassProperties { mass, centre, inertia }
 }
 
-/// Radius about a trim's place within which nodes carry it, m.
+/// Radius round a trim mass within which nodes carry it, m.
 const SPREAD: f64 = 0.008;
-/// Rounds in which the mass centre, to which inertia refers, is brought up to date.
+/// Rounds, each with the mass centre of the last one as the origin of the inertia.
 const ROUNDS: usize = 8;
-/// How much a wall of twice its thickness, or a trim mass at its most, counts: it settles what the equations leave open.
-const PULL: f64 = 0.1;
+/// Weight of a wall of twice its thickness, or of the largest trim mass, against the errors: it decides what the equations leave open.
+const REGULARISATION: f64 = 0.1;
 
-/// Tunes a head: `body` tells the elements whose thickness may change, within `scales`; `up` is the direction up the face.
+/// Tunes a head: `body` tells which elements may change their thickness, within the factors `scales`; `up` is the direction up the face.
 pub fn tune<R: Real>(
     mesh: &mut ShellMesh<R>,
     body: &[bool],
@@ -89,9 +89,9 @@ pub fn tune<R: Real>(
     // Mass by node of the fixed part, of the body, and of each trim at one kilogram.
     let mut columns = vec![vec![0.0; count]; 2 + trims.len()];
     for (element, quad) in mesh.quads.iter().enumerate() {
-        let share = 0.25 * density * mesh.thickness[element].re() * mesh.area(element);
+        let nodal_mass = 0.25 * density * mesh.thickness[element].re() * mesh.area(element);
         for &node in quad {
-            columns[usize::from(body[element])][node as usize] += share;
+            columns[usize::from(body[element])][node as usize] += nodal_mass;
         }
     }
     for (trim, column) in trims.iter().zip(&mut columns[2..]) {
@@ -116,8 +116,8 @@ pub fn tune<R: Real>(
         for (i, bound) in bounds.iter().enumerate().skip(1) {
             let mut pull = vec![0.0; bounds.len()];
             let (as_designed, unit) = if i == 1 { (1.0, 1.0) } else { (0.0, bound.1) };
-            pull[i] = PULL / unit;
-            rows.push((pull, PULL * as_designed / unit));
+            pull[i] = REGULARISATION / unit;
+            rows.push((pull, REGULARISATION * as_designed / unit));
         }
         bounded_least_squares(&rows, &bounds, &mut x);
     }
@@ -130,7 +130,7 @@ pub fn tune<R: Real>(
     Tuned { scale: x[1], trims: x[2..].to_vec(), added, reached: mass_properties(&mesh.nodes, &total(&x)) }
 }
 
-/// Rows of the least-squares problem, each a list of coefficients and a right side, in units in which one is a bad miss.
+/// Rows of the least-squares problem, each with its coefficients and right side, scaled so that an error of 1 is a bad miss.
 fn equations(
     nodes: &[Vec3<f64>],
     columns: &[Vec<f64>],
@@ -165,7 +165,7 @@ fn equations(
     rows
 }
 
-/// Least squares within bounds, by an active set: what is outside is put on its bound, the farthest first, and is freed when it pulls inwards.
+/// Least squares within bounds by an active set: values outside are put on their bounds, the farthest first, and freed when they pull inwards.
 fn bounded_least_squares(rows: &[(Vec<f64>, f64)], bounds: &[(f64, f64)], x: &mut [f64]) {
     let n = x.len();
     let (mut square, mut right) = (vec![vec![0.0; n]; n], vec![0.0; n]);

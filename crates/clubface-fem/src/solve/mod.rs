@@ -1,23 +1,32 @@
-//! Time stepping: central differences over all nodes, elements and contact side by side.
+//! Time integration by central differences, for all nodes, elements and the contact at once.
 
-mod history;
-mod impact;
-mod kinetics;
-mod march;
+mod assembly;
+mod body_motion;
+mod energy_balance;
+mod gather;
+mod integration;
+mod measurement;
 mod options;
-mod rest;
-mod roster;
-mod shares;
+mod recorder;
+mod records;
+mod run;
+mod schedule;
+mod shared_slice;
+mod simulation;
+mod snapshot;
 mod stable_step;
 mod structure;
-mod team;
-mod together;
-mod view;
+mod subcycling;
+mod worker_pool;
 
-pub use history::{ContactFrame, EnergyFrame, Figures, History, MotionFrame};
-pub use impact::{Impact, Outcome};
-pub use kinetics::Kinetics;
+pub use body_motion::BodyMotion;
+pub use integration::StepObserver;
 pub use options::Options;
-pub use stable_step::springs_of;
+pub use records::{ContactRecord, EnergyRecord, MotionRecord, Records, Summary};
+pub use run::SimulationResult;
+pub use schedule::balanced;
+pub use simulation::Simulation;
+pub use snapshot::{NodeForce, Progress, Snapshot};
+pub use stable_step::{largest_eigenvalue, springs_for_stable_step};
 pub use structure::Structure;
-pub use view::{Progress, Touched, View};
+pub use worker_pool::{Stage, WorkerPool};

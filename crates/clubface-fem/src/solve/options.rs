@@ -1,12 +1,12 @@
-//! How to run an impact.
+//! Options of a run.
 
-use crate::contact::Method;
+use crate::contact::ContactMethod;
 use crate::error::FemError;
 
 /// Longest simulated time, s.
 pub(super) const LONGEST: f64 = 0.1;
 
-/// How to run.
+/// Options of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
     /// Simulated time, s.
@@ -20,7 +20,7 @@ pub struct Options {
     /// Whether to end soon after the last touch, be it before or after the end of the simulated time.
     pub until_separation: bool,
     /// How nodes are kept out of the other side.
-    pub contact: Method,
+    pub contact: ContactMethod,
     /// Linear bulk viscosity of solid elements over density, speed of waves and their size; 0 for none.
     pub bulk_viscosity: f64,
 }
@@ -33,7 +33,7 @@ impl Default for Options {
             interval: 5e-6,
             energy_every: 10,
             until_separation: false,
-            contact: Method::Penalty,
+            contact: ContactMethod::Penalty,
             bulk_viscosity: 0.0,
         }
     }

@@ -1,42 +1,50 @@
-//! The largest time step that central differences bear.
+//! The largest time step with which central differences are stable.
 
+use super::shared_slice::SharedSlice;
+use super::worker_pool::{Stage, WorkerPool};
 use super::Structure;
-use crate::contact::Springs;
+use crate::contact::PenaltySprings;
 use clubface_math::{Real, Row};
-use rayon::prelude::*;
 
-/// Largest displacement by which stiffness is felt, m: small beside any element, large beside the rounding of positions.
+/// Largest displacement of a stiffness probe, m: small beside any element, large beside the rounding of positions.
 const DISPLACEMENT: f64 = 1e-8;
 
-/// A step (s) a little shorter, one of 64 in every factor of two: cases that hardly differ then have the same, and so differ smoothly.
+/// The step (s) rounded down to one of 64 in every factor of two: cases that hardly differ then have the same step, and results that differ smoothly.
 pub(super) fn rounded(step: f64) -> f64 {
     ((step.log2() * 64.0).floor() / 64.0).exp2()
 }
 
-/// Contact springs of a ball whose stable step (s) is given, the same whatever steps a run takes.
+/// Contact springs for a ball of the given stable step (s). They do not depend on the step of the run.
 #[must_use]
-pub fn springs_of(limit: f64) -> Springs {
-    Springs { step: Some(rounded(0.9 * limit)), ..Springs::default() }
+pub fn springs_for_stable_step(stable: f64) -> PenaltySprings {
+    PenaltySprings { step: Some(rounded(0.9 * stable)), ..PenaltySprings::default() }
 }
 
 impl<R: Real> Structure<R> {
-    /// Bound of the stable step, s: two over the highest frequency of the structure as it stands.
+    /// The stable step, s: two over the highest angular frequency of the structure in its current state.
     ///
     /// The frequency comes from Lanczos' method on the forces of small displacements (Golub and Van Loan, Matrix Computations, section
     /// 10.1). Its largest value approaches the true one from below; the residual is added to it, which puts it on the safe side once
-    /// the highest mode has been found. Histories return to what they were with the positions.
+    /// the highest mode has been found. Positions and state variables stay as they are.
     pub fn stable_step(&mut self, iterations: usize) -> f64 {
         self.stable_step_of(&vec![true; self.patches.len()], iterations)
     }
 
-    /// The same of some patches alone, between all of the mass.
+    /// The stable step (s) of some patches alone, with the masses of all.
     pub(super) fn stable_step_of(&mut self, chosen: &[bool], iterations: usize) -> f64 {
-        self.settle();
-        let rest = self.positions.clone();
-        let mut displacements = vec![Row::zero(); rest.len()];
+        let executor = self.executor.clone();
+        // One pool for all iterations: its workers stay awake in between.
+        WorkerPool::with(&*executor, |pool| self.stable_step_with(pool, chosen, iterations))
+    }
+
+    fn stable_step_with(&mut self, pool: &WorkerPool<'_>, chosen: &[bool], iterations: usize) -> f64 {
+        self.synchronise();
+        let [schedule, _] = self.schedules();
+        let initial = self.positions.clone();
+        let mut displacements = vec![Row::zero(); initial.len()];
         let masses: Vec<f64> = self.masses.iter().map(|m| m.re()).collect();
         let inverse: Vec<f64> = masses.iter().map(|m| 1.0 / m).collect();
-        // A deterministic start with a part along every mode.
+        // A start that is the same every time and has a part along every mode.
         let mut seed = 1_u64;
         let mut random = || {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -48,16 +56,22 @@ impl<R: Real> Structure<R> {
         let mut norm = dot(&current, &current, &masses).sqrt();
         for _ in 0..iterations {
             let scale = DISPLACEMENT / normalise(&mut current, norm);
-            for (((x, u), r), v) in self.positions.iter_mut().zip(&mut displacements).zip(&rest).zip(&current)
+            for (((x, u), r), v) in
+                self.positions.iter_mut().zip(&mut displacements).zip(&initial).zip(&current)
             {
                 for c in 0..4 {
                     u.0[c] = R::from_f64(v.0[c] * scale);
                     x.0[c] = r.0[c] + u.0[c];
                 }
             }
-            let positions = &self.positions;
-            let probed = self.patches.par_iter_mut().zip(chosen).filter(|(_, chosen)| **chosen);
-            probed.for_each(|(patch, _)| patch.perturbed_forces(positions, &displacements));
+            let (positions, patches) = (&self.positions, SharedSlice::new(&mut self.patches));
+            // SAFETY: a schedule has every patch once.
+            let perturb = |task: usize, _: usize| unsafe {
+                if chosen.get(task) == Some(&true) {
+                    patches.get(task).perturbed_forces(positions, &displacements);
+                }
+            };
+            pool.run(&Stage { task: &perturb, schedule: &schedule });
             // The next vector: accelerations, without what lies along the last two.
             let last = beside.last().copied().unwrap_or(0.0);
             before.iter_mut().for_each(|v| v.0 = v.0.map(|v| -last * v));
@@ -80,7 +94,7 @@ impl<R: Real> Structure<R> {
             diagonal.push(along);
             beside.push(norm);
         }
-        self.positions = rest;
+        self.positions = initial;
         2.0 / largest_eigenvalue(&diagonal, &beside).sqrt()
     }
 }
@@ -110,7 +124,8 @@ fn normalise(field: &mut [Row<f64>], norm: f64) -> f64 {
 
 /// Largest eigenvalue of a symmetric tridiagonal matrix, plus its residual: the last number beside the diagonal, which belongs to the next row,
 /// times the last component of the eigenvector.
-fn largest_eigenvalue(diagonal: &[f64], beside: &[f64]) -> f64 {
+#[must_use]
+pub fn largest_eigenvalue(diagonal: &[f64], beside: &[f64]) -> f64 {
     let n = diagonal.len();
     let reach = |i: usize| if i == 0 { 0.0 } else { beside[i - 1].abs() } + beside[i].abs();
     let mut high = (0..n).fold(0.0_f64, |most, i| most.max(diagonal[i] + reach(i)));
@@ -140,20 +155,4 @@ fn largest_eigenvalue(diagonal: &[f64], beside: &[f64]) -> f64 {
         sum += here * here;
     }
     high + beside[n - 1] / sum.sqrt()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::largest_eigenvalue;
-
-    #[test]
-    fn eigenvalue_of_a_chain() {
-        // Springs and masses in a row: 2 + 2 cos(pi / (n + 1)); the row has ended, so no residual is left.
-        let n = 20;
-        let mut beside = vec![-1.0; n];
-        beside[n - 1] = 0.0;
-        let exact = 2.0 + 2.0 * (std::f64::consts::PI / (n + 1) as f64).cos();
-        // Bisection to 2^-60 of the bracket, then rounding.
-        assert!((largest_eigenvalue(&vec![2.0; n], &beside) - exact).abs() < 1e-13);
-    }
 }

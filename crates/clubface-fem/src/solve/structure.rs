@@ -1,149 +1,156 @@
-//! Nodes, elements and how their forces meet: one explicit step.
+//! Nodes, the patches of elements between them, and where the forces on each node are found.
 //!
-//! Every step has two phases: patches and contact compute forces from positions (each into an array of its own), then every node sums the forces
+//! Every step has two stages: patches and contact compute forces from positions, each into an array of its own; then every node sums the forces
 //! on it and moves.
 
-use super::kinetics::Kinetics;
-use super::shares::{split, Shares, PERIOD};
-use crate::element::{Energy, OutputSink, Patch, Scratch};
-use crate::moments::{Moments, Nodes, Origin};
+use super::gather::{gather_lists, GatherList, PERIOD};
+use crate::element::{Patch, Scratch};
+use crate::environment::{Environment, Executor};
+use crate::moments::{Moments, Origin};
 use clubface_math::{Real, Row, Vec3};
+use std::ops::Range;
+use std::sync::Arc;
 
 /// Nodes with mass, and patches of elements between them.
 pub struct Structure<R> {
-    /// Positions, m; those of nodes that are away only after [`Structure::settle`].
+    /// Positions, m. Those of interior nodes are up to date only after [`Structure::synchronise`].
     pub positions: Vec<Row<R>>,
     /// Velocities half a step before the positions, m/s; likewise.
     pub velocities: Vec<Row<R>>,
     /// Masses, kg.
     pub masses: Vec<R>,
-    /// Number of rows that are positions; those behind are rotations of shells.
+    /// Number of rows that are positions. The rows behind them are rotations of shells.
     pub translations: usize,
     pub(super) inverse_masses: Vec<R>,
     pub(super) patches: Vec<Box<dyn Patch<R>>>,
-    /// Where the forces on the nodes stand: on all nodes, on those of one patch alone, and on the others; the last two without those that a
-    /// patch moves by itself.
-    pub(super) shares: Vec<Shares>,
-    pub(super) inner: Vec<Shares>,
-    pub(super) outer: Vec<Shares>,
-    /// Number of forces of each patch, and of the contact.
-    pub(super) lengths: Vec<usize>,
-    /// Which patches rest in every second step, and whether they do in the next.
-    pub(super) resting: Vec<bool>,
-    pub(super) pause: bool,
-    /// Nodes that a patch moves by itself. By patch the others, each in the first list it is in; in the last list those of no patch.
-    adopted: Vec<bool>,
-    pub(super) own: Vec<Vec<u32>>,
-    /// Whether patches have nodes with them that the fields do not follow.
-    pub(super) away: bool,
-    /// Nodes whose moments are taken before they are away for long, from where, and by patch.
-    followed: std::ops::Range<usize>,
-    pub(super) origin: Origin<R>,
-    pub(super) moments: Vec<Moments<R>>,
+    /// Where to find the forces on all nodes; on those of one patch alone, by patch; and on those of several. The last two leave out interior
+    /// nodes, which their patches move.
+    pub(super) all_nodes: Vec<GatherList>,
+    pub(super) patch_nodes: Vec<GatherList>,
+    pub(super) shared_nodes: Vec<GatherList>,
+    /// Number of forces of each patch, then of the contact.
+    pub(super) force_counts: Vec<usize>,
+    /// Which patches are subcycled, and whether the next step leaves them out.
+    pub(super) subcycled: Vec<bool>,
+    pub(super) skip_subcycled: bool,
+    /// Which nodes are interior nodes of a patch, which moves them by itself.
+    pub(super) interior: Vec<bool>,
+    /// The other nodes by patch, each under the first patch that has it; at the end those of no patch.
+    pub(super) boundary_nodes: Vec<Vec<u32>>,
+    /// Whether the motion of interior nodes is with their patches, and the positions and velocities above are out of date for them.
+    pub(super) interior_loaded: bool,
+    /// Nodes whose moments every call of [`Structure::integrate`] ends with, their origin, and the moments by patch.
+    pub(super) tracked: Range<usize>,
+    pub(super) moment_origin: Origin<R>,
+    pub(super) tracked_moments: Vec<Moments<R>>,
     /// Nodes of the contact.
-    pub(super) touching: Vec<u32>,
-    /// Memory to work in, one a thread.
+    pub(super) contact_nodes: Vec<u32>,
+    /// Working memory, one for each thread.
     pub(super) scratches: Vec<Scratch<R>>,
+    /// Threads that work on it.
+    pub(super) executor: Arc<dyn Executor>,
 }
 
 impl<R: Real> Structure<R> {
-    /// Nodes at rest with the given masses, and patches; `contact` names the nodes of the contact that will act on them.
+    /// Nodes at rest with the given masses, and patches between them. `contact_nodes` are those on which a contact will act. The threads of the
+    /// environment do the work.
     pub fn new(
         positions: Vec<Row<R>>,
         masses: Vec<R>,
         mut patches: Vec<Box<dyn Patch<R>>>,
-        contact: &[u32],
+        contact_nodes: &[u32],
+        environment: &Environment,
     ) -> Self {
         let count = positions.len();
         let inverse_masses: Vec<R> = masses.iter().map(|m| m.recip()).collect();
         let mut uses = vec![0_u32; count];
-        for &node in patches.iter().flat_map(|p| p.nodes()).chain(contact) {
+        for &node in patches.iter().flat_map(|p| p.nodes()).chain(contact_nodes) {
             uses[node as usize] += 1;
         }
-        let mut adopted = vec![false; count];
+        let mut interior = vec![false; count];
         for patch in &mut patches {
             let nodes = patch.nodes().to_vec();
             let alone: Vec<bool> = nodes.iter().map(|&n| uses[n as usize] == 1).collect();
             let inverse: Vec<R> = nodes.iter().map(|&n| inverse_masses[n as usize]).collect();
-            for place in patch.claim_interior_nodes(&alone, &inverse) {
-                adopted[nodes[place as usize] as usize] = true;
+            for index in patch.claim_interior_nodes(&alone, &inverse) {
+                interior[nodes[index as usize] as usize] = true;
             }
         }
-        let mut listed = adopted.clone();
+        let mut listed = interior.clone();
         let mut unlisted = |node: &u32| !std::mem::replace(&mut listed[*node as usize], true);
-        let mut own: Vec<Vec<u32>> =
+        let mut boundary_nodes: Vec<Vec<u32>> =
             patches.iter().map(|p| p.nodes().iter().copied().filter(&mut unlisted).collect()).collect();
-        own.push((0..count as u32).filter(&mut unlisted).collect());
-        let lengths = patches.iter().map(|p| p.nodes().len()).chain([contact.len()]).collect();
+        boundary_nodes.push((0..count as u32).filter(&mut unlisted).collect());
+        let force_counts = patches.iter().map(|p| p.nodes().len()).chain([contact_nodes.len()]).collect();
         let mut structure = Self {
-            resting: vec![false; patches.len()],
-            pause: false,
-            adopted,
-            own,
-            away: false,
-            followed: 0..0,
-            origin: Origin { position: Vec3::zero(), velocity: Vec3::zero() },
-            moments: Vec::new(),
-            touching: contact.to_vec(),
+            subcycled: vec![false; patches.len()],
+            skip_subcycled: false,
+            interior,
+            boundary_nodes,
+            interior_loaded: false,
+            tracked: 0..0,
+            moment_origin: Origin { position: Vec3::zero(), velocity: Vec3::zero() },
+            tracked_moments: Vec::new(),
+            contact_nodes: contact_nodes.to_vec(),
             translations: positions.len(),
             velocities: vec![Row::zero(); positions.len()],
             positions,
             masses,
             inverse_masses,
             patches,
-            shares: Vec::new(),
-            inner: Vec::new(),
-            outer: Vec::new(),
-            lengths,
+            all_nodes: Vec::new(),
+            patch_nodes: Vec::new(),
+            shared_nodes: Vec::new(),
+            force_counts,
             scratches: Vec::new(),
+            executor: environment.executor.clone(),
         };
-        structure.share();
+        structure.build_gather_lists();
         structure
     }
 
-    /// Lets some patches rest in every second step: their forces, and those of the nodes that nothing else acts on, are taken for two steps at
-    /// once, as impulses (Tuckerman, Berne and Martyna, J. Chem. Phys. 97, 1992). Momentum and angular momentum stay exact. Two steps must be well
-    /// below the stable step of what rests, and what it hangs on must have no vibration whose half period is as short as two steps.
-    pub fn rest(&mut self, resting: Vec<bool>) {
-        assert_eq!(resting.len(), self.patches.len());
-        (self.resting, self.pause) = (resting, false);
-        self.share();
+    /// Subcycles some patches: their forces are computed in every second step only and act for two steps at once, as impulses (Tuckerman, Berne
+    /// and Martyna, J. Chem. Phys. 97, 1992), and nodes on which nothing else acts move only then. Momentum and angular momentum stay exact. Two
+    /// steps must be well below the stable step of these patches, and their neighbours must have no vibration whose half period is as short as
+    /// two steps.
+    pub fn subcycle(&mut self, subcycled: Vec<bool>) {
+        assert_eq!(subcycled.len(), self.patches.len());
+        (self.subcycled, self.skip_subcycled) = (subcycled, false);
+        self.build_gather_lists();
     }
 
-    /// Gives undeformed solid elements a linear bulk viscosity: a pressure of `coefficient` times density, speed of waves, size and rate of volume.
-    pub fn damp(&mut self, coefficient: f64) {
+    /// Gives undeformed solid elements a linear bulk viscosity: a pressure of `coefficient` times density, wave speed, size and the rate at
+    /// which the logarithm of the volume changes.
+    pub fn set_bulk_viscosity(&mut self, coefficient: f64) {
         for patch in &mut self.patches {
             patch.set_bulk_viscosity(coefficient);
         }
     }
 
-    /// Finds where the forces on the nodes stand.
-    fn share(&mut self) {
-        let lists = || self.patches.iter().map(|p| p.nodes()).chain([&self.touching[..]]);
-        // Lists of the nodes that their patches do not move.
-        let free = |list: &[u32]| list.iter().copied().filter(|&node| !self.adopted[node as usize]).collect();
-        let free: Vec<Vec<u32>> = lists().map(free).collect();
-        let rests = |list: usize| self.resting.get(list).copied().unwrap_or(false);
+    /// Finds where the forces on the nodes are.
+    fn build_gather_lists(&mut self) {
+        let lists = || self.patches.iter().map(|p| p.nodes()).chain([&self.contact_nodes[..]]);
+        // A patch that moves its interior nodes itself stores forces on its other nodes alone.
+        let boundary =
+            |list: &[u32]| list.iter().copied().filter(|&node| !self.interior[node as usize]).collect();
+        let boundary: Vec<Vec<u32>> = lists().map(boundary).collect();
+        let subcycled = |list: usize| self.subcycled.get(list).copied().unwrap_or(false);
         let count = self.positions.len();
-        let all = split(count, lists(), 0, rests, |_| false);
-        let parts = split(count, free.iter().map(Vec::as_slice), self.patches.len(), rests, |node| {
-            self.adopted[node]
-        });
-        (self.shares, self.inner, self.outer) = (all.outer, parts.inner, parts.outer);
+        let all = gather_lists(count, lists(), 0, subcycled, |_| false);
+        let moved =
+            gather_lists(count, boundary.iter().map(Vec::as_slice), self.patches.len(), subcycled, |node| {
+                self.interior[node]
+            });
+        (self.all_nodes, self.patch_nodes, self.shared_nodes) = (all.shared, moved.single, moved.shared);
     }
 
-    /// Time for which the forces of a patch hold, s.
-    pub(super) fn held(&self, patch: usize, dt: f64) -> f64 {
-        if self.resting[patch] {
+    /// Time for which the forces of a patch act, s.
+    pub(super) fn force_duration(&self, patch: usize, dt: f64) -> f64 {
+        if self.subcycled[patch] {
             dt * PERIOD
         } else {
             dt
         }
-    }
-
-    /// Goes on to the next step.
-    pub(super) fn turn(&mut self) {
-        self.pause = !self.pause && self.resting.contains(&true);
     }
 
     /// The patches, to build a larger structure of.
@@ -152,81 +159,8 @@ impl<R: Real> Structure<R> {
         self.patches
     }
 
-    /// Whether all elements were as large as their laws bear when the last forces were made.
-    pub(super) fn sound(&self) -> bool {
+    /// Whether all elements had volumes for which their laws hold when the last forces were computed.
+    pub(super) fn volumes_valid(&self) -> bool {
         self.patches.iter().all(|patch| patch.volumes_valid())
-    }
-
-    /// Tells what every element feels, those of the patches whose first node is in `nodes`, by their numbers in their mesh.
-    pub fn feel(&mut self, nodes: std::ops::Range<usize>, tell: &mut OutputSink<'_>) {
-        self.settle();
-        for patch in self.patches.iter_mut().filter(|p| nodes.contains(&(p.nodes()[0] as usize))) {
-            patch.element_output(&self.positions, tell);
-        }
-    }
-
-    /// The most strained element of a patch by its number in the mesh, and the size of its strain; one whose strain is no number is the worst.
-    pub fn most_strained(&mut self, patch: usize) -> (usize, f64) {
-        self.settle();
-        let mut worst = (0, -1.0);
-        self.patches[patch].element_output(&self.positions, &mut |number, felt| {
-            let size = felt.strain.as_flattened().iter().map(|e| e * e).sum::<f64>();
-            let size = if size.is_nan() { f64::INFINITY } else { size };
-            if size > worst.1 {
-                worst = (number, size);
-            }
-        });
-        worst
-    }
-
-    /// Energies of the elements, J, at the current positions.
-    pub fn energy(&mut self) -> Energy {
-        self.look().0
-    }
-
-    /// Says of which body [`Structure::kinetics`] will be asked between marches: its nodes need not be settled for that.
-    pub(super) fn follow(&mut self, nodes: std::ops::Range<usize>) {
-        self.settle();
-        self.followed = nodes;
-    }
-
-    /// Whether the nodes of a patch, or those of none, are of the body that is followed.
-    pub(super) fn follows(&self, patch: usize) -> bool {
-        let nodes = self.patches.get(patch).map_or(&self.own[patch][..], |patch| patch.nodes());
-        nodes.first().is_some_and(|&node| self.followed.contains(&(node as usize)))
-    }
-
-    /// Mass, mass centre, velocity and spin of some nodes, at least one.
-    pub fn kinetics(&mut self, nodes: std::ops::Range<usize>) -> Kinetics<R> {
-        if self.away && nodes == self.followed {
-            let sum = self.moments.iter().fold(Moments::zero(), Moments::plus);
-            return Kinetics::of(&sum, &self.origin);
-        }
-        self.settle();
-        let origin = self.origin_at(nodes.start);
-        let all: Vec<u32> = nodes.map(|node| node as u32).collect();
-        let Self { positions, velocities, masses, .. } = self;
-        Kinetics::of(&Nodes { positions, velocities, masses }.moments(&all, origin), &origin)
-    }
-
-    /// An origin of moments at a node.
-    fn origin_at(&self, node: usize) -> Origin<R> {
-        Origin { position: self.positions[node].vec(), velocity: self.velocities[node].vec() }
-    }
-
-    /// The same near the followed body, at a node that is never away.
-    pub(super) fn origin_near(&self) -> Origin<R> {
-        let here = self.followed.clone().find(|&node| !self.adopted[node]);
-        self.origin_at(here.unwrap_or(0))
-    }
-
-    /// Kinetic energy, J, between two fields of velocities: with those before and after a step it is the one that central differences conserve.
-    pub fn kinetic_energy(&self, before: &[Row<R>]) -> f64 {
-        (0..self.masses.len()).map(|node| self.kinetic_energy_of(node, before)).sum()
-    }
-
-    /// That of one node.
-    pub(super) fn kinetic_energy_of(&self, node: usize, before: &[Row<R>]) -> f64 {
-        0.5 * (self.velocities[node].vec().dot(before[node].vec()) * self.masses[node]).re()
     }
 }

@@ -1,9 +1,8 @@
 //! One instant of a contact in the terms a reader wants.
 
 use super::dynamics::Contact;
-use super::run::motions;
+use super::law::ContactLaw;
 use super::state::*;
-use super::ContactLaw;
 use crate::face::tangents;
 use crate::first_touch::FirstTouch;
 use clubface_math::Vec3;

@@ -1,14 +1,14 @@
 //! Runs a contact from first touch to launch.
 
 use super::dynamics::Contact;
+use super::law::ContactLaw;
+use super::recorder::Recorder;
 use super::separation::Separation;
 use super::state::*;
-use super::ContactLaw;
-use crate::first_touch::{FirstTouch, Motion};
-use crate::history::Recorder;
-use crate::model::{Accuracy, Impact};
+use crate::first_touch::FirstTouch;
+use crate::impact::{Accuracy, Impact};
 use clubface_math::ode::{integrate, Control, Rosenbrock, DORMAND_PRINCE};
-use clubface_math::{Quat, Scalar, Vec3};
+use clubface_math::Scalar;
 
 /// Steps after which a fast contact is given up; a drive takes about 50.
 const FAST_STEPS: usize = 2_000;
@@ -67,29 +67,4 @@ where
     launch.contact_time = time;
     launch.peak_force = peak_force;
     Impact { launch, separated: outcome.finished }
-}
-
-/// Motions of ball and club in face axes of first touch: velocities by momentum, ball spin from all its angular
-/// momentum.
-#[inline(always)]
-pub fn motions<S: Scalar, const N: usize>(
-    touch: &FirstTouch<S>,
-    core_inertia: Option<S>,
-    y: &[S; N],
-) -> (Motion<S>, Motion<S>) {
-    let turn = Quat { w: y[ATTITUDE], v: Vec3::of(y, ATTITUDE + 1) }.matrix();
-    let total = (touch.ball.mass + touch.club_mass).recip();
-    let relative = turn * Vec3::of(y, VELOCITY);
-    let common = touch.club_velocity * (touch.club_mass * total);
-    let mut ball_spin = Vec3::of(y, BALL_SPIN);
-    if let (true, Some(core)) = (layered(N), core_inertia) {
-        let share = core / touch.ball.inertia;
-        ball_spin += (Vec3::of(y, CORE_SPIN) - ball_spin) * share;
-    }
-    let ball = Motion { velocity: common + relative * (touch.club_mass * total), spin: turn * ball_spin };
-    let club = Motion {
-        velocity: common - relative * (touch.ball.mass * total),
-        spin: turn * Vec3::of(y, CLUB_SPIN),
-    };
-    (ball, club)
 }

@@ -1,9 +1,9 @@
 //! Watches a contact for its peak force and its end.
 
 use super::dynamics::Contact;
-use super::state::{Touching, BALL_SPIN, CLUB_SPIN, VELOCITY};
-use super::ContactLaw;
-use crate::history::Recorder;
+use super::law::ContactLaw;
+use super::recorder::Recorder;
+use super::state::{ContactPoint, BALL_SPIN, CLUB_SPIN, VELOCITY};
 use clubface_math::ode::Observer;
 use clubface_math::{Computation, Mask, Scalar, Vec3};
 
@@ -33,7 +33,7 @@ impl<'a, S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize> Separation
     }
 
     #[inline(always)]
-    fn force_at(&self, y: &[S; N]) -> (Touching<S>, S) {
+    fn force_at(&self, y: &[S; N]) -> (ContactPoint<S>, S) {
         S::outline(ForceAt { contact: self.contact, y })
     }
 }
@@ -44,9 +44,9 @@ struct ForceAt<'a, S, L> {
 }
 
 impl<S: Scalar, L: ContactLaw<S>> Computation for ForceAt<'_, S, L> {
-    type Output = (Touching<S>, S);
+    type Output = (ContactPoint<S>, S);
     #[inline(always)]
-    fn run(self) -> (Touching<S>, S) {
+    fn run(self) -> (ContactPoint<S>, S) {
         let t = self.contact.touching(self.y);
         (t, self.contact.normal_force(&t))
     }

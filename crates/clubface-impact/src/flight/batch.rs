@@ -3,11 +3,10 @@
 use super::check::{check, never_lands};
 use super::shot::{fly, FlightShot, INPUTS, INPUT_COUNT};
 use super::trajectory::TOLERANCE;
-use crate::batch::{split, Column, Reject, CHUNK};
+use crate::columns::{Column, Reject, MOST_LANES};
 use crate::error::ImpactError;
 use clubface_math::{dispatch, Kernel, Lanes, Mask};
 use core::ops::Range;
-use rayon::prelude::*;
 
 /// Shots to fly.
 #[derive(Clone, Copy, Debug)]
@@ -37,42 +36,31 @@ impl FlightBatch<'_> {
         Ok(())
     }
 
-    /// Flies `rows` into `outputs`, one slice an output, each as long as `rows`. Chunks run side by side on the
-    /// current rayon pool; the result does not depend on their number, nor a shot on its neighbours.
-    ///
-    /// A thread flies [`CHUNK`] shots in a few milliseconds, so a caller that hands over one chunk a thread at a time
-    /// can report progress and stop between calls. Shots that cannot be flown are NaN and returned with reasons.
+    /// Flies `rows` into `outputs`, one slice an output, each as long as `rows`, on the calling thread. Shots that cannot
+    /// be flown are NaN and returned with reasons. A shot does not depend on its neighbours, so rows may be shared out
+    /// among threads: one flies a [`CHUNK`](crate::batch::CHUNK) in a few milliseconds.
     #[must_use]
-    pub fn run(&self, rows: Range<usize>, outputs: Vec<&mut [f64]>) -> Vec<Reject> {
-        let chunks = split(outputs, rows.len(), CHUNK);
-        let work = |(index, mut chunk): (usize, Vec<&mut [f64]>)| {
-            let first = rows.start + index * CHUNK;
-            dispatch(Chunk { inputs: self.inputs, first, outputs: &mut chunk })
-        };
-        let rejects: Vec<Vec<Reject>> = chunks.into_par_iter().enumerate().map(work).collect();
-        rejects.into_iter().flatten().collect()
+    pub fn run(&self, rows: Range<usize>, mut outputs: Vec<&mut [f64]>) -> Vec<Reject> {
+        dispatch(Flights { inputs: self.inputs, rows, outputs: &mut outputs })
     }
 }
 
-struct Chunk<'a, 'b, 'c> {
+struct Flights<'a, 'b, 'c> {
     inputs: &'a [Column<'a>],
-    first: usize,
+    rows: Range<usize>,
     outputs: &'b mut [&'c mut [f64]],
 }
 
-/// The widest pack.
-const MOST_LANES: usize = 8;
-
-impl Kernel for Chunk<'_, '_, '_> {
+impl Kernel for Flights<'_, '_, '_> {
     type Output = Vec<Reject>;
 
     #[inline(always)]
     fn run<S: Lanes>(self) -> Vec<Reject> {
-        let Self { inputs: columns, first, outputs } = self;
-        let rows = outputs[0].len();
+        let Self { inputs: columns, rows, outputs } = self;
+        let first = rows.start;
         let mut rejects = Vec::new();
-        for start in (0..rows).step_by(S::LANES) {
-            let used = S::LANES.min(rows - start);
+        for start in (0..rows.len()).step_by(S::LANES) {
+            let used = S::LANES.min(rows.len() - start);
             // A lane without a good shot of its own flies a harmless one, which costs the pack nothing.
             let mut shots = [HARMLESS; MOST_LANES];
             let mut faults: [Option<ImpactError>; MOST_LANES] = [const { None }; MOST_LANES];

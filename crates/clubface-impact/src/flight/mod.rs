@@ -8,14 +8,12 @@ pub mod aerodynamics;
 pub mod air;
 mod batch;
 mod check;
+pub mod event;
 pub mod ground;
 mod record;
 mod sensitivity;
 mod shot;
 pub mod trajectory;
-
-#[cfg(test)]
-mod tests;
 
 pub use batch::FlightBatch;
 pub use check::check;

@@ -6,8 +6,9 @@
 //! full arithmetic, so derivatives go through the landing event exactly.
 
 use super::aerodynamics::{air_load, outside_fit, spin_parameter};
+use super::event::Step;
 use crate::ball::Ball;
-use clubface_math::ode::{integrate, Control, Method, Observer, System, DORMAND_PRINCE};
+use clubface_math::ode::{integrate, Control, Observer, System, DORMAND_PRINCE};
 use clubface_math::{Mask, Scalar, Vec3};
 use core::f64::consts::PI;
 
@@ -23,7 +24,8 @@ const MAX_STEPS: usize = 1000;
 
 /// Position, velocity, part of the launch spin left.
 pub const STATES: usize = 7;
-const HEIGHT: usize = 1;
+/// Place of the height in the state.
+pub const HEIGHT: usize = 1;
 const CLIMB: usize = 4;
 const SPIN: usize = 6;
 
@@ -115,80 +117,12 @@ pub struct Landing<S: Scalar> {
     pub landed: S::Mask,
 }
 
-/// A step of the integration in which something happens.
-#[derive(Clone, Copy)]
-struct Step<S> {
-    time: S,
-    h: S,
-    start: ([S; STATES], [S; STATES]),
-    end: ([S; STATES], [S; STATES]),
-}
-
-impl<S: Scalar> Step<S> {
-    #[inline(always)]
-    fn empty() -> Self {
-        let none = [S::zero(); STATES];
-        Self { time: S::zero(), h: S::zero(), start: (none, none), end: (none, none) }
-    }
-
-    #[inline(always)]
-    fn replace(&mut self, mask: S::Mask, new: &Self) {
-        self.time = S::select(mask, new.time, self.time);
-        self.h = S::select(mask, new.h, self.h);
-        for i in 0..STATES {
-            self.start.0[i] = S::select(mask, new.start.0[i], self.start.0[i]);
-            self.start.1[i] = S::select(mask, new.start.1[i], self.start.1[i]);
-            self.end.0[i] = S::select(mask, new.end.0[i], self.end.0[i]);
-            self.end.1[i] = S::select(mask, new.end.1[i], self.end.1[i]);
-        }
-    }
-
-    /// Zero of component `i`, which falls through zero in this step, on the cubic that joins its ends.
-    #[inline(always)]
-    fn zero_of_cubic(&self, i: usize) -> S {
-        let (a, b) = (self.start.0[i].primal(), self.end.0[i].primal());
-        let h = self.h.primal();
-        let (slope_a, slope_b) = (self.start.1[i].primal() * h, self.end.1[i].primal() * h);
-        let quadratic = (b - a) * 3.0 - slope_a * 2.0 - slope_b;
-        let cubic = (a - b) * 2.0 + slope_a + slope_b;
-        // From the end of the step Newton comes down to the last zero, not to the launch.
-        let mut x = S::one();
-        for _ in 0..6 {
-            let value = ((cubic * x + quadratic) * x + slope_a) * x + a;
-            let slope = (cubic * x * 3.0 + quadratic * 2.0) * x + slope_a;
-            x = (x - value / slope).min(S::one()).max(S::zero());
-        }
-        x * h
-    }
-
-    /// Time since launch and state where component `i` vanishes.
-    #[inline(always)]
-    fn at_zero_of(&self, i: usize, flight: &Flight<S>) -> (S, [S; STATES]) {
-        let (y, rate) = &self.start;
-        let mut h = self.zero_of_cubic(i);
-        let mut time = self.time;
-        let mut state = *y;
-        // The cubic is good to a millisecond at worst, one correction to 1e-7 s and two to rounding; the last one
-        // carries the derivatives.
-        for _ in 0..2 {
-            let trial = DORMAND_PRINCE.attempt(flight, y, rate, h);
-            let correction = -(trial.y[i] / trial.rate[i]);
-            time = self.time + h + correction;
-            for n in 0..STATES {
-                state[n] = trial.y[n] + trial.rate[n] * correction;
-            }
-            h = (h + correction).primal();
-        }
-        (time, state)
-    }
-}
-
 /// Remembers the steps of the apex and of the landing.
 struct ToGround<'a, S: Scalar, F> {
     flight: &'a Flight<S>,
     grounded: S::Mask,
-    apex: Step<S>,
-    landing: Step<S>,
+    apex: Step<S, STATES>,
+    landing: Step<S, STATES>,
     outside_fit: S::Mask,
     on_step: F,
 }
@@ -282,29 +216,5 @@ pub fn fly_to_ground<S: Scalar>(
         apex: S::select(grounded, zero, top[HEIGHT]),
         outside_fit: observer.outside_fit.or(landed_outside),
         landed: outcome.finished,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// One Runge-Kutta step of the length found must end on the ground, to rounding of heights of metres.
-    #[test]
-    fn an_event_is_placed_to_rounding_within_steps_of_any_length() {
-        let ball = Ball { mass: 0.0459, radius: 0.0213, inertia: 8.336e-6 };
-        let air = Air { density: 1.18, wind: Vec3::zero() };
-        let flight = Flight::new(&ball, Vec3::new(0.0, -30.0, 250.0), &air);
-        for (height, h) in [(0.5, 0.1), (2.0, 0.4), (10.0, 1.0), (20.0, 2.0)] {
-            let y = [200.0, height, 1.0, 25.0, -14.0, 2.0, 0.9];
-            let rate = flight.rhs(&y);
-            let end = DORMAND_PRINCE.attempt(&flight, &y, &rate, h);
-            assert!(end.y[HEIGHT] < 0.0);
-            let step = Step { time: 0.0, h, start: (y, rate), end: (end.y, end.rate) };
-            let (time, state) = step.at_zero_of(HEIGHT, &flight);
-            let landed = DORMAND_PRINCE.attempt(&flight, &y, &rate, time);
-            assert!(landed.y[HEIGHT].abs() < 1e-13 * height.max(1.0) * 10.0, "{:e}", landed.y[HEIGHT]);
-            assert!((landed.y[0] - state[0]).abs() < 1e-10, "{:e}", landed.y[0] - state[0]);
-        }
     }
 }

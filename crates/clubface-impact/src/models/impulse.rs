@@ -1,4 +1,4 @@
-//! The impulse-momentum equations that four models share (P1, Eqs. 1-11), eliminated to one 3 x 3 solve.
+//! The impulse-momentum equations that four models share (Caldwell and McPhee, Eqs. 1-11), eliminated to one 3 x 3 solve.
 
 use crate::first_touch::{FirstTouch, Motion};
 use clubface_math::{Mat3, Scalar, Vec3};
@@ -25,7 +25,7 @@ pub struct Restitution<S> {
 
 /// Both motions after an instantaneous impact at one point, face axes.
 ///
-/// `extra_mass` moves with the clubhead CG; `ball_offset` displaces the ball's CG in x'y'z' (Danaei et al., as in P1
+/// `extra_mass` moves with the clubhead CG; `ball_offset` displaces the ball's CG in x'y'z' (Danaei et al., as in Caldwell and McPhee
 /// section 2.1.1).
 #[inline(always)]
 pub fn solve<S: Scalar>(

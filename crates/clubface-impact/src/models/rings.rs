@@ -1,14 +1,16 @@
-//! Concentric rings (P1 section 2.2.2), after Maw, Barber and Fawcett (1976), with both tangential directions.
+//! Concentric rings (Caldwell and McPhee, section 2.2.2), after Maw, Barber and Fawcett (1976), with both tangential directions.
 
 use super::hertz;
 use crate::contact::{
-    initial, motions, scales, Contact, ContactLaw, Separation, Touching, CLUB_SPIN, RECORDED_SLIDING,
-    SLIDING, VELOCITY,
+    initial, motions, scales, Contact, ContactLaw, ContactPoint, Recorder, RingFrame, Separation, CLUB_SPIN,
+    RECORDED_SLIDING, SLIDING, VELOCITY,
 };
+use crate::description::{Law, ModelInfo, ModelKind};
 use crate::face::tangents;
 use crate::first_touch::FirstTouch;
-use crate::history::{Recorder, RingFrame};
-use crate::model::{parameters, Accuracy, Describe, Impact, Kind, Law, Model, ModelInfo};
+use crate::impact::{Accuracy, Impact};
+use crate::model::{Describe, Model};
+use crate::parameters;
 use crate::rings::{Load, RingContact, RingMaterial, RingSteps};
 use clubface_math::ode::{integrate, Control, Method, Observer, System, BOGACKI_SHAMPINE, DORMAND_PRINCE};
 use clubface_math::{Dual, Mask, Scalar, Vec3};
@@ -30,22 +32,26 @@ parameters! {
     /// Parameters of the rings model.
     Rings {
         shear_modulus ["Pa"] = 5.58e7 in 1e6 ..= 1e9, "effective shear modulus G of the normal stiffness",
-            "P1 Table 9, driver, corrected by 1/100 (as printed a drive lasts 82 us)";
-        poisson ["1"] = 0.407 in 0.0 ..= 0.499, "effective Poisson's ratio", "P1 Table 9, driver";
-        damping ["s/m"] = 6.50e-3 in 0.0 ..= 0.03, "Hunt-Crossley damping d", "P1 Table 9, driver";
-        friction ["1"] = 0.360 in 0.0 ..= 2.0, "coefficient of friction mu", "P1 Table 9, driver";
+            "Caldwell and McPhee (2023), Table 9, driver, corrected by 1/100 (as printed a drive lasts 82 us)";
+        poisson ["1"] = 0.407 in 0.0 ..= 0.499, "effective Poisson's ratio",
+            "Caldwell and McPhee (2023), Table 9, driver";
+        damping ["s/m"] = 6.50e-3 in 0.0 ..= 0.03, "Hunt-Crossley damping d",
+            "Caldwell and McPhee (2023), Table 9, driver";
+        friction ["1"] = 0.360 in 0.0 ..= 2.0, "coefficient of friction mu",
+            "Caldwell and McPhee (2023), Table 9, driver";
         ring_modulus ["Pa"] = 5.58e7 in 1e6 ..= 1e10, "shear modulus G_ring of the tangential compliance of the rings",
             "not printed: that of the normal stiffness; half of it would be consistent, but gives far too much spin";
     }
 }
 
 impl Describe for Rings<()> {
+    type Over<S: Scalar> = Rings<S>;
     const INFO: ModelInfo = ModelInfo {
         name: "rings",
         title: "Concentric rings",
-        kind: Kind::Contact,
+        kind: ModelKind::Contact,
         summary: "Hertz contact cut into rings that stick or slip on their own and displace the surface elastically.",
-        reference: "P1 section 2.2.2, Eqs. 14-16, after Maw, Barber and Fawcett; parameters P1 Table 9",
+        reference: "Caldwell and McPhee (2023), section 2.2.2, Eqs. 14-16, after Maw, Barber and Fawcett; parameters of Table 9",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,
         lanes: false,
@@ -105,7 +111,7 @@ impl<S: Scalar> ContactLaw<S> for RingLaw<S> {
         Dual::zero()
     }
     #[inline(always)]
-    fn remembered(&self, t: &Touching<S>, normal_force: S, slip: [S; 2]) -> Option<Vec3<S>> {
+    fn remembered(&self, t: &ContactPoint<S>, normal_force: S, slip: [S; 2]) -> Option<Vec3<S>> {
         let equivalent = hertz::equivalent_radius(t.depth + t.arm, t.curvature);
         let load = Load { force: normal_force, radius: (equivalent * t.depth).safe_sqrt() };
         let [along_up, along_toe] = self.rings.borrow_mut().force(slip, load);
@@ -187,7 +193,7 @@ impl<S: Scalar> Rings<S> {
             recorder.record_rings(&contact.law.frame());
         }
         let watch = Separation::new(&contact, recorder, start);
-        let mut history = RingHistory { law: &contact.law, watch };
+        let mut history = CommitSteps { law: &contact.law, watch };
         let separated = match accuracy {
             Accuracy::Fast => {
                 let steps = RingSteps {
@@ -224,7 +230,7 @@ fn ring_by_ring<S: Scalar, R: Recorder<S>, const N: usize>(
     contact: &Contact<S, RingLaw<S>>,
     mut y: [S; N],
     steps: &RingSteps<S>,
-    history: &mut RingHistory<'_, S, R, N>,
+    history: &mut CommitSteps<'_, S, R, N>,
 ) -> bool {
     let mut rate = contact.rhs(&y);
     let mut time = S::zero();
@@ -246,12 +252,12 @@ fn ring_by_ring<S: Scalar, R: Recorder<S>, const N: usize>(
 }
 
 /// Commits the rings at every accepted step.
-struct RingHistory<'a, S, R, const N: usize> {
+struct CommitSteps<'a, S, R, const N: usize> {
     law: &'a RingLaw<S>,
     watch: Separation<'a, S, RingLaw<S>, R, N>,
 }
 
-impl<S: Scalar, R: Recorder<S>, const N: usize> Observer<S, N> for RingHistory<'_, S, R, N> {
+impl<S: Scalar, R: Recorder<S>, const N: usize> Observer<S, N> for CommitSteps<'_, S, R, N> {
     #[inline(always)]
     fn observe(
         &mut self,

@@ -1,7 +1,7 @@
 //! The fast setting against the tight one over realistic deliveries.
 
 use crate::shots::*;
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::{Accuracy, ImpactModel};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -15,7 +15,7 @@ struct Worst {
     spin: f64,
 }
 
-fn worst(model: ModelKind, club: Club, count: usize) -> Worst {
+fn worst(model: ImpactModel, club: Club, count: usize) -> Worst {
     let mut runner = TestRunner::deterministic();
     let deliveries = delivered(club);
     let mut worst = Worst::default();
@@ -38,7 +38,7 @@ fn worst(model: ModelKind, club: Club, count: usize) -> Worst {
 #[test]
 fn the_fast_setting_gives_the_launch_to_one_part_in_ten_thousand() {
     for club in CLUBS {
-        for model in [ModelKind::Volumetric, ModelKind::Area] {
+        for model in [VOLUMETRIC, AREA] {
             assert!(worst(model, club, 150).launch < 1e-4);
         }
     }
@@ -48,7 +48,7 @@ fn the_fast_setting_gives_the_launch_to_one_part_in_ten_thousand() {
 /// have little spin to compare with: 1%.
 #[test]
 fn the_fast_setting_of_the_rings_gives_the_spin_to_half_a_percent() {
-    let model = ModelKind::Rings;
+    let model = RINGS;
     for club in CLUBS {
         for toe in [-0.012, 0.0, 0.012] {
             let inputs = played(club).with(&[("toe", toe)]);
@@ -67,7 +67,7 @@ fn the_fast_setting_of_the_rings_gives_the_spin_to_half_a_percent() {
 #[test]
 fn tighter_tolerances_converge() {
     let inputs = played(Club::Driver).with(&[("toe", 0.015), ("path", 0.05)]);
-    for model in [ModelKind::Volumetric, ModelKind::Area] {
+    for model in [VOLUMETRIC, AREA] {
         let parameters = published(model, Club::Driver);
         let at = |tolerance: f64| hit(model, &inputs, &parameters, Accuracy::Tolerance(tolerance));
         let limit = at(1e-12);

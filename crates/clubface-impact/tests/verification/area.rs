@@ -1,10 +1,9 @@
 //! What the rate of the contact area does in Arakawa's model.
 
 use crate::shots::*;
-use clubface_impact::history::history;
-use clubface_impact::{Accuracy, Law, ModelKind};
+use clubface_impact::{Accuracy, ImpactModel, Law};
 
-const MODEL: ModelKind = ModelKind::Area;
+const MODEL: ImpactModel = AREA;
 const TIGHT: Accuracy = Accuracy::Tolerance(1e-9);
 
 fn backspin(club: Club, friction: f64, eta: f64) -> f64 {
@@ -56,7 +55,7 @@ fn once_sliding_stops_the_area_term_changes_the_spin() {
 fn the_area_term_makes_friction_push_with_the_sliding_late_in_the_contact() {
     let values = [("friction", 0.02), ("area_damping", 1000.0)];
     let parameters = changed(MODEL, published(MODEL, Club::Driver), &values);
-    let (history, _) = history(MODEL, &played(Club::Driver).0, &parameters, TIGHT).unwrap();
+    let (history, _) = MODEL.history(&played(Club::Driver).0, &parameters, TIGHT).unwrap();
     let work = |f: &clubface_impact::contact::Frame| f.force_y * f.sliding_y + f.force_z * f.sliding_z;
     assert!(history.frames.iter().any(|f| work(f) < 0.0) && history.frames.iter().any(|f| work(f) > 0.0));
     assert!(!MODEL.info().obeys(Law::Energy, &parameters));

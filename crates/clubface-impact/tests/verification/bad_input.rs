@@ -2,10 +2,9 @@
 
 use crate::shots::*;
 use clubface_impact::check::{check, check_parameters, unseparated};
-use clubface_impact::history::history;
 use clubface_impact::sensitivity::sensitivity;
 use clubface_impact::shot::{INPUTS, INPUT_COUNT};
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::Accuracy;
 use proptest::prelude::*;
 
 /// The fault that a driver's shot with these values has.
@@ -168,7 +167,7 @@ fn a_ball_cannot_have_more_inertia_than_its_mass_at_its_surface() {
 /// One end of each parameter of each model beyond its bound.
 #[test]
 fn parameters_outside_their_bounds_are_named_with_the_bounds() {
-    for &model in ModelKind::ALL {
+    for model in every_model() {
         let info = model.info();
         for (i, p) in info.parameters.iter().enumerate() {
             let width = p.upper - p.lower;
@@ -197,7 +196,7 @@ fn a_receding_face_is_reported_with_its_speed() {
     let receding = played(Club::Driver).with(&[("attack", -1.2), ("loft", 0.9)]);
     // Head and face centre do not turn: v cos(loft - attack) along the normal, and the driver's face centre is level.
     let approach = receding.at("speed") * (2.1f64).cos();
-    for &model in ModelKind::ALL {
+    for model in every_model() {
         let error = try_hit(model, &receding, &model.info().defaults(), Accuracy::Fast).unwrap_err();
         assert_eq!(error.input, "speed");
         let expected = format!("approach speed {approach:.3} m/s along the face normal); allowed: above 0");
@@ -208,7 +207,7 @@ fn a_receding_face_is_reported_with_its_speed() {
 /// The same faults reach whoever asks for a history or for derivatives.
 #[test]
 fn histories_and_derivatives_check_their_input_as_batches_do() {
-    let model = ModelKind::Volumetric;
+    let model = VOLUMETRIC;
     let good = played(Club::Driver);
     let parameters = published(model, Club::Driver);
     let wrong = changed(model, parameters.clone(), &[("friction", 3.0)]);
@@ -218,7 +217,7 @@ fn histories_and_derivatives_check_their_input_as_batches_do() {
         (good, &wrong, "friction"),
     ];
     for (inputs, parameters, name) in cases {
-        let from_history = history(model, &inputs.0, parameters, Accuracy::Fast).unwrap_err();
+        let from_history = model.history(&inputs.0, parameters, Accuracy::Fast).unwrap_err();
         let from_derivatives = sensitivity(model, &inputs.0, parameters, &[0], Accuracy::Fast).unwrap_err();
         let from_batch = try_hit(model, &inputs, parameters, Accuracy::Fast).unwrap_err();
         assert_eq!(from_history.input, name);
@@ -246,7 +245,7 @@ proptest! {
         for (index, value) in changes {
             inputs.0[index] = value;
         }
-        match try_hit(ModelKind::Standard, &inputs, &[0.83, 0.0], Accuracy::Fast) {
+        match try_hit(STANDARD, &inputs, &[0.83, 0.0], Accuracy::Fast) {
             Ok(outputs) => {
                 prop_assert_eq!(check(&inputs.0), Ok(()));
                 let timeless = ["contact_time", "peak_force"].map(output);

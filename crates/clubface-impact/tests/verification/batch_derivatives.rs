@@ -1,16 +1,18 @@
 //! Derivatives of a batch are those of its shots one by one, bit for bit, on any number of threads.
 
 use crate::shots::*;
-use clubface_impact::batch::{Batch, Column, Reject};
+use clubface_impact::batch::Batch;
+use clubface_impact::columns::{Column, Reject};
+use clubface_impact::parallel::in_parallel;
 use clubface_impact::sensitivity::{sensitivity, Sensitivities, CHUNK};
 use clubface_impact::shot::INPUT_COUNT;
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::{Accuracy, ImpactModel};
 
 const OUTPUTS: [&str; 3] = ["ball_speed", "backspin", "contact_time"];
 
 /// Values and derivatives of drives at several speeds: columns by shots.
 fn run(
-    model: ModelKind,
+    model: ImpactModel,
     speeds: &[f64],
     parameters: &[f64],
     variables: &[usize],
@@ -26,7 +28,8 @@ fn run(
     let mut columns = vec![vec![0.0; speeds.len()]; wanted.columns()];
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let slices = columns.iter_mut().map(Vec::as_mut_slice).collect();
-    let rejects = pool.install(|| wanted.run(0..speeds.len(), slices));
+    let rejects =
+        pool.install(|| in_parallel(CHUNK, 0..speeds.len(), slices, |rows, part| wanted.run(rows, part)));
     (columns, rejects)
 }
 
@@ -40,7 +43,7 @@ fn a_shot_of_a_batch_has_the_derivatives_it_has_alone() {
     let bad = CHUNK + 1;
     let mut speeds: Vec<f64> = (0..CHUNK + 3).map(|i| 45.0 + 0.7 * i as f64).collect();
     speeds[bad] = f64::NAN;
-    for &model in ModelKind::ALL {
+    for model in every_model() {
         let parameters = published(model, Club::Driver);
         let mut variables = vec![input("toe"), input("speed")];
         variables.extend(INPUT_COUNT..INPUT_COUNT + parameters.len());
@@ -64,9 +67,9 @@ fn a_shot_of_a_batch_has_the_derivatives_it_has_alone() {
 #[test]
 fn what_cannot_be_differentiated_is_named() {
     let inputs = played(Club::Driver).0.map(Column::Constant);
-    let parameters = published(ModelKind::Standard, Club::Driver);
+    let parameters = published(STANDARD, Club::Driver);
     let parameters: Vec<_> = parameters.into_iter().map(Column::Constant).collect();
-    let model = ModelKind::Standard;
+    let model = STANDARD;
     let batch = Batch { model, inputs: &inputs, parameters: &parameters, accuracy: Accuracy::Fast };
     let fault = |outputs: &[usize], variables: &[usize]| {
         Sensitivities { batch, outputs, variables }.validate(1).unwrap_err().input

@@ -1,20 +1,32 @@
 //! A batch is its shots one by one, bit for bit, whatever stands beside them and however many threads share the work.
 
 use crate::shots::*;
-use clubface_impact::batch::{Batch, Column, Reject, CHUNK};
+use clubface_impact::batch::{Batch, CHUNK};
+use clubface_impact::columns::{Column, Reject};
 use clubface_impact::launch::OUTPUT_COUNT;
+use clubface_impact::parallel::in_parallel;
 use clubface_impact::shot::INPUT_COUNT;
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::{Accuracy, ImpactModel};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
-/// Runs shots of one parameter set as a batch.
-fn run(
-    model: ModelKind,
+/// Runs shots of one parameter set as a batch on this thread.
+pub fn run(
+    model: ImpactModel,
     shots: &[Inputs],
     parameters: &[f64],
     accuracy: Accuracy,
+) -> (Vec<Outputs>, Vec<Reject>) {
+    run_by(model, shots, parameters, accuracy, |batch, columns| batch.run(0..shots.len(), columns))
+}
+
+fn run_by(
+    model: ImpactModel,
+    shots: &[Inputs],
+    parameters: &[f64],
+    accuracy: Accuracy,
+    work: impl FnOnce(&Batch, Vec<&mut [f64]>) -> Vec<Reject>,
 ) -> (Vec<Outputs>, Vec<Reject>) {
     let columns: Vec<Vec<f64>> =
         (0..INPUT_COUNT).map(|i| shots.iter().map(|shot| shot.0[i]).collect()).collect();
@@ -23,7 +35,7 @@ fn run(
     let batch = Batch { model, inputs: &inputs, parameters: &parameters, accuracy };
     batch.validate(shots.len()).unwrap();
     let mut values = vec![vec![0.0; shots.len()]; OUTPUT_COUNT];
-    let rejects = batch.run(0..shots.len(), values.iter_mut().map(Vec::as_mut_slice).collect());
+    let rejects = work(&batch, values.iter_mut().map(Vec::as_mut_slice).collect());
     let row = |i: usize| {
         let mut outputs = [0.0; OUTPUT_COUNT];
         for (output, column) in outputs.iter_mut().zip(&values) {
@@ -69,7 +81,7 @@ proptest! {
     #[test]
     fn a_batch_is_its_shots_one_by_one((club, shots) in mixed()) {
         let inputs: Vec<Inputs> = shots.iter().map(|(inputs, _)| *inputs).collect();
-        for &model in ModelKind::ALL {
+        for model in every_model() {
             let parameters = published(model, club);
             let (outputs, rejects) = run(model, &inputs, &parameters, Accuracy::Fast);
             let bad: Vec<usize> = (0..shots.len()).filter(|&i| shots[i].1).collect();
@@ -97,7 +109,7 @@ proptest! {
         let shift = shift % inputs.len();
         let mut rotated = inputs.clone();
         rotated.rotate_left(shift);
-        for &model in ModelKind::ALL {
+        for model in every_model() {
             let parameters = published(model, club);
             let (mut outputs, _) = run(model, &inputs, &parameters, Accuracy::Fast);
             outputs.rotate_left(shift);
@@ -115,13 +127,18 @@ fn the_number_of_threads_does_not_change_a_bit() {
     let count = CHUNK + 77;
     let shots: Vec<Inputs> =
         (0..count).map(|_| deliveries.new_tree(&mut runner).unwrap().current()).collect();
-    for &model in ModelKind::ALL {
+    for model in every_model() {
         let parameters = published(model, Club::Driver);
         // The rings take 0.5 ms a shot: fewer, of the same two chunks.
         let shots = if model.info().lanes { &shots[..] } else { &shots[CHUNK - 40..] };
         let on = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| bits(&run(model, shots, &parameters, Accuracy::Fast).0))
+            let work = |batch: &Batch, columns: Vec<&mut [f64]>| {
+                pool.install(|| {
+                    in_parallel(CHUNK, 0..shots.len(), columns, |rows, part| batch.run(rows, part))
+                })
+            };
+            bits(&run_by(model, shots, &parameters, Accuracy::Fast, work).0)
         };
         let one = on(1);
         assert_eq!(on(2), one, "{}", model.info().name);
@@ -132,7 +149,7 @@ fn the_number_of_threads_does_not_change_a_bit() {
 /// Parameters may be columns too, and a bad one spoils its row alone.
 #[test]
 fn parameters_may_differ_from_row_to_row() {
-    let model = ModelKind::Standard;
+    let model = STANDARD;
     let inputs = played(Club::Driver).0.map(Column::Constant);
     let cor = [0.7, 0.8, 1.5, 0.83];
     let batch = Batch {
@@ -155,7 +172,7 @@ fn parameters_may_differ_from_row_to_row() {
 /// A part of a batch is computed as that part of the whole.
 #[test]
 fn a_range_of_rows_is_that_part_of_the_batch() {
-    let model = ModelKind::Volumetric;
+    let model = VOLUMETRIC;
     let speeds: Vec<f64> = (0..30).map(|i| 35.0 + f64::from(i)).collect();
     let mut inputs = played(Club::Driver).0.map(Column::Constant);
     inputs[input("speed")] = Column::Values(&speeds);
@@ -180,7 +197,7 @@ fn a_batch_with_missing_columns_or_rows_says_so() {
     uneven[0] = Column::Values(&short);
     let parameters = [Column::Constant(0.83), Column::Constant(0.0)];
     let check = |inputs: &[Column], parameters: &[Column]| {
-        let batch = Batch { model: ModelKind::Standard, inputs, parameters, accuracy: Accuracy::Fast };
+        let batch = Batch { model: STANDARD, inputs, parameters, accuracy: Accuracy::Fast };
         batch.validate(4).unwrap_err()
     };
     assert_eq!(check(&inputs[..29], &parameters).to_string(), "inputs: 29 columns given, 30 needed");

@@ -1,21 +1,21 @@
 //! Gear effect and what bulge and roll do against it.
 
 use crate::shots::*;
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::{Accuracy, ImpactModel, ModelKind};
 
 /// All models that keep angular momentum: jorgensen's spin does not know the turning of the head.
-fn models() -> impl Iterator<Item = ModelKind> {
-    ModelKind::ALL.iter().copied().filter(|model| *model != ModelKind::Jorgensen)
+fn models() -> impl Iterator<Item = ImpactModel> {
+    every_model().filter(|model| *model != JORGENSEN)
 }
 
 /// Parameters without a displaced CG, which gives spin of its own.
-fn parameters(model: ModelKind) -> Vec<f64> {
+fn parameters(model: ImpactModel) -> Vec<f64> {
     let centred = [("dcg_x", 0.0), ("dcg_y", 0.0), ("dcg_z", 0.0)];
     let known: Vec<_> = centred.into_iter().filter(|(name, _)| parameter(model, name).is_some()).collect();
     changed(model, published(model, Club::Driver), &known)
 }
 
-fn struck(model: ModelKind, inputs: &Inputs) -> Outputs {
+fn struck(model: ImpactModel, inputs: &Inputs) -> Outputs {
     hit(model, inputs, &parameters(model), Accuracy::Tolerance(1e-9))
 }
 
@@ -56,11 +56,7 @@ fn gear_effect_vanishes_with_the_cg_on_the_face() {
     for model in models() {
         let on_face = struck(model, &simple_head(0.0).with(&[("toe", 0.02)])).at("sidespin");
         let behind = struck(model, &simple_head(0.04).with(&[("toe", 0.02)])).at("sidespin");
-        let limit = if model.info().kind == clubface_impact::model::Kind::Impulse {
-            1e-10
-        } else {
-            0.3 * behind.abs()
-        };
+        let limit = if model.info().kind == ModelKind::Impulse { 1e-10 } else { 0.3 * behind.abs() };
         assert!(on_face.abs() <= limit, "{}: {on_face} of {behind}", model.info().name);
     }
 }

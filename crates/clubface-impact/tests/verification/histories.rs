@@ -3,16 +3,15 @@
 
 use crate::shots::*;
 use clubface_impact::contact::Frame;
+use clubface_impact::contact::History;
 use clubface_impact::first_touch::FirstTouch;
-use clubface_impact::history::{history, History};
-use clubface_impact::model::Kind;
-use clubface_impact::{Accuracy, Law, ModelKind};
+use clubface_impact::{Accuracy, ImpactModel, Law, ModelKind};
 use clubface_math::{Mat3, Quat, Vec3};
 
 const TIGHT: Accuracy = Accuracy::Tolerance(1e-10);
 
-fn contacts() -> impl Iterator<Item = ModelKind> {
-    ModelKind::ALL.iter().copied().filter(|model| model.info().kind == Kind::Contact)
+fn contacts() -> impl Iterator<Item = ImpactModel> {
+    every_model().filter(|model| model.info().kind == ModelKind::Contact)
 }
 
 /// Off-centre, across the ball, with the head turning about every axis; of either hand.
@@ -30,13 +29,13 @@ fn mishit(club: Club, hand: f64) -> Inputs {
     ])
 }
 
-fn record(model: ModelKind, club: Club, hand: f64) -> (Inputs, History) {
+fn record(model: ImpactModel, club: Club, hand: f64) -> (Inputs, History) {
     let inputs = mishit(club, hand);
-    let (history, _) = history(model, &inputs.0, &published(model, club), TIGHT).unwrap();
+    let (history, _) = model.history(&inputs.0, &published(model, club), TIGHT).unwrap();
     (inputs, history)
 }
 
-fn each_history(check: impl Fn(ModelKind, &Inputs, &[f64], &[Frame])) {
+fn each_history(check: impl Fn(ImpactModel, &Inputs, &[f64], &[Frame])) {
     for model in contacts() {
         for (club, hand) in [(Club::Driver, 1.0), (Club::Iron, 1.0), (Club::Driver, -1.0)] {
             let (inputs, history) = record(model, club, hand);
@@ -116,7 +115,7 @@ fn energy_is_accounted_for_at_every_step() {
 /// The kinetic energy of the ledger against its definition.
 #[test]
 fn the_kinetic_energy_is_that_of_both_bodies() {
-    for (model, club) in [(ModelKind::Area, Club::Driver), (ModelKind::Rings, Club::Iron)] {
+    for (model, club) in [(AREA, Club::Driver), (RINGS, Club::Iron)] {
         let (inputs, history) = record(model, club, 1.0);
         let touch = FirstTouch::of_inputs(&inputs.0);
         for frame in &history.frames {
@@ -145,14 +144,14 @@ fn an_undamped_normal_force_stores_its_potential_and_returns_it() {
         let x = x.max(0.0);
         6e9 * std::f64::consts::PI * x.powi(3) * (radius / 3.0 - x / 12.0)
     };
-    let cases: [(ModelKind, &[(&str, f64)], &dyn Fn(f64) -> f64); 3] = [
-        (ModelKind::Area, &[("shear_modulus", shear), ("poisson", 0.4), ("damping", 0.0)], &hertz),
-        (ModelKind::Rings, &[("shear_modulus", shear), ("poisson", 0.4), ("damping", 0.0)], &hertz),
-        (ModelKind::Volumetric, &[("stiffness", 6e9), ("damping", 0.0)], &volume),
+    let cases: [(ImpactModel, &[(&str, f64)], &dyn Fn(f64) -> f64); 3] = [
+        (AREA, &[("shear_modulus", shear), ("poisson", 0.4), ("damping", 0.0)], &hertz),
+        (RINGS, &[("shear_modulus", shear), ("poisson", 0.4), ("damping", 0.0)], &hertz),
+        (VOLUMETRIC, &[("stiffness", 6e9), ("damping", 0.0)], &volume),
     ];
     for (model, values, potential) in cases {
         let parameters = changed(model, model.info().defaults(), values);
-        let (history, _) = history(model, &mishit(Club::Iron, 1.0).0, &parameters, TIGHT).unwrap();
+        let (history, _) = model.history(&mishit(Club::Iron, 1.0).0, &parameters, TIGHT).unwrap();
         let largest = history.frames.iter().map(|f| f.normal_work).fold(0.0, f64::max);
         assert!(largest > 20.0);
         for frame in &history.frames {
@@ -167,7 +166,7 @@ fn an_undamped_normal_force_stores_its_potential_and_returns_it() {
 fn dissipation_only_grows() {
     each_history(|model, _, _, frames| {
         for pair in frames.windows(2) {
-            if model != ModelKind::Rings {
+            if model != RINGS {
                 assert!(pair[1].friction_work >= pair[0].friction_work - 1e-9, "{}", model.info().name);
             }
             assert!(pair[1].layer_work >= pair[0].layer_work - 1e-9 && pair[1].friction_work > -1e-9);
@@ -210,7 +209,7 @@ fn forces_stay_within_the_friction_cone_and_never_pull() {
 /// The laws without memory oppose the sliding at every instant.
 #[test]
 fn friction_opposes_sliding() {
-    for model in [ModelKind::Volumetric, ModelKind::Area] {
+    for model in [VOLUMETRIC, AREA] {
         let (_, history) = record(model, Club::Iron, 1.0);
         for f in &history.frames {
             let along = f.force_y * f.sliding_y + f.force_z * f.sliding_z;
@@ -227,7 +226,7 @@ fn friction_opposes_sliding() {
 fn the_impulse_of_the_recorded_force_is_the_momentum_of_the_ball() {
     for model in contacts() {
         let inputs = simple_head(0.04);
-        let (history, outputs) = history(model, &inputs.0, &published(model, Club::Driver), TIGHT).unwrap();
+        let (history, outputs) = model.history(&inputs.0, &published(model, Club::Driver), TIGHT).unwrap();
         let trapezoid = |a: &Frame, b: &Frame| 0.5 * (a.normal_force + b.normal_force) * (b.time - a.time);
         let slope = |a: &Frame, b: &Frame| (b.normal_force - a.normal_force) / (b.time - a.time);
         let mut impulse = 0.0;
@@ -251,7 +250,7 @@ fn a_history_ends_in_the_launch_of_the_shot() {
     for model in contacts() {
         let inputs = mishit(Club::Driver, -1.0);
         let parameters = published(model, Club::Driver);
-        let (history, outputs) = history(model, &inputs.0, &parameters, TIGHT).unwrap();
+        let (history, outputs) = model.history(&inputs.0, &parameters, TIGHT).unwrap();
         let shot = hit(model, &inputs, &parameters, TIGHT);
         assert_eq!(Outputs(outputs).bits(), shot.bits());
         let last = &history.frames[history.frames.len() - 1];
@@ -266,7 +265,7 @@ fn a_history_ends_in_the_launch_of_the_shot() {
 
 #[test]
 fn an_impulse_model_has_no_history_and_says_so() {
-    let error = history(ModelKind::Standard, &played(Club::Driver).0, &[0.83, 0.0], TIGHT).unwrap_err();
+    let error = STANDARD.history(&played(Club::Driver).0, &[0.83, 0.0], TIGHT).unwrap_err();
     assert_eq!(error.input, "model");
     assert!(error.message.contains("standard") && error.message.contains("no history"), "{error}");
 }

@@ -1,15 +1,15 @@
-//! Impulse models against closed forms and the conditions they are made of (P1, Eqs. 1-11).
+//! Impulse models against closed forms and the conditions they are made of (Caldwell and McPhee, Eqs. 1-11).
 
 use crate::rigid::Rigid;
 use crate::shots::*;
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::{Accuracy, ImpactModel};
 use clubface_math::Vec3;
 use proptest::prelude::*;
 
 /// A 3 x 3 solve of well-conditioned equations: some hundred roundings.
 const ROUNDING: f64 = 1e-12;
 
-fn impulse(model: ModelKind, inputs: &Inputs, parameters: &[f64]) -> (Rigid, Outputs) {
+fn impulse(model: ImpactModel, inputs: &Inputs, parameters: &[f64]) -> (Rigid, Outputs) {
     let outputs = hit(model, inputs, parameters, Accuracy::Fast);
     (Rigid::of(model, inputs, parameters, &outputs), outputs)
 }
@@ -19,7 +19,7 @@ fn impulse(model: ModelKind, inputs: &Inputs, parameters: &[f64]) -> (Rigid, Out
 /// and here the head's own turning by a tangential force at depth a, a^2/I_zz.
 #[test]
 fn a_central_impact_follows_penners_closed_form() {
-    let standard = ModelKind::Standard;
+    let standard = STANDARD;
     for (depth, loft, cor, slope) in
         [(0.0, 0.2, 0.83, 0.0), (0.0, 0.6, 0.86, -0.0029), (0.04, 0.2, 0.7, 0.0), (0.04, 0.5, 0.86, -0.0029)]
     {
@@ -50,7 +50,7 @@ fn a_central_impact_follows_penners_closed_form() {
 #[test]
 fn restitution_ends_at_zero() {
     let inputs = simple_head(0.04).with(&[("speed", 60.0)]);
-    for model in [ModelKind::Standard, ModelKind::Adjusted, ModelKind::Slip, ModelKind::Jorgensen] {
+    for model in [STANDARD, ADJUSTED, SLIP, JORGENSEN] {
         for (cor, slope) in [(0.0, -0.02), (0.5, -0.02), (0.0, 0.0)] {
             let parameters = changed(model, model.info().defaults(), &[("cor", cor), ("cor_slope", slope)]);
             let (rigid, _) = impulse(model, &inputs, &parameters);
@@ -72,7 +72,7 @@ fn a_homogeneous_ball_rolls_off_a_heavy_face_with_five_sevenths() {
         ("ball_inertia", 0.4 * 0.0459 * 0.0213f64.powi(2)),
     ]);
     let inputs = inputs.with(&[("ixx", 1e9), ("iyy", 1e9), ("izz", 1e9)]);
-    let standard = ModelKind::Standard;
+    let standard = STANDARD;
     let (_, outputs) = impulse(standard, &inputs, &standard.info().defaults());
     let speed = inputs.at("speed") * loft.sin();
     // m/M = 5e-14.
@@ -84,7 +84,7 @@ proptest! {
     fn the_standard_ball_leaves_rolling_and_with_the_restitution_asked_for(
         (_, inputs) in any_delivery(), cor in 0.0..1.0f64
     ) {
-        let standard = ModelKind::Standard;
+        let standard = STANDARD;
         let parameters = changed(standard, standard.info().defaults(), &[("cor", cor)]);
         let (rigid, _) = impulse(standard, &inputs, &parameters);
         let (before, after) = (rigid.relative_before(), rigid.relative_after());
@@ -96,7 +96,7 @@ proptest! {
     /// The displaced CG moves with the ball: it is the surface that rolls.
     #[test]
     fn the_adjusted_ball_rolls_about_its_displaced_cg((club, inputs) in any_delivery()) {
-        let adjusted = ModelKind::Adjusted;
+        let adjusted = ADJUSTED;
         let parameters = published(adjusted, club);
         let (rigid, _) = impulse(adjusted, &inputs, &parameters);
         let (before, after) = (rigid.relative_before(), rigid.relative_after());
@@ -105,12 +105,12 @@ proptest! {
         prop_assert!((restitution - 0.83).abs() < ROUNDING);
     }
 
-    /// P1 Eqs. 10 and 11: each component of the sliding velocity is reversed by its own slip ratio.
+    /// Caldwell and McPhee, Eqs. 10 and 11: each component of the sliding velocity is reversed by its own slip ratio.
     #[test]
     fn the_slip_model_keeps_the_slip_ratios_along_both_directions(
         (_, inputs) in any_delivery(), e_y in -1.0..1.0f64, e_z in -1.0..1.0f64
     ) {
-        let slip = ModelKind::Slip;
+        let slip = SLIP;
         let parameters = changed(slip, slip.info().defaults(), &[("slip_y", e_y), ("slip_z", e_z)]);
         let (rigid, _) = impulse(slip, &inputs, &parameters);
         let (before, after) = (rigid.relative_before(), rigid.relative_after());
@@ -121,10 +121,10 @@ proptest! {
 
     #[test]
     fn without_slip_mass_or_displacement_three_models_are_the_standard_one((_, inputs) in any_delivery()) {
-        let standard = hit(ModelKind::Standard, &inputs, &ModelKind::Standard.info().defaults(), Accuracy::Fast);
+        let standard = hit(STANDARD, &inputs, &STANDARD.info().defaults(), Accuracy::Fast);
         for (model, nothing) in [
-            (ModelKind::Slip, vec![("slip_y", 0.0), ("slip_z", 0.0)]),
-            (ModelKind::Adjusted, vec![("extra_mass", 0.0), ("dcg_x", 0.0), ("dcg_y", 0.0), ("dcg_z", 0.0)]),
+            (SLIP, vec![("slip_y", 0.0), ("slip_z", 0.0)]),
+            (ADJUSTED, vec![("extra_mass", 0.0), ("dcg_x", 0.0), ("dcg_y", 0.0), ("dcg_z", 0.0)]),
         ] {
             let found = hit(model, &inputs, &changed(model, model.info().defaults(), &nothing), Accuracy::Fast);
             prop_assert_eq!(found.bits(), standard.bits());
@@ -134,7 +134,7 @@ proptest! {
     /// Momentum and angular momentum, all models that solve the impulse equations.
     #[test]
     fn an_impulse_keeps_momentum_and_angular_momentum((club, inputs) in any_delivery()) {
-        for model in [ModelKind::Standard, ModelKind::Adjusted, ModelKind::Slip] {
+        for model in [STANDARD, ADJUSTED, SLIP] {
             let (rigid, _) = impulse(model, &inputs, &published(model, club));
             prop_assert!(rigid.momentum_error() < 1e-12);
             prop_assert!(rigid.angular_momentum_error() < 1e-12);
@@ -145,7 +145,7 @@ proptest! {
     /// are known to 1e-13 J or so.
     #[test]
     fn the_energy_lost_is_the_work_of_the_impulse((club, inputs) in any_delivery()) {
-        for model in [ModelKind::Standard, ModelKind::Adjusted, ModelKind::Slip] {
+        for model in [STANDARD, ADJUSTED, SLIP] {
             let (rigid, _) = impulse(model, &inputs, &published(model, club));
             let work = rigid.impulse().dot(rigid.relative_before() + rigid.relative_after()) * 0.5;
             prop_assert!((rigid.energy_lost() + work).abs() < 1e-10, "{} {}", rigid.energy_lost(), work);
@@ -157,7 +157,7 @@ proptest! {
     /// depends on head and impact point alone: below 0.05 for real heads, so e may go to 0.97.
     #[test]
     fn rolling_off_centre_bounds_the_restitution_that_loses_energy((_, inputs) in any_delivery(), cor in 0.0..1.0f64) {
-        let standard = ModelKind::Standard;
+        let standard = STANDARD;
         let parameters = changed(standard, standard.info().defaults(), &[("cor", cor)]);
         let (rigid, _) = impulse(standard, &inputs, &parameters);
         let normal = rigid.touch.normal;
@@ -178,7 +178,7 @@ proptest! {
     /// Central: the normal part loses (1 - e^2)/2 of the energy of approach, the rolling part all of that of sliding.
     #[test]
     fn a_central_impact_loses_what_its_restitution_implies(loft in 0.0..0.7f64, cor in 0.0..1.0f64, depth in 0.0..0.05f64) {
-        let standard = ModelKind::Standard;
+        let standard = STANDARD;
         let inputs = simple_head(depth).with(&[("loft", loft)]);
         let parameters = changed(standard, standard.info().defaults(), &[("cor", cor)]);
         let (rigid, _) = impulse(standard, &inputs, &parameters);
@@ -193,7 +193,7 @@ proptest! {
     /// The impulse that gives the change of the relative velocity: an independent form of the solve.
     #[test]
     fn the_impulse_is_the_mobility_applied_backwards((club, inputs) in any_delivery()) {
-        for model in [ModelKind::Standard, ModelKind::Adjusted, ModelKind::Slip] {
+        for model in [STANDARD, ADJUSTED, SLIP] {
             let (rigid, _) = impulse(model, &inputs, &published(model, club));
             let gained = rigid.mobility() * rigid.impulse();
             let difference = gained - (rigid.relative_after() - rigid.relative_before());

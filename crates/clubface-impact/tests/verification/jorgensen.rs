@@ -1,12 +1,12 @@
-//! Jorgensen's theory with the figures of P2 (sections 3.1 and 3.2).
+//! Jorgensen's theory with the figures of Roh and Lee (sections 3.1 and 3.2).
 
 use crate::rigid::Rigid;
 use crate::shots::*;
 use clubface_impact::models::jorgensen::compression_factor;
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::Accuracy;
 use proptest::prelude::*;
 
-/// P2's impact: a ball of 42.8 mm and 46 g, 35 m/s, 11.5 deg; head of 210 g and 1526 g cm2.
+/// Roh and Lee's impact: a ball of 42.8 mm and 46 g, 35 m/s, 11.5 deg; head of 210 g and 1526 g cm2.
 fn p2() -> Inputs {
     simple_head(0.04).with(&[
         ("speed", 35.0),
@@ -22,12 +22,12 @@ fn p2() -> Inputs {
 }
 
 fn spin_rpm(factor: f64) -> f64 {
-    let model = ModelKind::Jorgensen;
+    let model = JORGENSEN;
     let parameters = changed(model, model.info().defaults(), &[("compression_factor", factor)]);
     hit(model, &p2(), &parameters, Accuracy::Fast).at("backspin") / RPM
 }
 
-/// 5 f V sin(phi)/(7 R) (Eq. 6). P2 prints 2047 rpm, which its f = 0.92 (two digits) gives to 0.1%.
+/// 5 f V sin(phi)/(7 R) (Eq. 6). Roh and Lee print 2047 rpm, which their f = 0.92 (two digits) gives to 0.1%.
 #[test]
 fn the_spin_of_p2_is_that_of_its_compression_factor() {
     let closed_form = 5.0 * 0.92 * 35.0 * 11.5f64.to_radians().sin() / (7.0 * 0.0214) / RPM;
@@ -35,7 +35,7 @@ fn the_spin_of_p2_is_that_of_its_compression_factor() {
     assert!((spin_rpm(0.92) - 2047.0).abs() < 2.0, "{}", spin_rpm(0.92));
 }
 
-/// P2's ball leaves with 5.15 m/s along the face and would spin with 2298 rpm if it rolled: v/R, three digits given.
+/// Roh and Lee's ball leaves with 5.15 m/s along the face and would spin with 2298 rpm if it rolled: v/R, three digits given.
 #[test]
 fn a_rolling_ball_spins_with_its_velocity_along_the_face_over_its_radius() {
     let left = 7.0 / 5.0 * 5.15 / (35.0 * 11.5f64.to_radians().sin());
@@ -57,7 +57,7 @@ proptest! {
     /// direction (Eqs. 4-6), whatever the impact.
     #[test]
     fn the_ball_keeps_five_sevenths_of_f_of_its_sliding_velocity((_, inputs) in any_delivery(), f in 0.3..1.4f64) {
-        let model = ModelKind::Jorgensen;
+        let model = JORGENSEN;
         let parameters = changed(model, model.info().defaults(), &[("compression_factor", f)]);
         let outputs = hit(model, &inputs, &parameters, Accuracy::Fast);
         let rigid = Rigid::of(model, &inputs, &parameters, &outputs);
@@ -67,8 +67,8 @@ proptest! {
         prop_assert!((rigid.ball_spin - spin).norm() < 1e-12 * (1.0 + spin.norm()));
         prop_assert!(rigid.momentum_error() < 1e-12);
         // The normal part is that of the standard model.
-        let standard = hit(ModelKind::Standard, &inputs, &ModelKind::Standard.info().defaults(), Accuracy::Fast);
-        let standard = Rigid::of(ModelKind::Standard, &inputs, &[], &standard);
+        let standard = hit(STANDARD, &inputs, &STANDARD.info().defaults(), Accuracy::Fast);
+        let standard = Rigid::of(STANDARD, &inputs, &[], &standard);
         let difference = (rigid.ball_velocity - standard.ball_velocity).dot(normal);
         prop_assert!(difference.abs() < 1e-11);
         // Relative to the face point, which moves after impact as in the standard model.

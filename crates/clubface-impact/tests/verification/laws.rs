@@ -2,9 +2,8 @@
 
 use crate::rigid::Rigid;
 use crate::shots::*;
-use clubface_impact::history::history;
-use clubface_impact::model::{Kind, Parameter};
-use clubface_impact::{Accuracy, Law, ModelKind};
+use clubface_impact::description::Parameter;
+use clubface_impact::{Accuracy, ImpactModel, Law, ModelKind};
 use clubface_math::Vec3;
 use proptest::prelude::*;
 
@@ -22,7 +21,7 @@ fn value(p: &Parameter, published: f64, place: f64) -> f64 {
     }
 }
 
-fn parameters(model: ModelKind, club: Club, places: &[f64]) -> Vec<f64> {
+fn parameters(model: ImpactModel, club: Club, places: &[f64]) -> Vec<f64> {
     let published = published(model, club);
     let each = model.info().parameters.iter().zip(&published).zip(places);
     each.map(|((p, &published), &place)| value(p, published, place)).collect()
@@ -34,12 +33,12 @@ fn any_case() -> impl Strategy<Value = (Club, Inputs, Vec<f64>)> {
         .prop_map(|((club, inputs), places)| (club, inputs, places))
 }
 
-fn impulse_models() -> impl Iterator<Item = ModelKind> {
-    ModelKind::ALL.iter().copied().filter(|model| model.info().kind == Kind::Impulse)
+fn impulse_models() -> impl Iterator<Item = ImpactModel> {
+    every_model().filter(|model| model.info().kind == ModelKind::Impulse)
 }
 
-fn contact_models() -> impl Iterator<Item = ModelKind> {
-    ModelKind::ALL.iter().copied().filter(|model| model.info().kind == Kind::Contact)
+fn contact_models() -> impl Iterator<Item = ImpactModel> {
+    every_model().filter(|model| model.info().kind == ModelKind::Contact)
 }
 
 proptest! {
@@ -68,10 +67,15 @@ proptest! {
 }
 
 /// Momentum about a fixed point, energy and cone over the whole history of a contact.
-fn check_contact(model: ModelKind, club: Club, inputs: &Inputs, places: &[f64]) -> Result<(), TestCaseError> {
+fn check_contact(
+    model: ImpactModel,
+    club: Club,
+    inputs: &Inputs,
+    places: &[f64],
+) -> Result<(), TestCaseError> {
     let parameters = parameters(model, club, places);
     let info = model.info();
-    let (history, _) = history(model, &inputs.0, &parameters, Accuracy::Tolerance(1e-8)).unwrap();
+    let (history, _) = model.history(&inputs.0, &parameters, Accuracy::Tolerance(1e-8)).unwrap();
     let (first, last) = (&history.frames[0], &history.frames[history.frames.len() - 1]);
     let vec = Vec3::from_f64;
     let (ball, head) = (inputs.at("ball_mass"), inputs.at("club_mass"));
@@ -112,13 +116,13 @@ proptest! {
 
     #[test]
     fn the_rings_keep_the_laws_they_declare((club, inputs, places) in any_case()) {
-        check_contact(ModelKind::Rings, club, &inputs, &places)?;
+        check_contact(RINGS, club, &inputs, &places)?;
     }
 }
 
 #[test]
 fn every_model_declares_momentum_and_exceptions_name_a_parameter() {
-    for &model in ModelKind::ALL {
+    for model in every_model() {
         let info = model.info();
         assert!(info.obeys(Law::Momentum, &info.defaults()), "{}", info.name);
         if let Some((name, _)) = info.laws_without {
@@ -127,5 +131,5 @@ fn every_model_declares_momentum_and_exceptions_name_a_parameter() {
         let cone = info.obeys(Law::FrictionCone, &info.defaults());
         assert_eq!(cone, parameter(model, "friction").is_some(), "{}", info.name);
     }
-    assert!(!ModelKind::Jorgensen.info().obeys(Law::AngularMomentum, &[0.83, 0.0, 0.92]));
+    assert!(!JORGENSEN.info().obeys(Law::AngularMomentum, &[0.83, 0.0, 0.92]));
 }

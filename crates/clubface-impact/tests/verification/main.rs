@@ -1,4 +1,4 @@
-//! The impact models against closed forms, conservation laws, symmetries, published figures and each other.
+//! Impact models and flight against closed forms, conservation laws, symmetries, published figures and each other.
 
 // Helpers outside test functions may panic like tests; a negated comparison lets a NaN fail.
 #![allow(clippy::unwrap_used, clippy::neg_cmp_op_on_partial_ord, clippy::type_complexity)]
@@ -11,16 +11,20 @@ mod batches;
 mod delivery;
 mod derivatives;
 mod face;
+mod flight;
 mod gear_effect;
 mod histories;
 mod impulse;
 mod jorgensen;
 mod lanes;
 mod laws;
+mod linear_spring;
+mod linearized;
 mod normal_impact;
 mod one_dimension;
 mod overlap;
 mod published;
 mod rigid;
+mod rings;
 mod shots;
 mod symmetry;

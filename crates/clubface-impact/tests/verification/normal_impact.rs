@@ -3,8 +3,7 @@
 
 use crate::one_dimension::{Bounce, Stop};
 use crate::shots::*;
-use clubface_impact::history::history;
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::{Accuracy, ImpactModel};
 use std::f64::consts::PI;
 
 const TIGHT: Accuracy = Accuracy::Tolerance(1e-11);
@@ -20,12 +19,12 @@ fn square(mass: f64, radius: f64) -> Inputs {
 const HEAVY: f64 = 1e9;
 
 fn area(damping: f64) -> Vec<f64> {
-    let model = ModelKind::Area;
+    let model = AREA;
     let values = [("shear_modulus", MODULUS), ("poisson", POISSON), ("damping", damping)];
     changed(model, model.info().defaults(), &values)
 }
 
-/// P1 Eqs. 15 and 16: k = 4 G sqrt(R)/(3 (1 - nu)), 1/R = 1/r_ball + 1/r_club.
+/// Caldwell and McPhee, Eqs. 15 and 16: k = 4 G sqrt(R)/(3 (1 - nu)), 1/R = 1/r_ball + 1/r_club.
 fn hertz_stiffness(face_radius: f64) -> f64 {
     let radius = (1.0 / 0.0213 + 1.0 / face_radius).recip();
     4.0 * MODULUS * radius.sqrt() / (3.0 * (1.0 - POISSON))
@@ -48,7 +47,7 @@ fn an_elastic_normal_impact_follows_hertz() {
     let v = 48.0;
     for (mass, radius) in [(HEAVY, f64::INFINITY), (HEAVY, 0.305), (0.2, f64::INFINITY), (0.2, 0.305)] {
         let inputs = square(mass, radius).with(&[("speed", v)]);
-        for model in [ModelKind::Area, ModelKind::Rings] {
+        for model in [AREA, RINGS] {
             let values = [("shear_modulus", MODULUS), ("poisson", POISSON), ("damping", 0.0)];
             let parameters = changed(model, model.info().defaults(), &values);
             let outputs = hit(model, &inputs, &parameters, TIGHT);
@@ -70,13 +69,13 @@ fn the_fast_setting_follows_hertz_to_its_tolerance() {
     let inputs = square(HEAVY, f64::INFINITY).with(&[("speed", 48.0)]);
     let (m, k) = (reduced(HEAVY), hertz_stiffness(f64::INFINITY));
     let depth = (5.0 * m * 48.0f64.powi(2) / (4.0 * k)).powf(0.4);
-    let outputs = hit(ModelKind::Area, &inputs, &area(0.0), Accuracy::Fast);
+    let outputs = hit(AREA, &inputs, &area(0.0), Accuracy::Fast);
     assert!((restitution(&inputs, &outputs) - 1.0).abs() < 1e-4);
     assert!((outputs.at("contact_time") * 48.0 / depth / 2.943_275 - 1.0).abs() < 5e-4);
     assert!((outputs.at("peak_force") / (k * depth.powf(1.5)) - 1.0).abs() < 5e-4);
 }
 
-fn assert_bounce(model: ModelKind, inputs: &Inputs, parameters: &[f64], exact: &Bounce) {
+fn assert_bounce(model: ImpactModel, inputs: &Inputs, parameters: &[f64], exact: &Bounce) {
     let outputs = hit(model, inputs, parameters, TIGHT);
     let relative = |found: f64, exact: f64, tolerance: f64, what: &str| {
         let error = (found / exact - 1.0).abs();
@@ -86,7 +85,7 @@ fn assert_bounce(model: ModelKind, inputs: &Inputs, parameters: &[f64], exact: &
     // 4000 midpoints leave 1e-7 of the integral, and find the top of the force to 1e-7.
     relative(outputs.at("contact_time"), exact.duration, 1e-6, "duration");
     relative(outputs.at("peak_force"), exact.peak_force, 1e-6, "peak force");
-    let (history, _) = history(model, &inputs.0, parameters, TIGHT).unwrap();
+    let (history, _) = model.history(&inputs.0, parameters, TIGHT).unwrap();
     let deepest = history.frames.iter().map(|frame| frame.penetration).fold(0.0, f64::max);
     // The deepest recorded step is within half a step of the top of a parabola: (1/300)^2 of it.
     relative(deepest, exact.depth, 1e-4, "depth");
@@ -106,7 +105,7 @@ fn damped_hertz_contact_follows_hunt_and_crossley() {
                 speed,
             };
             let inputs = square(mass, f64::INFINITY).with(&[("speed", speed)]);
-            assert_bounce(ModelKind::Area, &inputs, &area(damping), &exact.bounce());
+            assert_bounce(AREA, &inputs, &area(damping), &exact.bounce());
         }
     }
 }
@@ -114,7 +113,7 @@ fn damped_hertz_contact_follows_hunt_and_crossley() {
 /// The same with the force of the volumetric model on a plane, V = pi x^2 (3 R - x)/3.
 #[test]
 fn the_volumetric_contact_follows_hunt_and_crossley() {
-    let model = ModelKind::Volumetric;
+    let model = VOLUMETRIC;
     for club in CLUBS {
         let parameters = published(model, club);
         let (k, damping) = (parameters[0], parameters[1]);
@@ -135,7 +134,7 @@ fn the_volumetric_contact_follows_hunt_and_crossley() {
 #[test]
 fn slight_damping_lowers_restitution_by_two_thirds_of_it() {
     let inputs = square(HEAVY, f64::INFINITY).with(&[("speed", 10.0)]);
-    let outputs = hit(ModelKind::Area, &inputs, &area(1e-4), TIGHT);
+    let outputs = hit(AREA, &inputs, &area(1e-4), TIGHT);
     let lost = 1.0 - restitution(&inputs, &outputs);
     assert!((lost / (2.0 / 3.0 * 1e-3) - 1.0).abs() < 1e-3, "{lost}");
 }
@@ -144,14 +143,8 @@ fn slight_damping_lowers_restitution_by_two_thirds_of_it() {
 #[test]
 fn stiffness_scales_time_and_force_but_not_speed() {
     let inputs = square(0.2, f64::INFINITY);
-    let at = |modulus: f64| {
-        hit(
-            ModelKind::Area,
-            &inputs,
-            &changed(ModelKind::Area, area(6e-3), &[("shear_modulus", modulus)]),
-            TIGHT,
-        )
-    };
+    let at =
+        |modulus: f64| hit(AREA, &inputs, &changed(AREA, area(6e-3), &[("shear_modulus", modulus)]), TIGHT);
     let (soft, hard) = (at(1e7), at(1e9));
     assert!((restitution(&inputs, &soft) / restitution(&inputs, &hard) - 1.0).abs() < 1e-8);
     let scale = 100f64.powf(0.4);

@@ -2,7 +2,7 @@
 
 use crate::shots::{parameter, Inputs, Outputs};
 use clubface_impact::first_touch::FirstTouch;
-use clubface_impact::ModelKind;
+use clubface_impact::ImpactModel;
 use clubface_math::{Mat3, Vec3};
 
 /// An impact at one point in face axes, a left-hander's in the mirror.
@@ -19,7 +19,7 @@ pub struct Rigid {
 }
 
 impl Rigid {
-    pub fn of(model: ModelKind, inputs: &Inputs, parameters: &[f64], outputs: &Outputs) -> Self {
+    pub fn of(model: ImpactModel, inputs: &Inputs, parameters: &[f64], outputs: &Outputs) -> Self {
         let touch = FirstTouch::of_inputs(&inputs.0);
         let named = |name: &str| parameter(model, name).map_or(0.0, |index| parameters[index]);
         let (up, toe) = touch.tangents();

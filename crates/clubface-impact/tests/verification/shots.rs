@@ -1,12 +1,24 @@
 //! The published clubs and parameter sets, shots with them, and their results by name.
 
-use clubface_impact::batch::{Batch, Column};
+use clubface_impact::batch::Batch;
+use clubface_impact::columns::Column;
 use clubface_impact::error::ImpactError;
 use clubface_impact::launch::{OUTPUTS, OUTPUT_COUNT};
 use clubface_impact::shot::{INPUTS, INPUT_COUNT};
-use clubface_impact::{Accuracy, ModelKind};
+use clubface_impact::{registry, Accuracy, ImpactModel};
 use clubface_math::Vec3;
 use proptest::prelude::*;
+
+pub use clubface_impact::registry::{ADJUSTED, AREA, JORGENSEN, RINGS, SLIP, STANDARD, VOLUMETRIC};
+
+clubface_impact::registry! {
+    LINEAR_SPRING => crate::linear_spring::LinearSpring;
+}
+
+/// The models of the library, and one that is not.
+pub fn every_model() -> impl Iterator<Item = ImpactModel> {
+    registry::ALL.iter().chain(ALL).copied()
+}
 
 /// Values of a shot in the order of [`INPUTS`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +46,7 @@ pub fn output(name: &str) -> usize {
     OUTPUTS.iter().position(|output| output.name == name).expect("an output")
 }
 
-/// One of P1's two clubs.
+/// One of Caldwell and McPhee's two clubs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Club {
     Driver,
@@ -45,11 +57,11 @@ pub const CLUBS: [Club; 2] = [Club::Driver, Club::Iron];
 pub const MPH: f64 = 0.44704;
 pub const RPM: f64 = std::f64::consts::PI / 30.0;
 
-/// P1's ball, Table 1.
+/// Caldwell and McPhee's ball, Table 1.
 const BALL: [(&str, f64); 3] = [("ball_mass", 0.0459), ("ball_radius", 0.0213), ("ball_inertia", 83.36e-7)];
 
-/// P1's club (Table 1; the paper gives no outline) and ball, delivered square and level at its static loft with the
-/// clubhead speed of P1's drives or an iron's.
+/// Caldwell and McPhee's club (Table 1; the paper gives no outline) and ball, delivered square and level at its static loft with the
+/// clubhead speed of Caldwell and McPhee's drives or an iron's.
 pub fn shot(club: Club) -> Inputs {
     let deg = f64::to_radians;
     let values: [(&str, f64); 17] = match club {
@@ -95,7 +107,7 @@ pub fn shot(club: Club) -> Inputs {
     Inputs([0.0; INPUT_COUNT]).with(&values).with(&BALL).with(&[("hand", 1.0)])
 }
 
-/// A drive and an iron shot as they are hit: the drive of P1's speed, 2 deg up with 13 deg of dynamic loft, the iron 4
+/// A drive and an iron shot as they are hit: the drive of Caldwell and McPhee's speed, 2 deg up with 13 deg of dynamic loft, the iron 4
 /// deg down with 24 deg.
 pub fn played(club: Club) -> Inputs {
     let (attack, loft) = match club {
@@ -121,8 +133,8 @@ pub fn simple_head(depth: f64) -> Inputs {
     ])
 }
 
-/// Parameters of a model: those published for a club, else the defaults (P1 Tables 6-10, G divided by 100).
-pub fn published(model: ModelKind, club: Club) -> Vec<f64> {
+/// Parameters of a model: those published for a club, else the defaults (Caldwell and McPhee, Tables 6-10, G divided by 100).
+pub fn published(model: ImpactModel, club: Club) -> Vec<f64> {
     let values: &[(&str, [f64; 2])] = match model.info().name {
         "adjusted" => &[
             ("extra_mass", [2.54e-3, 10.10e-3]),
@@ -161,7 +173,7 @@ pub fn published(model: ModelKind, club: Club) -> Vec<f64> {
 }
 
 /// Parameters with some values changed by name.
-pub fn changed(model: ModelKind, mut parameters: Vec<f64>, values: &[(&str, f64)]) -> Vec<f64> {
+pub fn changed(model: ImpactModel, mut parameters: Vec<f64>, values: &[(&str, f64)]) -> Vec<f64> {
     for (name, value) in values {
         let index = parameter(model, name).expect("a parameter");
         parameters[index] = *value;
@@ -170,7 +182,7 @@ pub fn changed(model: ModelKind, mut parameters: Vec<f64>, values: &[(&str, f64)
 }
 
 /// Index of a parameter, if the model has it.
-pub fn parameter(model: ModelKind, name: &str) -> Option<usize> {
+pub fn parameter(model: ImpactModel, name: &str) -> Option<usize> {
     model.info().parameters.iter().position(|parameter| parameter.name == name)
 }
 
@@ -205,7 +217,7 @@ impl Outputs {
 
 /// One shot.
 pub fn try_hit(
-    model: ModelKind,
+    model: ImpactModel,
     inputs: &Inputs,
     parameters: &[f64],
     accuracy: Accuracy,
@@ -223,7 +235,7 @@ pub fn try_hit(
 }
 
 /// One shot that must succeed.
-pub fn hit(model: ModelKind, inputs: &Inputs, parameters: &[f64], accuracy: Accuracy) -> Outputs {
+pub fn hit(model: ImpactModel, inputs: &Inputs, parameters: &[f64], accuracy: Accuracy) -> Outputs {
     try_hit(model, inputs, parameters, accuracy).expect("a shot")
 }
 

@@ -4,7 +4,8 @@
 // Coefficients are quoted with all their published digits.
 #![allow(clippy::excessive_precision)]
 
-use super::{rate_of, Attempt, Method, Room, StiffSystem};
+use super::problem::{Attempt, Method, StiffSystem};
+use super::rate::{rate_of, Room};
 use crate::scalar::Scalar;
 
 /// ROS34PW2: order 3(2), four stages, stiffly accurate, a W-method (J. Rang and L. Angermann, BIT 45, 2005, 761-787).

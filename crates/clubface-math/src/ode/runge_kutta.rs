@@ -1,6 +1,7 @@
 //! Explicit Runge-Kutta methods: one stepper, each method a table of numbers.
 
-use super::{rate_of, Attempt, Method, System};
+use super::problem::{Attempt, Method, System};
+use super::rate::rate_of;
 use crate::scalar::Scalar;
 
 /// An explicit Runge-Kutta method of `STAGES` stages whose last stage is the derivative at the end of the step.

@@ -1,29 +1,29 @@
-//! Finite element impacts: a ball and what it meets go in, histories come out.
+//! Impacts by finite elements: a ball and what it meets go in, records come out.
 
-mod fields;
+mod element_fields;
 mod heads;
+mod inputs;
 mod metals;
 mod run;
-mod values;
 
 pub use heads::{fem_driver, fem_head_properties, fem_iron};
 pub use metals::{fem_thickness_points, fem_yield_stress};
 
 use crate::columns::Derivatives;
-use clubface_fem::cases::{against_head, against_plane};
-use clubface_fem::head::against_ball;
+use clubface_fem::cases::{ball_against_deformable_head, ball_against_plane, ball_against_rigid_head};
+use clubface_fem::environment::Environment;
 use clubface_fem::material::{law_from_name, DERIVATIVES, LAWS};
 use clubface_fem::sensitivity::Setting;
 use clubface_fem::solve::Progress;
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::shot::{Shot, INPUT_COUNT};
 use clubface_math::Dual;
+use inputs::{any_head, ball_of, error_of, head_of, AnyHead, BallValues, HeadValues, RunValues};
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use run::{on_threads, options_of, pool_of, simulate, to_dict};
-use values::{any_head, ball_of, error_of, head_of, AnyHead, BallValues, HeadValues, RunValues};
+use run::{on_threads, options_of, pool_of, run_simulation, to_dict};
 
 /// The laws that files choose by name: [{name, summary, source, constants, dimensions, meanings, bounds: (least, most), each one a constant, needed: how many
 /// of them, group: how many more at a time, cards: [{keyword, branches: fewest and most, names, rows, branch}]}, ...].
@@ -72,7 +72,7 @@ pub fn fem_shear(law: &str, constants: Vec<f64>) -> PyResult<(f64, Vec<f64>)> {
     Ok((plain.shear(), slopes))
 }
 
-/// Mass properties of a ball as meshed: {mass, inertia, core_density, radius, nodes, elements}.
+/// Mass properties of a meshed ball: {mass, inertia, core_density, radius, nodes, elements}.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn fem_ball<'py>(py: Python<'py>, ball: BallValues) -> PyResult<Bound<'py, PyDict>> {
@@ -124,9 +124,10 @@ pub fn fem_plane<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let ball = ball_of(&ball)?;
-    let mut impact = against_plane(&ball, speed, angle, friction).map_err(|e| error_of(&e))?;
-    let ran = simulate(py, &mut impact, &run, progress)?;
-    to_dict(py, &impact, &ran, None)
+    let mut simulation = ball_against_plane(&ball, speed, angle, friction, &Environment::native())
+        .map_err(|e| error_of(&e))?;
+    let result = run_simulation(py, &mut simulation, &run, progress)?;
+    to_dict(py, &simulation, &result, None)
 }
 
 /// A shot with a rigid head; `inputs` in the order of `inputs()`. Mass, radius and inertia of the ball come from the mesh.
@@ -142,9 +143,10 @@ pub fn fem_head<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (touch, ball) = (touch_of(&inputs)?, ball_of(&ball)?);
-    let mut impact = against_head(&ball, &touch, friction).map_err(|e| error_of(&e))?;
-    let ran = simulate(py, &mut impact, &run, progress)?;
-    to_dict(py, &impact, &ran, Some(&touch))
+    let mut simulation =
+        ball_against_rigid_head(&ball, &touch, friction, &Environment::native()).map_err(|e| error_of(&e))?;
+    let result = run_simulation(py, &mut simulation, &run, progress)?;
+    to_dict(py, &simulation, &result, Some(&touch))
 }
 
 /// A shot with a head that deforms; `inputs` as of [`fem_head`], those of the clubhead are the head's.
@@ -161,9 +163,11 @@ pub fn fem_deformable<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (touch, ball, head) = (touch_of(&inputs)?, ball_of(&ball)?, any_head(&head)?);
-    let mut impact = against_ball(&*head, &ball, &touch, friction).map_err(|e| error_of(&e))?;
-    let ran = simulate(py, &mut impact, &run, progress)?;
-    to_dict(py, &impact, &ran, Some(&touch))
+    let mut simulation =
+        ball_against_deformable_head(&*head, &ball, &touch, friction, &Environment::native())
+            .map_err(|e| error_of(&e))?;
+    let result = run_simulation(py, &mut simulation, &run, progress)?;
+    to_dict(py, &simulation, &result, Some(&touch))
 }
 
 /// Both bodies at first touch, for inputs in the order of `inputs()`.
@@ -217,14 +221,14 @@ pub fn fem_sensitivity<'py>(
     let (pool, options) = (pool_of(&run)?, options_of(&run)?);
     let mut raised = None;
     let found = py.detach(|| {
-        let mut watch = |which: usize, at: &Progress| {
+        let mut observer = |which: usize, at: &Progress| {
             // Signals reach Python's main thread alone, which ends a run through its progress.
-            let looked = Python::attach(|py| {
+            let called = Python::attach(|py| {
                 progress.as_ref().map_or(Ok(()), |f| f.call1(py, (which, at.time, at.duration)).map(|_| ()))
             });
-            looked.map_err(|error| raised = Some(error)).is_ok()
+            called.map_err(|error| raised = Some(error)).is_ok()
         };
-        on_threads(&pool, || setting.sensitivity(&variables, &options, &mut watch))
+        on_threads(&pool, || setting.sensitivity(&variables, &options, &Environment::native(), &mut observer))
     });
     if let Some(error) = raised {
         return Err(error);

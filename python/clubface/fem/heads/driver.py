@@ -7,12 +7,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from clubface import units
-from clubface.equipment import check_name, check_text, is_count, warn_once
 from clubface.errors import InputError, TargetWarning
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import Place, parsed_places
 from clubface.fem.heads.shells import Part, ShellHead
 from clubface.fem.heads.values import parsed
+from clubface.support.checks import check_name, check_text, is_count
+from clubface.support.warning import warn_once
 
 SHAPE = ("loft", "bulge", "roll", "width", "depth", "crown", "sole", "rounding")
 WALLS = ("face_centre", "face_edge", "crown", "sole", "skirt")

@@ -47,7 +47,7 @@ class Hardening:
                 )
         if (self.gain > 0.0) != (self.rate > 0.0):
             name, other = ("gain", "rate") if self.gain > 0.0 else ("rate", "gain")
-            raise InputError(f"hardening.{name}", getattr(self, name), f"given together with {other}")
+            raise InputError(f"hardening.{name}", getattr(self, name), f"give {other} as well")
         object.__setattr__(self, "table", tuple(_point(each) for each in self.table))
         if self.table:
             _check_table(self.table)

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from clubface import units
-from clubface.equipment import check_choice, check_name, check_text, is_count
 from clubface.errors import InputError
 from clubface.fem.balls import ELEMENTS
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import Place, parsed_places, spread
 from clubface.fem.heads.solid import ROUND, SolidHead
 from clubface.fem.heads.values import parsed
+from clubface.support.checks import check_choice, check_name, check_text, is_count
 
 LENGTHS = {
     "length": (0.04, 0.12), "heel_height": (0.01, 0.08), "toe_height": (0.015, 0.1), "face": (1e-3, 0.02),

@@ -22,7 +22,7 @@ def read_mesh(path: str) -> Any:
     import meshio
 
     if not os.path.isfile(path):
-        raise FileError(path, None, "cannot be read: there is no such file")
+        raise FileError(path, None, "there is no such file")
     out, notes = StringIO(), StringIO()
     try:
         with redirect_stdout(out), redirect_stderr(notes):
@@ -30,11 +30,11 @@ def read_mesh(path: str) -> Any:
     except SystemExit:
         # All readers for this kind of name have tried, and printed why they gave up.
         tried = " ".join(out.getvalue().split()) or f"it does not hold what files of this name ({_ending(path)}) hold"
-        raise FileError(path, None, f"is no mesh that can be read: {tried}") from None
+        raise FileError(path, None, f"this mesh cannot be read: {tried}") from None
     # Readers raise whatever a broken file makes them stumble over.
     except Exception as error:
         reason = " ".join(str(error).split()) or type(error).__name__
-        raise FileError(path, None, f"is no mesh that can be read: {reason}") from None
+        raise FileError(path, None, f"this mesh cannot be read: {reason}") from None
     sys.stderr.write(notes.getvalue())
     return mesh
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
 from clubface.fem.core import beside
 
 if TYPE_CHECKING:

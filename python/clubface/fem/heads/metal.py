@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from clubface import units
-from clubface.equipment import check_choice, check_count
-from clubface.errors import InputError
+from clubface.errors import InputError, Told
 from clubface.fem.heads.hardening import Hardening
+from clubface.support.checks import check_choice, check_count
 
 RULES = {"gauss": 2, "lobatto": 3}
 """Rules of points through the thickness, and the fewest points of each."""
@@ -72,10 +72,10 @@ class Metal:
             if table and self.yield_stress is None:
                 object.__setattr__(self, "yield_stress", table[0][1])
             if self.yield_stress is None:
-                raise InputError("hardening", "given", "left out, or given together with yield")
+                raise InputError("hardening", Told("without yield"), "give yield as well, or leave hardening out")
             if table and self.yield_stress != table[0][1]:
                 shown = units.show(self.yield_stress, "MPa")
-                raise InputError("yield", shown, "left out, or the stress of the first point of hardening")
+                raise InputError("yield", shown, "leave it out, or give the stress of the first point of hardening")
         if self.yield_stress is not None and not 1e6 <= self.yield_stress <= 0.1 * self.youngs:
             raise InputError("yield", units.show(self.yield_stress, "MPa"), "1 MPa to a tenth of youngs")
 
@@ -98,7 +98,7 @@ class Metal:
 
         metal = self.plastic()
         if metal is None:
-            raise InputError("yield", None, "given: this metal stays elastic")
+            raise InputError("yield", None, "give it: without it this metal stays elastic")
         return _core.fem_yield_stress(metal, list(strains))
 
     def plastic(self) -> dict[str, Any] | None:

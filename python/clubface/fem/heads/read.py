@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
-from clubface.equipment import builtin_names, builtin_path, is_path
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
 from clubface.fem.heads.driver import SHAPE, TARGETS, WALLS, DriverHead
 from clubface.fem.heads.iron import GROOVES, IronHead
@@ -16,7 +15,8 @@ from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import MASS_KEYS, parsed_places
 from clubface.fem.heads.user_mesh import Group, MeshHead
-from clubface.strict_toml import Document
+from clubface.support.shipped import builtin_names, builtin_path, is_path
+from clubface.support.strict_toml import Document
 
 T = TypeVar("T")
 Design = DriverHead | IronHead | MeshHead

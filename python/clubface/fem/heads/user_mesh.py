@@ -9,12 +9,13 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
-from clubface.equipment import FLAT, check_name, check_text
+from clubface.equipment.described import FLAT
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.fem.heads.mesh_file import group_names, read_mesh
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import Place, parsed_places, spread
 from clubface.fem.heads.shells import Part, ShellHead
+from clubface.support.checks import check_name, check_text
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -108,7 +109,7 @@ class MeshHead:
         object.__setattr__(self, "masses", parsed_places(self.masses, "mass"))
         _check_place("face_centre", self.face_centre)
         if not any(group.face for group in self.groups):
-            raise InputError("groups", [group.name for group in self.groups], "at least one with face = true")
+            raise InputError("groups", [group.name for group in self.groups], "groups, at least one with face = true")
 
     def mesh(self) -> ShellHead:
         """Read the file.

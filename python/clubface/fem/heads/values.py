@@ -34,5 +34,5 @@ def parsed(
             raise UnknownNameError(f"value of {table}", key, known)
     for key in required:
         if key not in values:
-            raise InputError(f"{table}.{key}", None, "given")
+            raise InputError(f"{table}.{key}", None, "give it with its unit")
     return {key: units.parse(value, dimension(key), name=f"{table}.{key}") for key, value in values.items()}

@@ -1,7 +1,7 @@
-"""GSPro Open Connect v1: the JSON messages by which launch monitors and simulators talk over a local socket.
+"""GSPro Open Connect v1: the JSON messages that launch monitors and simulators exchange over a local socket.
 
-:class:`Listener` stands in for the simulator and yields the shots of a monitor; :class:`Sender` stands in for the
-monitor and sends launches to a simulator.
+:class:`Listener` takes the place of the simulator and yields the shots of a monitor. :class:`Sender` takes the place of
+the monitor and sends launches to a simulator.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""JSON objects out of a stream of bytes that cuts them where it likes and puts nothing between them."""
+"""JSON objects from a stream of bytes, which may be cut anywhere and has no separators."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ _OPEN, _CLOSE = b"{[", b"}]"
 
 
 class Broken(NamedTuple):
-    """Bytes that are no message, and why."""
+    """Bytes that are not a message, and the reason."""
 
     reason: str
 
 
 class ObjectStream:
-    """Collects bytes and returns the JSON objects in them, each as soon as its last brace is there."""
+    """Collects bytes and returns the JSON objects in them, each as soon as its last brace has arrived."""
 
     def __init__(self) -> None:
         self._held = bytearray()
         self.drop()
 
     def drop(self) -> None:
-        """Forget a message that has begun: what comes next begins anew."""
+        """Discard an unfinished message; the next bytes begin a new one."""
         self._held.clear()
         self._seen = 0
         self._depth = 0
@@ -42,7 +42,7 @@ class ObjectStream:
         return self._depth > 0
 
     def feed(self, data: bytes) -> list[dict[str, Any] | Broken]:
-        """Return the messages that are complete with ``data``; what is none comes as :class:`Broken`, once a piece."""
+        """Return the messages that ``data`` completes, and a :class:`Broken` for bytes that are not a message."""
         self._held += data
         found: list[dict[str, Any] | Broken] = []
         while self._seen < len(self._held):

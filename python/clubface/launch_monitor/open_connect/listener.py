@@ -1,4 +1,4 @@
-"""The side of the simulator: a socket on which launch monitors tell their shots, and which answers them."""
+"""The side of the simulator: a socket that receives the shots of launch monitors and answers them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ PARTIAL = 5.0
 
 
 def check_port(port: int, lowest: int) -> None:
-    """Refuse what is no number of a port."""
+    """Refuse a value that is not a port number."""
     if isinstance(port, bool) or not isinstance(port, int) or not lowest <= port <= 65535:
         raise InputError("port", port, f"a whole number from {lowest} to 65535")
 
@@ -45,24 +45,25 @@ class _Client:
 class Listener:
     """Listens for launch monitors on the local machine; iterate over :meth:`messages`, in a ``with`` statement.
 
-    A shot is answered with code 200, what cannot be used with 501 and the reason; heartbeats and states are not
-    answered. Several monitors may be connected, and come and go.
+    A shot is answered with code 200, and a message that cannot be used with code 501 and the reason. Heartbeats and
+    states are not answered. Several monitors may be connected at once, and may come and go.
 
     Parameters
     ----------
     port
-        The port; 0 takes a free one, see ``port`` afterwards.
+        The port. 0 takes a free one; the attribute ``port`` then tells which.
     host
-        The address to listen on; other machines can only reach another than the default.
+        The address to listen on. Other machines can reach the listener only if this is not the default.
     hand, club
-        Told to every monitor that connects, with code 201: "right" or "left", and the club's short name, such as "DR".
+        What every monitor that connects is told, with code 201: "right" or "left", and the club's short name, such as
+        "DR".
     on_problem
-        Called with a sentence for whatever is no message, and when a monitor connects or leaves.
+        Called with a sentence for bytes that are not a message, and when a monitor connects or leaves.
 
     Raises
     ------
     LinkError
-        The port is taken, or not allowed.
+        The port is taken or not allowed.
     """
 
     def __init__(
@@ -96,7 +97,7 @@ class Listener:
         self.close()
 
     def stop(self) -> None:
-        """End the iteration over messages; may be called from another thread."""
+        """End the iteration over messages. Another thread may call this."""
         self._stopped = True
 
     def close(self) -> None:

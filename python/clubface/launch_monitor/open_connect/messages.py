@@ -1,11 +1,11 @@
 """Messages of GSPro Open Connect v1: from JSON to a shot with the units and signs of clubface.
 
 The fields are those of the protocol's page (gsprogolf.com, "GSPro Open Connect v1 Documentation"): speeds in mph,
-angles in degrees, spin in rpm, the carry in yards or metres by ``Units``. HLA, spin axis and sidespin are positive to
-the right. The page leaves open what the signs of the club data are; here path and face angle are positive to the right
-for either hand, the horizontal impact towards the toe in mm, as connectors for it write them, and the closure rate is
-in deg/s. A zero of club speed, loft or closure rate, and both impact offsets zero, stand for not measured, since
-clients must send a number.
+angles in degrees, spin in rpm, and the carry in yards or metres as ``Units`` says. HLA, spin axis and sidespin are
+positive to the right. The page does not give the signs of the club data. Here path and face angle are positive to the
+right for either hand, the horizontal impact is positive towards the toe in mm, as connectors for the protocol write it,
+and the closure rate is in deg/s. Clients must send a number, so a zero of club speed, loft or closure rate, or zeros of
+both impact offsets, mean not measured.
 """
 
 from __future__ import annotations
@@ -20,29 +20,29 @@ from clubface.launch_monitor.open_connect.fields import BALL, CLUB, LARGEST_NUMB
 from clubface.units import unit
 
 if TYPE_CHECKING:
-    from clubface.recorded import RecordedShots
+    from clubface.recorded.shots import RecordedShots
 
 
 class MessageError(ClubfaceError, ValueError):
-    """A message that is no shot, heartbeat or status; its text says which field is wrong, to be sent back."""
+    """A message that is no shot, heartbeat or status; its text names the field at fault and is sent back."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Message:
-    """What a launch monitor says, SI.
+    """The content of a message of a launch monitor, in SI units.
 
     Attributes
     ----------
     kind
         "shot", "heartbeat" or "status".
     device, shot_number
-        Of the sender.
+        Name and shot number that the sender gives.
     delivery
-        Inputs of an impact by name; empty where the club was not measured.
+        Inputs of an impact by name; empty if the club was not measured.
     launch
         Quantities of the launch by name; empty without ball data.
     is_ready, sees_ball
-        What the monitor says of itself, None where it does not.
+        The state that the monitor reports; None if it reports none.
     """
 
     kind: str
@@ -55,7 +55,13 @@ class Message:
 
 
 def from_json(data: Mapping[str, Any]) -> Message:
-    """Read the JSON object of a message; a :class:`MessageError` names the field that is missing or wrong."""
+    """Return the message in a JSON object.
+
+    Raises
+    ------
+    MessageError
+        A field is missing or wrong; the text names it.
+    """
     options = _object(data, "ShotDataOptions")
     flags = {
         name: _flag(options, name)
@@ -164,10 +170,10 @@ def _metric(data: Mapping[str, Any]) -> bool:
 
 
 def recorded(messages: Iterable[Message], *, hand: str | None = None, source: str = "Open Connect") -> RecordedShots:
-    """Return the shots among messages as :class:`RecordedShots`; ``rows`` are the shot numbers."""
+    """Return the shots among the messages as :class:`RecordedShots`; ``rows`` are the shot numbers."""
     import numpy as np
 
-    from clubface.recorded import RecordedShots
+    from clubface.recorded.shots import RecordedShots
 
     shots = [each for each in messages if each.kind == "shot"]
 

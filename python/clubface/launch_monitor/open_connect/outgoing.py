@@ -1,4 +1,4 @@
-"""What is sent by Open Connect: shots and heartbeats by a monitor, answers by a simulator."""
+"""Outgoing messages of Open Connect: shots and heartbeats of a monitor, answers of a simulator."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from clubface.errors import InputError, UnknownNameError
-from clubface.launch import Launch
 from clubface.launch_monitor.open_connect.fields import BALL, CLUB, HANDS, VERSION
+from clubface.simulation.launch import Launch
 from clubface.units import from_si, parse, unit
 
 
@@ -25,20 +25,20 @@ def to_json(
     ----------
     launch
         A :class:`Launch` of a single shot, or a mapping of SI values or texts with units: ``ball_speed``, ``launch``,
-        and where known ``azimuth``, ``carry`` and ``total_spin`` with ``spin_axis`` or ``backspin`` with ``sidespin``.
+        and if known ``azimuth``, ``carry`` and ``total_spin`` with ``spin_axis`` or ``backspin`` with ``sidespin``.
     delivery
-        Likewise of the club; left out, the delivery of a :class:`Launch`, or none.
+        The same for the club. If left out: the delivery of a :class:`Launch`, or none.
     shot_number, device
-        As the message says them.
+        Shot number and device name in the message.
     """
     if isinstance(launch, Launch):
         delivery = delivery if delivery is not None else launch.delivery
         launch = {name: getattr(launch, name) for name, _ in BALL.values() if name != "carry"}
     ball = _written(launch, BALL)
     if not ball.get("Speed", 0.0) > 0.0:
-        raise InputError("ball_speed", launch.get("ball_speed"), "given for a message, above 0")
+        raise InputError("ball_speed", launch.get("ball_speed"), "above 0 in a message to a simulator")
     if "VLA" not in ball:
-        raise InputError("launch", None, "given for a message")
+        raise InputError("launch", None, "give the launch angle, which a message to a simulator needs")
     back, side = ball.get("BackSpin", 0.0), ball.get("SideSpin", 0.0)
     ball.setdefault("TotalSpin", math.hypot(back, side))
     ball.setdefault("SpinAxis", math.degrees(math.atan2(side, back)) if side or back else 0.0)
@@ -59,7 +59,7 @@ def to_json(
 
 
 def heartbeat(*, device: str = "clubface", is_ready: bool = True) -> dict[str, Any]:
-    """Return the message that says that the sender is there."""
+    """Return the message by which a monitor shows that it is there."""
     return {
         "DeviceID": device,
         "Units": "Yards",

@@ -1,4 +1,4 @@
-"""The side of the launch monitor: shots sent to a simulator, each answered."""
+"""The side of the launch monitor: shots sent to a simulator, and the answers."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from clubface.launch_monitor.open_connect.outgoing import heartbeat, to_json
 
 
 class Reply(NamedTuple):
-    """The answer to a shot: 200 where it was taken, 5xx where it was not."""
+    """The answer to a shot: code 200 if it was accepted, 5xx if it was not."""
 
     code: int
     message: str
 
     @property
     def was_taken(self) -> bool:
-        """Whether the simulator took the shot."""
+        """Whether the simulator accepted the shot."""
         return 200 <= self.code < 300
 
 
@@ -35,14 +35,14 @@ class Sender:
     port, host
         Where the simulator listens.
     device
-        The name the messages carry.
+        The device name in the messages.
     timeout
         How long to wait for the connection and for each answer [s].
 
     Attributes
     ----------
     player
-        What the simulator last said of its player, as ``{"Handed": "RH", "Club": "DR"}``, or None.
+        What the simulator last said about its player, as ``{"Handed": "RH", "Club": "DR"}``, or None.
 
     Raises
     ------
@@ -92,7 +92,7 @@ class Sender:
         raise LinkError(self._address, f"did not answer shot {self._number} within {self._timeout:g} s")
 
     def heartbeat(self, *, is_ready: bool = True) -> None:
-        """Tell the simulator that the sender is there; it does not answer."""
+        """Tell the simulator that the monitor is there; the simulator does not answer."""
         self._write(heartbeat(device=self._device, is_ready=is_ready))
 
     def _write(self, message: dict[str, Any]) -> None:

@@ -1,6 +1,6 @@
-"""Synthetic swings: a clubhead on a path known exactly, as cameras would record it.
+"""Synthetic swings: a clubhead on an exactly known path, as cameras would record it.
 
-:func:`random_swing` makes one, :class:`Cameras` record it, :func:`synthesize` writes a folder of them.
+:func:`random_swing` makes one swing, :class:`Cameras` record it, and :func:`synthesize` writes a folder of swings.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from clubface.motion_capture.synthetic.files import calibration_map, positions_m
 from clubface.motion_capture.synthetic.golfer import random_chain, random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.motion_capture.synthetic.path import Chain, Turn, motion
-from clubface.motion_capture.synthetic.swing import SyntheticSwing, swing
+from clubface.motion_capture.synthetic.synthetic_swing import SyntheticSwing, swing
 
 __all__ = [
     "Cameras",

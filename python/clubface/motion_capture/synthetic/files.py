@@ -8,15 +8,15 @@ from pathlib import Path
 
 import numpy as np
 
-from clubface.clubs import Club
-from clubface.delivery import DIMENSIONS
+from clubface.equipment.clubs import Club
 from clubface.errors import InputError
 from clubface.motion_capture.mapping import MarkerMap
 from clubface.motion_capture.recording import write_c3d
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import BALL, CLUSTERS, FACE, Cameras, kind_of
-from clubface.motion_capture.synthetic.swing import LAUNCH, SyntheticSwing
-from clubface.recorded import RecordedShots
+from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH, SyntheticSwing
+from clubface.recorded.shots import RecordedShots
+from clubface.simulation.delivery import DIMENSIONS
 
 MOST = 100_000
 MAPPING, CALIBRATION, TRUTH = "markers.toml", "calibration.c3d", "truth.csv"
@@ -48,32 +48,33 @@ def synthesize(
     seed: int = 1,
     progress: Callable[[int, int], object] | None = None,
 ) -> list[Path]:
-    """Write ``count`` swings of one club and all that is needed to read them.
+    """Write ``count`` swings of one club and everything that is needed to read them.
 
-    ``swing-001.c3d`` and so on; ``calibration.c3d`` of the head with markers on its face; ``markers.toml``; and
-    ``truth.csv`` with the exact delivery of each swing and the launch it was given, which ``read_shots`` reads.
+    The files are ``swing-001.c3d`` and so on; ``calibration.c3d`` of the head with markers on its face;
+    ``markers.toml``; and ``truth.csv`` with the exact delivery of each swing and its launch, which ``read_shots``
+    reads.
 
     Parameters
     ----------
     folder
-        Made where it does not exist.
+        Made if it does not exist.
     count
-        Swings.
+        Number of swings.
     club, hand
-        What is swung, and by whom.
+        The club, and the hand of the player.
     cameras
-        The laboratory; 720 Hz and no noise unless given.
+        The laboratory; 720 Hz and no noise if left out.
     seed
         The same seed gives the same files.
     progress
-        Called with the swings written and all of them.
+        Called with the number of swings written and the number of swings.
 
     Returns
     -------
     list
         The files, those of the swings first.
     """
-    from clubface.clubs import club as club_of
+    from clubface.equipment.clubs import club as club_of
     from clubface.fem.files import prepare
 
     check_count(count)
@@ -94,7 +95,7 @@ def synthesize(
 
 
 def check_count(count: object) -> None:
-    """Refuse what is no number of swings."""
+    """Refuse a count that is not a positive whole number."""
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST:
         raise InputError("count", count, f"a whole number from 1 to {MOST}")
 

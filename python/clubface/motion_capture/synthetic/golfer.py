@@ -1,4 +1,4 @@
-"""Swings of elite golfers' size, drawn at random."""
+"""Random swings of the size of elite golfers' swings."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
 from clubface.motion_capture.synthetic.path import Chain, Turn
-from clubface.motion_capture.synthetic.swing import SyntheticSwing, swing
+from clubface.motion_capture.synthetic.synthetic_swing import SyntheticSwing, swing
 
 DELIVERIES: Mapping[str, Mapping[str, tuple[float, float]]] = {
     "wood": {
@@ -22,8 +22,8 @@ DELIVERIES: Mapping[str, Mapping[str, tuple[float, float]]] = {
         "lie": (0.0, 1.5), "toe": (2.0, 6.0), "high": (0.0, 4.0),
     },
 }  # fmt: skip
-"""Mean and standard deviation of deliveries [m/s, deg, mm]: of the size of elite golfers' swings (P1's drives were hit
-at 101 to 118 mph), chosen and not measured, for nothing that is asked of an estimator depends on them."""
+"""Mean and standard deviation of deliveries [m/s, deg, mm]: of the size of elite golfers' swings (those of Caldwell and
+McPhee (2023) hit drives at 101 to 118 mph). Chosen and not measured: no test of an estimator depends on them."""
 
 _TO_SI = {"speed": 1.0, "toe": 1e-3, "high": 1e-3}
 FARTHEST = 2.5
@@ -33,21 +33,23 @@ FARTHEST = 2.5
 def random_swing(
     seed: int | np.random.Generator, *, club: str | Club = "driver", hand: str | None = None, **wanted: float
 ) -> SyntheticSwing:
-    """Return a swing of an elite golfer's size; the face closes by 3 to 4 degrees a frame of 720 Hz (P1).
+    """Return a random swing of the size of an elite golfer's.
+
+    Its face closes by 3 to 4 degrees a frame at 720 Hz, as Caldwell and McPhee (2023) report.
 
     Parameters
     ----------
     seed
         The same seed gives the same swing.
     club
-        What is swung.
+        The club.
     hand
-        "right" or "left"; that of the club unless given.
+        "right" or "left"; that of the club if left out.
     **wanted
-        Values to take in place of random ones, SI: ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``,
-        ``toe``, ``high``; path and face as of a right-hander.
+        Values to use instead of random ones [SI]: ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``,
+        ``toe``, ``high``; path and face as for a right-hander.
     """
-    from clubface.clubs import club as club_of
+    from clubface.equipment.clubs import club as club_of
 
     random = np.random.default_rng(seed)
     head = club_of(club) if hand is None else club_of(club).replace(hand=hand)

@@ -7,15 +7,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from clubface.clubs import Club
+from clubface.equipment.clubs import Club
+from clubface.equipment.face import face_point, nearest
 from clubface.errors import InputError
-from clubface.face import face_point, nearest
 from clubface.motion_capture.attitude import delivered, face_axes
 from clubface.motion_capture.laboratory import axis
 from clubface.motion_capture.mapping import FacePoint, Point
 from clubface.motion_capture.recording import Recording
 from clubface.motion_capture.rotations import Array
-from clubface.motion_capture.synthetic.swing import MIRROR, SyntheticSwing
+from clubface.motion_capture.synthetic.synthetic_swing import MIRROR, SyntheticSwing
 
 CLUSTERS: Mapping[str, Mapping[str, Point]] = {
     "wood": {
@@ -43,7 +43,7 @@ BALL = "BALL"
 
 @dataclass(frozen=True, kw_only=True)
 class Cameras:
-    """A laboratory.
+    """The cameras of a laboratory.
 
     Attributes
     ----------
@@ -52,17 +52,17 @@ class Cameras:
     noise
         Standard deviation of a marker along each axis [m]; white and independent.
     before, after
-        Seconds recorded before and after impact.
+        Time recorded before and after impact [s].
     gaps
-        Part of the time a marker of the head is not seen, in gaps of a few frames.
+        Fraction of the time during which a marker of the head is not seen, in gaps of a few frames.
     gap
-        Mean length of a gap, frames.
+        Mean length of a gap, in frames.
     target, up
-        Axes of the laboratory.
+        Axes of the laboratory that point to the target and up.
     origin
-        Where the world's origin is in the laboratory [m], in its axes.
+        Position of the world's origin in the laboratory [m], in the axes of the laboratory.
     calibration_frames
-        Frames in which the head is held still with markers on its face.
+        Number of frames in which the head is held still with markers on its face.
     """
 
     rate: float = 720.0
@@ -95,7 +95,7 @@ class Cameras:
     def record_from(
         self, swing: SyntheticSwing, seed: int | np.random.Generator, *, path: str = "<synthetic>"
     ) -> tuple[Recording, float]:
-        """Return the recording of a swing, and when its first frame is [s], first touch being at zero."""
+        """Return the recording of a swing, and the time of its first frame [s] if first touch is at zero."""
         random = np.random.default_rng(seed)
         first = -np.ceil(self.before * self.rate) - random.uniform()
         times = (first + np.arange(int((self.before + self.after) * self.rate) + 2)) / self.rate

@@ -1,8 +1,8 @@
 """The swing of a clubhead as a chain of rigid links, in closed form, so that its velocities are known exactly.
 
 An arm and a club turn in an inclined plane about a moving hub, the club rolls about the shaft, and the shaft bends and
-vibrates. The angles are hyperbolic tangents and sines of time and enter through sines and cosines: no polynomial and no
-smoother has such a path in its family.
+vibrates. The angles are hyperbolic tangents and sines of time, and they enter through sines and cosines. No polynomial
+and no smoother has such a path in its family.
 """
 
 from __future__ import annotations

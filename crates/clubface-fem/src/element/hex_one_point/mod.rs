@@ -21,7 +21,7 @@ pub use patch::{solid_patches, SolidPatch};
 #[cfg(test)]
 mod tests {
     use super::solid_patches;
-    use crate::ball::{Ball, Piece};
+    use crate::ball::{BallConstruction as Ball, BallPiece as Piece};
     use crate::element::Element;
     use crate::material::{Material, NeoHookean};
     use clubface_math::{Mat3, Vec3};

@@ -1,6 +1,7 @@
 //! Projected Gauss-Seidel: slow, but it always leads to the solution.
 
-use super::{product, Friction};
+use super::planes::product;
+use super::state::Friction;
 use std::sync::Arc;
 
 impl Friction {

@@ -1,0 +1,8 @@
+//! Cases: a ball and what it meets.
+
+mod approach;
+mod deformable_head;
+mod rigid_face;
+
+pub use deformable_head::ball_against_deformable_head;
+pub use rigid_face::{ball_against_plane, ball_against_rigid_head};

@@ -1,0 +1,8 @@
+//! Tests of the finite elements, in one binary since each would link and compile the kernels on its own.
+
+mod ball_on_plane;
+mod contact;
+mod meshes;
+mod shells;
+mod solver;
+mod verification;

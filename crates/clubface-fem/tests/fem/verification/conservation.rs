@@ -1,0 +1,129 @@
+//! What a free ball keeps, what a run on more threads repeats, and the balance of energy.
+
+use super::support::{elastic, step, structure, Free, Random, ELEMENTS};
+use clubface_fem::ball::{BallConstruction, BallPiece};
+use clubface_fem::cases::ball_against_rigid_head;
+use clubface_fem::element::Element;
+use clubface_fem::environment::Environment;
+use clubface_fem::material::Maxwell;
+use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
+use clubface_fem::solve::{Simulation, Structure};
+use clubface_impact::first_touch::FirstTouch;
+use clubface_impact::shot::{Shot, INPUTS};
+use clubface_math::{Row, Vec3};
+
+fn mesh() -> SolidMesh {
+    cubed_sphere(&[0.02], &Fineness { cube: 6, layers: vec![4] })
+}
+
+/// A viscoelastic ball that flies, spins and is shaken through and through.
+fn shaken(element: Element, mesh: &SolidMesh) -> Structure<f64> {
+    let mut material = elastic(30e6, 0.45, 1000.0);
+    material.maxwell = vec![Maxwell { modulus: 0.5, time: 1e-4 }];
+    let mut ball = structure(element, mesh, &material, &[]);
+    let mut random = Random(8);
+    for (v, x) in ball.velocities.iter_mut().zip(&mesh.nodes) {
+        let velocity =
+            Vec3::new(30.0, 5.0, -2.0) + Vec3::new(100.0, -300.0, 200.0).cross(*x) + random.vector();
+        *v = Row([velocity.x, velocity.y, velocity.z, 0.0]);
+    }
+    ball
+}
+
+/// Momentum (kg m/s) and angular momentum about the origin (kg m2/s).
+fn momenta(ball: &Structure<f64>) -> [Vec3<f64>; 2] {
+    let mut sums = [Vec3::zero(); 2];
+    for ((x, v), m) in ball.positions.iter().zip(&ball.velocities).zip(&ball.masses) {
+        sums[0] += v.vec() * *m;
+        sums[1] += x.vec().cross(v.vec()) * *m;
+    }
+    sums
+}
+
+#[test]
+fn a_free_ball_keeps_momentum_and_angular_momentum() {
+    // Rounding only: forces inside are equal and opposite, and central differences keep both momenta exactly.
+    let mesh = mesh();
+    for element in ELEMENTS {
+        let mut ball = shaken(element, &mesh);
+        let dt = ball.stable_step(60) * 0.5;
+        let before = momenta(&ball);
+        for _ in 0..500 {
+            step(&mut ball, &mut Free, dt);
+        }
+        for (after, before) in momenta(&ball).iter().zip(before) {
+            assert!((*after - before).norm() < 1e-10 * before.norm(), "{after:?} {before:?}");
+        }
+    }
+}
+
+#[test]
+fn a_ball_and_a_rigid_head_keep_momentum_and_angular_momentum() {
+    const MASS: f64 = 0.2;
+    // As large about every axis, so that angular momentum follows from the spin whatever the attitude.
+    const INERTIA: f64 = 3e-4;
+    let values = [
+        ("speed", 40.0),
+        ("loft", 0.3),
+        ("static_loft", 0.3),
+        ("toe", 0.012),
+        ("high", -0.006),
+        ("closure", 30.0),
+        ("club_mass", MASS),
+        ("cg_x", 0.03),
+        ("ixx", INERTIA),
+        ("iyy", INERTIA),
+        ("izz", INERTIA),
+        ("bulge", 0.3),
+        ("roll", 0.3),
+        ("hand", 1.0),
+    ];
+    let touch = FirstTouch::of(&Shot::from_inputs(
+        &INPUTS.map(|input| values.iter().find(|v| v.0 == input.name).map_or(0.0, |v| v.1)),
+    ));
+    let core =
+        BallPiece { name: "core".into(), radius: 0.0214, layers: 3, material: elastic(30e6, 0.45, 1000.0) };
+    let ball =
+        BallConstruction { pieces: vec![core], cube: 4, element: Element::OnePoint, mass: Some(0.046) };
+    let Simulation { mut structure, mut contact, .. } =
+        ball_against_rigid_head(&ball, &touch, 0.3, &Environment::native()).expect("the case is valid");
+    let dt = structure.stable_step(60) * 0.5;
+    // The origin is the head's CG at first touch; it moves on with the velocity of every step.
+    let mut cg = Vec3::zero();
+    let mut sums = Vec::new();
+    for _ in 0..400 {
+        let [mut linear, mut angular] = momenta(&structure);
+        let head = contact.head_motion().expect("a rigid head");
+        linear += head.velocity * MASS;
+        angular += cg.cross(head.velocity) * MASS + head.spin * INERTIA;
+        sums.push([linear, angular]);
+        step(&mut structure, contact.as_mut(), dt);
+        cg += contact.head_motion().expect("a rigid head").velocity * dt;
+    }
+    let spun = structure.body_motion(0..structure.positions.len()).spin.norm();
+    assert!(spun > 30.0, "a hit off centre: {spun} rad/s");
+    // Rounding, over the momentum of the head and the lever of its CG.
+    for [linear, angular] in &sums {
+        assert!((*linear - sums[0][0]).norm() < 1e-10 * MASS * 40.0, "{linear:?} {:?}", sums[0][0]);
+        assert!((*angular - sums[0][1]).norm() < 1e-10 * MASS * 40.0 * 0.03, "{angular:?} {:?}", sums[0][1]);
+    }
+}
+
+#[test]
+fn threads_do_not_change_a_bit() {
+    let mesh = mesh();
+    let run = |element: Element, threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
+        pool.install(|| {
+            let mut ball = shaken(element, &mesh);
+            let dt = ball.stable_step(60) * 0.5;
+            for _ in 0..100 {
+                step(&mut ball, &mut Free, dt);
+            }
+            ball.positions.iter().flat_map(|x| x.0.map(f64::to_bits)).collect::<Vec<_>>()
+        })
+    };
+    for element in ELEMENTS {
+        assert!(run(element, 1) == run(element, 2));
+    }
+}

@@ -1,0 +1,142 @@
+//! What a model says of itself: name, source, laws and a table of parameters.
+
+/// One parameter of a model.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameter {
+    /// Name, as in the Python API and in parameter files.
+    pub name: &'static str,
+    /// SI unit.
+    pub unit: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+    /// Default value.
+    pub default: f64,
+    /// Smallest allowed value.
+    pub lower: f64,
+    /// Largest allowed value.
+    pub upper: f64,
+    /// Where the default comes from.
+    pub source: &'static str,
+}
+
+/// Whether a model resolves the contact in time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModelKind {
+    /// Velocities jump; no time scale.
+    Impulse,
+    /// Forces are integrated over the contact.
+    Contact,
+}
+
+impl ModelKind {
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Impulse => "impulse",
+            Self::Contact => "contact",
+        }
+    }
+}
+
+/// A law of physics that a model obeys for any input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Law {
+    /// Linear momentum of club and ball is kept.
+    Momentum,
+    /// Angular momentum of club and ball is kept.
+    AngularMomentum,
+    /// Kinetic energy is never created.
+    Energy,
+    /// The tangential force never exceeds the friction coefficient times the normal force.
+    FrictionCone,
+}
+
+impl Law {
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Momentum => "momentum",
+            Self::AngularMomentum => "angular_momentum",
+            Self::Energy => "energy",
+            Self::FrictionCone => "friction_cone",
+        }
+    }
+}
+
+/// What a model says of itself.
+#[derive(Clone, Copy, Debug)]
+pub struct ModelInfo {
+    /// Name, as on the command line.
+    pub name: &'static str,
+    /// Title.
+    pub title: &'static str,
+    /// Impulse or contact.
+    pub kind: ModelKind,
+    /// One sentence.
+    pub summary: &'static str,
+    /// Source.
+    pub reference: &'static str,
+    /// Laws it obeys for any parameters.
+    pub laws: &'static [Law],
+    /// Laws it obeys only while the named parameter is zero.
+    pub laws_without: Option<(&'static str, &'static [Law])>,
+    /// Whether the shots of a pack may differ (a model that branches on values runs one shot at a time).
+    pub lanes: bool,
+    /// Its parameters, in order.
+    pub parameters: &'static [Parameter],
+}
+
+impl ModelInfo {
+    /// Whether the model with these parameter values obeys a law.
+    #[must_use]
+    pub fn obeys(&self, law: Law, values: &[f64]) -> bool {
+        let conditional = self.laws_without.is_some_and(|(name, laws)| {
+            let index = self.parameters.iter().position(|p| p.name == name);
+            laws.contains(&law) && index.is_some_and(|i| values[i] == 0.0)
+        });
+        self.laws.contains(&law) || conditional
+    }
+    /// Default parameter values.
+    #[must_use]
+    pub fn defaults(&self) -> Vec<f64> {
+        self.parameters.iter().map(|p| p.default).collect()
+    }
+}
+
+/// Declares the parameters of a model: a struct of scalars, its table, and how to read it from a slice.
+#[macro_export]
+macro_rules! parameters {
+    ($(#[$doc:meta])* $name:ident {
+        $($field:ident [$unit:literal] = $default:literal in $lower:literal ..= $upper:literal, $meaning:literal, $source:expr;)+
+    }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub struct $name<S> {
+            $(#[doc = $meaning] pub $field: S,)+
+        }
+        impl $name<()> {
+            /// Its parameters, in order.
+            pub const PARAMETERS: &'static [$crate::description::Parameter] = &[$($crate::description::Parameter {
+                name: stringify!($field),
+                unit: $unit,
+                meaning: $meaning,
+                default: $default,
+                lower: $lower,
+                upper: $upper,
+                source: $source,
+            },)+];
+        }
+        impl<S: clubface_math::Scalar> $name<S> {
+            /// From values in the order of the table.
+            #[inline(always)]
+            pub fn from_slice(values: &[S]) -> Self {
+                let [$($field),+] = *values else {
+                    unreachable!("the registry checks the number of parameters")
+                };
+                Self { $($field),+ }
+            }
+        }
+    };
+}

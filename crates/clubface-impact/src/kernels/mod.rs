@@ -1,0 +1,13 @@
+//! What is compiled once for every model: launches in packs, launches with derivatives, one launch with its history.
+//!
+//! Only the impact itself is compiled for each model; what stands around it is one function for each kind of number.
+
+mod derivatives;
+mod history;
+mod launches;
+mod run;
+
+pub use derivatives::{derivatives, Differentiated};
+pub use history::history;
+pub use launches::launches;
+pub use run::MOST_PARAMETERS;

@@ -1,0 +1,120 @@
+//! Steps, lanes and derivatives.
+
+use super::{assert_close, column, drive, flown, launch, with, INPUT_COUNT};
+use clubface_impact::columns::Column;
+use clubface_impact::flight::{fly, sensitivity, FlightBatch, FlightShot, INPUTS, OUTPUTS};
+use clubface_math::with_lanes;
+
+/// Chip, wedge, 7-iron, drive, drive in wind: different numbers of steps.
+fn mixed() -> [[f64; INPUT_COUNT]; 5] {
+    [
+        launch(15.0, 40.0, 3000.0, 0.0),
+        launch(104.0, 23.7, 9316.0, -300.0),
+        launch(123.0, 16.1, 7124.0, 200.0),
+        drive(),
+        with(with(launch(171.0, 10.4, 2545.0, 500.0), "wind_x", -8.0), "wind_z", 3.0),
+    ]
+}
+
+/// Ten times what is claimed of the default tolerance, as a little spin more or less moves the steps.
+#[test]
+fn the_default_tolerance_places_the_landing_to_a_millimetre() {
+    for shot in mixed() {
+        let fine = fly(&FlightShot::from_inputs(&shot), 1e-12).outputs();
+        let fast = flown(&shot).outputs();
+        assert!((fast[0] - fine[0]).abs() < 1e-3, "carry {} and {}", fast[0], fine[0]);
+        assert!((fast[2] - fine[2]).abs() < 1e-3, "apex {} and {}", fast[2], fine[2]);
+        assert_close(fast[4], fine[4], 1e-4);
+    }
+}
+
+/// Events are placed by Newton's method to rounding: the vertical velocity of a parabola through the landing says so,
+/// and so does a landing that hardly moves when the steps around it do.
+#[test]
+fn the_landing_does_not_depend_on_where_steps_end() {
+    for shot in mixed() {
+        let [a, b] =
+            [1e-11, 3e-12].map(|tolerance| fly(&FlightShot::from_inputs(&shot), tolerance).outputs());
+        for i in 0..OUTPUTS.len() {
+            assert_close(a[i], b[i], 1e-8);
+        }
+    }
+}
+
+#[test]
+fn every_lane_gives_the_bits_of_its_shot_alone_whatever_its_neighbours() {
+    for rotation in 0..5 {
+        let shots: Vec<_> = (0..8).map(|lane| mixed()[(lane + rotation) % 5]).collect();
+        let columns: Vec<Vec<f64>> =
+            (0..INPUT_COUNT).map(|i| shots.iter().map(|shot| shot[i]).collect()).collect();
+        let columns: Vec<Column> = columns.iter().map(|values| Column::Values(values)).collect();
+        for width in [4, 8] {
+            let mut outputs = vec![vec![0.0; shots.len()]; OUTPUTS.len()];
+            let slices = outputs.iter_mut().map(Vec::as_mut_slice).collect();
+            let batch = FlightBatch { inputs: &columns };
+            assert!(with_lanes(width, || batch.run(0..shots.len(), slices)).is_empty());
+            for (lane, shot) in shots.iter().enumerate() {
+                let bits: Vec<u64> = outputs.iter().map(|output| output[lane].to_bits()).collect();
+                let alone = flown(shot).outputs().map(f64::to_bits);
+                assert_eq!(bits, alone, "lane {lane} of {width}, shot {rotation} and on");
+            }
+        }
+    }
+}
+
+/// Central differences of h = 1e-5 (of the range of launches, of the value elsewhere) have an error of order h^2 and, from
+/// steps of 1e-12, of order 1e-12 / h: 1e-6 of the derivative's natural size is safe. The shot bounces the same number of
+/// times on both sides.
+#[test]
+fn derivatives_are_those_of_finite_differences() {
+    let mut shot = launch(150.0, 12.0, 3500.0, 300.0);
+    shot[column("velocity_z")] = 2.0;
+    shot[column("wind_x")] = -3.0;
+    shot[column("wind_z")] = 2.0;
+    let exact = sensitivity(&shot).unwrap();
+    let fine = |inputs: &[f64; INPUT_COUNT]| fly(&FlightShot::from_inputs(inputs), 1e-12).outputs();
+    for (j, input) in INPUTS.iter().enumerate() {
+        let size = shot[j].abs().max(if input.group == "launch" || input.name.starts_with("wind") {
+            10.0
+        } else {
+            0.0
+        });
+        let h = 1e-5 * size;
+        let (up, down) =
+            (fine(&with(shot, input.name, shot[j] + h)), fine(&with(shot, input.name, shot[j] - h)));
+        for (i, output) in OUTPUTS.iter().enumerate() {
+            let difference = (up[i] - down[i]) / (2.0 * h);
+            let found = exact.jacobian[i][j];
+            // In units of the output's size over the input's.
+            let error = (found - difference).abs() * size / exact.values[i].abs().max(1.0);
+            assert!(error < 2e-6, "d {} / d {}: {found} and {difference}", output.name, input.name);
+        }
+    }
+    assert_eq!(exact.values, flown(&shot).outputs());
+}
+
+/// In a vacuum, and derivatives too, everything is known: carry 2 vx vy / g, apex vy^2 / 2g. The air of the thinnest
+/// pressure allowed is no vacuum, so the density is set to zero in the shot itself.
+#[test]
+fn derivatives_through_the_landing_are_exact_without_air() {
+    use clubface_impact::flight::trajectory::GRAVITY;
+    use clubface_math::Dual;
+    let (vx, vy) = (50.0, 20.0);
+    let mut inputs = launch(100.0, 10.0, 0.0, 0.0).map(Dual::<f64, 2>::constant);
+    inputs[3] = Dual::variable(vx, 0);
+    inputs[4] = Dual::variable(vy, 1);
+    let mut shot = FlightShot::from_inputs(&inputs);
+    shot.air.density = Dual::constant(0.0);
+    let [carry, _, apex, angle, time, ..] = fly(&shot, 1e-7).outputs();
+    let speed_squared = vx * vx + vy * vy;
+    let expected = [
+        (carry, [2.0 * vy / GRAVITY, 2.0 * vx / GRAVITY]),
+        (apex, [0.0, vy / GRAVITY]),
+        (angle, [-vy / speed_squared, vx / speed_squared]),
+        (time, [0.0, 2.0 / GRAVITY]),
+    ];
+    for (found, derivatives) in expected {
+        assert_close(found.tangent[0], derivatives[0], 1e-12);
+        assert_close(found.tangent[1], derivatives[1], 1e-12);
+    }
+}

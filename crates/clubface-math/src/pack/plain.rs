@@ -1,0 +1,131 @@
+//! A number on its own as a pack of one lane.
+
+use super::row::Row;
+use super::traits::{single_quad, Lanes, Pack};
+use crate::elementary::{self, Primal};
+use crate::scalar::{Computation, Scalar};
+use crate::Vec3;
+
+impl Primal for f64 {
+    #[inline(always)]
+    fn pow2_shifted(shifted: Self) -> Self {
+        f64::from_bits(shifted.to_bits().wrapping_add(1023) << 52)
+    }
+}
+
+impl Lanes for f64 {
+    #[inline(always)]
+    fn from_fn(mut value: impl FnMut(usize) -> f64) -> Self {
+        value(0)
+    }
+}
+
+impl Scalar for f64 {
+    type Mask = bool;
+    const LANES: usize = 1;
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn lane(self, _index: usize) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn primal(self) -> Self {
+        self
+    }
+    #[inline(never)]
+    fn outline<C: Computation>(computation: C) -> C::Output {
+        computation.run()
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn le(self, other: Self) -> bool {
+        self <= other
+    }
+    #[inline(always)]
+    fn select(mask: bool, a: Self, b: Self) -> Self {
+        if mask {
+            a
+        } else {
+            b
+        }
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        elementary::exp(self)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        f64::ln(self)
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        elementary::sin_cos(self)
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        elementary::atan2(self, x)
+    }
+}
+
+impl Pack for f64 {
+    type Real = Self;
+    single_quad!();
+    #[inline(always)]
+    fn splat(value: Self) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn load(values: &[Self]) -> Self {
+        values[0]
+    }
+    #[inline(always)]
+    fn store(self, values: &mut [Self]) {
+        values[0] = self;
+    }
+    #[inline(always)]
+    unsafe fn read(at: *const Self) -> Self {
+        // SAFETY: the caller's promise.
+        unsafe { *at }
+    }
+    #[inline(always)]
+    unsafe fn write(self, at: *mut Self) {
+        // SAFETY: the caller's promise.
+        unsafe { *at = self };
+    }
+    #[inline(always)]
+    fn after(self, before: Self) -> Self {
+        before
+    }
+    #[inline(always)]
+    fn real(self, _lane: usize) -> Self {
+        self
+    }
+    #[inline(always)]
+    unsafe fn gather(rows: &[Row<Self>], index: &[u32]) -> Vec3<Self> {
+        // SAFETY: the caller's promise.
+        unsafe { rows.get_unchecked(*index.get_unchecked(0) as usize) }.vec()
+    }
+    #[inline(always)]
+    unsafe fn scatter_add(rows: &mut [Row<Self>], index: &[u32], value: Vec3<Self>) {
+        // SAFETY: the caller's promise.
+        unsafe { rows.get_unchecked_mut(*index.get_unchecked(0) as usize) }.add(value);
+    }
+    #[inline(always)]
+    fn put_rows(rows: &mut [Row<Self>], value: Vec3<Self>) {
+        rows[0] = Row::from_vec(value);
+    }
+}

@@ -1,0 +1,74 @@
+"""Draw the first picture of the documentation, a driver's impact in five sections over the force; writes impact.png."""
+
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+
+from clubface import fem
+from clubface.fem.figures.section import Section
+from clubface.fem.result import Impact
+
+SETTINGS = {"font.family": "DejaVu Sans", "font.size": 9}
+BALL, FORCE, SPIN = "YlOrRd", "#0072B2", "#D55E00"
+
+
+def struck() -> Impact:
+    """Return the published head of shells striking a modern ball at 105 mph, its shapes kept."""
+    settings = fem.Settings(frames=121)
+    return fem.strike(fem.head("paper"), speed="105 mph", which="modern", friction=0.35, settings=settings)
+
+
+def draw_section(panel: plt.Axes, section: Section, frame: int) -> None:
+    """Draw ball and head at one moment, coloured by compression up to 40%."""
+    corners, squeezed = section.at(frame)
+    panel.add_collection(
+        PolyCollection(list(corners), array=squeezed, cmap=BALL, clim=(0, 0.4), edgecolors="0.4", linewidths=0.2)
+    )
+    walls, thickness = section.head_at(frame)
+    panel.add_collection(LineCollection(list(walls), linewidths=1.1 * thickness, colors="0.45"))
+    panel.set(aspect="equal", xlim=(-17, 46), ylim=(-30, 33), title=f"{section.times[frame] * 1e6:.0f} µs")
+    panel.axis("off")
+
+
+def main() -> None:
+    """Run the impact and draw it."""
+    found = struck()
+    section = Section(found)
+    with plt.rc_context(SETTINGS):
+        figure = plt.figure(figsize=(10, 4.3), layout="constrained")
+        grid = figure.add_gridspec(2, 5, height_ratios=[1.5, 1])
+        for column, moment in enumerate(np.linspace(0.02, 0.98, 5) * found.last_touch):
+            frame = int(np.argmin(abs(section.times - moment)))
+            draw_section(figure.add_subplot(grid[0, column]), section, frame)
+        force = figure.add_subplot(grid[1, :])
+        time = found.contact["time"] * 1e6
+        force.fill_between(time, found.contact["normal"] / 1e3, color=FORCE, alpha=0.15, linewidth=0)
+        force.plot(time, found.contact["normal"] / 1e3, color=FORCE)
+        force.set(xlabel="time (µs)", xlim=(0, found.last_touch * 1e6), ylim=(0, None))
+        force.set_ylabel("force on the ball (kN)", color=FORCE)
+        spin = force.twinx()
+        spin.plot(found.motion["time"] * 1e6, found.motion["spin"][:, 2] * 60 / (2 * np.pi), color=SPIN)
+        spin.set_ylim(0, None)
+        spin.set_ylabel("backspin (rpm)", color=SPIN)
+        for axes in (force, spin):
+            axes.spines["top"].set_visible(False)
+        target = Path(__file__).with_name("impact.png")
+        figure.savefig(target, dpi=170)
+    figures = {
+        "mph": found.launch["ball_speed"] / 0.44704,
+        "kN": found.peak_force / 1e3,
+        "rpm": found.backspin * 60 / (2 * np.pi),
+        "rpm at most": found.spin_max * 60 / (2 * np.pi),
+        "% of the radius": 100 * found.contraction,
+        "s": found.wall,
+    }
+    print(target, *(f"{value:.1f} {unit}" for unit, value in figures.items()), sep=", ")
+
+
+if __name__ == "__main__":
+    main()

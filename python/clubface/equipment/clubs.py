@@ -1,0 +1,222 @@
+"""Clubheads: from TOML, from code or built in, checked so that only possible bodies reach the core.
+
+The built-in driver and 7-iron are those of "Three-dimensional golf clubhead-ball impact models for
+drivers and irons", Table 1.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import ClassVar, Self
+
+from clubface import units
+from clubface.equipment.balls import Ball as Ball
+from clubface.equipment.balls import ball as ball
+from clubface.equipment.described import Described, Quantity, convert, template_lines, to_toml
+from clubface.equipment.mass_properties import Tensor, check_inertia, check_positive
+from clubface.errors import ImplausibleWarning, InputError, RuleWarning
+from clubface.support.checks import check_choice, check_name, check_text
+from clubface.support.shipped import builtin_path, is_path
+from clubface.support.strict_toml import quoted
+from clubface.support.warning import warn_once
+
+KINDS = ("wood", "hybrid", "iron")
+FAMILIES = ("driver", "7-iron")
+CLUB_NAMES = (
+    "driver", "3-wood", "5-wood", "hybrid", "3-iron", "4-iron", "5-iron", "6-iron", "7-iron", "8-iron",
+    "9-iron", "pitching-wedge",
+)  # fmt: skip
+"""The built-in clubs, one for each row of the tour averages, in that order."""
+
+MOI_LIMIT = 5900e-7
+"""kg m2 about the vertical axis, wood-type clubs, with ``MOI_TOLERANCE``; USGA notice on clubhead inertia."""
+MOI_TOLERANCE = 100e-7
+COR_LIMIT = 0.83
+"""Coefficient of restitution; The Equipment Rules."""
+
+CLUB_QUANTITIES = {
+    "mass": Quantity("mass", "g", "mass of the clubhead", "204 g"),
+    "cg_x": Quantity("length", "mm", "from the CG to the face centre, towards the target", "40.8 mm"),
+    "cg_y": Quantity("length", "mm", "the same, up", "11.4 mm"),
+    "cg_z": Quantity("length", "mm", "the same, to the right of the target line (towards the toe)", "1.0 mm"),
+    "ixx": Quantity("inertia", "g cm2", "inertia about the CG, same axes, at the static loft", "2843 g cm2"),
+    "iyy": Quantity("inertia", "g cm2", "about the vertical axis: the MOI the rules limit", "5679 g cm2"),
+    "izz": Quantity("inertia", "g cm2", "about the heel-toe axis", "4085 g cm2"),
+    "ixy": Quantity("inertia", "g cm2", "element of the tensor (minus the integral of x y dm)", "-733 g cm2"),
+    "ixz": Quantity("inertia", "g cm2", "element of the tensor", "530.2 g cm2"),
+    "iyz": Quantity("inertia", "g cm2", "element of the tensor", "0.5 g cm2"),
+    "loft": Quantity("angle", "deg", "static loft, 0 to 75 deg", "9.8 deg"),
+    "bulge": Quantity("length", "mm", 'radius of the face from heel to toe, or "flat"', "305 mm"),
+    "roll": Quantity("length", "mm", 'radius of the face from sole to crown, or "flat"', "305 mm"),
+    "face_width": Quantity("length", "mm", "width of the face, heel to toe", "105 mm"),
+    "face_height": Quantity("length", "mm", "height of the face, along the face", "55 mm"),
+    "cor": Quantity("dimensionless", "1", "coefficient of restitution, compared with the rules", "0.83", False),
+}  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Club(Described):
+    """A clubhead, SI and radians, described for a right-handed club (its mirror image carries ``hand = -1``).
+
+    Axes at the static loft: x to the target, y up, z to the right of the target line, which is the toe side.
+
+    Attributes
+    ----------
+    name
+        What it is called in tables.
+    kind
+        "wood", "hybrid" or "iron".
+    mass
+        [kg].
+    cg_x, cg_y, cg_z
+        Vector from the CG to the face centre [m].
+    ixx, iyy, izz, ixy, ixz, iyz
+        Elements of the inertia tensor about the CG [kg m2].
+    loft
+        Static loft [rad].
+    bulge, roll
+        Radii of the face [m]; ``math.inf`` is flat.
+    face_width, face_height
+        Outline of the face [m].
+    hand
+        +1 right, -1 left.
+    parameters
+        The family of parameter sets used by default, "driver" or "7-iron".
+    cor
+        Coefficient of restitution as tested, or None; only compared with the rule limit.
+    description
+        A sentence for lists.
+    sources
+        Where each value comes from, by field name.
+    """
+
+    name: str
+    kind: str
+    mass: float
+    cg_x: float
+    cg_y: float
+    cg_z: float
+    ixx: float
+    iyy: float
+    izz: float
+    ixy: float
+    ixz: float
+    iyz: float
+    loft: float
+    bulge: float
+    roll: float
+    face_width: float
+    face_height: float
+    hand: int = 1
+    parameters: str = ""
+    cor: float | None = None
+    description: str = ""
+    sources: Mapping[str, str] = field(default_factory=dict, hash=False)
+    quantities: ClassVar = CLUB_QUANTITIES
+
+    def __post_init__(self) -> None:
+        convert(self, CLUB_QUANTITIES)
+        check_name(self.name)
+        check_choice("kind", self.kind, KINDS)
+        if not self.parameters:
+            object.__setattr__(self, "parameters", "7-iron" if self.kind == "iron" else "driver")
+        check_choice("parameters", self.parameters, FAMILIES)
+        if self.hand not in (1, -1):
+            raise InputError("hand", self.hand, "+1 (right) or -1 (left)")
+        check_text("description", self.description)
+        check_positive("mass", self.mass, "kg")
+        check_inertia(self.inertia)
+        if not 0.0 <= self.loft <= math.radians(75.0):
+            raise InputError("loft", f"{math.degrees(self.loft):.6g} deg", "from 0 to 75 deg")
+        for each in ("bulge", "roll"):
+            if not getattr(self, each) > 0.0:
+                raise InputError(each, getattr(self, each), 'above 0 m, or "flat" (infinite)')
+        check_positive("face_width", self.face_width, "m")
+        check_positive("face_height", self.face_height, "m")
+        self._check_face()
+        if self.cor is not None and not 0.0 <= self.cor <= 1.0:
+            raise InputError("cor", self.cor, "from 0 to 1")
+        self._warn()
+
+    def _check_face(self) -> None:
+        """Refuse radii so small that the face does not reach the corners of its outline."""
+        half_width, half_height = self.face_width / 2.0, self.face_height / 2.0
+        if half_height <= self.roll:
+            # How far the roll arc falls back at the edge of the face, which shortens the radius it is revolved with.
+            # Products, since powers of huge numbers raise OverflowError.
+            across = math.sqrt((self.roll - half_height) * (self.roll + half_height))
+            drop = half_height * half_height / (self.roll + across)
+            if half_width <= self.bulge - drop:
+                return
+        size = " x ".join(units.show(each, "mm") for each in (self.face_width, self.face_height))
+        given = f"{self.bulge * 1e3:.6g} mm with a roll of {self.roll * 1e3:.6g} mm"
+        raise InputError("bulge", given, f"large enough, as the roll, for a face of {size}")
+
+    def _warn(self) -> None:
+        if self.kind != "iron" and self.iyy > MOI_LIMIT + MOI_TOLERANCE:
+            warn_once(
+                f"{self.name}: moment of inertia about the vertical axis {self.iyy * 1e7:.0f} g cm2 is above"
+                " the rule limit of 5900 g cm2 (tolerance 100)",
+                RuleWarning,
+            )
+        if self.cor is not None and self.cor > COR_LIMIT:
+            warn_once(f"{self.name}: COR {self.cor:.3f} is above the rule limit of 0.83", RuleWarning)
+        if self.mass > 1.0:
+            warn_once(f"{self.name}: a clubhead of {self.mass:g} kg; a bare number is in kg", ImplausibleWarning)
+
+    @property
+    def cg(self) -> tuple[float, float, float]:
+        """Vector from the CG to the face centre [m], axes x, y, z."""
+        return self.cg_x, self.cg_y, self.cg_z
+
+    @property
+    def inertia(self) -> Tensor:
+        """Inertia tensor about the CG [kg m2], shape (3, 3)."""
+        return (
+            (self.ixx, self.ixy, self.ixz),
+            (self.ixy, self.iyy, self.iyz),
+            (self.ixz, self.iyz, self.izz),
+        )
+
+    def inputs(self) -> dict[str, float]:
+        """Return the values the models take, SI, under the core's names and in its order."""
+        renamed = {"mass": "club_mass", "loft": "static_loft"}
+        values = {renamed.get(key, key): getattr(self, key) for key in CLUB_QUANTITIES if key != "cor"}
+        return {**values, "hand": float(self.hand)}
+
+    def to_toml(self) -> str:
+        """Write the club as TOML text, which :meth:`from_text` reads back exactly."""
+        hand = "right" if self.hand > 0 else "left"
+        return to_toml(self, CLUB_QUANTITIES, {"kind": self.kind, "hand": hand, "parameters": self.parameters})
+
+    @classmethod
+    def builtin(cls, name: str) -> Self:
+        """Return a club that comes with the package, such as ``"driver"``."""
+        return cls.from_toml(builtin_path("club", name, CLUB_NAMES))
+
+    @staticmethod
+    def template(name: str = "my-club") -> str:
+        """Return TOML text to start one's own club from: the published driver, every key explained."""
+        check_name(name)
+        head = [
+            "# A clubhead, described as a right-handed club at its static loft.",
+            "# Axes: x to the target, y up, z to the right of the target line (the toe side).",
+            "# A value is text with a unit; a bare number is SI (kg, m, kg m2, rad).",
+            f"name = {quoted(name)}",
+            f'kind = "wood"            # {", ".join(KINDS)}',
+            'hand = "right"           # right or left; the numbers stay those of the right-handed club',
+            'parameters = "driver"    # the published parameter sets to use: ' + " or ".join(FAMILIES),
+            'description = ""',
+            "",
+        ]
+        return "\n".join(head + template_lines(CLUB_QUANTITIES))
+
+
+def club(which: str | os.PathLike[str] | Club) -> Club:
+    """Return the club meant by a built-in name, by the path of a TOML file, or by a :class:`Club` itself."""
+    if isinstance(which, Club):
+        return which
+    return Club.from_toml(which) if is_path(which) else Club.builtin(str(which))

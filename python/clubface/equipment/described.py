@@ -1,0 +1,163 @@
+"""What clubs and balls share: reading, writing and changing an object made of quantities with units."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping
+from dataclasses import fields, replace
+from types import MappingProxyType
+from typing import Any, ClassVar, NamedTuple, Self, TypeVar
+
+from clubface import units
+from clubface.errors import ClubfaceError, UnknownNameError
+from clubface.support.checks import check_choice
+from clubface.support.strict_toml import Document, quoted
+
+HANDS = {"right": 1, "left": -1}
+FLAT = "flat"
+T = TypeVar("T")
+SOURCE_GROUPS = {"cg": ("cg_x", "cg_y", "cg_z"), "inertia": ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")}
+"""Words that stand for several fields under [sources]."""
+
+
+class Quantity(NamedTuple):
+    """One number of a description.
+
+    Attributes
+    ----------
+    dimension
+        As in ``units``.
+    unit
+        The unit it is written in.
+    meaning
+        One line for the template.
+    example
+        A value for the template.
+    required
+        Whether a file must give it.
+    """
+
+    dimension: str
+    unit: str
+    meaning: str
+    example: str
+    required: bool = True
+
+
+Quantities = Mapping[str, Quantity]
+
+
+class Described:
+    """A club or a ball: read from TOML, changed in part; its subclass is a frozen dataclass with ``sources``.
+
+    Attributes
+    ----------
+    quantities
+        The numbers that describe it, by field.
+    """
+
+    quantities: ClassVar[Quantities]
+
+    def replace(self, **changes: Any) -> Self:
+        """Return it with fields changed, as text with a unit or an SI number: ``mass="200 g"``."""
+        return changed(self, changes)
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Self:
+        """Read what a TOML file describes; see ``template`` for its form."""
+        return from_document(cls, Document.read(path), cls.quantities)
+
+    @classmethod
+    def from_text(cls, text: str, path: str = "<text>") -> Self:
+        """Read what TOML text describes; ``path`` names it in errors."""
+        return from_document(cls, Document(text, path), cls.quantities)
+
+
+def from_document(kind: type[T], document: Document, quantities: Quantities) -> T:
+    """Read the object a TOML document describes; every error carries file and line."""
+    data = dict(document.data)
+    texts = [each.name for each in fields(kind) if each.name not in quantities and each.name != "sources"]  # pyright: ignore
+    required = ["name"] + (["kind"] if "kind" in texts else []) + [k for k, q in quantities.items() if q.required]
+    document.check_keys(data, [*texts, *quantities, "sources"], required)
+    document.check_text(data, texts)
+    sources = data.get("sources", {})
+    if not isinstance(sources, dict):
+        raise document.error("sources must be a table of texts", "sources")
+    groups = {key: names for key, names in SOURCE_GROUPS.items() if names[0] in quantities}
+    document.check_keys(sources, [*quantities, *groups], (), "sources")
+    document.check_text(sources, sources, "sources")
+    if sources:
+        data["sources"] = {name: text for key, text in sources.items() for name in groups.get(key, (key,))}
+    try:
+        return kind(**data)
+    except ClubfaceError as error:
+        raise document.wrap(error) from error
+
+
+def convert(subject: Any, quantities: Quantities) -> None:
+    """Turn the quantities of a new (frozen) object into SI floats, its hand into +1 or -1, and freeze its sources."""
+    for key, quantity in quantities.items():
+        value = getattr(subject, key)
+        if value is None and not quantity.required:
+            continue
+        flat = key in ("bulge", "roll") and (value == FLAT or value == math.inf)
+        number = math.inf if flat else units.parse(value, quantity.dimension, name=key)
+        object.__setattr__(subject, key, number)
+    hand = getattr(subject, "hand", None)
+    if isinstance(hand, str):
+        check_choice("hand", hand, HANDS)
+        object.__setattr__(subject, "hand", HANDS[hand])
+    object.__setattr__(subject, "sources", MappingProxyType(dict(subject.sources)))
+
+
+def changed(subject: T, changes: Mapping[str, Any]) -> T:
+    """Return ``subject`` with some fields changed; a changed quantity loses its source."""
+    names = [each.name for each in fields(subject)]  # pyright: ignore
+    for key in changes:
+        if key not in names:
+            raise UnknownNameError("field", key, names)
+    kept = {k: v for k, v in subject.sources.items() if k not in changes}  # pyright: ignore
+    return replace(subject, **{"sources": kept, **changes})  # pyright: ignore
+
+
+def to_toml(subject: Any, quantities: Quantities, texts: Mapping[str, str]) -> str:
+    """Write TOML text that reads back as ``subject``, bit by bit."""
+    lines = [f"{key} = {quoted(value)}" for key, value in {"name": subject.name, **texts}.items()]
+    if subject.description:
+        lines.append(f"description = {quoted(subject.description)}")
+    lines.append("")
+    for key, quantity in quantities.items():
+        value = getattr(subject, key)
+        if value is not None:
+            lines.append(f"{key} = {quoted(written(value, quantity))}")
+    sources = dict(subject.sources)
+    for group, names in SOURCE_GROUPS.items():
+        if names[0] in sources and all(sources.get(name) == sources[names[0]] for name in names):
+            sources = {
+                name if name != names[0] else group: text for name, text in sources.items() if name not in names[1:]
+            }
+    if sources:
+        lines += ["", "[sources]", *(f"{key} = {quoted(text)}" for key, text in sources.items())]
+    return "\n".join(lines) + "\n"
+
+
+def written(value: float, quantity: Quantity) -> str:
+    """Write ``value`` [SI] as text that parses to the same bits, in the usual unit where that is exact."""
+    if math.isinf(value):
+        return FLAT
+    for unit in (quantity.unit, units.SI_UNITS[quantity.dimension]):
+        number = float(f"{units.from_si(value, unit):.15g}")
+        text = f"{number:.15g}" + ("" if unit == "1" else f" {unit}")
+        if math.isfinite(number) and units.parse(text, quantity.dimension) == value:
+            return text
+    return f"{value!r} {units.SI_UNITS[quantity.dimension]}"
+
+
+def template_lines(quantities: Quantities) -> list[str]:
+    """Write one commented line a quantity, then an example of sources; optional keys are commented out."""
+    lines = []
+    for key, quantity in quantities.items():
+        entry = f"{key} = {quoted(quantity.example)}"
+        lines.append(f"{entry if quantity.required else '# ' + entry:<28}# {quantity.meaning}")
+    return [*lines, "", "[sources]                   # where each value comes from", '# mass = "weighed"', ""]

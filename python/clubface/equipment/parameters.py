@@ -1,0 +1,260 @@
+"""Sets of model parameters: the published ones, one file a source, and the user's own.
+
+A file names its source and holds one or more ``[[set]]``, each with the model and club it was found for, its
+values with units, and what must be said of them::
+
+    title = "My range session"
+    reference = "42 drives, June"
+
+    [[set]]
+    model = "volumetric"
+    club = "driver"                       # driver, 7-iron or any
+    [set.values]
+    stiffness = "6.25e9 N/m3"
+    ...
+    [set.value_caveats]
+    stiffness = "not identifiable from launch data"
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cache
+from types import MappingProxyType
+from typing import Any, Self
+
+from clubface import units
+from clubface.equipment.models import Model, Parameter, model
+from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.support.shipped import DATA
+from clubface.support.strict_toml import Document, quoted
+
+FAMILIES = ("driver", "7-iron", "any")
+_FILE_KEYS = ("title", "reference", "set")
+_SET_TEXTS = ("model", "club", "variant", "source")
+_SET_KEYS = (*_SET_TEXTS, "default", "caveats", "values", "value_caveats")
+
+
+@dataclass(frozen=True, kw_only=True)
+class ParameterSet:
+    """Values of all parameters of one model.
+
+    Attributes
+    ----------
+    model
+        Name of the model.
+    club
+        The family of clubs they were found for: "driver", "7-iron" or "any".
+    name
+        Name of the set: the source, with a variant after a slash where it has several.
+    values
+        Value of every parameter, SI; an array where a batch varies it.
+    source
+        Where in the publication the values stand.
+    reference
+        The publication.
+    caveats
+        What a reader of results must know of the set.
+    value_caveats
+        The same for single parameters, by name.
+    default
+        Whether this is the set used where none is named.
+    """
+
+    model: str
+    club: str
+    name: str
+    values: Mapping[str, Any]
+    source: str = ""
+    reference: str = ""
+    caveats: tuple[str, ...] = ()
+    value_caveats: Mapping[str, str] = field(default_factory=dict)
+    default: bool = False
+
+    def __post_init__(self) -> None:
+        declared = model(self.model)
+        if self.club not in FAMILIES:
+            raise UnknownNameError("club", self.club, FAMILIES)
+        for key in (*self.values, *self.value_caveats):
+            declared.parameter(key)
+        missing = [each.name for each in declared.parameters if each.name not in self.values]
+        if missing:
+            raise InputError("values", dict(self.values), f"complete for {self.model}; missing: {', '.join(missing)}")
+        ordered = {each.name: _checked(self.values[each.name], each) for each in declared.parameters}
+        object.__setattr__(self, "values", MappingProxyType(ordered))
+        object.__setattr__(self, "value_caveats", MappingProxyType(dict(self.value_caveats)))
+        object.__setattr__(self, "caveats", tuple(self.caveats))
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The SI unit of each value."""
+        return {each.name: each.unit for each in model(self.model).parameters}
+
+    def columns(self) -> list[Any]:
+        """Return the values in the order of the registry, as the core takes them."""
+        return list(self.values.values())
+
+    def replace(self, **changes: Any) -> Self:
+        """Return the set with values changed, each text with a unit, an SI number or an array: ``friction="0.4"``."""
+        declared: Model = model(self.model)
+        new = {key: _parsed(value, declared.parameter(key)) for key, value in changes.items()}
+        kept = {key: text for key, text in self.value_caveats.items() if key not in changes}
+        source = self.source + (f"; changed: {', '.join(changes)}" if changes else "")
+        return replace(self, values={**self.values, **new}, value_caveats=kept, source=source, default=False)
+
+    @classmethod
+    def defaults(cls, model_name: str, club: str = "any") -> Self:
+        """Return the defaults of the registry."""
+        values = {each.name: each.default for each in model(model_name).parameters}
+        return cls(
+            model=model_name,
+            club=club,
+            name="registry defaults",
+            values=values,
+            source="defaults of the registry",
+        )
+
+    @classmethod
+    def builtin(cls, model_name: str, club: str, name: str | None = None) -> ParameterSet:
+        """Return the default published set of a model and family of clubs, or the one called ``name``."""
+        if club not in FAMILIES:
+            raise UnknownNameError("club", club, FAMILIES)
+        fitting = [each for each in builtin_sets(model_name) if club in (each.club, "any") or each.club == "any"]
+        if name is None:
+            fitting = [each for each in fitting if each.default]
+        elif name in (known := dict.fromkeys(each.name for each in fitting)):
+            fitting = [each for each in fitting if each.name == name]
+        else:
+            raise UnknownNameError(f"parameter set of {model_name} for {club}", name, known)
+        return fitting[0] if fitting else cls.defaults(model_name, club)
+
+    @classmethod
+    def from_toml(
+        cls, path: str | os.PathLike[str], *, model: str | None = None, club: str | None = None
+    ) -> ParameterSet:
+        """Read the set in a file; where it holds several, ``model`` and ``club`` choose one."""
+        document = Document.read(path)
+        return _choose(read_sets(document), document, model, club)
+
+    def to_toml(self) -> str:
+        """Write the set, whose values must be scalars, as TOML that :meth:`from_toml` reads back exactly."""
+        for key, value in self.values.items():
+            if not isinstance(value, float):
+                raise InputError(key, value, "a single number to be written to a file")
+        name, _, variant = self.name.partition("/")
+        lines = [f"title = {quoted(name)}", f"reference = {quoted(self.reference)}", "", "[[set]]"]
+        lines += [
+            f"model = {quoted(self.model)}",
+            f"club = {quoted(self.club)}",
+            f"source = {quoted(self.source)}",
+        ]
+        lines += [f"variant = {quoted(variant)}"] if variant else []
+        lines += ["caveats = [" + ", ".join(quoted(text) for text in self.caveats) + "]", "[set.values]"]
+        lines += [
+            f"{key} = {quoted(f'{value!r} {unit}')}"
+            for (key, value), unit in zip(self.values.items(), self.units.values(), strict=True)
+        ]
+        lines += [
+            "[set.value_caveats]",
+            *(f"{key} = {quoted(text)}" for key, text in self.value_caveats.items()),
+        ]
+        return "\n".join(lines) + "\n"
+
+
+@cache
+def builtin_sets(model_name: str | None = None) -> tuple[ParameterSet, ...]:
+    """Return the published sets (of one model), those used by default first."""
+    if model_name is not None:
+        model(model_name)
+        return tuple(each for each in builtin_sets() if each.model == model_name)
+    found = [
+        each
+        for path in sorted((DATA / "parameters").glob("*.toml"))
+        for each in read_sets(Document.read(path), path.stem)
+    ]
+    return tuple(sorted(found, key=lambda each: not each.default))
+
+
+def read_sets(document: Document, name: str | None = None) -> list[ParameterSet]:
+    """Read all sets of a document; ``name`` (else the title) names them."""
+    data = document.data
+    document.check_keys(data, _FILE_KEYS, ("title", "reference", "set"))
+    document.check_text(data, ("title", "reference"))
+    entries = data["set"]
+    if not (isinstance(entries, list) and entries and all(isinstance(each, dict) for each in entries)):
+        raise document.error("there must be at least one [[set]]", "set")
+    return [_read_set(document, entry, index, name or data["title"]) for index, entry in enumerate(entries)]
+
+
+def _read_set(document: Document, entry: dict[str, Any], index: int, name: str) -> ParameterSet:
+    document.check_keys(entry, _SET_KEYS, ("model", "club", "values"), "set", index)
+    document.check_text(entry, _SET_TEXTS, "set", index)
+    caveats, default = entry.get("caveats", []), entry.get("default", False)
+    if not (isinstance(caveats, list) and all(isinstance(each, str) for each in caveats)):
+        raise document.error("caveats must be a list of texts", "caveats", "set", index)
+    if not isinstance(default, bool):
+        raise document.error("default must be true or false", "default", "set", index)
+    values, value_caveats = entry["values"], entry.get("value_caveats", {})
+    if not (isinstance(values, dict) and isinstance(value_caveats, dict)):
+        raise document.error("values and value_caveats must be tables", "values", "set", index)
+    try:
+        declared = model(entry["model"])
+    except ClubfaceError as error:
+        raise document.wrap(error, "set", index) from error
+    names = [each.name for each in declared.parameters]
+    document.check_keys(values, names, names, "set.values", index)
+    document.check_keys(value_caveats, names, (), "set.value_caveats", index)
+    document.check_text(value_caveats, value_caveats, "set.value_caveats", index)
+    variant = f"/{entry['variant']}" if "variant" in entry else ""
+    try:
+        return ParameterSet(
+            model=entry["model"],
+            club=entry["club"],
+            name=name + variant,
+            values={key: _parsed_scalar(value, declared.parameter(key)) for key, value in values.items()},
+            source=entry.get("source", ""),
+            reference=document.data["reference"],
+            caveats=tuple(caveats),
+            value_caveats=value_caveats,
+            default=default,
+        )
+    except ClubfaceError as error:
+        table = "set.values" if getattr(error, "parameter", None) in names else "set"
+        raise document.wrap(error, table, index) from error
+
+
+def _choose(sets: list[ParameterSet], document: Document, model_name: str | None, club: str | None) -> ParameterSet:
+    fitting = [
+        each for each in sets if model_name in (None, each.model) and (club is None or each.club in (club, "any"))
+    ]
+    if len(fitting) == 1:
+        return fitting[0]
+    held = "; ".join(f"{each.model} for {each.club}" for each in sets)
+    raise document.error(f"{'no' if not fitting else 'more than one'} set fits; the file holds: {held}")
+
+
+def _dimension(parameter: Parameter) -> str:
+    return units.unit(parameter.unit, name=parameter.name).dimension
+
+
+def _parsed(value: Any, parameter: Parameter) -> Any:
+    return units.parse_values(value, _dimension(parameter), name=parameter.name)
+
+
+def _parsed_scalar(value: Any, parameter: Parameter) -> float:
+    return units.parse(value, _dimension(parameter), name=parameter.name)
+
+
+def _checked(value: Any, parameter: Parameter) -> Any:
+    """Return ``value`` as float or float64 array, refused where it is outside the bounds of ``parameter``."""
+    value = _parsed(value, parameter)
+    low = value if isinstance(value, float) else value.min(initial=parameter.upper)
+    high = value if isinstance(value, float) else value.max(initial=parameter.lower)
+    if not (low >= parameter.lower and high <= parameter.upper):
+        outside = low if not low >= parameter.lower else high
+        symbol = parameter.unit
+        allowed = f"from {units.show(parameter.lower, symbol)} to {units.show(parameter.upper, symbol)}"
+        raise InputError(parameter.name, units.show(float(outside), symbol), allowed)
+    return value

@@ -1,0 +1,258 @@
+"""Comparison of models with measured shots: one call from a file to everything that the report shows."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from time import process_time
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.errors import InputError, Told
+from clubface.evaluation import noise as noises
+from clubface.evaluation.published_accuracy import PublishedAccuracy, published
+from clubface.evaluation.statistics import Best, ErrorSize, Resamples, Values, error_sizes
+from clubface.evaluation.trends import Trend, trends
+from clubface.measured.shots import QUANTITIES, MeasuredShots, measured_shots
+from clubface.recorded.shots import RecordedShots, RejectedRow
+from clubface.simulation.impact import impact, model_names
+from clubface.simulation.inputs import parameter_set
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from clubface.equipment.balls import Ball
+    from clubface.equipment.clubs import Club
+    from clubface.equipment.parameters import ParameterSet
+
+FEWEST_RESAMPLES = 100
+SHORTEST = 0.02
+"""Seconds; a computation shorter than this is timed over several runs."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Evaluation:
+    """Models compared with measured shots, in SI units.
+
+    Attributes
+    ----------
+    shots
+        The shots that all models could compute.
+    parameters
+        The parameters of each model, in the order in which the models were asked for.
+    predicted
+        The launches that each model computes, by quantity.
+    sizes
+        The size of the errors, by quantity and then by model.
+    best
+        The best model of each quantity, and which others are as good.
+    trends
+        How the errors depend on the delivery, by quantity and then by model.
+    floor
+        Mean absolute error that a perfect model would have with the noise assumed, where it is known.
+    monitor_noise, delivery_noise
+        Standard deviations of the noise assumed.
+    seconds
+        Processor time of each model [s] for one shot.
+    failed
+        Shots that a model could not compute, with the reason; they are left out.
+    resamples, seed
+        Number of bootstrap resamples, and the seed of the random numbers.
+    """
+
+    shots: MeasuredShots
+    parameters: dict[str, ParameterSet]
+    predicted: dict[str, dict[str, Values]]
+    sizes: dict[str, dict[str, ErrorSize]]
+    best: dict[str, Best]
+    trends: dict[str, dict[str, list[Trend]]]
+    floor: dict[str, float]
+    monitor_noise: dict[str, float]
+    delivery_noise: dict[str, float]
+    seconds: dict[str, float]
+    failed: tuple[RejectedRow, ...]
+    resamples: int
+    seed: int
+
+    @property
+    def models(self) -> list[str]:
+        """The models, in the order asked for."""
+        return list(self.parameters)
+
+    @property
+    def quantities(self) -> list[str]:
+        """The launch quantities that were measured."""
+        return list(self.sizes)
+
+    @cached_property
+    def mean(self) -> dict[str, float]:
+        """Mean magnitude of each measured quantity, to which percentages refer."""
+        return {name: float(np.nanmean(np.abs(values))) for name, values in self.shots.launch.items()}
+
+    @property
+    def published(self) -> dict[str, PublishedAccuracy]:
+        """Published accuracy of these models, for clubs of this family."""
+        family = self.shots.club.parameters
+        return {name: published()[name, family] for name in self.models if (name, family) in published()}
+
+    def errors(self, model: str, quantity: str) -> Values:
+        """Return model minus measured values, one element a shot; NaN where the value was not measured."""
+        return self.predicted[model][quantity] - self.shots.launch[quantity]
+
+    def cost(self, model: str) -> float:
+        """Return the cost of Caldwell and McPhee (2023), equation 22, with mean magnitudes."""
+        return sum(self.sizes[name][model].mae / self.mean[name] for name in self.quantities)
+
+    def write(self, folder: str | os.PathLike[str]) -> list[Path]:
+        """Write the report (Markdown, HTML, JSON, CSV) and pictures into ``folder``; return the files."""
+        from clubface.evaluation.report import write
+
+        return write(self, folder)
+
+    def __repr__(self) -> str:
+        lines = [f"{len(self.models)} models on {len(self.shots)} shots of {self.shots.club.name}"]
+        for name, best in self.best.items():
+            others = f", no worse than {' and '.join(best.equals)}" if best.equals else ""
+            lines.append(f"  {name}: best {best.model}{others}")
+        return "\n".join(lines)
+
+
+def evaluate(
+    shots: RecordedShots | str | os.PathLike[str],
+    *,
+    club: str | os.PathLike[str] | Club | None = None,
+    only: str | None = None,
+    mismatch: str = "refuse",
+    models: str | Iterable[str] = "all",
+    parameters: Mapping[str, Any] | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    accuracy: float | None = None,
+    noise: Mapping[str, Any] | None = None,
+    delivery_noise: Mapping[str, Any] | None = None,
+    groups: Sequence[object] | NDArray[Any] | None = None,
+    resamples: int = 2000,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Callable[[str], object] | None = None,
+) -> Evaluation:
+    """Compare models with measured shots: how large their errors are, what these depend on, and which model is best.
+
+    Parameters
+    ----------
+    shots
+        Recorded shots, or a file that :func:`clubface.launch_monitor.read` reads.
+    club, only
+        The club with which the shots were hit, and the name of the club in a file that holds several; see
+        :func:`clubface.measured.shots.measured_shots`.
+    mismatch
+        What to do with shots that by their names or their dynamic loft look like those of another club: "refuse" or
+        "note".
+    models
+        A name, a list of names, or "all".
+    parameters
+        A mapping from model names to what :func:`impact` takes as ``parameters``. If left out: the published sets.
+    ball, accuracy, threads
+        As for :func:`impact`.
+    noise
+        Standard deviations of the measured launch quantities, by name. Those left out are the ones that Caldwell and
+        McPhee (2023) quote for their monitor (mean errors of 0.2 degrees and 50 rpm).
+    delivery_noise
+        Standard deviations of the measured delivery quantities, by name; they count for the least error that can be
+        reached.
+    groups
+        One label for each shot of ``shots`` that says which shots belong together, such as the player. Resamples then
+        draw whole groups.
+    resamples
+        Number of bootstrap resamples.
+    seed
+        Seed of the random numbers; the same seed gives the same report, apart from the times.
+    progress
+        Called with the name of each model before it is computed.
+
+    Raises
+    ------
+    InputError
+        There is no usable shot, the shots are of several clubs or of another club, a speed is missing, or a name is
+        unknown.
+    """
+    if isinstance(resamples, bool) or not isinstance(resamples, int) or resamples < FEWEST_RESAMPLES:
+        raise InputError("resamples", resamples, f"a whole number from {FEWEST_RESAMPLES} on")
+    monitor, disturbance = noises.monitor_noise(noise), noises.delivery_noise(delivery_noise)
+    taken = measured_shots(shots, club=club, only=only, mismatch=mismatch)
+    belonging = _groups_of(groups, shots, taken)
+    names = model_names(models)
+    given = parameters or {}
+    for name in given:
+        if name not in names:
+            raise InputError("parameters", name, f"for one of the models evaluated: {', '.join(names)}")
+    sets = {name: parameter_set(name, taken.club, given.get(name)) for name in names}
+
+    def predict(name: str, delivery: Mapping[str, Values]) -> dict[str, Values]:
+        found = impact(
+            taken.club, delivery, model=name, parameters=sets[name], ball=ball, accuracy=accuracy, threads=threads,
+            on_error="nan",
+        )  # fmt: skip
+        for each in found.problems:
+            failures.setdefault(each.row[0], f"{name}: {each.reason}")
+        return {quantity: np.asarray(getattr(found, quantity)) for quantity in QUANTITIES}
+
+    failures: dict[int, str] = {}
+    predicted, seconds = {}, {}
+    for name in names:
+        if progress is not None:
+            progress(name)
+        predicted[name], seconds[name] = _timed(lambda model=name: predict(model, taken.delivery), len(taken))
+    kept = np.array([row not in failures for row in range(len(taken))], dtype=bool)
+    failed = tuple(RejectedRow(int(taken.rows[row]), reason) for row, reason in sorted(failures.items()))
+    if not kept.any():
+        raise InputError("shots", taken.source, f"at least one shot that every model can compute ({failed[0].reason})")
+    taken = taken.select(kept)
+    belonging = None if belonging is None else belonging[kept]
+    predicted = {name: {key: values[kept] for key, values in each.items()} for name, each in predicted.items()}
+    sizes, best, lines = {}, {}, {}
+    for quantity, measured in taken.launch.items():
+        there = np.isfinite(measured)
+        drawn = Resamples(resamples, int(there.sum()), seed, None if belonging is None else belonging[there])
+        errors = {name: (predicted[name][quantity] - measured)[there] for name in names}
+        sizes[quantity], best[quantity] = error_sizes(errors, drawn)
+        delivery = {name: values[there] for name, values in taken.delivery.items()}
+        lines[quantity] = trends(errors, delivery, drawn)
+    standing = best[next(iter(best))].model
+    least = noises.floor(lambda delivery: predict(standing, delivery), taken.delivery, monitor, disturbance, seed)
+    return Evaluation(
+        shots=taken, parameters=sets, predicted=predicted, sizes=sizes, best=best, trends=lines,
+        floor={name: least[name] for name in sizes if name in least}, monitor_noise=monitor,
+        delivery_noise=disturbance, seconds=seconds, failed=failed, resamples=resamples, seed=seed,
+    )  # fmt: skip
+
+
+def _timed(compute: Callable[[], dict[str, Values]], shots: int) -> tuple[dict[str, Values], float]:
+    """Return a result and the processor time a shot; what is too short to be timed is run again."""
+    began = process_time()
+    result = compute()
+    spent = process_time() - began
+    if spent < SHORTEST:
+        runs = 5
+        began = process_time()
+        for _ in range(runs):
+            compute()
+        spent = (process_time() - began) / runs
+    return result, spent / shots
+
+
+def _groups_of(groups: Sequence[object] | NDArray[Any] | None, shots: Any, taken: MeasuredShots) -> NDArray[Any] | None:
+    """Return the groups of the shots taken, of which ``groups`` gives one for every shot of the source."""
+    if groups is None:
+        return None
+    if not isinstance(shots, RecordedShots):
+        raise InputError(
+            "groups", Told("for a file"), "give RecordedShots, to which groups can belong, one to each shot"
+        )
+    found = np.asarray(groups)
+    if found.shape != (len(shots),):
+        raise InputError("groups", Told(f"of shape {found.shape}"), f"one for each shot: ({len(shots)},)")
+    return found[taken.places]

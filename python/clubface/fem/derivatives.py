@@ -1,0 +1,155 @@
+"""Exact derivatives of a finite element launch, by running the same code on numbers with derivatives."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
+
+from clubface.equipment.clubs import Club
+from clubface.errors import InputError, ShotError, UnknownNameError
+from clubface.fem.balls import Ball, ball
+from clubface.fem.core import THE_RUN, Progress, core_call
+from clubface.fem.heads import MeshedHead, ShellHead
+from clubface.fem.run import Settings, friction_value, inputs_of, one_shot, settings_of
+from clubface.simulation.delivery import Delivery
+from clubface.simulation.quantities import outputs
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+VARIABLES_A_RUN = 4
+
+
+class Derivatives(NamedTuple):
+    """Launch of one impact and its derivatives.
+
+    Attributes
+    ----------
+    values
+        Launch quantities by name [SI]; contact time and peak force, which have no derivatives, are NaN.
+    variables
+        Names of the variables.
+    jacobian
+        Derivatives [SI], launch quantities by variables.
+    """
+
+    values: dict[str, float]
+    variables: tuple[str, ...]
+    jacobian: NDArray[Any]
+
+    def by(self, quantity: str, variable: str) -> float:
+        """Return the derivative of one quantity by one variable [SI]."""
+        names = list(self.values)
+        if quantity not in names:
+            raise UnknownNameError("quantity", quantity, names)
+        if variable not in self.variables:
+            raise UnknownNameError("variable", variable, self.variables)
+        return float(self.jacobian[names.index(quantity), self.variables.index(variable)])
+
+
+def variables(
+    club: str | os.PathLike[str] | Club | ShellHead, *, which: str | os.PathLike[str] | Ball = "reference"
+) -> list[str]:
+    """Return what a launch can be differentiated by: delivery, club, friction, constants of the pieces of a ball.
+
+    A piece has its outer "radius" (thicker cover: smaller "core.radius"), its elastic constants as in its file (its
+    Poisson's ratio stays), "poisson", "bulk" (its elastic constants stay), "density", and "maxwell.0.modulus",
+    "maxwell.0.time" and so on. A part of a head of shells has its mean "thickness", as in "head.face.thickness",
+    "youngs", "poisson" and "density"; its mesh stays, and its club is no variable.
+    """
+    from clubface import _core
+
+    made, head, rigid = ball(which), *_head_of(club)
+    found = _core.fem_variables(made.values(), head, inputs_of(one_shot(rigid, {"speed": 1.0}, made)))
+    for piece in made.pieces:
+        found.insert(found.index(f"{piece.name}.bulk"), f"{piece.name}.poisson")
+    return found
+
+
+def _slopes(made: Ball, name: str) -> dict[str, float]:
+    """Return what a variable does to those of the core, by name: its constants leave the bulk modulus alone."""
+    for piece in made.pieces:
+        bulk, key = f"{piece.name}.bulk", name.removeprefix(f"{piece.name}.")
+        material = piece.material
+        if name == f"{piece.name}.poisson":
+            # K = 2 G (1 + nu) / (3 (1 - 2 nu)).
+            return {bulk: 2.0 * material.shear / (1.0 - 2.0 * material.poisson) ** 2}
+        if name != key and key in material.constants:
+            return {name: 1.0, bulk: material.shear_slope(key) * material.bulk / material.shear}
+    return {name: 1.0}
+
+
+def _head_of(club: str | os.PathLike[str] | Club | ShellHead) -> tuple[dict[str, Any] | None, Any]:
+    """Return the mesh of a head of shells as the core takes it, and the rigid club."""
+    if isinstance(club, MeshedHead) and not isinstance(club, ShellHead):
+        raise InputError("club", club.name, "a club, whose head is rigid, or a head of shells")
+    return (club.values(), club.club) if isinstance(club, ShellHead) else (None, club)
+
+
+def sensitivity(
+    club: str | os.PathLike[str] | Club | ShellHead,
+    delivery: Delivery | Mapping[str, Any] | None = None,
+    *,
+    by: Iterable[str],
+    which: str | os.PathLike[str] | Ball = "reference",
+    friction: Any = 0.35,
+    settings: Settings | None = None,
+    progress: Progress | None = None,
+    **values: Any,
+) -> Derivatives:
+    """Differentiate the launch of one impact.
+
+    Parameters
+    ----------
+    club, delivery, **values, which, friction, settings
+        As of :func:`strike`; left out, the settings end the run soon after the last touch.
+    by
+        Names of variables, see :func:`variables`; every four of them take one run.
+    progress
+        Called with the runs done, in parts, and the runs in all.
+    """
+    from clubface import _core
+    from clubface.simulation.inputs import as_values
+
+    made, mu = ball(which), friction_value(friction)
+    how = Settings(until_separation=True) if settings is None else settings_of(settings)
+    names = (by,) if isinstance(by, str) else tuple(by)
+    known = variables(club, which=made)
+    for name in names:
+        if name not in known:
+            raise UnknownNameError("variable", name, known)
+    head, rigid = _head_of(club)
+    inputs = inputs_of(one_shot(rigid, dict(as_values(delivery, values)), made))
+    slopes = [_slopes(made, name) for name in names]
+    own = list(dict.fromkeys(each for one in slopes for each in one))
+    runs = -(-len(own) // VARIABLES_A_RUN)
+    run = replace(how, frames=0).values()
+
+    def all_runs(watch: Progress) -> Any:
+        def step(which: int, time: float, whole: float) -> None:
+            watch(which + time / whole, runs)
+
+        return _core.fem_sensitivity(made.values(), head, inputs, mu, run, own, step)
+
+    def at(safety: float | None) -> tuple[Any, Any]:
+        run["safety"] = safety
+        return cast("tuple[Any, Any]", core_call(all_runs, progress=progress))
+
+    found, jacobian = _first_stable(at, how)
+    chain = [[one.get(each, 0.0) for one in slopes] for each in own]
+    return Derivatives(dict(zip(outputs(), map(float, found), strict=True)), names, jacobian @ chain)
+
+
+def _first_stable(run: Callable[[float | None], tuple[Any, Any]], how: Settings) -> tuple[Any, Any]:
+    """Return what a run gives with the first safety with which no element fails."""
+    *others, last = how.safeties()
+    for safety in others:
+        try:
+            return run(safety)
+        except ShotError as error:
+            if error.parameter != THE_RUN:
+                raise
+    return run(last)

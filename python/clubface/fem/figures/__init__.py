@@ -1,0 +1,1 @@
+"""Figures of the finite elements: impacts, sections, faces, sweeps."""

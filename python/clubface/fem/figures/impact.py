@@ -1,0 +1,221 @@
+"""Pictures of finite element impacts: histories, forces over the patch, sweeps, and the numbers of Roh and Lee."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from clubface import units
+from clubface.fem.paper import PUBLISHED
+from clubface.fem.result import Impact
+from clubface.plots.style import COLOURS, DASHES, MARKERS, WIDTH, styled
+
+BLUE, RED, GREEN = COLOURS[0], COLOURS[1], COLOURS[2]
+MARK: dict[str, Any] = {"color": "0.25", "marker": "x", "markersize": 5.0, "linestyle": "none", "zorder": 5}
+RPM = units.from_si(1.0, "rpm")
+
+TAKE_OFF = 5.15
+"""Velocity along the face, relative to the clubhead, at take-off in Roh and Lee, section 3.2 [m/s]."""
+PUBLISHED_SPEED, LEAST_FACTOR = 35.0, 0.92
+"""Clubhead speed of the case of Roh and Lee [m/s], and the least compression factor of their sweep, section 4."""
+ENERGIES = {
+    "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction", "damping": "damping",
+    "hourglass": "hourglass", "contact": "contact springs",
+}  # fmt: skip
+
+
+@styled
+def paper_figure(found: Impact) -> Figure:
+    """Draw velocities, forces, spin and effective radius over time, as figures 3, 4, 6 and 7 of Roh and Lee.
+
+    Their numbers are marked.
+
+    Parameters
+    ----------
+    found
+        A run of their case, or of one like it.
+    """
+    figure = Figure(figsize=(WIDTH, 4.3), layout="constrained")
+    panels = figure.subplots(2, 3, sharex=True)
+    speed, force, radius, tangential, sliding, spin = panels.flat
+    end = _end(found)
+    when = found.motion["time"] * 1e6
+    world = np.linalg.norm(found.world_velocity(), axis=1)
+    speed.plot(when, world, color=BLUE)
+    speed.plot([end], [PUBLISHED["ball_speed_mps"]], clip_on=False, label="Roh and Lee", **MARK)
+    _name(speed, "ball speed (m/s)", "Fig. 3")
+    _forces(force, found)
+    force.plot([PUBLISHED["peak_force_time_s"] * 1e6], [PUBLISHED["peak_force_n"] / 1e3], **MARK)
+    _name(force, "force on the ball (kN)", "Fig. 4")
+    _radius(radius, found, PUBLISHED["contraction"])
+    least = found.ball.diameter * 500.0 * (1.0 - PUBLISHED["contraction"])
+    radius.plot([PUBLISHED["contraction_time_s"] * 1e6], [least], **MARK)
+    _name(radius, "mass centre to face (mm)", "Fig. 7")
+    tangential.plot(found.contact["time"] * 1e6, found.contact["tangential"], color=RED, linestyle=DASHES[0])
+    tangential.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
+    tangential.plot([PUBLISHED["reversal_time_s"] * 1e6], [0.0], **MARK)
+    _name(tangential, "force along the face (N)", "Fig. 6")
+    sliding.plot(when, found.relative_velocity()[:, 1], color=GREEN)
+    last = found.last_touch * 1e6
+    sliding.plot([0.0, last], [7.0, TAKE_OFF], clip_on=False, **MARK)
+    _name(sliding, "velocity along the face (m/s)", "Fig. 6")
+    spin.plot(when, found.motion["spin"][:, 2] * RPM, color=GREEN)
+    spin.plot([last], [PUBLISHED["spin_rpm"]], **MARK)
+    _name(spin, "backspin (rpm)", "Fig. 6")
+    _time_axes(panels[1], end)
+    speed.legend(loc="lower right")
+    force.legend(loc="upper right")
+    return figure
+
+
+@styled
+def impact_figure(found: Impact) -> Figure:
+    """Draw force, spin, effective radius and energies of any impact over time."""
+    figure = Figure(figsize=(WIDTH, 4.3), layout="constrained")
+    panels = figure.subplots(2, 2, sharex=True)
+    force, spin, radius, energy = panels.flat
+    _forces(force, found)
+    _name(force, "force on the ball (kN)")
+    when = found.motion["time"] * 1e6
+    spin.plot(when, found.motion["spin"][:, 2] * RPM, color=GREEN)
+    _name(spin, "backspin (rpm)")
+    _radius(radius, found, found.contraction)
+    _name(radius, "mass centre to face (mm)")
+    _energies(energy, found)
+    _name(energy, "where the kinetic energy goes (J)")
+    _time_axes(panels[1], _end(found))
+    force.legend(loc="upper right")
+    return figure
+
+
+@styled
+def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
+    """Draw normal and tangential forces over the contact patch, as figure 5 of Roh and Lee.
+
+    The moments are ``every`` [s] apart. Positive tangential forces make backspin, negative ones take it away.
+    """
+    patch = found.patch
+    moments = np.unique(patch["time"])
+    wanted = np.arange(every, found.last_touch - 0.25 * every, every)[:6]
+    if not len(wanted):
+        wanted = np.array([0.5 * found.last_touch])
+    chosen = list(dict.fromkeys(float(moments[np.argmin(abs(moments - each))]) for each in wanted))
+    count = len(chosen)
+    size = min((WIDTH - 1.5) / count, 1.5)
+    figure = Figure(figsize=(WIDTH, 2.0 * size + 1.05), layout="constrained")
+    panels = figure.subplots(2, count, sharex=True, sharey=True, squeeze=False)
+    drawn = np.isin(patch["time"], chosen)
+    extent = 1.1e3 * max(abs(patch["up"][drawn]).max(), abs(patch["toe"][drawn]).max())
+    dots = (size * 72.0 * 0.055) ** 2
+    for row, (key, map_, label) in enumerate(
+        (
+            ("normal", "viridis", "normal force\nof a node (N)"),
+            ("tangential", "RdBu_r", "tangential force\nof a node (N)"),
+        )
+    ):
+        high = abs(patch[key][drawn]).max()
+        low = -high if key == "tangential" else 0.0
+        for panel, moment in zip(panels[row], chosen, strict=True):
+            at = patch["time"] == moment
+            points = patch["toe"][at] * 1e3, patch["up"][at] * 1e3
+            panel.scatter(*points, c=patch[key][at], s=dots, cmap=map_, vmin=low, vmax=high, linewidths=0)
+            panel.set(aspect="equal", xlim=(-extent, extent), ylim=(-extent, extent))
+            if row == 0:
+                panel.set_title(f"{moment * 1e6:.0f} µs")
+        figure.colorbar(panels[row][0].collections[0], ax=list(panels[row]), label=label, fraction=0.05, pad=0.01)
+        panels[row][0].set_ylabel("up the face (mm)")
+    figure.supxlabel("towards the toe (mm); both from the ball's mass centre", fontsize=8)
+    return figure
+
+
+@styled
+def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Figure:
+    """Draw ball speed, launch angle, spin and compression factor over speed and loft, as figure 8 of Roh and Lee.
+
+    Parameters
+    ----------
+    rows
+        The rows of :func:`clubface.fem.sweep.sweep`.
+    published
+        Whether to mark their numbers: the case of 35 m/s and 11.5 deg, and the least compression factor.
+    """
+    figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
+    panels = figure.subplots(2, 2, sharex=True)
+    shown = (
+        ("ball_speed_mps", "ball speed (m/s)"), ("launch_deg", "launch angle (deg)"),
+        ("spin_rpm", "backspin (rpm)"), ("f", "compression factor f"),
+    )  # fmt: skip
+    lofts = sorted({row["loft_deg"] for row in rows})
+    for panel, (key, label) in zip(panels.flat, shown, strict=True):
+        for index, loft in enumerate(lofts):
+            points = sorted((row["speed_mps"], row[key]) for row in rows if row["loft_deg"] == loft)
+            look = {"color": COLOURS[index % len(COLOURS)], "linestyle": DASHES[index % len(DASHES)]}
+            look["marker"] = MARKERS[index % len(MARKERS)]
+            panel.plot(*zip(*points, strict=True), markersize=3, label=f"{loft:.4g}°", **look)
+        if published:
+            panel.plot([PUBLISHED_SPEED], [PUBLISHED[key]], label="Roh and Lee, 11.5°", **MARK)
+        _name(panel, label)
+    if published:
+        panels[1][1].axhline(LEAST_FACTOR, color="0.25", linewidth=0.8, linestyle=":", label="least of Roh and Lee")
+        panels[1][1].legend(handles=panels[1][1].lines[-1:], loc="lower left")
+    for panel in panels[1]:
+        panel.set_xlabel("clubhead speed (m/s)")
+    panels[0][0].legend(title="loft", ncols=2, loc="upper left")
+    return figure
+
+
+def _end(found: Impact) -> float:
+    """Return where the axis of time ends [us]: some time after the last touch, or with the run."""
+    times = found.contact["time"]
+    last = float(times[-1]) if len(times) else 0.0
+    return max(min(1.25 * found.last_touch, last) or last, 1e-9) * 1e6
+
+
+def _time_axes(panels: Any, end: float) -> None:
+    for panel in panels:
+        panel.set_xlabel("time (µs)")
+        panel.set_xlim(0.0, end)
+
+
+def _forces(panel: Axes, found: Impact) -> None:
+    time = found.contact["time"] * 1e6
+    panel.plot(time, found.contact["normal"] / 1e3, color=BLUE, label="normal")
+    panel.plot(time, found.contact["tangential"] / 1e3, color=RED, linestyle=DASHES[1], label="along the face")
+    panel.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
+    top = float(np.max(found.contact["normal"], initial=0.0)) / 1e3
+    low = float(np.min(found.contact["tangential"], initial=0.0)) / 1e3
+    if top > 0.0:
+        panel.set_ylim(1.1 * min(low, -0.02 * top), 1.3 * top)
+
+
+def _energies(panel: Axes, found: Impact) -> None:
+    """Stack the energies other than kinetic; a line shows how much kinetic energy is missing, which they must fill."""
+    energy = found.energy
+    shown = {key: energy[key] for key in ENERGIES if np.max(energy[key], initial=0.0) > 0.0}
+    if not shown:
+        return
+    times = energy["time"] * 1e6
+    colours = [COLOURS[index % len(COLOURS)] for index in (0, 6, 5, 1, 2, 3)]
+    panel.stackplot(times, *shown.values(), labels=[ENERGIES[key] for key in shown], colors=colours, alpha=0.75)
+    missing = energy["kinetic"][0] - energy["kinetic"]
+    panel.plot(times, missing, color="k", linewidth=0.9, label="kinetic, given up")
+    panel.set_ylim(0.0, 1.4 * max(float(np.max(missing)), 1e-12))
+    panel.legend(ncols=3, loc="upper center", columnspacing=1.0, handlelength=1.2)
+
+
+def _radius(panel: Axes, found: Impact, contraction: float) -> None:
+    motion, radius = found.motion, found.ball.diameter * 500.0
+    panel.plot(motion["time"] * 1e6, motion["radius"] * 1e3, color=BLUE)
+    panel.axhline(radius, color="0.5", linewidth=0.6, zorder=1)
+    least = min(radius * (1.0 - contraction), float(np.min(motion["radius"], initial=radius / 1e3)) * 1e3)
+    panel.set_ylim(least - 0.08 * radius, radius * 1.05)
+
+
+def _name(panel: Axes, label: str, where: str = "") -> None:
+    panel.set_title(label, loc="left")
+    if where:
+        panel.set_title(where, loc="right", fontsize=7.0, color="0.4")

@@ -1,0 +1,242 @@
+"""The deformed section of the ball through the face normal and up the face: as a row of moments, or moving."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.figure import Figure
+
+from clubface.errors import InputError
+from clubface.fem.figures.outline import Outline
+from clubface.fem.heads import ShellHead
+from clubface.fem.result import Impact
+from clubface.plots.style import COLOURS, WIDTH, styled
+
+DOTS = 100
+"""Pixels an inch of an animation."""
+_FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+_COLOURS: dict[str, Any] = {"cmap": "YlOrRd", "edgecolors": "0.35", "linewidths": 0.25}
+
+
+class Section:
+    """The mesh in the plane through the ball's axis of first touch and the direction up the face.
+
+    Attributes
+    ----------
+    times
+        Of the shapes [s].
+    """
+
+    def __init__(self, found: Impact) -> None:
+        from clubface import _core
+
+        if not len(found.frames):
+            raise InputError("frames", 0, "1 or more; ask for them in the settings of the run")
+        mesh = _core.fem_mesh(found.ball.values())
+        nodes, elements = mesh["nodes"], mesh["elements"].astype(int)
+        faces = np.concatenate([elements[:, corners] for corners in _FACES])
+        quads = np.unique(faces[(abs(nodes[faces, 2]) < 1e-9).all(axis=1)], axis=0)
+        # Each quadrangle belongs to the elements on both sides of the plane.
+        _, first = np.unique(np.sort(quads, axis=1), axis=0, return_index=True)
+        self._quads = quads[first]
+        self._masses = _masses(nodes, elements, mesh["piece"], mesh["density"])
+        self._found = found
+        head = found.head
+        self._head = None if not isinstance(head, ShellHead) else Outline(head, self._from_touch(found.head_frames[0]))
+        self.times = found.frame_times
+
+    def at(self, frame: int) -> tuple[Any, Any]:
+        """Return corners of the quadrangles [mm], (n, 4, 2), and how far each is compressed, 0 to 1.
+
+        The face is the line of zero in the first coordinate; the second is up the face, in the frame in which the
+        clubhead rests at first touch.
+        """
+        places, first = (self._found.frames[each] @ self._found.axes.T for each in (frame, 0))
+        corners = (places[:, :2] + self._shift(frame))[self._quads]
+        return corners * 1e3, _compression(first[:, :2][self._quads], corners)
+
+    def head_at(self, frame: int) -> tuple[Any, Any]:
+        """Return the cuts through a head of shells [mm], (n, 2, 2), and their thickness [mm]; none of a rigid head."""
+        if self._head is None:
+            return np.zeros((0, 2, 2)), np.zeros(0)
+        cuts = self._head.at(self._from_touch(self._found.head_frames[frame]))[..., :2]
+        origin = self._from_touch(np.zeros(3))[:2]
+        return (cuts - origin + self._shift(frame)) * 1e3, self._head.thickness * 1e3
+
+    def _from_touch(self, places: Any) -> Any:
+        """Return places in the axes of first touch, the plane of the picture at zero of the third."""
+        found = self._found
+        middle = self._masses @ (found.frames[0] @ found.axes.T)
+        return places @ found.axes.T - [0.0, 0.0, middle[2]]
+
+    def _shift(self, frame: int) -> Any:
+        """Return what is added to places along normal and up to put the face at zero and the clubhead at rest [m]."""
+        found, time = self._found, self.times[frame]
+        centre, start = (self._masses @ (found.frames[each] @ found.axes.T) for each in (frame, 0))
+        height = centre[1] - start[1] - found.frame_velocity[1] * time
+        distance = np.interp(time, found.motion["time"], found.motion["radius"])
+        return np.array([distance, height]) - centre[:2]
+
+
+def _masses(nodes: Any, elements: Any, piece: Any, density: Any) -> Any:
+    """Return each node's share of the mass, from elements taken as parallelepipeds."""
+    corner = nodes[elements]
+    edges = [corner[:, [1, 2, 5, 6]].mean(axis=1) - corner[:, [0, 3, 4, 7]].mean(axis=1),
+             corner[:, [2, 3, 6, 7]].mean(axis=1) - corner[:, [0, 1, 4, 5]].mean(axis=1),
+             corner[:, 4:].mean(axis=1) - corner[:, :4].mean(axis=1)]  # fmt: skip
+    mass = abs(np.einsum("ij,ij->i", np.cross(edges[0], edges[1]), edges[2])) * np.asarray(density)[piece]
+    shares = np.zeros(len(nodes))
+    np.add.at(shares, elements, mass[:, None] / 8.0)
+    return shares / shares.sum()
+
+
+def _compression(rest: Any, now: Any) -> Any:
+    """Return 1 less the least stretch of quadrangles, from their diagonals."""
+    before, after = (np.stack([each[:, 2] - each[:, 0], each[:, 3] - each[:, 1]], axis=-1) for each in (rest, now))
+    stretches = np.linalg.svd(after @ np.linalg.inv(before), compute_uv=False)
+    return np.clip(1.0 - stretches[:, 1], 0.0, 1.0)
+
+
+@styled
+def section_figure(found: Impact, *, count: int = 5) -> Figure:
+    """Draw the deformed section at ``count`` moments of contact, with pressure and shear over the patch below it.
+
+    Pressure and shear belong to the nodes within an element of the plane; they are forces per area of the undeformed
+    surface. Shear is positive where it makes backspin. The colour shows how far a piece of the section is compressed.
+    """
+    section = Section(found)
+    moments = np.linspace(0.0, 1.0, count + 2)[1:-1] * found.last_touch
+    frames = list(dict.fromkeys(int(np.argmin(abs(section.times - each))) for each in moments))
+    figure = Figure(figsize=(WIDTH, 3.9), layout="constrained")
+    panels = figure.subplots(2, len(frames), sharey=True, squeeze=False, height_ratios=[1.6, 1.0])
+    radius = found.ball.diameter * 500.0
+    high, most = 1.0, _scale(section, frames)
+    drawn: Any = None
+    for column, frame in enumerate(frames):
+        panel, below = panels[0][column], panels[1][column]
+        drawn, _ = _draw(panel, section, frame, radius, most)
+        panel.set_title(f"{section.times[frame] * 1e6:.0f} µs")
+        high = max(high, _tractions(below, found, float(section.times[frame])))
+        if column == 0:
+            panel.set_ylabel("up the face (mm)")
+            below.set_ylabel("up from the mass centre (mm)")
+            below.legend(loc="upper left", handlelength=1.0, borderaxespad=0.0)
+    for below in panels[1]:
+        below.set_xlim(-0.4 * high, 1.1 * high)
+    figure.colorbar(drawn, ax=list(panels[0]), label="compression (%)", fraction=0.03, pad=0.01)
+    figure.supxlabel("distance from the face (mm); below: force per area (MPa)", fontsize=8)
+    return figure
+
+
+@styled
+def animate(found: Impact, path: str | os.PathLike[str], *, seconds: float = 5.0) -> Path:
+    """Write the deforming section, beside the forces up to each moment, as an animated GIF.
+
+    Parameters
+    ----------
+    found
+        A run with frames; each becomes one picture.
+    path
+        The file, ending in .gif.
+    seconds
+        Duration of the film.
+
+    Returns
+    -------
+    Path
+        The file.
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from PIL import Image
+
+    target = Path(path)
+    if target.suffix.lower() != ".gif":
+        raise InputError("animation", os.fspath(path), "a file ending in .gif")
+    section = Section(found)
+    figure = Figure(figsize=(WIDTH, 3.2), layout="constrained", dpi=DOTS)
+    left, right = figure.subplots(1, 2, width_ratios=[1.0, 1.35])
+    radius = found.ball.diameter * 500.0
+    drawn, head = _draw(left, section, 0, radius, _scale(section, range(len(section.times))))
+    figure.colorbar(drawn, ax=left, label="compression (%)", fraction=0.05, pad=0.01)
+    left.set(xlabel="distance from the face (mm)", ylabel="up the face (mm)")
+    times = found.contact["time"] * 1e6
+    curves = []
+    for key, colour in (("normal", COLOURS[0]), ("tangential", COLOURS[1])):
+        force = found.contact[key] * 1e-3
+        right.plot(times, force, color="0.8", linewidth=0.8)
+        (curve,) = right.plot([], [], color=colour, label="normal" if key == "normal" else "along the face")
+        curves.append((curve, force))
+    right.set(xlabel="time (µs)", ylabel="force on the ball (kN)", xlim=(0.0, float(section.times[-1]) * 1e6 or None))
+    right.legend(loc="upper right")
+    title = right.text(0.03, 0.97, "", transform=right.transAxes, va="top")
+
+    # What does not move is drawn once.
+    moving = [drawn, head, *(curve for curve, _ in curves), title]
+    for artist in moving:
+        artist.set_animated(True)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    still = canvas.copy_from_bbox(figure.bbox)
+    pictures = []
+    for frame, time in enumerate(section.times.tolist()):
+        corners, squeezed = section.at(frame)
+        drawn.set_verts(corners)
+        head.set_segments(section.head_at(frame)[0])
+        drawn.set_array(squeezed * 100.0)
+        for curve, force in curves:
+            curve.set_data(times[times <= time * 1e6], force[times <= time * 1e6])
+        title.set_text(f"{time * 1e6:.0f} µs")
+        canvas.restore_region(still)
+        for artist in moving:
+            figure.draw_artist(artist)
+        pictures.append(Image.fromarray(np.array(canvas.buffer_rgba())[..., :3]).quantize(colors=96))
+    pace = max(20, round(1e3 * seconds / len(pictures)))
+    pictures[0].save(target, save_all=True, append_images=pictures[1:], duration=pace, loop=0)
+    return target
+
+
+def _scale(section: Section, frames: Iterable[int]) -> float:
+    """Return the end of the scale of compression [%], a multiple of ten."""
+    return 10.0 * max(1.0, float(np.ceil(max(section.at(frame)[1].max() for frame in frames) * 10.0)))
+
+
+def _draw(
+    panel: Any, section: Section, frame: int, radius: float, most: float
+) -> tuple[PolyCollection, LineCollection]:
+    corners, squeezed = section.at(frame)
+    drawn = PolyCollection(list(corners), array=squeezed * 100.0, **_COLOURS)
+    drawn.set_clim(0.0, most)
+    panel.add_collection(drawn)
+    walls, thickness = section.head_at(frame)
+    behind = -0.15 if not len(walls) else -0.7
+    # A point is 1/72 inch; a panel is about 1.3 inches for 3 radii.
+    head = LineCollection(list(walls), linewidths=thickness * 72.0 * 1.3 / (3.0 * radius), colors="0.55")
+    panel.add_collection(head)
+    if not len(walls):
+        panel.axvspan(-0.15 * radius, 0.0, color="0.75", linewidth=0)
+    panel.set(aspect="equal", xlim=(behind * radius, 2.15 * radius), ylim=(-1.3 * radius, 1.5 * radius))
+    panel.grid(visible=False)
+    return drawn, head
+
+
+def _tractions(panel: Any, found: Impact, time: float) -> float:
+    """Draw pressure and shear near the section at the record next to ``time`` [s]; return the most pressure [MPa]."""
+    patch = found.patch
+    near = found.ball.diameter / (4.0 * found.ball.cube)
+    moments = np.unique(patch["time"])
+    panel.axvline(0.0, color="0.5", linewidth=0.6, zorder=1)
+    nearest = moments[np.argmin(abs(moments - time))] if len(moments) else np.inf
+    if abs(nearest - time) > 2.0 * found.settings.interval:
+        return 0.0
+    at = np.flatnonzero((patch["time"] == nearest) & (abs(patch["toe"]) < near))
+    at = at[np.argsort(patch["up"][at])]
+    up, scale = patch["up"][at] * 1e3, 1e-6 / patch["area"][at]
+    pressure, shear = patch["normal"][at] * scale, patch["tangential"][at] * scale
+    panel.plot(pressure, up, color=COLOURS[0], marker="o", markersize=2, label="pressure")
+    panel.plot(shear, up, color=COLOURS[1], marker="s", markersize=2, label="shear")
+    return float(np.max(pressure, initial=0.0))

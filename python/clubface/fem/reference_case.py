@@ -1,0 +1,44 @@
+"""The reference case: a ball whose every constant is stated, thrown at a rigid plane."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+from typing import Any
+
+from clubface.fem.balls import Ball, ball
+from clubface.fem.core import Progress
+from clubface.fem.result import Impact
+from clubface.fem.run import Settings, throw
+
+SPEED = "35 m/s"
+ANGLE = "11.5 deg"
+FRICTION = 0.35
+
+
+def reference(
+    *,
+    which: str | os.PathLike[str] | Ball = "reference",
+    friction: Any = FRICTION,
+    refine: int = 1,
+    element: str = "one-point",
+    settings: Settings | None = None,
+    progress: Progress | None = None,
+) -> Impact:
+    """Throw Roh and Lee's ball at a rigid plane, 35 m/s at 11.5 deg from the normal, for 1000 us.
+
+    Parameters
+    ----------
+    which
+        The ball: a name, a TOML file or a :class:`Ball`.
+    friction
+        Coulomb's coefficient.
+    refine
+        How many times finer the mesh is along every edge.
+    element
+        The kind of elements: "one-point" or "full".
+    settings, progress
+        As of :func:`throw`.
+    """
+    made = replace(ball(which).refined(refine), element=element)
+    return throw(made, speed=SPEED, angle=ANGLE, friction=friction, settings=settings, progress=progress)

@@ -1,0 +1,10 @@
+"""Model parameters from measured shots, and how well the shots determine them.
+
+:func:`clubface.identify` does the whole identification. The documentation page "Parameters from measured shots"
+describes the method.
+"""
+
+from clubface.identification.result import Identification as Identification
+from clubface.identification.run import identify as identify
+
+__all__ = ["Identification", "identify"]

@@ -1,0 +1,1 @@
+"""Launches for a whole file of deliveries, of any length."""

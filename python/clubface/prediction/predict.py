@@ -1,0 +1,217 @@
+"""Launches for a file of deliveries of any length: read, computed and written a piece at a time."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import FEM
+from clubface.errors import FileError, InputError, Told
+from clubface.prediction.run import Task, results_of, run
+from clubface.simulation.air import Air
+from clubface.simulation.flight import fly
+from clubface.simulation.impact import Parameters, meshed_ball
+from clubface.simulation.inputs import equipment, hand_value, parameter_set
+from clubface.simulation.run_options import thread_count
+from clubface.tables.headings import layout, require_speed
+from clubface.tables.reader import open_table
+from clubface.tables.writer import is_parquet, unfinished
+
+CHUNK_ROWS = 16384
+MOST_ROWS = 1_000_000
+"""In memory at a time."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class PredictReport:
+    """What became of a file of deliveries.
+
+    Attributes
+    ----------
+    source, output
+        The files read and written.
+    rejects
+        The file with the rows that could not be used, or None where there were none.
+    rows
+        Rows read; each is either written or rejected.
+    written, rejected
+        Rows with a launch, and rows without.
+    blank
+        Blank lines passed over.
+    used
+        Heading of each column used: its quantity and unit.
+    passed
+        Headings of the columns only passed through.
+    added
+        Headings of the columns written after them.
+    notes
+        What a reader of the result should know.
+    first_rejects
+        Line and reason of the first rejects of this run.
+    resumed
+        Rows done by an earlier run.
+    provenance
+        The model, its parameters with source and caveats, club, ball and version.
+    """
+
+    source: str
+    output: str
+    rejects: str | None
+    rows: int
+    written: int
+    rejected: int
+    blank: int
+    used: Mapping[str, tuple[str, str]]
+    passed: tuple[str, ...]
+    added: tuple[str, ...]
+    notes: tuple[str, ...] = ()
+    first_rejects: tuple[tuple[int, str], ...] = ()
+    resumed: int = 0
+    provenance: Mapping[str, Any] = field(default_factory=dict, repr=False)
+
+    def __str__(self) -> str:
+        lines = [f"{self.written} of {self.rows} deliveries computed: {self.output}"]
+        if self.rejected:
+            lines.append(f"{self.rejected} rejected: {self.rejects}")
+            lines += [f"  {line}: {reason}" for line, reason in self.first_rejects]
+        lines += [f"note: {note}" for note in self.notes]
+        return "\n".join(lines)
+
+
+def predict(
+    source: str | os.PathLike[str],
+    *,
+    club: str | os.PathLike[str] | Club,
+    model: str = "standard",
+    ball: str | os.PathLike[str] | Ball | None = None,
+    parameters: Parameters | None = None,
+    hand: Any = None,
+    accuracy: float | None = None,
+    carry: bool = True,
+    air: Air | Mapping[str, Any] | None = None,
+    wind: Any = None,
+    output: str | os.PathLike[str] | None = None,
+    rejects: str | os.PathLike[str] | None = None,
+    chunk_rows: int = CHUNK_ROWS,
+    threads: int | None = None,
+    progress: Callable[[float, int], object] | None = None,
+    resume: bool = False,
+) -> PredictReport:
+    """Compute the launch of every delivery in a CSV or Parquet file.
+
+    Columns are found by name and carry their unit: ``club_speed_mph``, ``club_speed [mph]``; without one they are
+    SI. Those of other names are passed through untouched. A row that cannot be used goes to the file of rejects
+    with its line and the reason.
+
+    Both files have ``.part`` in their names until they are complete. Interrupted, what is finished stays in them,
+    valid files, and ``resume=True`` goes on after it.
+
+    Parameters
+    ----------
+    source
+        A file whose first row names the columns: CSV in UTF-8 (commas, semicolons or tabs; decimal commas where
+        the delimiter is another), or Parquet by its ending.
+    club, model, ball, parameters, hand, accuracy, threads
+        As of :func:`impact`. A column named like an input wins over the club, ball or hand given here.
+    carry
+        Whether to compute the flight too.
+    air, wind
+        As of :func:`fly`.
+    output
+        The file to write, CSV or Parquet by its ending; left out, ``<source>-launches.csv`` beside the source.
+    rejects
+        The CSV file for rows that cannot be used; left out, ``<output>.rejects.csv`` beside the output. It is
+        there only if there are any.
+    chunk_rows
+        Rows held in memory at a time.
+    progress
+        Called with the part of the file read, 0 to 1, and the rows done.
+    resume
+        Whether to go on where an interrupted run of the same file and settings stopped; where there was none, it
+        starts at the beginning.
+
+    Returns
+    -------
+    PredictReport
+        How many rows were written and rejected, which columns were used, and what to know of them.
+
+    Raises
+    ------
+    FileError
+        A file that cannot be read or written, with the line: empty, without a column for the speed, a column twice,
+        a unit of another dimension, not UTF-8.
+    KeyboardInterrupt
+        On Ctrl-C, telling where the finished rows are.
+    """
+    path = Path(source)
+    target = Path(output) if output is not None else path.with_name(f"{path.stem}-launches.csv")
+    aside = Path(rejects) if rejects is not None else target.with_name(f"{target.stem}.rejects.csv")
+    _check_paths(path, target, aside)
+    if isinstance(chunk_rows, bool) or not isinstance(chunk_rows, int) or not 1 <= chunk_rows <= MOST_ROWS:
+        raise InputError("chunk_rows", chunk_rows, f"a whole number from 1 to {MOST_ROWS}")
+    threads = thread_count(threads) or None
+    meshed = None
+    if model == FEM.name:
+        meshed, ball = meshed_ball(ball, accuracy)
+    with_ = equipment(club, ball)
+    chosen = parameter_set(model, with_.club, parameters)
+    arrays = [name for name, value in chosen.values.items() if not isinstance(value, float)]
+    if arrays:
+        raise InputError(arrays[0], Told("an array"), "a single number for a file of deliveries")
+    side = float(with_.club.hand) if hand is None else hand_value(hand)
+    if side not in (1.0, -1.0):
+        raise InputError("hand", hand, "right or left")
+    shot = {
+        "club": with_.club,
+        "model": model,
+        "ball": meshed or with_.ball,
+        "parameters": chosen,
+        "accuracy": accuracy,
+        "threads": threads,
+    }
+    if carry:
+        fly({"velocity_x": 1.0, "velocity_y": 1.0, "velocity_z": 0.0}, air=air, wind=wind)
+    flight = {"air": air, "wind": wind, "threads": threads} if carry else None
+    reader = open_table(path)
+    try:
+        columns = layout(reader.headings, reader.path, reader.header_line)
+        require_speed(columns, reader.path, reader.header_line)
+        task = Task(shot, flight, side, columns, results_of(model, carry))
+        outcome = run(reader, task, (path, target, aside), chunk_rows, progress, resume)
+    finally:
+        reader.close()
+    rows, written, rejected = outcome.counts["rows"], outcome.counts["written"], outcome.counts["rejected"]
+    return PredictReport(
+        source=str(path),
+        output=str(target),
+        rejects=str(aside) if rejected else None,
+        rows=rows,
+        written=written,
+        rejected=rejected,
+        blank=reader.blank,
+        used={each.heading: (each.quantity, each.unit) for each in columns.used},
+        passed=columns.passed,
+        added=task.headings,
+        notes=columns.notes,
+        first_rejects=outcome.first_rejects,
+        resumed=outcome.resumed,
+        provenance=task.provenance(),
+    )
+
+
+def _check_paths(source: Path, target: Path, aside: Path) -> None:
+    is_parquet(target)
+    for path, what in ((target, "output"), (aside, "rejects")):
+        if path.resolve() in (source.resolve(), unfinished(source).resolve()):
+            raise FileError(str(path), None, f"the {what} must be another file than the one that is read")
+        if not path.parent.is_dir():
+            raise FileError(str(path), None, f"there is no folder {str(path.parent)!r}")
+        if path.is_dir():
+            raise FileError(str(path), None, f"the {what} is a folder; give the name of a file")
+    if aside.resolve() == target.resolve():
+        raise FileError(str(aside), None, "the rejects must go to another file than the output")

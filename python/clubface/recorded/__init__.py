@@ -1,0 +1,1 @@
+"""Recorded shots, with or without their launches, and their files."""

@@ -1,0 +1,233 @@
+"""Recorded shots: deliveries and launches measured together, one row a shot, whatever they were measured with."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
+
+import numpy as np
+
+from clubface.equipment.described import HANDS
+from clubface.errors import InputError, Told, UnknownNameError
+from clubface.simulation.quantities import inputs
+from clubface.support.checks import check_choice
+from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, shot_words
+from clubface.units import SI_UNITS
+
+if TYPE_CHECKING:
+    import pandas
+    from numpy.typing import NDArray
+
+SPEED_AT = ("cg", "face", "unknown")
+FACE_AT = ("face", "contact", "unknown")
+"""Where club data may be taken; the first is where models want it."""
+SIDES = {1.0: "right", -1.0: "left"}
+"""The hand by the sign the core takes."""
+
+
+class RejectedRow(NamedTuple):
+    """A row of a file that gives no shot.
+
+    Attributes
+    ----------
+    line
+        Where it begins (in a Parquet file, the number of the row), from 1; None where it is not known.
+    reason
+        What is wrong.
+    """
+
+    line: int | None
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RecordedShots:
+    """Shots as they were measured, SI and radians, with the signs of :class:`Delivery` and :class:`Launch`.
+
+    Every array has one element a shot. A value that was not measured is NaN; a quantity that was measured for no shot
+    is not there.
+
+    Attributes
+    ----------
+    deliveries
+        Inputs of an impact by name (``speed``, ``attack``, ``path``, ``loft``, ``face``, ``toe``, ...), of club and
+        ball as well where the file gives them.
+    launches
+        Quantities of the launch and flight by name: ``ball_speed``, ``launch``, ``azimuth``, ``backspin``,
+        ``sidespin``, ``total_spin``, ``spin_axis``, ``carry``, ... Where one pair of backspin, sidespin and total spin,
+        spin axis was measured, the other follows: backspin = total cos(axis), sidespin = total sin(axis).
+    clubs
+        Name of the club as in the file, or None where the file has none.
+    hand
+        ``"right"`` or ``"left"``, or None where it is not known.
+    rows
+        Where each shot begins in the source: its line in text, its row in Parquet.
+    source
+        The file, or another name of the source.
+    format
+        How it is written: ``"clubface"``, ``"trackman"``, ...
+    rejected
+        The rows that gave no shot.
+    notes
+        What a reader of the shots should know.
+    speed_at
+        Where speed, attack angle and path were taken: "cg", as models want it, "face" (its centre) or "unknown".
+    face_at
+        Where dynamic loft and face angle were taken: "face" (its centre), as models want it, "contact" or "unknown".
+        :func:`clubface.launch_monitor.refer` refers both to where models want them.
+    """
+
+    deliveries: dict[str, NDArray[np.float64]]
+    launches: dict[str, NDArray[np.float64]]
+    clubs: NDArray[Any] | None = None
+    hand: NDArray[Any] | None = None
+    rows: NDArray[np.int64]
+    source: str
+    format: str
+    rejected: tuple[RejectedRow, ...] = ()
+    notes: tuple[str, ...] = ()
+    speed_at: str = SPEED_AT[0]
+    face_at: str = FACE_AT[0]
+
+    def __post_init__(self) -> None:
+        check_choice("speed_at", self.speed_at, SPEED_AT)
+        check_choice("face_at", self.face_at, FACE_AT)
+        count = np.size(self.rows)
+        checked: dict[str, Any] = {"rows": np.asarray(self.rows, dtype=np.int64).reshape(count)}
+        known_deliveries = [name for name in inputs() if name != HAND]
+        checked["deliveries"] = _floats(self.deliveries, known_deliveries, count)
+        checked["launches"] = with_both_spins(_floats(self.launches, LAUNCH_SYNONYMS, count))
+        for name in ("clubs", "hand"):
+            given = getattr(self, name)
+            if given is not None:
+                checked[name] = _of_length(np.asarray(given, dtype=object), name, count)
+        if self.hand is not None and (wrong := set(checked["hand"]) - {"right", "left"}):
+            raise InputError("hand", wrong.pop(), "right or left")
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def __repr__(self) -> str:
+        told = [f"{len(self)} shot{'s' * (len(self) != 1)} of {self.source} ({self.format})"]
+        for kind in ("deliveries", "launches"):
+            told.append(f"  {kind}: {', '.join(getattr(self, kind)) or 'none'}")
+        if self.rejected:
+            told.append(f"  {len(self.rejected)} row{'s' * (len(self.rejected) != 1)} rejected")
+        return "\n".join(told)
+
+    def select(self, which: Any) -> Self:
+        """Return some of the shots: a mask, indices or a slice, as NumPy takes them; rejected rows and notes stay."""
+        try:
+            index = np.arange(len(self))[which]
+        except IndexError as error:
+            raise InputError("which", which, f"a mask or indices of {len(self)} shots ({error})") from None
+        index = np.atleast_1d(index)
+        return replace(
+            self,
+            deliveries={name: values[index] for name, values in self.deliveries.items()},
+            launches={name: values[index] for name, values in self.launches.items()},
+            clubs=None if self.clubs is None else self.clubs[index],
+            hand=None if self.hand is None else self.hand[index],
+            rows=self.rows[index],
+        )
+
+    def delivery(self) -> dict[str, NDArray[np.float64]]:
+        """Return what :func:`impact` takes as ``delivery``: the deliveries, and the hand as +1 or -1."""
+        given = dict(self.deliveries)
+        if self.hand is not None:
+            given[HAND] = np.array([float(HANDS[each]) for each in self.hand])
+        return given
+
+    def units(self) -> dict[str, str]:
+        """Return the SI unit of each quantity there is."""
+        dimensions = shot_words().dimensions
+        return {name: SI_UNITS[dimensions[name]] for name in (*self.deliveries, *self.launches)}
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return one row a shot, SI: ``row``, ``club`` and ``hand`` where known, then every quantity.
+
+        ``attrs`` of the frame holds ``units`` and ``source``, ``format``, ``rejected``, ``notes``, ``speed_at``,
+        ``face_at``.
+        """
+        import pandas
+
+        columns: dict[str, Any] = {"row": self.rows}
+        for name, values in (("club", self.clubs), (HAND, self.hand)):
+            if values is not None:
+                columns[name] = values
+        frame = pandas.DataFrame(columns | self.deliveries | self.launches)
+        kept = {name: getattr(self, name) for name in ("source", "format", "notes", "speed_at", "face_at")}
+        frame.attrs = {"units": self.units(), "rejected": [tuple(each) for each in self.rejected], **kept}
+        return frame
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Write the shots to a CSV or Parquet file, by its ending, as :func:`read_shots` and ``predict`` read them.
+
+        The file has its name only once it is complete. Rejected rows and notes are not in it.
+        """
+        from clubface.recorded.file import write
+
+        write(self, Path(path))
+
+
+def read_shots(path: str | os.PathLike[str]) -> RecordedShots:
+    """Read recorded shots from a CSV or Parquet file with the columns of clubface.
+
+    Columns are found by name and carry their unit, as for :func:`predict`: ``club_speed_mph``, ``attack [deg]``, and
+    of the launch ``ball_speed_mph``, ``launch_deg``, ``azimuth_deg``, ``backspin_rpm``, ``sidespin_rpm``,
+    ``total_spin_rpm``, ``spin_axis_deg``, ``carry_yd`` and so on; ``club`` names the club, ``hand`` is right or left.
+    An empty cell is a value not measured.
+
+    Raises
+    ------
+    FileError
+        A file that cannot be read, with the line: empty, without a column of a delivery or launch, a column twice, a
+        unit of another dimension, not UTF-8, or without a single row that can be used.
+    """
+    from clubface.recorded.file import read
+
+    return read(Path(path))
+
+
+def with_both_spins(launches: Mapping[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:
+    """Return launches with backspin and sidespin where total spin and axis were measured, and the reverse.
+
+    A measured value stays as it is; only shots that lack both of a pair get it from the other.
+    """
+    found = dict(launches)
+
+    def fill(wanted: tuple[str, str], given: tuple[str, str], values: tuple[Any, Any]) -> None:
+        nothing = np.full_like(found[given[0]], np.nan)
+        pair = [found.get(name, nothing) for name in wanted]
+        lacking = np.isnan(pair[0]) & np.isnan(pair[1])
+        for name, old, new in zip(wanted, pair, values, strict=True):
+            found[name] = np.where(lacking, new, old)
+
+    parts, polar = ("backspin", "sidespin"), ("total_spin", "spin_axis")
+    if all(name in launches for name in polar):
+        total, axis = (launches[name] for name in polar)
+        fill(parts, polar, (total * np.cos(axis), total * np.sin(axis)))
+    if all(name in launches for name in parts):
+        back, side = (launches[name] for name in parts)
+        fill(polar, parts, (np.hypot(back, side), np.arctan2(side, back)))
+    return found
+
+
+def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, NDArray[np.float64]]:
+    for name in given:
+        if name not in known:
+            raise UnknownNameError("quantity", name, known)
+    return {name: _of_length(np.asarray(values, dtype=np.float64), name, count) for name, values in given.items()}
+
+
+def _of_length(values: NDArray[Any], name: str, count: int) -> NDArray[Any]:
+    if values.shape != (count,):
+        raise InputError(
+            name, Told(f"an array of shape {values.shape}"), f"one with an element for each shot: ({count},)"
+        )
+    return values

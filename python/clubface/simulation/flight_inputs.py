@@ -1,0 +1,111 @@
+"""From launch, air, wind and ground to the columns of the core."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from clubface import units
+from clubface.errors import InputError, ShotError, UnknownNameError
+from clubface.simulation.air import Air, air_of
+from clubface.simulation.inputs import common_shape
+from clubface.simulation.launch import Launch
+from clubface.simulation.launch_terms import vectors
+from clubface.simulation.quantities import flight_inputs, flight_outputs
+from clubface.support.memory import check_request
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+AXES = ("x", "y", "z")
+VELOCITY = tuple(f"velocity_{axis}" for axis in AXES)
+SPIN = tuple(f"spin_{axis}" for axis in AXES)
+BALL = ("ball_mass", "ball_radius", "ball_inertia")
+
+
+class FlightColumns(NamedTuple):
+    """Flights as the core takes them.
+
+    Attributes
+    ----------
+    columns
+        The inputs by name, in the order of the core: a number, or an array of the flights, flat.
+    shape
+        The shape the inputs broadcast to; () for a single flight.
+    varied
+        The inputs given as arrays, by name, not broadcast; those of a :class:`Launch` stay with it.
+    """
+
+    columns: dict[str, Any]
+    shape: tuple[int, ...]
+    varied: dict[str, NDArray[Any]]
+
+
+def flight_columns(
+    launch: Launch | Mapping[str, Any],
+    air: Air | Mapping[str, Any] | None,
+    wind: Any,
+    ground: Mapping[str, Any] | None,
+) -> FlightColumns:
+    """Lay out flights; the arguments are those of :func:`clubface.fly`."""
+    import numpy as np
+
+    inputs = flight_inputs()
+    given: dict[str, Any] = {}
+    if isinstance(launch, Launch):
+        rows = {name: getattr(launch, name) for name in (*VELOCITY, *SPIN)}
+        rows |= {name: launch.input(name) for name in BALL}
+        given |= {name: _of_shape(value, launch.shape) for name, value in rows.items()}
+    elif isinstance(launch, Mapping):
+        given |= vectors({name: value for name, value in launch.items() if value is not None})
+    else:
+        raise InputError("launch", launch, "a Launch or a mapping of values")
+    given |= air_of(air).values()
+    given |= _group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))
+    given |= _group("ground", ground or {}, [name for name, each in inputs.items() if each.group == "ground"])
+    parsed: dict[str, Any] = {name: each.default for name, each in inputs.items()}
+    varied: dict[str, NDArray[Any]] = {}
+    for name, value in given.items():
+        value = units.parse_values(value, inputs[name].dimension, name=name) if type(value) is not float else value
+        if not isinstance(value, float):
+            value = varied[name] = np.asarray(value, dtype=np.float64)
+        parsed[name] = value
+    shape = common_shape(varied)
+    copies = sum(each.shape != shape for each in varied.values())
+    check_request(math.prod(shape), 8 * (len(flight_outputs()) + copies))
+    flat = {
+        name: value if isinstance(value, float) else np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
+        for name, value in parsed.items()
+    }
+    if isinstance(launch, Launch):
+        varied = {name: value for name, value in varied.items() if name not in (*VELOCITY, *SPIN, *BALL)}
+    return FlightColumns(flat, shape, varied)
+
+
+def flight_error(error: ValueError, columns: Mapping[str, Any]) -> ShotError:
+    """Turn the core's ``ValueError(name, message)`` about one flight into an error of the package."""
+    name, message = error.args if len(error.args) == 2 else ("the request", str(error))
+    value = columns.get(name)
+    return ShotError(name, value if isinstance(value, float) else None, message)
+
+
+def _of_shape(value: Any, shape: tuple[int, ...]) -> Any:
+    return value.reshape(shape) if getattr(value, "ndim", 0) else float(value)
+
+
+def _wind(wind: Any) -> Mapping[str, Any]:
+    if wind is None or isinstance(wind, Mapping):
+        return wind or {}
+    if isinstance(wind, str) or not hasattr(wind, "__len__") or len(wind) != 3:
+        raise InputError("wind", wind, 'three values: to the target, up and right, as in ("-10 mph", 0, 0)')
+    return {f"wind_{axis}": value for axis, value in zip(AXES, wind, strict=True)}
+
+
+def _group(what: str, values: Any, known: Any) -> dict[str, Any]:
+    if not isinstance(values, Mapping):
+        raise InputError(what, values, f"a mapping of {', '.join(known)}")
+    for name in values:
+        if name not in known:
+            raise UnknownNameError(f"value of the {what}", name, known)
+    return {name: value for name, value in values.items() if value is not None}

@@ -1,0 +1,227 @@
+"""The course of one contact: forces, sliding, motion of both bodies, energy."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from clubface import _core
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import model as model_named
+from clubface.equipment.models import models
+from clubface.errors import InputError, UnknownNameError
+from clubface.simulation.delivery import Delivery
+from clubface.simulation.impact import Parameters
+from clubface.simulation.inputs import as_values, equipment, parameter_set, shot_error, shots, single
+from clubface.simulation.launch import Launch
+from clubface.simulation.quantities import Quantity, convert
+from clubface.simulation.results import attributes, flattened
+from clubface.simulation.run_options import tolerance
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from numpy.typing import NDArray
+
+_STEPS = {
+    "normal_force": ("N", "normal force on the ball"),
+    "force_y": ("N", "friction on the ball along y' (up the face)"),
+    "force_z": ("N", "friction on the ball along z' (towards the toe)"),
+    "penetration": ("m", "penetration of ball and face"),
+    "sliding_y": ("m/s", "sliding velocity of the ball's surface on the face along y'"),
+    "sliding_z": ("m/s", "the same along z'"),
+    "contact_area": ("m2", "area of the contact"),
+    "kinetic_energy": ("J", "kinetic energy of both bodies"),
+    "layer_energy": ("J", "energy stored between cover and core of the ball"),
+    "normal_work": ("J", "work taken so far by the normal force, stored and dissipated"),
+    "friction_work": ("J", "work taken so far by friction"),
+    "layer_work": ("J", "work taken so far by the damper between cover and core"),
+}
+_VECTORS = {
+    "ball_position": ("m", "centre of the ball from the clubhead's CG at first touch"),
+    "ball_velocity": ("m/s", "velocity of the ball"),
+    "ball_spin": ("rad/s", "angular velocity of the ball: all its angular momentum over its inertia"),
+    "club_position": ("m", "clubhead's CG from where it was at first touch"),
+    "club_velocity": ("m/s", "velocity of the clubhead's CG"),
+    "club_spin": ("rad/s", "angular velocity of the clubhead"),
+}
+_ATTITUDE = {
+    "club_attitude": ("1", "attitude of the clubhead from first touch, in face axes: quaternion w, x, y, z"),
+}
+_RINGS = {
+    "ring_traction_y": ("Pa", "traction of each ring on the ball along y'"),
+    "ring_traction_z": ("Pa", "the same along z'"),
+    "ring_slip": ("1", "1 where the ring slips, 0 where it sticks or is outside the contact"),
+    "ring_inside": ("1", "1 where the ring is inside the contact"),
+}
+_RADIUS = {"ring_radius": ("m", "mid-radius of each ring")}
+_TIME = Quantity("time", "s", "time since first touch")
+
+
+class History:
+    """One contact from first touch to separation, SI, a value for every step; an attribute a quantity.
+
+    Forces act on the ball; y' points up the face and z' towards the toe at the contact point. Vectors of the bodies
+    are in world axes: x to the target, y up, z to the right. For a left-handed club y', z' and the club's attitude
+    are those of its mirror image.
+
+    Attributes
+    ----------
+    time
+        Since first touch [s], shape (n,).
+    normal_force, force_y, force_z
+        Normal force and friction on the ball [N], shape (n,).
+    penetration
+        [m], shape (n,).
+    sliding_y, sliding_z
+        Sliding velocity of the ball's surface on the face [m/s], shape (n,).
+    contact_area
+        [m2], shape (n,).
+    kinetic_energy, layer_energy, normal_work, friction_work, layer_work
+        The account of energy [J], shape (n,).
+    ball_position, ball_velocity, ball_spin, club_position, club_velocity, club_spin
+        Motion of both bodies [m, m/s, rad/s], shape (n, 3).
+    club_attitude
+        Quaternion w, x, y, z, shape (n, 4).
+    ring_radius, ring_traction_y, ring_traction_z, ring_slip, ring_inside
+        Of the rings, where the model has them [m, Pa, 1], shape (n, rings).
+    launch
+        The launch it ends with.
+    """
+
+    time: Any
+    normal_force: Any
+    force_y: Any
+    force_z: Any
+    penetration: Any
+    sliding_y: Any
+    sliding_z: Any
+    contact_area: Any
+    kinetic_energy: Any
+    layer_energy: Any
+    normal_work: Any
+    friction_work: Any
+    layer_work: Any
+    ball_position: Any
+    ball_velocity: Any
+    ball_spin: Any
+    club_position: Any
+    club_velocity: Any
+    club_spin: Any
+    club_attitude: Any
+
+    def __init__(self, arrays: Mapping[str, NDArray[Any]], launch: Launch) -> None:
+        self._arrays = arrays
+        self.launch = launch
+
+    def __getattr__(self, name: str) -> NDArray[Any]:
+        if name.startswith("_") or name not in self._arrays:
+            raise AttributeError(f"a history by {self.launch.model} has no {name!r}" if name[0] != "_" else name)
+        return self._arrays[name]
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self._arrays})
+
+    def __len__(self) -> int:
+        return len(self._arrays["time"])
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        """The quantities it holds by name, with unit and meaning."""
+        table = _STEPS | _VECTORS | _ATTITUDE | _RINGS | _RADIUS
+        known = {name: Quantity(name, *each) for name, each in table.items() if name in self._arrays}
+        return {"time": _TIME, **known}
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The SI unit of each quantity."""
+        return {name: each.unit for name, each in self.quantities.items()}
+
+    @property
+    def provenance(self) -> dict[str, Any]:
+        """The model, its parameters, club, ball, delivery and version."""
+        return self.launch.provenance
+
+    def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
+        """Return a quantity by name, in ``unit`` where one is given: ``get("time", "us")``."""
+        if name not in self.quantities:
+            raise UnknownNameError("quantity", name, self.quantities)
+        value = self._arrays[name]
+        return value if unit is None else convert(value, self.quantities[name], unit)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return one row a step, SI; vectors and rings become columns ``ball_spin_x``, ``ring_slip_0`` and so on."""
+        import pandas
+
+        columns: dict[str, Any] = {"time": self.time}
+        named = {"time": "s"}
+        for name, each in self.quantities.items():
+            values = self._arrays[name]
+            endings = "" if values.ndim == 1 else _axes(name) or [str(ring) for ring in range(values.shape[1])]
+            for index, ending in enumerate(endings):
+                columns[f"{name}_{ending}"], named[f"{name}_{ending}"] = values[:, index], each.unit
+            if not endings:
+                columns[name], named[name] = values, each.unit
+        frame = pandas.DataFrame(columns)
+        frame.attrs = {"units": named, "provenance": self.provenance}
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a dataset over ``time``, with ``axis``, ``component`` (of the quaternion) and ``ring``."""
+        import xarray
+
+        variables = {}
+        for name, each in self.quantities.items():
+            values = self._arrays[name]
+            second = {3: "axis", 4: "component"}[len(axes)] if (axes := _axes(name)) else "ring"
+            dims = ("time",) if values.ndim == 1 else ("time", second)
+            variables[name] = (dims, values, attributes(each.unit, each.meaning))
+        coordinates = {"time": variables.pop("time"), "axis": list("xyz"), "component": list("wxyz")}
+        return xarray.Dataset(variables, coordinates, attrs=flattened(self.provenance))
+
+    def __repr__(self) -> str:
+        return (
+            f"history of a contact by {self.launch.model}: {len(self)} steps, {self.time[-1] * 1e6:.4g} us,"
+            f" peak {self.launch.peak_force / 1e3:.4g} kN"
+        )
+
+
+def history(
+    club: str | os.PathLike[str] | Club,
+    delivery: Delivery | Mapping[str, Any] | None = None,
+    *,
+    model: str = "volumetric",
+    parameters: Parameters | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    accuracy: float | None = None,
+    hand: Any = None,
+    **values: Any,
+) -> History:
+    """Compute one contact and keep every step; the arguments are those of :func:`impact`, for a single shot.
+
+    Raises
+    ------
+    InputError
+        As :func:`impact`; and for an impulse model, which has no time scale.
+    """
+    if model_named(model).kind != "contact":
+        contact = [name for name, each in models().items() if each.kind == "contact"]
+        raise InputError("model", model, f"a contact model, which resolves time: {', '.join(contact)}")
+    accuracy = tolerance(accuracy)
+    with_ = equipment(club, ball)
+    chosen = parameter_set(model, with_.club, parameters)
+    hit = shots(with_, as_values(delivery, values), hand=hand)
+    columns, parameter_columns = single(hit, chosen, "a history")
+    try:
+        arrays = _core.history(model, columns, parameter_columns, accuracy)
+    except ValueError as error:
+        raise shot_error(error, columns, chosen) from None
+    outcome = arrays.pop("launch").reshape(-1, 1)
+    return History(arrays, Launch(outcome, hit, model, chosen, accuracy))
+
+
+def _axes(name: str) -> list[str] | None:
+    """Return the names of the components of a vector, or None."""
+    return list("xyz") if name in _VECTORS else list("wxyz") if name in _ATTITUDE else None

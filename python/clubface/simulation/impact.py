@@ -1,0 +1,179 @@
+"""From delivery to launch: one call for a shot, a batch or several models."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, Literal, overload
+
+from clubface import _core
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import FEM, models
+from clubface.equipment.parameters import ParameterSet
+from clubface.errors import InputError, UnknownNameError
+from clubface.simulation.delivery import Delivery
+from clubface.simulation.inputs import as_values, broadcast, equipment, parameter_set, shot_error, shots, value_of
+from clubface.simulation.launch import Comparison, Launch
+from clubface.simulation.quantities import outputs
+from clubface.simulation.results import first_error
+from clubface.simulation.run_options import check_on_error, thread_count, tolerance
+
+ALL = "all"
+ModelNames = str | Iterable[str]
+Parameters = ParameterSet | str | os.PathLike[str] | Mapping[str, Any]
+
+
+@overload
+def impact(
+    club: str | os.PathLike[str] | Club,
+    delivery: Delivery | Mapping[str, Any] | None = None,
+    *,
+    model: str = "standard",
+    parameters: Parameters | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    accuracy: float | None = None,
+    hand: Any = None,
+    threads: int | None = None,
+    progress: Callable[[int], object] | None = None,
+    on_error: Literal["raise", "nan"] = "raise",
+    **values: Any,
+) -> Launch: ...
+@overload
+def impact(
+    club: str | os.PathLike[str] | Club,
+    delivery: Delivery | Mapping[str, Any] | None = None,
+    *,
+    model: Iterable[str],
+    parameters: Mapping[str, Parameters | None] | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    accuracy: float | None = None,
+    hand: Any = None,
+    threads: int | None = None,
+    progress: Callable[[int], object] | None = None,
+    on_error: Literal["raise", "nan"] = "raise",
+    **values: Any,
+) -> Comparison: ...
+def impact(
+    club: str | os.PathLike[str] | Club,
+    delivery: Delivery | Mapping[str, Any] | None = None,
+    *,
+    model: str | Iterable[str] = "standard",
+    parameters: Any = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    accuracy: float | None = None,
+    hand: Any = None,
+    threads: int | None = None,
+    progress: Callable[[int], object] | None = None,
+    on_error: Literal["raise", "nan"] = "raise",
+    **values: Any,
+) -> Launch | Comparison:
+    """Compute the launch of a ball hit by a club.
+
+    Parameters
+    ----------
+    club
+        A built-in name, the path of a TOML file, or a :class:`Club`.
+    delivery
+        A :class:`Delivery` or a mapping of its values; single values given by name win.
+    model
+        The name of a model; a list of names, or "all", gives a :class:`Comparison`.
+    parameters
+        A :class:`ParameterSet`, the name of a published set, the path of a TOML file, or a mapping of names to
+        values that changes the published set of the club's family, which is used where nothing is given. For
+        several models, a mapping of model names to these.
+    ball
+        As ``club``; left out, the ball of the published models.
+    accuracy
+        Relative tolerance of a step of a contact model; left out, the launch is correct to 1e-4.
+    hand
+        "right" or "left"; left out, that of the club.
+    threads
+        Left out, all cores. The result does not depend on it.
+    progress
+        Called with the number of shots done.
+    on_error
+        What a shot that cannot be computed does: "raise" an error, or leave "nan" and an entry in
+        ``Launch.problems``.
+    **values
+        Values of the delivery (``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe``, ``high``,
+        ``closure``, ``pitch_rate``, ``lie_rate``) and of club and ball (``club_mass``, ``cg_x``, ``ball_mass``,
+        ...): text with a unit, SI numbers, or arrays, which broadcast. Left out, an angle, offset or rate is 0,
+        the loft and the rest those of the club and ball. ``speed`` is required.
+
+    Returns
+    -------
+    Launch
+        Of the shape to which the inputs broadcast.
+
+    Raises
+    ------
+    ShotError
+        An input outside what is allowed, naming it, its value and what is allowed.
+    InputError
+        A value that is no number, a unit of another dimension, an unknown name, more shots than memory holds.
+    """
+    values = dict(as_values(delivery, values))
+    if not isinstance(model, str) or model == ALL:
+        return _compare(
+            model, parameters, club=club, delivery=values, ball=ball, accuracy=accuracy, hand=hand,
+            threads=threads, progress=progress, on_error=on_error,
+        )  # fmt: skip
+    check_on_error(on_error)
+    accuracy, cores = tolerance(accuracy), thread_count(threads)
+    meshed = None
+    if model == FEM.name:
+        meshed, ball = meshed_ball(ball, accuracy)
+    with_ = equipment(club, ball)
+    chosen = parameter_set(model, with_.club, parameters)
+    hit = shots(with_, values, hand=hand)
+    names = tuple(chosen.values)
+    hit, columns = broadcast(hit, chosen.columns(), names, len(outputs()))
+    count = math.prod(hit.shape)
+    if meshed is not None:
+        from clubface.fem.backend import launches
+
+        computed, problems = launches(meshed, hit.columns, columns[0], count, progress)
+    else:
+        try:
+            computed, problems = _core.impact(model, hit.columns, columns, count, accuracy, cores, progress)
+        except ValueError as error:
+            raise shot_error(error, hit.columns, chosen) from None
+    if problems and on_error == "raise":
+        row, name, _ = problems[0]
+        raise first_error(problems, value_of(name, row, hit.columns, names, columns), hit.shape)
+    return Launch(computed, hit, model, chosen, accuracy, problems)
+
+
+def meshed_ball(ball: Any, accuracy: float | None) -> tuple[Any, Any]:
+    """Return the ball of the finite elements and its rigid counterpart; the module is large, and seldom needed."""
+    from clubface.fem import backend as as_model
+
+    as_model.check_no_accuracy(accuracy)
+    return as_model.meshed_ball(ball)
+
+
+def model_names(model: ModelNames) -> tuple[str, ...]:
+    """Return the names meant by one name, a list of names, or "all"."""
+    if isinstance(model, str):
+        return tuple(models()) if model == ALL else (model,)
+    try:
+        names = tuple(model)
+    except TypeError:
+        names = ()
+    if not names:
+        raise InputError("model", model, '"all" or at least one of ' + ", ".join(models()))
+    return names
+
+
+def _compare(model: ModelNames, parameters: Any, **shot: Any) -> Comparison:
+    names = model_names(model)
+    if parameters is None:
+        parameters = {}
+    if not isinstance(parameters, Mapping):
+        raise InputError("parameters", parameters, "a mapping of model names to parameters, for several models")
+    for name in parameters:
+        if name not in names:
+            raise UnknownNameError("model among the parameters", name, names)
+    return Comparison({name: impact(model=name, parameters=parameters.get(name), **shot) for name in names})

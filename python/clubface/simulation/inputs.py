@@ -1,0 +1,240 @@
+"""From what a person writes to the columns of the core: club, ball, delivery and parameters of one or many shots.
+
+A single shot must cost little more than its physics, so club, ball and parameter columns are kept, and a plain
+number goes straight into its column.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from clubface.equipment.balls import Ball, ball
+from clubface.equipment.clubs import Club, club
+from clubface.equipment.described import FLAT, HANDS
+from clubface.equipment.models import model
+from clubface.equipment.parameters import ParameterSet
+from clubface.errors import InputError, ShotError, Told, UnknownNameError
+from clubface.simulation.delivery import Delivery
+from clubface.simulation.quantities import input_columns, input_dimensions, inputs
+from clubface.support.checks import check_choice
+from clubface.support.memory import check_request
+from clubface.support.shipped import is_path
+from clubface.units import parse, parse_values
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+_LOFT, _HAND = "loft", "hand"
+
+
+class Equipment(NamedTuple):
+    """A club and a ball.
+
+    Attributes
+    ----------
+    club, ball
+        As given.
+    columns
+        The inputs of a shot that is delivered with zeros at the static loft.
+    """
+
+    club: Club
+    ball: Ball
+    columns: tuple[float, ...]
+
+
+class Shots(NamedTuple):
+    """Shots as the core takes them.
+
+    Attributes
+    ----------
+    club, ball
+        What they were hit with.
+    columns
+        One a input: a number, or an array of the shots, flat.
+    shape
+        The shape the inputs broadcast to; () for a single shot.
+    varied
+        The inputs and parameters given as arrays, by name, not broadcast.
+    """
+
+    club: Club
+    ball: Ball
+    columns: list[Any]
+    shape: tuple[int, ...]
+    varied: dict[str, NDArray[Any]]
+
+
+def equipment(which: str | os.PathLike[str] | Club, which_ball: str | os.PathLike[str] | Ball | None) -> Equipment:
+    """Return club and ball; built-in and ready-made ones are kept, files are read anew."""
+    if is_path(which) or is_path(which_ball):
+        return _equip(club(which), ball(which_ball))
+    try:
+        return _kept(which, which_ball)
+    except TypeError:
+        raise InputError("club", which, "a name, the path of a TOML file or a Club") from None
+
+
+@lru_cache(maxsize=256)
+def _kept(which: str | Club, which_ball: str | Ball | None) -> Equipment:
+    return _equip(club(which), ball(which_ball))
+
+
+def _equip(of_club: Club, of_ball: Ball) -> Equipment:
+    values = {**of_club.inputs(), **of_ball.inputs()}
+    values[_LOFT] = of_club.loft
+    return Equipment(of_club, of_ball, tuple(values.get(name, 0.0) for name in inputs()))
+
+
+def shots(with_: Equipment, values: Mapping[str, Any], *, hand: Any = None) -> Shots:
+    """Lay out shots whose inputs differ from ``with_`` by ``values``: text with a unit, SI numbers, or arrays.
+
+    A value that is None counts as left out. The loft left out is the club's; the speed cannot be left out.
+    """
+    columns: list[Any] = list(with_.columns)
+    column_of = input_columns()
+    varied: dict[str, NDArray[Any]] = {}
+    for name, value in values.items():
+        if value is None:
+            continue
+        column = column_of.get(name)
+        if column is None:
+            raise UnknownNameError("input", name, column_of)
+        if type(value) is not float:
+            value = _parsed(value, name)
+            if type(value) is not float:
+                varied[name] = value
+        columns[column] = value
+    if hand is not None:
+        columns[column_of[_HAND]] = hand = hand_value(hand)
+        if type(hand) is not float:
+            varied[_HAND] = hand
+    if values.get("speed") is None:
+        raise InputError("speed", None, 'give it, as in speed="113 mph": it is the one value without a default')
+    if values.get(_LOFT) is None and values.get("static_loft") is not None:
+        columns[column_of[_LOFT]] = columns[column_of["static_loft"]]
+    return Shots(with_.club, with_.ball, columns, (), varied)
+
+
+def hand_value(hand: Any) -> Any:
+    """Return +1.0 for "right" or 1 and -1.0 for "left" or -1; an array stays one."""
+    if isinstance(hand, str):
+        check_choice(_HAND, hand, HANDS)
+        return float(HANDS[hand])
+    return _parsed(hand, _HAND)
+
+
+def _parsed(value: Any, name: str) -> Any:
+    """Return a float, or a float64 array; text is converted from its unit."""
+    if isinstance(value, str):
+        return _parsed_text(value, name)
+    value = parse_values(value, input_dimensions()[name], name=name)
+    return value if isinstance(value, float) or value.ndim else float(value)
+
+
+@lru_cache(maxsize=1024)
+def _parsed_text(value: str, name: str) -> float:
+    flat = value == FLAT and name in ("bulge", "roll")
+    return math.inf if flat else parse(value, input_dimensions()[name], name=name)
+
+
+def broadcast(of: Shots, parameters: list[Any], names: tuple[str, ...], outputs: int) -> tuple[Shots, list[Any]]:
+    """Bring array inputs and parameters (called ``names``) to one shape, flat, if there is memory for ``outputs``."""
+    import numpy as np
+
+    if not of.varied and all(type(value) is float for value in parameters):
+        return of, parameters
+    varied = dict(of.varied)
+    for name, value in zip(names, parameters, strict=True):
+        if not isinstance(value, float):
+            varied[name] = value
+    shape = common_shape(varied)
+    copies = sum(each.shape != shape for each in of.columns if not isinstance(each, float))
+    check_request(math.prod(shape), 8 * (outputs + copies))
+
+    def flat(value: Any) -> Any:
+        if isinstance(value, float):
+            return value
+        return np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
+
+    return of._replace(columns=[flat(each) for each in of.columns], shape=shape, varied=varied), [
+        flat(each) for each in parameters
+    ]
+
+
+def common_shape(arrays: Mapping[str, Any]) -> tuple[int, ...]:
+    """Return the shape to which named arrays broadcast."""
+    import numpy as np
+
+    try:
+        return np.broadcast_shapes(*(each.shape for each in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {each.shape}" for name, each in arrays.items())
+        raise InputError("the shapes of the inputs", shapes, "shapes that broadcast") from None
+
+
+def parameter_set(model_name: str, of_club: Club, given: Any) -> ParameterSet:
+    """Return the parameters to use: the published set of the club's family, or what was ``given``.
+
+    That may be a :class:`ParameterSet`, the name of a published set, the path of a TOML file, or a mapping of names
+    to values that changes the published set.
+    """
+    family = of_club.parameters
+    if given is None:
+        return _published(model_name, family)
+    if isinstance(given, ParameterSet):
+        if given.model != model_name:
+            raise InputError("parameters", Told(f"a set of {given.model}"), f"a set of {model_name}")
+        return given
+    if isinstance(given, Mapping):
+        return _published(model_name, family).replace(**given)
+    if isinstance(given, os.PathLike) or (isinstance(given, str) and given.endswith(".toml")):
+        return ParameterSet.from_toml(given, model=model_name, club=family)
+    if isinstance(given, str):
+        return ParameterSet.builtin(model_name, family, given)
+    raise InputError("parameters", given, "a ParameterSet, a name, the path of a TOML file or a mapping of values")
+
+
+@lru_cache(maxsize=64)
+def _published(model_name: str, family: str) -> ParameterSet:
+    model(model_name)
+    return ParameterSet.builtin(model_name, family)
+
+
+def single(of: Shots, parameters: ParameterSet, what: str) -> tuple[list[float], list[float]]:
+    """Return the columns of one shot; arrays are refused, since ``what`` is of a single shot."""
+    arrays = [*of.varied, *(name for name, value in parameters.values.items() if not isinstance(value, float))]
+    if arrays:
+        raise InputError(arrays[0], Told("an array"), f"a single number: {what} is of one shot")
+    return of.columns, parameters.columns()
+
+
+def shot_error(error: ValueError, columns: list[Any], parameters: ParameterSet) -> InputError:
+    """Turn the core's ``ValueError(name, message)`` about one shot into an :class:`InputError`."""
+    name, message = error.args if len(error.args) == 2 else ("the request", str(error))
+    return ShotError(name, value_of(name, 0, columns, tuple(parameters.values), parameters.columns()), message)
+
+
+def value_of(name: str, row: int, columns: list[Any], names: tuple[str, ...], parameters: list[Any]) -> Any:
+    """Return the value [SI] in one row of the flat column of the input or parameter (one of ``names``) called so."""
+    if name in input_columns():
+        value = columns[input_columns()[name]]
+    elif name in names:
+        value = parameters[names.index(name)]
+    else:
+        return None
+    return value if isinstance(value, float) else float(value[row])
+
+
+def as_values(delivery: Delivery | Mapping[str, Any] | None, values: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Join a delivery and single values, which win."""
+    if delivery is None:
+        return values
+    given = delivery.values() if isinstance(delivery, Delivery) else delivery
+    if not isinstance(given, Mapping):
+        raise InputError("delivery", delivery, 'a Delivery or a mapping; single values go by name: speed="113 mph"')
+    return {**given, **values}

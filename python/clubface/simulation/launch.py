@@ -1,0 +1,217 @@
+"""The launch of the ball: what comes out of an impact."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import model
+from clubface.equipment.parameters import ParameterSet
+from clubface.simulation.inputs import Shots
+from clubface.simulation.quantities import Quantity, input_columns, inputs, outputs
+from clubface.simulation.results import Problem, Result, Varied, problems_of
+from clubface.support.version import __version__
+
+if TYPE_CHECKING:
+    import pandas
+    from numpy.typing import NDArray
+
+
+class Launch(Result):
+    """The launch of the ball, SI and radians; every quantity is an attribute, of the shape of the batch.
+
+    Attributes
+    ----------
+    ball_speed
+        [m/s].
+    smash
+        Ball speed over clubhead speed.
+    launch
+        Launch angle above horizontal [rad].
+    azimuth
+        Launch direction [rad], right of the target is positive.
+    backspin
+        Angular velocity about the horizontal axis to the right of the launch direction [rad/s]; lifts.
+    sidespin
+        Minus the vertical angular velocity [rad/s]: curves right.
+    total_spin
+        Magnitude of the angular velocity [rad/s].
+    spin_axis
+        Tilt of the spin axis, atan2(sidespin, backspin) [rad].
+    velocity_x, velocity_y, velocity_z
+        Ball velocity to the target, up, right [m/s].
+    spin_x, spin_y, spin_z
+        Ball angular velocity about these axes [rad/s].
+    club_velocity_x, club_velocity_y, club_velocity_z
+        Clubhead velocity after impact [m/s].
+    club_spin_x, club_spin_y, club_spin_z
+        Clubhead angular velocity after impact [rad/s].
+    contact_time
+        [s]; NaN for a model without a time scale.
+    peak_force
+        Largest normal force [N]; NaN for a model without a time scale.
+    model
+        Name of the model.
+    parameters
+        The parameters used.
+    club, ball
+        What they were hit with.
+    shape
+        The shape the inputs broadcast to; () for a single shot.
+    problems
+        The shots without a launch (their values are NaN) and why.
+    """
+
+    _kind = "launch"
+
+    ball_speed: Any
+    smash: Any
+    launch: Any
+    azimuth: Any
+    backspin: Any
+    sidespin: Any
+    total_spin: Any
+    spin_axis: Any
+    velocity_x: Any
+    velocity_y: Any
+    velocity_z: Any
+    spin_x: Any
+    spin_y: Any
+    spin_z: Any
+    club_velocity_x: Any
+    club_velocity_y: Any
+    club_velocity_z: Any
+    club_spin_x: Any
+    club_spin_y: Any
+    club_spin_z: Any
+    contact_time: Any
+    peak_force: Any
+
+    def __init__(
+        self,
+        values: NDArray[Any],
+        shots: Shots,
+        model: str,
+        parameters: ParameterSet,
+        accuracy: float | None = None,
+        problems: list[tuple[int, str, str]] | None = None,
+    ) -> None:
+        self._values = values
+        self._shots = shots
+        self.shape = shots.shape
+        self.model = model
+        self.parameters = parameters
+        self.accuracy = accuracy
+        self._found = problems or ()
+
+    @classmethod
+    def quantities(cls) -> Mapping[str, Quantity]:
+        """Return the quantities by name, with unit and meaning."""
+        return outputs()
+
+    @classmethod
+    def _rows(cls) -> dict[str, int]:
+        return _rows()
+
+    def _headline(self) -> str:
+        return f"launch by {self.model} ({self.parameters.name}): {self.club.name}, ball {self.ball.name}"
+
+    @property
+    def club(self) -> Club:
+        """The club."""
+        return self._shots.club
+
+    @property
+    def ball(self) -> Ball:
+        """The ball."""
+        return self._shots.ball
+
+    @property
+    def problems(self) -> tuple[Problem, ...]:  # pyright: ignore[reportIncompatibleVariableOverride]
+        """The shots without a launch and why."""
+        return problems_of(list(self._found), self.shape)
+
+    @property
+    def varied(self) -> Mapping[str, Varied]:  # pyright: ignore[reportIncompatibleVariableOverride]
+        """The inputs and parameters that were given as arrays, by name."""
+        found = {}
+        for name, values in self._shots.varied.items():
+            each = inputs()[name] if name in inputs() else model(self.model).parameter(name)
+            found[name] = Varied(values, each.unit, each.meaning)
+        return found
+
+    @property
+    def delivery(self) -> dict[str, Any]:
+        """The delivery computed, SI, by name; an array is flat."""
+        return {name: self.input(name) for name, each in inputs().items() if each.group == "delivery"}
+
+    def input(self, name: str) -> Any:
+        """Return the value [SI] of an input, of club and ball as well; an array is flat."""
+        return self._shots.columns[input_columns()[name]]
+
+    @property
+    def provenance(self) -> dict[str, Any]:
+        """The model, its parameters with source and caveats, club, ball, delivery and version."""
+        declared = model(self.model)
+        plain = self.parameters.values.items()
+        changed = {
+            name: self.input(name)
+            for with_ in (self.club, self.ball)
+            for name, value in with_.inputs().items()
+            if self.input(name) is not value and (name in self._shots.varied or self.input(name) != value)
+        }
+        return {
+            "model": {"name": declared.name, "reference": declared.reference},
+            "parameters": {
+                "name": self.parameters.name,
+                "source": self.parameters.source,
+                "reference": self.parameters.reference,
+                "caveats": [*self.parameters.caveats]
+                + [f"{name}: {text}" for name, text in self.parameters.value_caveats.items()],
+                "values": {name: _number(name, value, self._shots.varied) for name, value in plain},
+            },
+            "club": {"name": self.club.name, "description": self.club.description},
+            "ball": {"name": self.ball.name, "description": self.ball.description},
+            "changed": {"values": {name: _number(name, value, self._shots.varied) for name, value in changed.items()}},
+            "delivery": {
+                "values": {name: _number(name, value, self._shots.varied) for name, value in self.delivery.items()}
+            },
+            "accuracy": self.accuracy or "fast",
+            "clubface_version": __version__,
+        }
+
+
+class Comparison(dict[str, Launch]):
+    """Launches of the same shots by several models, by the name of the model."""
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return the rows of all launches, SI, the model in the first column; ``attrs`` as of a launch."""
+        import pandas
+
+        frames = {name: each.to_pandas() for name, each in self.items()}
+        table = pandas.concat([frame.assign(model=name) for name, frame in frames.items()], ignore_index=True)
+        table.insert(0, "model", table.pop("model"))
+        table.attrs = {
+            "units": {key: unit for frame in frames.values() for key, unit in frame.attrs["units"].items()},
+            "provenance": {name: frame.attrs["provenance"] for name, frame in frames.items()},
+        }
+        return table
+
+    def __repr__(self) -> str:
+        return "\n".join(map(repr, self.values()))
+
+
+@cache
+def _rows() -> dict[str, int]:
+    return {name: row for row, name in enumerate(outputs())}
+
+
+def _number(name: str, value: Any, varied: Mapping[str, Any]) -> Any:
+    """Return a number for provenance, or where it was an array, its extent."""
+    if name not in varied:
+        return value
+    values = varied[name]
+    return f"array of shape {values.shape}" + (f" from {values.min():.6g} to {values.max():.6g}" if values.size else "")

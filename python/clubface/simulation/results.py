@@ -1,0 +1,238 @@
+"""What launches and flights share: named arrays in SI that know their units and where they come from."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+
+from clubface import units
+from clubface.errors import ShotError, UnknownNameError
+from clubface.simulation.quantities import Quantity, convert
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from numpy.typing import NDArray
+
+
+class Problem(NamedTuple):
+    """Why one shot of a batch has no result.
+
+    Attributes
+    ----------
+    row
+        Its index in the batch.
+    parameter
+        The input at fault.
+    reason
+        Its value and what would have been accepted.
+    """
+
+    row: tuple[int, ...]
+    parameter: str
+    reason: str
+
+
+class Varied(NamedTuple):
+    """An input that was given as an array.
+
+    Attributes
+    ----------
+    values
+        As given, SI, not broadcast.
+    unit
+        Its SI unit.
+    meaning
+        One line.
+    """
+
+    values: NDArray[Any]
+    unit: str
+    meaning: str
+
+
+class Result:
+    """Named quantities over the shots of a batch, SI and radians; a single shot has numbers in place of arrays.
+
+    Every quantity is an attribute. :meth:`get` gives it in another unit, :meth:`to_pandas` and :meth:`to_xarray`
+    make tables of all.
+
+    Attributes
+    ----------
+    shape
+        The shape the inputs broadcast to; () for a single shot.
+    varied
+        The inputs that were given as arrays, by name.
+    problems
+        The shots without a result (their values are NaN) and why.
+    """
+
+    _kind: ClassVar[str] = "result"
+    shape: tuple[int, ...]
+    varied: Mapping[str, Varied]
+    problems: tuple[Problem, ...]
+    _values: NDArray[Any]
+
+    @classmethod
+    def quantities(cls) -> Mapping[str, Quantity]:
+        """Return the quantities by name, with unit and meaning."""
+        raise NotImplementedError
+
+    @classmethod
+    def _rows(cls) -> dict[str, int]:
+        raise NotImplementedError
+
+    def _headline(self) -> str:
+        raise NotImplementedError
+
+    @property
+    def provenance(self) -> dict[str, Any]:
+        """What the result was computed from and with."""
+        raise NotImplementedError
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The SI unit of each quantity."""
+        return {name: each.unit for name, each in self.quantities().items()}
+
+    def __getattr__(self, name: str) -> Any:
+        row = None if name[0] == "_" else self._rows().get(name)
+        if row is None:
+            raise AttributeError(f"a {self._kind} has no {name!r}")
+        return self._values[row].reshape(self.shape) if self.shape else self._values[row, 0]
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.quantities()})
+
+    def __len__(self) -> int:
+        if not self.shape:
+            raise TypeError(f"a single {self._kind} has no length")
+        return self.shape[0]
+
+    def __bool__(self) -> bool:
+        return True
+
+    def get(self, name: str, unit: str | None = None) -> Any:
+        """Return a quantity by name, in ``unit`` where one is given: ``get("backspin", "rpm")``."""
+        if name not in self.quantities():
+            raise UnknownNameError("quantity", name, self.quantities())
+        value = getattr(self, name)
+        return value if unit is None else convert(value, self.quantities()[name], unit)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return one row a shot: the inputs given as arrays, then every quantity, SI.
+
+        ``attrs`` of the frame holds ``units`` and ``provenance``.
+        """
+        import numpy as np
+        import pandas
+
+        columns = {
+            name: np.broadcast_to(each.values, self.shape).reshape(-1)
+            for name, each in self.varied.items()
+            if name not in self.quantities()
+        }
+        columns |= dict(zip(self.quantities(), self._values, strict=True))
+        frame = pandas.DataFrame(columns)
+        frame.attrs = {
+            "units": {name: each.unit for name, each in self.varied.items()} | self.units,
+            "provenance": self.provenance,
+        }
+        return frame
+
+    def to_xarray(self, dims: tuple[str, ...] | None = None) -> xarray.Dataset:
+        """Return a dataset: a variable a quantity, the inputs given as arrays as coordinates, SI.
+
+        Each variable carries ``units`` and ``long_name``, the dataset the provenance, as text that netCDF can
+        hold. A dimension along which one input alone varies takes the name of that input; ``dims`` names them
+        otherwise.
+        """
+        import xarray
+
+        dims = tuple(dims) if dims is not None else dimension_names(self.shape, self.varied)
+        if len(dims) != len(self.shape):
+            raise ValueError(f"{len(self.shape)} dimensions, but {len(dims)} names: {dims}")
+        variables = {
+            name: (dims, self._values[row].reshape(self.shape), attributes(each.unit, each.meaning))
+            for row, (name, each) in enumerate(self.quantities().items())
+        }
+        coordinates = {}
+        for name, each in self.varied.items():
+            if name in variables or (name in dims and dims_of(each.values, dims) != (name,)):
+                continue
+            own = dims_of(each.values, dims)
+            values = each.values.reshape([self.shape[dims.index(dim)] for dim in own])
+            coordinates[name] = (own, values, attributes(each.unit, each.meaning))
+        return xarray.Dataset(variables, coordinates, attrs=flattened(self.provenance))
+
+    def __repr__(self) -> str:
+        lines = [self._headline()]
+        if self.shape:
+            lines[0] += f", shape {self.shape}"
+            lines.append(f"  {'':<17} {'least':>11} {'mean':>11} {'greatest':>11}")
+        if self.problems:
+            lines.append(f"  {len(self.problems)} without a result; the first: {self.problems[0].reason}")
+        for name, each in self.quantities().items():
+            unit = units.display_unit(name, each.unit)
+            values = units.from_si(self._values[self._rows()[name]], unit)
+            values = values[values == values]
+            if values.size:
+                numbers = (values.min(), values.mean(), values.max()) if self.shape else (values[0],)
+                text = " ".join(f"{number:>11.5g}" for number in numbers)
+                lines.append(f"  {name:<17} {text} {'' if unit == '1' else unit}".rstrip())
+        return "\n".join(lines)
+
+
+def attributes(unit: str, meaning: str) -> dict[str, str]:
+    """Return the attributes of a variable of a dataset."""
+    return {"units": unit, "long_name": meaning}
+
+
+def dims_of(values: NDArray[Any], dims: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the dimensions along which an array that broadcasts over ``dims`` varies."""
+    own = dims[len(dims) - values.ndim :]
+    return tuple(dim for dim, size in zip(own, values.shape, strict=True) if size != 1)
+
+
+def dimension_names(shape: tuple[int, ...], varied: Mapping[str, Varied]) -> tuple[str, ...]:
+    """Name the dimensions after the inputs that vary along them alone; "shot" or "dim_0", "dim_1" otherwise."""
+    plain = ("shot",) if len(shape) == 1 else tuple(f"dim_{axis}" for axis in range(len(shape)))
+    names = list(plain)
+    for axis, dim in enumerate(plain):
+        along = {name: dims_of(each.values, plain) for name, each in varied.items()}
+        found = [name for name, own in along.items() if dim in own]
+        if len(found) == 1 and along[found[0]] == (dim,):
+            names[axis] = found[0]
+    return tuple(names)
+
+
+def flattened(provenance: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
+    """Write nested provenance as flat text, which every file format can hold."""
+    flat: dict[str, str] = {}
+    for key, value in provenance.items():
+        if isinstance(value, Mapping) and key != "values":
+            flat |= flattened(value, f"{prefix}{key}_")
+        else:
+            flat[prefix + key] = value if isinstance(value, str) else json.dumps(value, default=str)
+    return flat
+
+
+def problems_of(found: list[tuple[int, str, str]], shape: tuple[int, ...]) -> tuple[Problem, ...]:
+    """Give the core's problems the index of their shot in a batch of ``shape``."""
+    return tuple(Problem(index_of(row, shape), name, reason) for row, name, reason in found)
+
+
+def index_of(row: int, shape: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the index in ``shape`` of the flat ``row``."""
+    index = []
+    for size in reversed(shape):
+        row, place = divmod(row, size)
+        index.append(place)
+    return tuple(reversed(index))
+
+
+def first_error(found: list[tuple[int, str, str]], value: Any, shape: tuple[int, ...]) -> ShotError:
+    """Return the error about the first of the shots without a result; ``value`` is that of its input at fault."""
+    row, name, reason = found[0]
+    return ShotError(name, value, reason, index_of(row, shape), len(found) - 1)

@@ -1,0 +1,35 @@
+"""What every computation takes besides its physics: what a bad shot does, how many threads, which tolerance."""
+
+from __future__ import annotations
+
+from operator import index
+
+from clubface import units
+from clubface.errors import InputError, UnknownNameError
+
+MOST_THREADS = 1024
+"""More than any machine has cores; a slip of the keyboard shall not start a million."""
+
+
+def check_on_error(on_error: object) -> None:
+    """Refuse a word that is not "raise" or "nan"."""
+    if on_error not in ("raise", "nan"):
+        raise UnknownNameError("on_error", on_error, ("raise", "nan"))
+
+
+def thread_count(threads: object) -> int:
+    """Return the number of threads as the core takes it, 0 for all cores."""
+    if threads is None:
+        return 0
+    try:
+        count = 0 if isinstance(threads, bool) else index(threads)  # pyright: ignore[reportArgumentType]
+    except TypeError:
+        count = 0
+    if not 1 <= count <= MOST_THREADS:
+        raise InputError("threads", threads, f"a whole number from 1 to {MOST_THREADS}, or None for all cores")
+    return count
+
+
+def tolerance(accuracy: object) -> float | None:
+    """Return the tolerance of a step, None for the fast setting; its range is checked by the core."""
+    return None if accuracy is None else units.parse(accuracy, units.DIMENSIONLESS, name="accuracy")

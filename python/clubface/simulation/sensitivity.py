@@ -1,0 +1,266 @@
+"""Exact derivatives of a launch, as a table with units."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from clubface import _core, units
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import FEM, models
+from clubface.equipment.models import model as model_named
+from clubface.equipment.parameters import ParameterSet
+from clubface.errors import InputError, UnitError, UnknownNameError
+from clubface.simulation.delivery import Delivery
+from clubface.simulation.impact import Parameters
+from clubface.simulation.inputs import as_values, equipment, parameter_set, shot_error, shots, single
+from clubface.simulation.launch import Launch
+from clubface.simulation.quantities import Quantity, inputs
+from clubface.simulation.quantities import outputs as launch_outputs
+from clubface.simulation.run_options import tolerance
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from numpy.typing import NDArray
+
+_SPEED = "mph"
+"""The unit of speeds in a table of derivatives, in which golfers think of them."""
+
+MAIN = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "spin_axis")
+"""The outputs shown when a table is printed."""
+
+
+class Sensitivity:
+    """Derivatives of launch quantities with respect to inputs and parameters, exact to rounding.
+
+    Attributes
+    ----------
+    outputs
+        Names of the rows.
+    variables
+        Names of the columns: inputs and parameters of the model.
+    si
+        The derivatives in SI and radians, shape (outputs, variables).
+    launch
+        The launch they belong to.
+    """
+
+    def __init__(
+        self,
+        si: NDArray[Any],
+        rows: Mapping[str, Quantity],
+        columns: Mapping[str, Quantity],
+        shown: Mapping[str, str],
+        launch: Launch,
+    ) -> None:
+        self.si = si
+        self.outputs = tuple(rows)
+        self.variables = tuple(columns)
+        self.launch = launch
+        self._rows = dict(rows)
+        self._columns = dict(columns)
+        self._shown = dict(shown)
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The unit each output and variable is shown in."""
+        return dict(self._shown)
+
+    @property
+    def values(self) -> NDArray[Any]:
+        """The derivatives in the units shown, shape (outputs, variables)."""
+        import numpy as np
+
+        rows = np.array([_size(self._shown[name]) for name in self.outputs])
+        columns = np.array([_size(self._shown[name]) for name in self.variables])
+        return self.si * columns / rows[:, None]
+
+    @property
+    def provenance(self) -> dict[str, Any]:
+        """The model, its parameters, club, ball, delivery and version."""
+        return self.launch.provenance
+
+    def unit(self, output: str, variable: str) -> str:
+        """Return the unit a derivative is shown in, such as "rpm per mm"."""
+        self._place(output, variable)
+        return f"{self._shown[output]} per {self._shown[variable]}"
+
+    def value(self, output: str, variable: str, unit: str | None = None) -> float:
+        """Return one derivative: in SI, or in ``unit`` such as "rpm per mm"."""
+        row, column = self._place(output, variable)
+        derivative = float(self.si[row, column])
+        if unit is None:
+            return derivative
+        upper, found, lower = unit.partition(" per ")
+        if not found:
+            raise UnitError("unit", unit, 'of the form "rpm per mm"')
+        over, under = _checked(self._rows[output], upper), _checked(self._columns[variable], lower)
+        return derivative * _size(under) / _size(over)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return one row a variable and one column an output, in the units shown, which stand in the labels.
+
+        An entry is column per row: under ``backspin [rpm]`` beside ``toe [mm]`` it is rpm per mm.
+        """
+        import pandas
+
+        index = pandas.Index([self._label(name) for name in self.variables], name="variable")
+        frame = pandas.DataFrame(self.values.T, index, [self._label(name) for name in self.outputs])
+        frame.attrs = {"units": self.units, "provenance": self.provenance}
+        return frame
+
+    def to_xarray(self) -> xarray.DataArray:
+        """Return an array over ``output`` and ``variable`` in SI, their units as coordinates."""
+        import xarray
+
+        from clubface.simulation.results import flattened
+
+        coordinates = {
+            "output": list(self.outputs),
+            "variable": list(self.variables),
+            "output_unit": ("output", [self._rows[name].unit for name in self.outputs]),
+            "variable_unit": ("variable", [self._columns[name].unit for name in self.variables]),
+        }
+        attrs = flattened(self.provenance)
+        return xarray.DataArray(self.si, coordinates, ("output", "variable"), "derivative", attrs)
+
+    def __repr__(self) -> str:
+        shown = [name for name in MAIN if name in self.outputs] or list(self.outputs)[:6]
+        place = [self.outputs.index(name) for name in shown]
+        heads = [f"{name} [{self._shown[name]}]" for name in shown]
+        widths = [max(len(head), 12) for head in heads]
+        labels = [f"per {self._shown[name]} of {name}".replace("per 1 of", "of") for name in self.variables]
+        width = max(map(len, labels), default=0)
+        lines = [
+            f"derivatives of a launch by {self.launch.model}: {self.launch.club.name}, ball {self.launch.ball.name}",
+            " " * width + "".join(f"  {head:>{size}}" for head, size in zip(heads, widths, strict=True)),
+        ]
+        for label, column in zip(labels, self.values.T, strict=True):
+            numbers = [f"  {column[row]:>{size}.5g}" for row, size in zip(place, widths, strict=True)]
+            lines.append(f"{label:<{width}}" + "".join(numbers))
+        if len(shown) < len(self.outputs):
+            others = [name for name in self.outputs if name not in shown]
+            lines.append(f"and of {', '.join(others)}: see to_pandas()")
+        return "\n".join(lines)
+
+    def _label(self, name: str) -> str:
+        return f"{name} [{self._shown[name]}]"
+
+    def _place(self, output: str, variable: str) -> tuple[int, int]:
+        if output not in self._rows:
+            raise UnknownNameError("output", output, self.outputs)
+        if variable not in self._columns:
+            raise UnknownNameError("variable", variable, self.variables)
+        return self.outputs.index(output), self.variables.index(variable)
+
+
+def sensitivity(
+    club: str | os.PathLike[str] | Club,
+    delivery: Delivery | Mapping[str, Any] | None = None,
+    *,
+    model: str = "standard",
+    parameters: Parameters | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    accuracy: float | None = None,
+    hand: Any = None,
+    outputs: Iterable[str] | None = None,
+    variables: Iterable[str] | None = None,
+    units: Mapping[str, str] | None = None,
+    **values: Any,
+) -> Sensitivity:
+    """Compute the derivatives of a launch by every input and parameter, through the same code as the launch itself.
+
+    Parameters
+    ----------
+    club, delivery, model, parameters, ball, accuracy, hand, **values
+        As of :func:`impact`, for a single shot.
+    outputs
+        Names of launch quantities; left out, all the model gives.
+    variables
+        Names of inputs and parameters; left out, all that are differentiable.
+    units
+        The unit to show an output or variable in, by name; left out, practical ones ("rpm per mm").
+
+    Returns
+    -------
+    Sensitivity
+        A table with labels and units.
+    """
+    accuracy = tolerance(accuracy)
+    with_ = equipment(club, ball)
+    if model == FEM.name:
+        raise InputError("model", model, f"one with derivatives: {', '.join(models())}")
+    chosen = parameter_set(model, with_.club, parameters)
+    hit = shots(with_, as_values(delivery, values), hand=hand)
+    columns, parameter_columns = single(hit, chosen, "a sensitivity")
+    try:
+        computed, jacobian = _core.sensitivity(model, columns, parameter_columns, accuracy)
+    except ValueError as error:
+        raise shot_error(error, columns, chosen) from None
+    known_rows = _known_outputs(computed)
+    known_columns = _known_variables(model, chosen)
+    rows = _chosen("output", outputs, known_rows)
+    across = _chosen("variable", variables, {name: each for name, (_, each) in known_columns.items()})
+    si = jacobian[[known_rows[name][0] for name in rows]][:, [known_columns[name][0] for name in across]]
+    row_quantities = {name: known_rows[name][1] for name in rows}
+    column_quantities = {name: known_columns[name][1] for name in across}
+    shown = _shown_units({**row_quantities, **column_quantities}, units or {})
+    outcome = Launch(computed.reshape(-1, 1), hit, model, chosen, accuracy)
+    return Sensitivity(si, row_quantities, column_quantities, shown, outcome)
+
+
+def _known_outputs(computed: NDArray[Any]) -> dict[str, tuple[int, Quantity]]:
+    """Return row and quantity of the outputs the model gives; those without a value are left out."""
+    found = enumerate(launch_outputs().items())
+    return {name: (row, each) for row, (name, each) in found if computed[row] == computed[row]}
+
+
+def _known_variables(model: str, chosen: ParameterSet) -> dict[str, tuple[int, Quantity]]:
+    """Return column and quantity of every variable: the differentiable inputs, then the parameters of the model."""
+    given = inputs()
+    found = {name: (column, each) for column, (name, each) in enumerate(given.items()) if each.differentiable}
+    for place, each in enumerate(model_named(model).parameters):
+        found[each.name] = (len(given) + place, Quantity(each.name, each.unit, each.meaning, "parameter", True))
+    return found
+
+
+def _chosen(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) -> Sequence[str]:
+    if names is None:
+        return list(known)
+    try:
+        names = [names] if isinstance(names, str) else list(names)
+    except TypeError:
+        raise InputError(f"{what}s", names, "a list of names") from None
+    for name in names:
+        if name not in known:
+            raise UnknownNameError(what, name, known)
+    if len(set(names)) < len(names):
+        raise InputError(f"{what}s", names, "a list of different names")
+    return names
+
+
+def _shown_units(quantities: Mapping[str, Quantity], given: Mapping[str, str]) -> dict[str, str]:
+    for name in given:
+        if name not in quantities:
+            raise UnknownNameError("output or variable", name, quantities)
+    shown = {}
+    for name, each in quantities.items():
+        if name in given:
+            shown[name] = _checked(each, given[name])
+        else:
+            shown[name] = _SPEED if each.dimension == "speed" else units.display_unit(name, each.unit)
+    return shown
+
+
+def _checked(quantity: Quantity, symbol: str) -> str:
+    """Return the unit ``symbol`` if it is one of ``quantity``."""
+    return units.unit(symbol, name=quantity.name, dimension=quantity.dimension).symbol
+
+
+def _size(symbol: str) -> float:
+    """Return the size of a unit in SI; an offset does not matter to a difference."""
+    found = units.unit(symbol)
+    return found.numerator / found.denominator

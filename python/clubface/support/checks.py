@@ -1,0 +1,36 @@
+"""Checks of single values, each with an error that says what would have been accepted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from clubface.errors import InputError, UnknownNameError
+
+
+def check_name(name: object) -> None:
+    """Refuse a name that is empty, not text, or not printable."""
+    if not (isinstance(name, str) and name.strip() and name.isprintable()):
+        raise InputError("name", name, "printable text, not empty")
+
+
+def check_text(parameter: str, value: object) -> None:
+    """Refuse what is not text that a file can hold (a lone surrogate cannot be written)."""
+    if not isinstance(value, str) or any("\ud800" <= c <= "\udfff" for c in value):
+        raise InputError(parameter, value, "text")
+
+
+def check_choice(parameter: str, value: object, known: Iterable[str]) -> None:
+    """Refuse a value that is not one of the ``known`` words."""
+    if value not in (known := tuple(known)):
+        raise UnknownNameError(parameter, value, known)
+
+
+def is_count(value: object, least: int, most: int) -> bool:
+    """Tell a whole number within limits from anything else, ``True`` and ``False`` among it."""
+    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
+
+
+def check_count(parameter: str, value: object, least: int, most: int) -> None:
+    """Refuse what is not a whole number within limits."""
+    if not is_count(value, least, most):
+        raise InputError(parameter, value, f"a whole number from {least} to {most}")

@@ -1,0 +1,127 @@
+"""TOML read strictly: every error names the file, the line where it can be found, and the key."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Iterable
+from typing import Any
+
+from clubface.errors import ClubfaceError, FileError, UnknownNameError
+
+MAXIMUM_SIZE = 1_000_000
+"""Bytes; no club, ball or parameter file comes near it."""
+
+
+class Document:
+    """One TOML file: its content, and where each key stands.
+
+    Attributes
+    ----------
+    data
+        The parsed content.
+    path
+        The name used in errors.
+    """
+
+    def __init__(self, text: str, path: str = "<text>") -> None:
+        import tomllib
+
+        self.path = path
+        self._lines = text.splitlines()
+        try:
+            self.data: dict[str, Any] = tomllib.loads(text)
+        except (ValueError, RecursionError) as error:
+            message = "nested too deeply" if isinstance(error, RecursionError) else str(error)
+            raise FileError(path, _line_in(message), f"this is not TOML: {message}") from None
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Document:
+        """Read the file at ``path``; one missing, too large or not UTF-8 is a :class:`FileError`."""
+        name = os.fspath(path)
+        try:
+            with open(name, "rb") as file:
+                content = file.read(MAXIMUM_SIZE + 1)
+        except (OSError, ValueError) as error:
+            reason = getattr(error, "strerror", None) or str(error)
+            raise FileError(name, None, f"cannot be read: {reason}") from None
+        if len(content) > MAXIMUM_SIZE:
+            raise FileError(
+                name, None, f"this file is larger than {MAXIMUM_SIZE // 1000} kB; it cannot be the right one"
+            )
+        try:
+            text = content.decode()
+        except UnicodeDecodeError as error:
+            line = content[: error.start].count(b"\n") + 1
+            raise FileError(name, line, "this is not UTF-8 text") from None
+        return cls(text, name)
+
+    def line(self, key: str, table: str = "", occurrence: int = 0) -> int | None:
+        """Find the line (from 1) that sets ``key`` in the given ``occurrence`` of ``table``, or opens it, or None.
+
+        Without ``key`` it is the line that opens the table.
+        """
+        here, seen = "", {"": 0}
+        opened = (key, 0) if not table else (table, occurrence) if not key else None
+        for number, line in enumerate(self._lines, 1):
+            text = line.strip()
+            if text.startswith("["):
+                here = text.split("#")[0].strip("[] \t").replace(" ", "")
+                seen[here] = seen.get(here, -1) + 1
+                if (here, seen[here]) == opened:
+                    return number
+            elif key and here == table and seen[here] == occurrence and text.split("=")[0].strip(" \t\"'") == key:
+                return number
+        return None
+
+    def error(self, message: str, key: str | None = None, table: str = "", occurrence: int = 0) -> FileError:
+        """Make a :class:`FileError` at the line of ``key``."""
+        line = self.line(key, table, occurrence) if key is not None else None
+        return FileError(self.path, line, message, key or None)
+
+    def check_keys(
+        self,
+        values: dict[str, Any],
+        known: Collection[str],
+        required: Iterable[str],
+        table: str = "",
+        occurrence: int = 0,
+    ) -> None:
+        """Refuse a key that is not ``known``, naming the nearest, and list the ``required`` keys that are missing."""
+        for key in values:
+            if key not in known:
+                raise self.error(str(UnknownNameError("key", key, known)), key, table, occurrence)
+        missing = [key for key in required if key not in values]
+        if missing:
+            place = f" of [{table}]" if table else ""
+            raise self.error(f"these keys{place} are missing: {', '.join(missing)}", "", table, occurrence)
+
+    def check_text(self, values: dict[str, Any], keys: Iterable[str], table: str = "", occurrence: int = 0) -> None:
+        """Refuse a value of ``keys`` that is not text."""
+        for key in keys:
+            if key in values and not isinstance(values[key], str):
+                raise self.error(f"{key} must be text in quotes, not {values[key]!r:.60}", key, table, occurrence)
+
+    def wrap(self, error: ClubfaceError, table: str = "", occurrence: int = 0) -> FileError:
+        """Tell ``error`` about one value with file and line.
+
+        The parameter may be "key", "table.key", "key of name" (the name of what has it) or "key[0]" (in a list).
+        """
+        named = getattr(error, "parameter", None) or ""
+        inside, _, key = named.partition(" of ")[0].partition("[")[0].rpartition(".")
+        # The last two: a table inside another, and one written in one line under its own name.
+        places = [(named, table), (key, inside or table), (key, f"{table}.{inside}"), (inside, table)]
+        lines = (self.line(name, place, occurrence) for name, place in places if name)
+        return FileError(self.path, next(filter(None, lines), None), str(error), named or None)
+
+
+def quoted(text: str) -> str:
+    """Write ``text`` as a TOML string, in quotes."""
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return '"' + "".join(c if c >= " " and c != "\x7f" else f"\\u{ord(c):04X}" for c in escaped) + '"'
+
+
+def _line_in(message: str) -> int | None:
+    """Find the line number in tomllib's "... (at line 3, column 5)"."""
+    _, found, rest = message.partition("at line ")
+    digits = rest.split(",")[0]
+    return int(digits) if found and digits.isdigit() else None

@@ -1,0 +1,1 @@
+"""Tables in CSV and Parquet: headings, rows and cells, read and written a piece at a time."""

@@ -1,0 +1,153 @@
+"""CSV files a piece at a time: every row with the line it begins at, whatever is in its cells."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from clubface.errors import FileError
+from clubface.tables.csv_rows import CsvRows, Row, is_number
+from clubface.tables.headings import Column
+from clubface.tables.reader import Reject, parsed
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+LARGEST_PIECE = 64_000_000
+"""Characters of text after which a piece ends early, so that long rows do not fill the memory."""
+
+
+class CsvReader:
+    """A CSV file: UTF-8, with commas, semicolons or tabs between cells. See :class:`clubface.tables.reader.Reader`."""
+
+    counts = "line"
+
+    def __init__(self, path: Path) -> None:
+        self.path = str(path)
+        self._rows = CsvRows(path)
+        self.delimiter = self._rows.delimiter
+        try:
+            self._read_header()
+        except BaseException:
+            self._rows.close()
+            raise
+
+    @property
+    def blank(self) -> int:
+        """Blank lines passed over so far."""
+        return self._rows.blank
+
+    def _read_header(self) -> None:
+        row = self._rows.next()
+        if row is None:
+            raise FileError(self.path, 1, "the file is empty: its first row must name the columns")
+        if isinstance(row, Reject):
+            raise FileError(self.path, row.line, row.reason)
+        self.headings = row[0]
+        self.header_line: int | None = row[1]
+        self.decimal_comma = False
+        self._seen: list[Row | Reject] = []
+        self._decide_decimal()
+
+    def _decide_decimal(self) -> None:
+        """Look at the first rows: with another delimiter, "50,5" is a number with a decimal comma."""
+        if self.delimiter == ",":
+            return
+        while len(self._seen) < 100 and (row := self._rows.next()) is not None:
+            self._seen.append(row)
+        cells = [cell for row in self._seen if not isinstance(row, Reject) for cell in row[0]]
+        commas = sum(is_number(cell.replace(",", ".")) for cell in cells if cell.count(",") == 1 and "." not in cell)
+        points = sum(is_number(cell) for cell in cells if "." in cell)
+        self.decimal_comma = commas > points
+
+    def pieces(self, rows: int, skip: int) -> Iterator[CsvPiece]:
+        """Yield the rows after the first ``skip``, some ``rows`` at a time."""
+        width = len(self.headings)
+        passed = 0
+        at_end = False
+        while not at_end:
+            kept: list[list[str]] = []
+            lines: list[int] = []
+            written: list[str] = []
+            ragged: list[Reject] = []
+            size = 0
+            for _ in range(rows if passed >= skip else min(rows, skip - passed)):
+                row = self._seen.pop(0) if self._seen else self._rows.next()
+                if row is None:
+                    at_end = True
+                    break
+                if isinstance(row, Reject):
+                    ragged.append(row._replace(cells=[*row.cells, *[""] * width][:width]))
+                    continue
+                cells, line, text = row
+                size += len(text)
+                if len(cells) == width:
+                    kept.append(cells)
+                    lines.append(line)
+                    written.append(text)
+                else:
+                    ragged.append(_ragged(cells, line, width))
+                if size > LARGEST_PIECE:
+                    break
+            count = len(kept) + len(ragged)
+            if passed >= skip and count:
+                yield CsvPiece(kept, lines, written, ragged, self.decimal_comma)
+            passed += count
+
+    def progress(self) -> float:
+        """Return which part of the file has been read, 0 to 1."""
+        return self._rows.progress()
+
+    def schema(self, place: int) -> None:
+        """Return None: every column is text."""
+        return
+
+    def close(self) -> None:
+        """Close the file."""
+        self._rows.close()
+
+
+class CsvPiece:
+    """Some rows of a CSV file. See :class:`clubface.tables.reader.Piece`."""
+
+    def __init__(
+        self,
+        rows: list[list[str]],
+        lines: list[int],
+        written: list[str],
+        ragged: list[Reject],
+        decimal_comma: bool,
+    ) -> None:
+        self._rows = rows
+        self._written = written
+        self.lines: Sequence[int] = lines
+        self.ragged = ragged
+        self._decimal_comma = decimal_comma
+
+    def numbers(self, column: Column) -> tuple[NDArray[Any], dict[int, str]]:
+        """Return the numbers of a column in its unit, and for rows without one, why."""
+        cells = [row[column.place] for row in self._rows]
+        return parsed(cells, column, self._decimal_comma)
+
+    def texts(self, rows: Sequence[int] | None) -> list[list[str]]:
+        """Return the cells of some rows (None: all) as text."""
+        return self._rows if rows is None else [self._rows[row] for row in rows]
+
+    def written(self, rows: Sequence[int] | None, delimiter: str) -> list[str]:
+        """Return some rows (None: all) as they stand in the file, untouched."""
+        texts = self._written if rows is None else [self._written[row] for row in rows]
+        return [text.rstrip("\r\n") for text in texts]
+
+    def arrow(self, place: int, rows: Sequence[int] | None) -> Any:
+        """Return the cells of a column in some rows as an Arrow array of text."""
+        import pyarrow
+
+        return pyarrow.array([row[place] for row in self.texts(rows)], pyarrow.string())
+
+
+def _ragged(cells: list[str], line: int, width: int) -> Reject:
+    reason = f"{len(cells)} cell{'s' * (len(cells) != 1)} where there are {width} columns"
+    if len(cells) > width:
+        reason += "; beyond them: " + ", ".join(map(repr, cells[width:]))
+    return Reject(line, reason, (cells + [""] * width)[:width])

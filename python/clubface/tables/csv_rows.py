@@ -1,0 +1,166 @@
+"""CSV text a row at a time: every row with the line it begins at, whatever is in its cells."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Iterator, Sequence
+from functools import partial
+from pathlib import Path
+
+from clubface.errors import FileError
+from clubface.tables.reader import Reject
+
+LONGEST_LINE = 2_000_000
+"""Bytes; a longer line is no row of a table."""
+FALLBACK = "cp1252"
+"""The encoding of spreadsheets that do not write UTF-8."""
+
+Row = tuple[list[str], int, str]
+"""The cells of a row, the line it begins at, and its text."""
+
+
+class CsvRows:
+    """The rows of a CSV file, with commas, semicolons or tabs between cells.
+
+    Parameters
+    ----------
+    path
+        The file.
+    any_encoding
+        Whether a line that is not UTF-8 is read as Windows-1252, which is then said in ``other_encoding``, instead
+        of being an error.
+    head_lines
+        How many lines tell the delimiter; with more than one, a first line such as ``sep=;`` names it.
+    delimiter
+        The delimiter, where it is known.
+
+    Attributes
+    ----------
+    delimiter
+        Between cells: the most frequent in one of the first lines that are not blank.
+    blank
+        Blank lines passed over so far.
+    other_encoding
+        Whether a line was not UTF-8.
+    """
+
+    def __init__(
+        self, path: Path, *, any_encoding: bool = False, head_lines: int = 1, delimiter: str | None = None
+    ) -> None:
+        self.path = str(path)
+        self.blank = 0
+        self.other_encoding = False
+        self._any_encoding = any_encoding
+        self._line = 0
+        try:
+            self._size = path.stat().st_size
+            self._file = path.open("rb")
+        except (OSError, ValueError) as error:
+            raise FileError(self.path, None, f"cannot be read: {getattr(error, 'strerror', None) or error}") from None
+        try:
+            if not self._file.seekable():
+                raise FileError(self.path, None, "a pipe cannot be read twice; save it as a file first")
+            self._start(head_lines, delimiter)
+        except BaseException:
+            self._file.close()
+            raise
+
+    def _start(self, head_lines: int, delimiter: str | None) -> None:
+        start = self._file.read(4)
+        if start.startswith((b"\xff\xfe", b"\xfe\xff")):
+            raise FileError(self.path, 1, "this is not UTF-8 text but UTF-16; save it as CSV UTF-8")
+        if start.startswith(b"PAR1"):
+            raise FileError(self.path, None, "this is a Parquet file; its name must end in .parquet")
+        self._file.seek(3 if start.startswith(b"\xef\xbb\xbf") else 0)
+        first, head = self._first_line()
+        named = _separator(head) if head_lines > 1 else None
+        if named:
+            self._line += 1
+            first, head = self._first_line()
+        lines = [head, *(self._file.readline(LONGEST_LINE) for _ in range(head_lines - 1))]
+        self._file.seek(first)
+        self.delimiter = delimiter or named or delimiter_of([line.decode(errors="replace") for line in lines])
+        self._raw: list[str] = []
+        self._reader = csv.reader(self._decoded(self._line), delimiter=self.delimiter, strict=True)
+        self._before = self._line
+
+    def _first_line(self) -> tuple[int, bytes]:
+        """Return the next line that is not blank and where it begins."""
+        first = self._file.tell()
+        head = self._file.readline(LONGEST_LINE)
+        while head and not head.strip():
+            first = self._file.tell()
+            self._line += 1
+            head = self._file.readline(LONGEST_LINE)
+        return first, head
+
+    def progress(self) -> float:
+        """Return which part of the file has been read, 0 to 1."""
+        return min(1.0, self._file.tell() / self._size) if self._size else 1.0
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
+    def _decoded(self, line: int) -> Iterator[str]:
+        """Yield the lines as text; what is not UTF-8 is an error with its line."""
+        for raw in iter(partial(self._file.readline, LONGEST_LINE), b""):
+            line += 1
+            if len(raw) >= LONGEST_LINE:
+                raise FileError(
+                    self.path, line, f"this line is longer than {LONGEST_LINE // 1_000_000} MB: it is no table"
+                )
+            try:
+                text = raw.decode()
+            except UnicodeDecodeError:
+                if not self._any_encoding:
+                    raise FileError(self.path, line, "this is not UTF-8 text; save it as CSV UTF-8") from None
+                self.other_encoding = True
+                text = raw.decode(FALLBACK, errors="replace")
+            self._raw.append(text)
+            yield text
+
+    def next(self) -> Row | Reject | None:
+        """Return the next row that is not blank and the line it begins at; one that is no CSV, all its text."""
+        while True:
+            begins = self._before + self._reader.line_num + 1
+            self._raw.clear()
+            try:
+                cells = next(self._reader)
+            except StopIteration:
+                return None
+            except csv.Error as error:
+                if "new-line character" in str(error):
+                    message = "lines end with a carriage return alone; save the file with usual line ends"
+                    raise FileError(self.path, begins, message) from None
+                return Reject(begins, _explained(str(error)), ["".join(self._raw)])
+            if cells:
+                return cells, begins, "".join(self._raw)
+            self.blank += 1
+
+
+def delimiter_of(lines: Sequence[str]) -> str:
+    """Return the delimiter that is most frequent in one of the lines, outside quotes."""
+    plain = ["".join(line.split('"')[::2]) for line in lines]
+    return max(",;\t", key=lambda each: max(line.count(each) for line in plain))
+
+
+def is_number(text: str) -> bool:
+    """Tell whether a text is a finite number with a decimal point."""
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
+
+
+def _explained(message: str) -> str:
+    if "unexpected end of data" in message:
+        return "a quoted cell that begins here does not end"
+    return f"this is not CSV: {message}"
+
+
+def _separator(head: bytes) -> str | None:
+    """Return the delimiter that a line such as ``sep=,`` names, or None where it is no such line."""
+    text = head.decode(errors="replace").strip().strip('"')
+    return text[4] if len(text) == 5 and text.lower().startswith("sep=") and text[4] in ",;" else None

@@ -1,0 +1,218 @@
+"""Which column of a table of shots is which quantity, and in which unit."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from functools import cache
+from typing import NamedTuple
+
+from clubface import units
+from clubface.errors import FileError, UnitError
+from clubface.simulation.quantities import flight_outputs, input_dimensions, inputs, outputs
+
+SYNONYMS = {
+    "speed": ("club_speed", "clubhead_speed", "club_head_speed", "head_speed"),
+    "attack": ("attack_angle", "angle_of_attack", "aoa"),
+    "path": ("club_path", "swing_path"),
+    "loft": ("dynamic_loft", "dyn_loft", "delivered_loft"),
+    "face": ("face_angle", "club_face_angle"),
+    "lie": ("lie_tilt",),
+    "toe": ("impact_toe", "toe_offset", "impact_offset"),
+    "high": ("impact_high", "high_offset", "impact_height"),
+    "closure": ("closure_rate", "face_closure"),
+    "pitch_rate": ("loft_rate",),
+    "lie_rate": (),
+    "hand": ("handedness",),
+}
+"""Other names of the inputs of a delivery, in the words of launch monitors."""
+
+LAUNCH_SYNONYMS = {
+    "ball_speed": ("ball_velocity",),
+    "smash": ("smash_factor",),
+    "launch": ("launch_angle", "vertical_launch_angle", "vertical_launch"),
+    "azimuth": ("launch_direction", "horizontal_launch_angle", "horizontal_launch", "side_angle"),
+    "backspin": ("back_spin",),
+    "sidespin": ("side_spin",),
+    "total_spin": ("spin_rate", "spin"),
+    "spin_axis": ("spin_axis_tilt", "spin_tilt"),
+    "contact_time": (),
+    "peak_force": (),
+    "carry": ("carry_distance",),
+    "side": ("carry_side", "offline"),
+    "apex": ("peak_height", "max_height"),
+    "flight_time": ("hang_time",),
+    "landing_angle": ("landing", "descent_angle"),
+    "landing_speed": (),
+    "total": ("total_distance",),
+    "total_side": (),
+}
+"""The quantities of a launch and its flight that a table may hold, with other names of each."""
+
+HAND = "hand"
+
+
+class Vocabulary(NamedTuple):
+    """The words a table may use.
+
+    Attributes
+    ----------
+    names
+        The quantity meant by every name a column may have.
+    dimensions
+        The dimension of each quantity.
+    """
+
+    names: Mapping[str, str]
+    dimensions: Mapping[str, str]
+
+
+@cache
+def delivery_words() -> Vocabulary:
+    """Return the words for the inputs of an impact."""
+    own = {name: name for name in inputs()}
+    return Vocabulary(own | _reversed(SYNONYMS), input_dimensions())
+
+
+@cache
+def shot_words() -> Vocabulary:
+    """Return the words for the inputs of an impact and for what is measured of the launch and the flight."""
+    names, dimensions = delivery_words()
+    found = {**flight_outputs(), **outputs()}
+    own = {name: name for name in LAUNCH_SYNONYMS}
+    launches = {name: found[name].dimension for name in LAUNCH_SYNONYMS}
+    return Vocabulary({**names, **own, **_reversed(LAUNCH_SYNONYMS)}, {**dimensions, **launches})
+
+
+class Column(NamedTuple):
+    """A column that is used.
+
+    Attributes
+    ----------
+    place
+        Its place in a row.
+    heading
+        As in the file.
+    quantity
+        The input it gives.
+    unit
+        The unit of its numbers.
+    """
+
+    place: int
+    heading: str
+    quantity: str
+    unit: str
+
+
+class Layout(NamedTuple):
+    """What the columns of a file mean.
+
+    Attributes
+    ----------
+    headings
+        Of all columns, as in the file; one without is named after its place.
+    used
+        The columns that give inputs.
+    passed
+        Headings of the columns that are only passed through.
+    notes
+        What a reader of the result should know.
+    """
+
+    headings: tuple[str, ...]
+    used: tuple[Column, ...]
+    passed: tuple[str, ...]
+    notes: tuple[str, ...]
+
+
+def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabulary | None = None) -> Layout:
+    """Find the quantities among ``headings``; a unit that does not fit or a repeated column is an error.
+
+    Without ``words`` they are the inputs of an impact.
+    """
+    words = words or delivery_words()
+    named = tuple(heading.strip() or f"column_{place + 1}" for place, heading in enumerate(headings))
+    for place, heading in enumerate(named):
+        if heading in named[:place]:
+            raise FileError(path, line, f"the column {heading!r} is there twice", heading)
+    used: dict[str, Column] = {}
+    passed, notes = [], []
+    for place, heading in enumerate(named):
+        name, unit = _split(heading, path, line, words)
+        quantity = words.names.get(name)
+        if quantity is None:
+            passed.append(heading)
+            near = _near(name, words.names)
+            if near is not None:
+                notes.append(f"the column {heading!r} is not used; did you mean {near}?")
+            continue
+        if quantity in used:
+            message = f"the columns {used[quantity].heading!r} and {heading!r} both give the {quantity}"
+            raise FileError(path, line, message, heading)
+        used[quantity] = Column(place, heading, quantity, _unit_of(quantity, unit, heading, (path, line), words))
+        if unit is None and used[quantity].unit != "1":
+            notes.append(f"the column {heading!r} names no unit and is taken in {used[quantity].unit}")
+    return Layout(named, tuple(used.values()), tuple(passed), tuple(notes))
+
+
+def require_speed(found: Layout, path: str, line: int | None) -> None:
+    """Refuse a table without the clubhead speed, the one input without a default."""
+    if all(each.quantity != "speed" for each in found.used):
+        message = f'there is no column for the clubhead speed, such as "club_speed_mph"; {listed(found.headings)}'
+        raise FileError(path, line, message, "speed")
+
+
+def listed(headings: Sequence[str]) -> str:
+    """Name the columns there are, the first dozen of them; what no terminal should be sent becomes a question mark."""
+    shown = ["".join(each if each.isprintable() else "?" for each in heading) for heading in headings[:12]]
+    return "there are: " + ", ".join(shown) + (", ..." if len(headings) > 12 else "")
+
+
+def _split(heading: str, path: str, line: int | None, words: Vocabulary) -> tuple[str, str | None]:
+    """Return the name in lower case and the unit of a heading."""
+    text = "_".join(heading.replace("-", "_").split()) if "[" not in heading and "(" not in heading else heading
+    known = words.names
+    unknown: object = None
+    for spelled in (text, text.lower()):
+        try:
+            name, unit = units.parse_column_name(spelled, known)
+        except UnitError as error:
+            unknown = error.value
+            continue
+        if plain_name(name) in known:
+            return plain_name(name), unit
+    name = plain_name(text.partition("[")[0].partition("(")[0])
+    if unknown is not None and name in known:
+        allowed = " or ".join(units.symbols(words.dimensions[known[name]]))
+        message = f"the column {heading!r} is in the unknown unit {unknown!r}; it must be in {allowed}"
+        raise FileError(path, line, message, heading)
+    return plain_name(text) if unknown is None else name, None
+
+
+def plain_name(name: str) -> str:
+    """Return a heading in lower case with underscores between its words."""
+    return "_".join(name.strip().lower().replace("-", "_").split()).strip("_")
+
+
+def _near(name: str, known: Collection[str]) -> str | None:
+    """Return the known name that ``name``, with or without a unit at its end, is most likely a misspelling of."""
+    from difflib import get_close_matches
+
+    for each in (name, name.rpartition("_")[0]):
+        if len(each) > 3 and (near := get_close_matches(each, known, 1, 0.8)):
+            return near[0]
+    return None
+
+
+def _unit_of(quantity: str, unit: str | None, heading: str, place: tuple[str, int | None], words: Vocabulary) -> str:
+    dimension = words.dimensions[quantity]
+    if unit is None:
+        return units.SI_UNITS[dimension]
+    if units.unit(unit).dimension != dimension:
+        allowed = " or ".join(units.symbols(dimension))
+        raise FileError(*place, f"the column {heading!r} is in {unit}; {quantity} must be in {allowed}", heading)
+    return unit
+
+
+def _reversed(synonyms: Mapping[str, Sequence[str]]) -> dict[str, str]:
+    return {other: name for name, others in synonyms.items() for other in others}

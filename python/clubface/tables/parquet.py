@@ -1,0 +1,171 @@
+"""Deliveries from and launches to Parquet files; the only module that needs pyarrow."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from clubface.errors import FileError
+from clubface.tables.headings import HAND, Column
+from clubface.tables.reader import Piece, Reject, parsed
+
+
+def pyarrow_for(path: Path | str) -> Any:
+    """Return the module pyarrow, or say what ``path`` needs it for."""
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ImportError:
+        message = 'a Parquet file needs pyarrow: pip install "clubface[tables]"'
+        raise FileError(str(path), None, message) from None
+    return pyarrow
+
+
+class ParquetReader:
+    """A Parquet file. See :class:`clubface.tables.reader.Reader`."""
+
+    counts = "row"
+    header_line: int | None = None
+    delimiter = ","
+    decimal_comma = False
+    blank = 0
+
+    def __init__(self, path: Path) -> None:
+        self.path = str(path)
+        self._arrow = pyarrow_for(path)
+        try:
+            self._file = self._arrow.parquet.ParquetFile(path)
+        except (OSError, ValueError, self._arrow.ArrowException) as error:
+            reason = str(error).splitlines()[0] if str(error) else type(error).__name__
+            raise FileError(self.path, None, f"cannot be read as Parquet: {reason}") from None
+        self.headings: list[str] = list(self._file.schema_arrow.names)
+        self._rows = self._file.metadata.num_rows
+        self._read = 0
+
+    def pieces(self, rows: int, skip: int) -> Iterator[ParquetPiece]:
+        """Yield the rows after the first ``skip``, some ``rows`` at a time."""
+        try:
+            for batch in self._file.iter_batches(rows):
+                first, self._read = self._read, self._read + batch.num_rows
+                if self._read > skip:
+                    from_ = max(0, skip - first)
+                    yield ParquetPiece(batch.slice(from_), first + from_)
+        except (OSError, self._arrow.ArrowException) as error:
+            raise FileError(self.path, None, f"cannot be read after row {self._read}: {error}") from None
+
+    def progress(self) -> float:
+        """Return which part of the file has been read, 0 to 1."""
+        return self._read / self._rows if self._rows else 1.0
+
+    def schema(self, place: int) -> Any:
+        """Return the Arrow type of a column."""
+        return self._file.schema_arrow.field(place).type
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
+
+class ParquetPiece:
+    """Some rows of a Parquet file. See :class:`clubface.tables.reader.Piece`."""
+
+    def __init__(self, batch: Any, first: int) -> None:
+        self._batch = batch
+        self.lines: Sequence[int] = range(first + 1, first + 1 + batch.num_rows)
+        self.ragged: list[Reject] = []
+
+    def numbers(self, column: Column) -> tuple[Any, dict[int, str]]:
+        """Return the numbers of a column in its unit, and for rows without one, why."""
+        import numpy as np
+        import pyarrow
+
+        values = self._batch.column(column.place)
+        kind = values.type
+        numeric = pyarrow.types.is_integer(kind) or pyarrow.types.is_floating(kind)
+        if not numeric or column.quantity == HAND:
+            return parsed(["" if each is None else _text(each) for each in values.to_pylist()], column, False)
+        numbers = values.cast(pyarrow.float64(), safe=False).to_numpy(zero_copy_only=False)
+        bad = np.flatnonzero(~np.isfinite(numbers))
+        missing = values.is_null()
+        reasons = {
+            int(row): f"{column.heading}: "
+            + ("the cell is empty" if missing[int(row)].as_py() else f"{numbers[row]} is not a finite number")
+            for row in bad
+        }
+        return numbers, reasons
+
+    def texts(self, rows: Sequence[int] | None) -> list[list[str]]:
+        """Return the cells of some rows (None: all) as text."""
+        batch = self._batch if rows is None else self._batch.take(_indices(rows))
+        columns = [["" if each is None else _text(each) for each in column.to_pylist()] for column in batch.columns]
+        return [list(cells) for cells in zip(*columns, strict=True)]
+
+    def written(self, rows: Sequence[int] | None, delimiter: str) -> list[str]:
+        """Return some rows (None: all) as they would stand in a CSV file."""
+        found = []
+        for cells in self.texts(rows):
+            line = io.StringIO()
+            csv.writer(line, delimiter=delimiter, lineterminator="").writerow(cells)
+            found.append(line.getvalue())
+        return found
+
+    def arrow(self, place: int, rows: Sequence[int] | None) -> Any:
+        """Return the cells of a column in some rows as an Arrow array of its own type."""
+        column = self._batch.column(place)
+        return column if rows is None else column.take(_indices(rows))
+
+
+class ParquetWriter:
+    """Launches written to a Parquet file, a row group a piece. See :class:`clubface.tables.writer.Writer`."""
+
+    def __init__(
+        self, path: Path, headings: Sequence[str], types: Sequence[Any], results: Sequence[str], provenance: Any
+    ) -> None:
+        self._arrow = arrow = pyarrow_for(path)
+        kinds = [arrow.string() if kind is None else kind for kind in types] + [arrow.float64()] * len(results)
+        metadata = {"clubface": json.dumps(provenance, default=str)}
+        self._schema = arrow.schema(list(zip([*headings, *results], kinds, strict=True)), metadata)
+        self._width = len(headings)
+        self._writer = arrow.parquet.ParquetWriter(path, self._schema)
+
+    def write(self, piece: Piece, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
+        """Write some rows of a piece (None: all), each followed by its results."""
+        cells = [piece.arrow(place, rows) for place in range(self._width)]
+        arrays = [*cells, *(self._arrow.array(each) for each in results)]
+        self._writer.write_table(self._arrow.Table.from_arrays(arrays, schema=self._schema))
+
+    def copy(self, path: Path) -> None:
+        """Take over the rows of an unfinished file of the same columns."""
+        try:
+            with self._arrow.parquet.ParquetFile(path) as begun:
+                for group in range(begun.num_row_groups):
+                    table = begun.read_row_group(group)
+                    self._writer.write_table(table.cast(self._schema))
+        except (OSError, ValueError, self._arrow.ArrowException):
+            message = "the unfinished file was not closed and cannot be read: start again without resume"
+            raise FileError(str(path), None, message) from None
+
+    def place(self) -> int:
+        """Return 0: an unfinished Parquet file is not cut to length."""
+        return 0
+
+    def close(self) -> None:
+        """Write the end of the file, without which it cannot be read."""
+        self._writer.close()
+
+
+def _indices(rows: Sequence[int]) -> Any:
+    import pyarrow
+
+    return pyarrow.array(rows, pyarrow.int64())
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, float) and math.isfinite(value):
+        return f"{value:.15g}" if float(f"{value:.15g}") == value else repr(value)
+    return str(value)

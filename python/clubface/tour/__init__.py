@@ -1,0 +1,1 @@
+"""The published averages of the tours, set beside every model."""

@@ -1,0 +1,138 @@
+"""``clubface capture`` on the command line."""
+
+import math
+
+import pytest
+
+pytest.importorskip("ezc3d")
+
+from command_line import assert_mistake
+
+
+@pytest.fixture
+def folder(clubface_, tmp_path):
+    ran = clubface_("capture", "synthesize", "-o", str(tmp_path / "swings"), "--count", "3", "--noise", "0.2 mm")
+    assert ran.status == 0
+    assert "wrote 3 swings, calibration.c3d, markers.toml, truth.csv" in ran.err
+    return tmp_path / "swings"
+
+
+def arguments(folder, *files):
+    paths = [str(folder / name) for name in files or ("swing-001.c3d",)]
+    return ["capture", "read", *paths, "--markers", str(folder / "markers.toml"), "--club", "driver"]
+
+
+def test_one_swing_is_printed_value_by_value(clubface_, folder):
+    from clubface.recorded.shots import read_shots
+
+    ran = clubface_(*arguments(folder))
+    assert ran.status == 0
+    truth = read_shots(folder / "truth.csv").deliveries
+    row = next(line for line in ran.out.splitlines() if line.startswith("club speed, mph"))
+    value, deviation = (float(each) for each in row.split()[-2:])
+    assert abs(value - truth["speed"][0] / 0.44704) < 4 * deviation
+    assert "markers' noise 0.20" in ran.out
+
+
+def test_json_holds_everything_in_si(clubface_, folder):
+    from clubface.recorded.shots import read_shots
+
+    found = clubface_(*arguments(folder), "--json").json
+    truth = read_shots(folder / "truth.csv").deliveries
+    assert abs(found["delivery"]["loft"] - truth["loft"][0]) < 4 * found["uncertainty"]["loft"]
+    assert math.sqrt(found["covariance"][3][3]) == pytest.approx(found["uncertainty"]["loft"])
+    assert found["frames"][1] == found["frames"][0] + 1
+    assert found["notes"] == []
+    linear = clubface_(*arguments(folder), "--estimator", "linear", "--json").json
+    assert linear["estimator"] == "linear"
+    assert linear["misfit"] is None
+    assert linear["uncertainty"]["speed"] > found["uncertainty"]["speed"]
+
+
+def test_many_swings_make_a_table_and_files(clubface_, folder):
+    names = [f"swing-00{number}.c3d" for number in (1, 2, 3)]
+    (folder / "swing-002.c3d").write_bytes(b"")
+    ran = clubface_(*arguments(folder, *names), "-o", str(folder / "shots.csv"))
+    assert ran.status == 0
+    assert [line.split()[0] for line in ran.out.splitlines() if line.startswith("swing-")] == [names[0], names[2]]
+    assert "swing-002.c3d: the file is empty" in ran.err
+    assert (folder / "shots.csv").read_text().count("\n") == 3
+    assert (folder / "shots.sd.csv").read_text().count("\n") == 3
+    found = clubface_(*arguments(folder, *names), "--json").json
+    assert len(found["swings"]) == 2
+    assert "empty" in found["rejected"][0]
+
+
+def test_markers_of_a_file_are_listed(clubface_, folder):
+    found = clubface_("capture", "markers", str(folder / "swing-001.c3d"), "--json").json
+    assert [each["label"] for each in found["markers"]] == ["HEAD1", "HEAD2", "HEAD3", "HEAD4", "HEAD5", "BALL"]
+    assert found["rate_hz"] == 720.0
+    ball = found["markers"][-1]
+    assert 55 < ball["fastest_mps"] < 85
+    printed = clubface_("capture", "markers", str(folder / "swing-001.c3d")).out
+    assert "HEAD5" in printed
+
+
+def test_a_template_is_written_once(clubface_, tmp_path):
+    assert "[cluster]" in clubface_("capture", "template").out
+    target = str(tmp_path / "map.toml")
+    assert clubface_("capture", "template", "-o", target).status == 0
+    assert_mistake(clubface_("capture", "template", "-o", target), "exists already; it is left as it is")
+
+
+def test_a_study_prints_and_draws(clubface_, tmp_path):
+    picture = tmp_path / "study.png"
+    ran = clubface_("capture", "study", "--count", "4", "--noise", "0 mm", "--plot", str(picture))
+    assert ran.status == 0
+    assert "closure, deg/s" in ran.out
+    assert picture.stat().st_size > 10_000
+    found = clubface_("capture", "study", "--count", "4", "--noise", "0 mm", "--json").json
+    assert found["estimators"]["smoother"]["worst"]["loft"] < 0.05
+    assert found["swings"] == 4
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (["--estimator", "spline"], ["unknown estimator 'spline'", "smoother"]),
+        (["--club", "7-iron"], ["club is '7-iron'", "driver"]),
+        (["--units", "deg"], ["units"]),
+        (["--target", "north"], ["target", "+x"]),
+        (["--noise", "0.3"], ["noise"]),
+        (["--markers", "absent.toml"], ["absent.toml", "cannot be read"]),
+    ],
+)
+def test_a_mistake_is_one_message(clubface_, folder, change, words):
+    ran = clubface_(*arguments(folder), *change)
+    if change[0] == "--noise":
+        # A bare number is SI: 0.3 m of noise, which makes nonsense of the delivery and is told as such.
+        assert ran.status == 0
+        assert "not known to 2 deg" in ran.out
+        return
+    assert_mistake(ran, *words)
+
+
+def test_files_without_a_swing_end_with_status_two(clubface_, folder):
+    ran = clubface_(*arguments(folder, "calibration.c3d"))
+    assert_mistake(ran, "no marker BALL here; the file has: HEAD1")
+    assert_mistake(clubface_("capture", "synthesize", "-o", str(folder), "--gaps", "0.9"), "gaps", "0.5")
+    assert_mistake(clubface_("capture", "synthesize", "-o", str(folder), "--count", "0"), "count")
+
+
+def test_ctrl_c_keeps_the_swings_that_were_read(clubface_, folder, monkeypatch):
+    from clubface.motion_capture import shots
+
+    real, calls = shots.capture, []
+
+    def stopped(recording, setup):
+        calls.append(recording)
+        if len(calls) == 3:
+            raise KeyboardInterrupt
+        return real(recording, setup)
+
+    monkeypatch.setattr(shots, "capture", stopped)
+    names = [f"swing-00{number}.c3d" for number in (1, 2, 3)]
+    ran = clubface_(*arguments(folder, *names), "-o", str(folder / "shots.csv"))
+    assert ran.status == 130
+    assert "interrupted: 2 of 3 swings read" in ran.err
+    assert (folder / "shots.csv").read_text().count("\n") == 3

@@ -1,0 +1,140 @@
+"""The other commands: lists, clubs, sensitivities, flights, files, the tour."""
+
+import csv
+
+import pytest
+
+import clubface
+from clubface import units
+from command_line import assert_mistake
+
+pytest.importorskip("typer")
+pytest.importorskip("rich")
+
+from clubface.cli.app import COMMANDS
+
+
+def test_every_command_has_help_and_says_json_where_it_computes(clubface_):
+    for name in COMMANDS:
+        ran = clubface_(name, "--help")
+        assert ran.status == 0
+        assert name in ran.out
+        assert "--json" in ran.out or name in ("club", "fem", "monitor", "capture")  # those are groups
+
+
+def test_models_lists_the_registry(clubface_):
+    assert [entry["name"] for entry in clubface_("models", "--json").json] == list(clubface.models())
+    assert "jorgensen" in clubface_("models").out
+    assert "with area_damping = 0 also energy, friction cone" in " ".join(clubface_("models", "area").out.split())
+
+
+def test_a_model_is_shown_with_units_bounds_published_values_sources_and_caveats(clubface_):
+    ran = clubface_("models", "volumetric")
+    text = " ".join(ran.out.split())
+    for words in ("N m s/rad", "0 to 2", "6.25e+09", "Table 8", "0.00253*", "kept as printed", "ten times larger"):
+        assert words in text
+    entry = clubface_("models", "rings", "--json").json
+    (driver,) = [each for each in entry["sets"] if each["club"] == "driver"]
+    assert driver["values"]["shear_modulus"] == 5.58e7
+    assert "1/100" in driver["value_caveats"]["shear_modulus"]
+
+
+def test_clubs_lists_clubs_and_balls_and_says_once_that_the_published_ball_is_small(clubface_):
+    ran = clubface_("clubs")
+    assert ran.out.count("42.60 mm") == 1
+    document = clubface_("clubs", "--json").json
+    assert [each["name"] for each in document["clubs"]][:2] == ["driver", "3-wood"]
+    assert document["clubs"][0]["values"]["mass"] == 0.204
+    assert {each["name"] for each in document["balls"]} == {"published", "conforming"}
+
+
+def test_one_club_is_shown_with_the_source_of_every_value(clubface_):
+    ran = clubface_("clubs", "6-iron")
+    assert "scaling rule" in ran.out
+    document = clubface_("clubs", "6-iron", "--json").json
+    assert set(document["sources"]) >= {"mass", "loft", "ixx", "face_width"}
+    assert document["values"]["bulge"] is None  # infinite: flat
+
+
+def test_a_new_club_is_a_club_that_passes_the_check(clubface_, tmp_path):
+    file = tmp_path / "mine.toml"
+    assert clubface_("club", "new", "mine", "-o", str(file)).status == 0
+    ran = clubface_("club", "check", str(file))
+    assert ran.status == 0
+    assert "a club that can exist" in ran.out
+    rows = clubface_("shot", str(file), "--speed", "50 m/s", "--json").json
+    assert rows == clubface_("shot", "driver", "--speed", "50 m/s", "--json").json
+
+
+def test_a_new_club_goes_to_the_screen_or_starts_from_another(clubface_):
+    assert clubface.Club.from_text(clubface_("club", "new").out).name == "my-club"
+    like = clubface.Club.from_text(clubface_("club", "new", "lob", "--like", "9-iron").out)
+    assert like.replace(name="9-iron") == clubface.club("9-iron")
+
+
+def test_a_file_that_exists_is_not_overwritten(clubface_, tmp_path):
+    file = tmp_path / "mine.toml"
+    file.write_text("precious")
+    assert_mistake(clubface_("club", "new", "-o", str(file)), "exists already")
+    assert file.read_text() == "precious"
+
+
+def test_a_bad_club_file_is_told_with_its_line(clubface_, tmp_path):
+    file = tmp_path / "bad.toml"
+    file.write_text(clubface.Club.template().replace('mass = "204 g"', 'mass = "-204 g"'))
+    line = next(i for i, text in enumerate(file.read_text().splitlines(), 1) if text.startswith("mass"))
+    assert_mistake(clubface_("club", "check", str(file)), f"bad.toml:{line}:", "mass")
+
+
+def test_sensitivities_are_printed_with_their_units(clubface_):
+    arguments = ["sensitivity", "driver", "--speed", "113 mph", "--model", "volumetric", "--output", "backspin"]
+    (entry,) = clubface_(*arguments, "--by", "high", "--json").json["derivatives"]
+    table = clubface.sensitivity("driver", speed="113 mph", model="volumetric")
+    assert entry["unit"] == "rpm per mm"
+    assert entry["value"] == pytest.approx(table.value("backspin", "high", "rpm per mm"), rel=1e-12)
+    text = clubface_(*arguments).out
+    assert "high, per mm" in text
+    assert "layer_damping, per N m s/rad" in text
+
+
+def test_a_flight_is_that_of_the_library(clubface_):
+    launch = ["--ball-speed", "167 mph", "--launch", "10.9 deg", "--backspin", "2700 rpm", "--sidespin", "-200 rpm"]
+    row = clubface_("flight", *launch, "--json").json
+    flown = clubface.fly(
+        {"ball_speed": "167 mph", "launch": "10.9 deg", "backspin": "2700 rpm", "sidespin": "-200 rpm"}
+    )
+    assert row["carry_m"] == pytest.approx(flown.carry, rel=1e-12)
+    assert row["side_m"] < 0.0
+    assert f"{units.from_si(flown.carry, 'yd'):.1f}" in clubface_("flight", *launch).out
+
+
+def test_a_file_of_deliveries_is_predicted_and_bad_rows_are_kept_aside(clubface_, tmp_path):
+    source, target = tmp_path / "in.csv", tmp_path / "out.csv"
+    source.write_text("club_speed_mph,attack_deg\n113,-1.3\nfast,0\n105,2\n")
+    ran = clubface_("predict", str(source), "--club", "driver", "--model", "volumetric", "-o", str(target), "--json")
+    assert (ran.json["rows"], ran.json["written"], ran.json["rejected"]) == (3, 2, 1)
+    with target.open() as file:
+        first = next(csv.DictReader(file))
+    shot = clubface.impact("driver", speed="113 mph", attack="-1.3 deg", model="volumetric")
+    # The file holds nine digits.
+    assert float(first["backspin_rpm"]) == pytest.approx(shot.get("backspin", "rpm"), rel=1e-8)
+    assert "fast" in (tmp_path / "out.rejects.csv").read_text()
+    assert "1 rejected" in clubface_("predict", str(source), "--club", "driver", "-o", str(target)).out
+
+
+def test_a_file_without_one_usable_row_is_a_failure(clubface_, tmp_path):
+    source = tmp_path / "in.csv"
+    source.write_text("club_speed_mph\nfast\n")
+    ran = clubface_("predict", str(source), "--club", "driver", "-o", str(tmp_path / "out.csv"))
+    assert ran.status == 2
+    assert "not one delivery" in ran.err
+
+
+def test_the_tour_is_compared_and_written(clubface_, tmp_path, monkeypatch):
+    pytest.importorskip("matplotlib")
+    monkeypatch.setattr("clubface.tour.report.write", lambda result, folder: [folder / f"{len(result.clubs)} clubs"])
+    ran = clubface_("tour", "--model", "standard,slip", "-o", str(tmp_path / "out"), "--json")
+    assert len(ran.json["rows"]) == 24
+    assert ran.err == f"clubface: wrote {tmp_path / 'out' / '12 clubs'}\n"
+    assert (tmp_path / "out").is_dir()
+    assert "no prediction" in " ".join(clubface_("tour", "--model", "standard").out.split())

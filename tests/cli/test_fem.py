@@ -1,0 +1,215 @@
+"""``clubface fem`` and the finite elements as one more model."""
+
+import json
+import re
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface.errors import InputError, UnknownNameError
+from command_line import MAIN, assert_mistake
+from fem_runs import write_case
+
+pytest.importorskip("typer")
+
+REFERENCE = [
+    "normal_mps", "tangential_mps", "spin_rpm", "spin_max_rpm", "peak_force_n", "peak_force_time_s", "contact_time_s",
+    "tangential_max_n", "tangential_min_n", "reversal_time_s", "energy_error", "elements", "steps", "wall_s",
+]  # fmt: skip
+PAPER = [
+    "ball_speed_mps", "launch_deg", "club_speed_after_mps", "spin_rpm", "peak_force_n", "peak_force_time_s",
+    "reversal_time_s", "contraction", "contraction_time_s", "f_prime", "f", "energy_error", "elements", "steps",
+    "wall_s",
+]  # fmt: skip
+
+
+@pytest.fixture
+def paper_like(tmp_path):
+    """A variation of Roh and Lee's case with a coarse ball."""
+    path = write_case(tmp_path, duration=1000, old='kind = "plane"', new='kind = "rigid"\nclub = "driver"')
+    path.write_text(path.read_text().replace("angle =", "loft ="))
+    return path
+
+
+def test_reference_prints_the_keys_that_were_agreed(clubface_, tmp_path):
+    write_case(tmp_path)
+    ran = clubface_("fem", "reference", "--ball", str(tmp_path / "ball.toml"), "--json")
+    assert list(ran.json) == REFERENCE
+    assert ran.json["elements"] == 256
+    assert "normal rebound" in clubface_("fem", "reference", "--ball", str(tmp_path / "ball.toml")).out
+
+
+def test_paper_prints_the_keys_that_were_agreed_and_draws(clubface_, paper_like, tmp_path):
+    pytest.importorskip("matplotlib")
+    ran = clubface_("fem", "paper", "--case", str(paper_like), "--json", "-o", str(tmp_path / "out"))
+    assert list(ran.json) == PAPER
+    for figure in ("paper", "patch", "section", "sweep"):
+        assert (tmp_path / "out" / f"{figure}.png").stat().st_size > 10_000
+    rows = (tmp_path / "out" / "sweep.csv").read_text().splitlines()
+    assert len(rows) == 2 + 7 * 5
+    assert "2047" in clubface_("fem", "paper", "--case", str(paper_like)).out
+
+
+def test_a_run_writes_figures_histories_and_pictures(clubface_, tmp_path):
+    pytest.importorskip("matplotlib")
+    path, out = write_case(tmp_path, duration=700), tmp_path / "out"
+    ran = clubface_("fem", "run", str(path), "-o", str(out), "--frames", "6", "--animate", "--json")
+    assert ran.status == 0
+    written = {"figures.json", "contact.csv", "motion.csv", "energy.csv"}
+    drawn = {"impact.png", "patch.png", "section.png", "impact.gif"}
+    assert {each.name for each in out.iterdir()} == written | drawn
+    figures = json.loads((out / "figures.json").read_text())
+    assert figures["peak_force"] == ran.json["peak_force"]
+    made = figures["provenance"]["ball"]
+    assert (made["name"], made["mass"]) == ("soft", pytest.approx(0.046))
+    assert made["core_density"] > 1000.0
+    assert figures["provenance"]["delivery"]["speed"] == 35.0
+    assert figures["provenance"]["settings"]["duration"] == 700e-6
+    contact = np.genfromtxt(out / "contact.csv", delimiter=",", names=True)
+    assert contact["normal"].max() == pytest.approx(figures["peak_force"])
+    from PIL import Image
+
+    with Image.open(out / "impact.gif") as picture:
+        assert picture.n_frames in (5, 6)  # pyright: ignore[reportAttributeAccessIssue]
+
+
+def test_a_sweep_is_a_table_and_a_picture(clubface_, paper_like, tmp_path):
+    pytest.importorskip("matplotlib")
+    arguments = ("fem", "sweep", "--case", str(paper_like), "--speed", "30:40:10", "--loft", "9", "-o", str(tmp_path))
+    assert [row["speed_mps"] for row in clubface_(*arguments, "--json").json] == [30.0, 40.0]
+    assert (tmp_path / "sweep.png").exists()
+    assert clubface_(*arguments).out.count("\n") == 5
+
+
+@pytest.mark.parametrize(("form", "ending"), [("lsdyna", "mine.k"), ("vtu", "mine.pvd")])
+def test_an_export_tells_the_file_to_open(clubface_, tmp_path, form, ending):
+    pytest.importorskip("meshio")
+    ran = clubface_("fem", "export", str(write_case(tmp_path)), "--format", form, "-o", str(tmp_path / "out"))
+    assert ran.status == 0
+    assert ran.err.startswith(f"clubface: wrote {tmp_path / 'out' / ending}\n")
+    # The shapes are of a run that is shorter than the contact.
+    assert ("still on the face" in ran.err) == (form == "vtu")
+    assert (tmp_path / "out" / ending).exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("run", "papr"), ("case of finite elements", "did you mean paper or")),
+        (("reference", "--ball", "papr"), ("ball of finite elements", "did you mean paper?")),
+        (("reference", "--refine", "9"), ("refine is 9",)),
+        (("reference", "--friction", "-1"), ("friction is -1.0",)),
+        (("export", "--format", "stl"), ("lsdyna, vtu",)),
+        (("run", "paper", "--animate"), ("--output",)),
+        (("run", "paper", "--frames", "-1"), ("frames is -1",)),
+        (("run", "paper", "-o", __file__), ("this is a file",)),
+        (("run", "paper", "-o", "/proc/nowhere"), ("/proc/nowhere",)),
+        (("sweep", "--speed", "30:60"), ("--speed", "first:last:step")),
+        (("sweep", "--speed", "400", "--loft", "9"), ("speed", "at most 150 m/s")),
+        (("sweep", "--speed", "40", "--loft", "9", "--workers", "0"), ("workers is 0",)),
+    ],
+)
+def test_a_mistake_is_one_line(clubface_, arguments, words):
+    assert_mistake(clubface_("fem", *arguments), *words)
+
+
+def test_a_run_whose_elements_fail_ends_with_the_element_and_what_it_has(clubface_, tmp_path):
+    pytest.importorskip("matplotlib")
+    path, out = write_case(tmp_path, duration=700, old='speed = "35', new='speed = "150'), tmp_path / "out"
+    # Shorter steps would save them.
+    path.write_text(path.read_text().replace("[run]", "[run]\nsafety = 0.9"))
+    ran = clubface_("fem", "run", str(path), "-o", str(out))
+    assert ran.status == 2
+    said = ran.err.splitlines()[-1]
+    assert "clubface: element " in said
+    assert " of c" in said  # core or cover
+    assert " kept " in said or " was turned inside out " in said
+    assert " us: the time step is too long (a smaller `safety` helps)" in said
+    contact = np.genfromtxt(out / "contact.csv", delimiter=",", names=True)
+    assert contact["normal"].max() > 0.0
+    assert np.isfinite(contact["normal"]).all()
+    figures = json.loads((out / "figures.json").read_text())
+    assert said.removeprefix("clubface: ") == figures["stopped"]
+    # What is said of the energies is of an earlier time than the error.
+    last = np.genfromtxt(out / "energy.csv", delimiter=",", names=True)["time"][-1] * 1e6
+    assert f"close to {figures['energy_error']:.2%} until {last:.0f} us, the last record kept" in ran.out
+    assert last < float(re.search(r" at (\d+) us:", said)[1])
+
+
+def test_ctrl_c_keeps_what_was_computed(tmp_path):
+    pytest.importorskip("matplotlib")
+    # Longer than any test waits.
+    path = write_case(tmp_path, duration=100_000, old="./ball.toml", new="reference")
+    command = [sys.executable, "-c", MAIN, "fem", "run", str(path), "--frames", "5000", "-o"]
+    for patience in (1.0, 4.0, 12.0):  # until the run itself has begun, however busy the machine
+        out = tmp_path / f"out-{patience:.0f}"
+        with subprocess.Popen([*command, str(out)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
+            started = time.monotonic()
+            while not out.exists() and child.poll() is None and time.monotonic() - started < 30:
+                time.sleep(0.02)
+            time.sleep(patience)
+            child.send_signal(signal.SIGINT)
+            _, said = child.communicate()
+        assert child.returncode == 130
+        assert said.splitlines()[-1].startswith("clubface: interrupted")
+        if (out / "figures.json").exists():
+            break
+    assert said.splitlines()[-1].startswith("clubface: interrupted at ")
+    assert "by request" in json.loads((out / "figures.json").read_text())["stopped"]
+    for name in ("contact.csv", "motion.csv", "energy.csv"):
+        table = np.genfromtxt(out / name, delimiter=",", skip_header=1)
+        assert np.isfinite(table).all()
+
+
+@pytest.mark.parametrize("patience", [0.3, 0.45, 0.6])
+def test_ctrl_c_while_a_head_is_meshed_is_one_line(patience):
+    command = [sys.executable, "-c", MAIN, "fem", "head", "paper"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
+        time.sleep(patience)
+        child.send_signal(signal.SIGINT)
+        _, said = child.communicate()
+    # Whenever it comes, it must not break what the core is making; the words may still be those of Python.
+    assert "panicked" not in said, said
+    assert "PanicException" not in said, said
+
+
+def test_the_model_gives_the_launch_of_its_own_run():
+    from clubface import fem
+
+    launch = clubface.impact("driver", speed="108 mph", toe="5 mm", model="fem", parameters={"friction": 0.3})
+    how = fem.Settings(until_separation=True)
+    found = fem.strike("driver", speed="108 mph", toe="5 mm", friction=0.3, settings=how)
+    assert launch.ball_speed == found.launch["ball_speed"]
+    assert launch.peak_force == found.peak_force
+    assert launch.ball.name == "reference"
+    assert launch.provenance["parameters"]["values"] == {"friction": 0.3}
+
+
+def test_a_shot_by_two_models_and_its_picture(clubface_, tmp_path):
+    pytest.importorskip("matplotlib")
+    arguments = ("shot", "driver", "--speed", "48 m/s", "--model", "standard,fem", "--json")
+    rows = clubface_(*arguments, "--plot", str(tmp_path / "shot.png")).json
+    assert [row["model"] for row in rows] == ["standard", "fem"]
+    assert list(rows[0]) == list(rows[1])
+    assert rows[1]["ball_speed_mps"] == pytest.approx(rows[0]["ball_speed_mps"], rel=0.05)
+    assert (tmp_path / "shot.png").exists()
+
+
+def test_what_finite_elements_lack_is_told():
+    shot = {"speed": 48.0}
+    with pytest.raises(InputError, match="contact model"):
+        clubface.history("driver", shot, model="fem")
+    with pytest.raises(InputError, match="derivatives"):
+        clubface.sensitivity("driver", shot, model="fem")
+    with pytest.raises(InputError, match="accuracy"):
+        clubface.impact("driver", shot, model="fem", accuracy=1e-6)
+    with pytest.raises(UnknownNameError, match="ball of finite elements"):
+        clubface.impact("driver", shot, model="fem", ball="publishd")
+    found = clubface.impact("driver", speed=[4800.0], model="fem", on_error="nan")
+    assert np.isnan(found.ball_speed).all()
+    assert found.problems[0].parameter == "speed"

@@ -1,0 +1,133 @@
+"""``clubface identify`` from files."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+import clubface
+from command_line import MAIN, assert_mistake
+from synthetic_shots import published, recorded
+
+pytest.importorskip("typer")
+
+FAST = ("--population", "12", "--generations", "4", "--refined", "2", "--folds", "3", "--bootstrap", "5")
+
+
+@pytest.fixture
+def drives(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    recorded(20, "slip", noise=1.0).write("drives.csv")
+    return "drives.csv"
+
+
+def test_shots_become_parameters_as_table_json_and_file(clubface_, drives):
+    ran = clubface_("identify", drives, "--club", "driver", "--model", "slip", *FAST, "-o", "fit.toml")
+    assert ran.status == 0
+    assert "slip, driver, 20 shots: published cost" in ran.out
+    assert "slip_y" in ran.out
+    again = clubface_("identify", drives, "--club", "driver", "--model", "slip", *FAST, "--json").json
+    for key in ("model", "parameters", "intervals", "cost", "cost_holdout", "evaluations", "impacts", "wall_s"):
+        assert key in again
+    assert again["model"] == "slip"
+    assert again["cost"] < again["cost_holdout"]
+    written = clubface.ParameterSet.from_toml("fit.toml")
+    assert dict(written.values) == again["parameters"]
+    low, high = again["intervals"]["slip_y"]
+    assert low < published("slip").values["slip_y"] < high
+    # Nothing is left beside the files asked for.
+    assert sorted(os.listdir()) == ["drives.csv", "fit.toml"]
+    used = clubface_("shot", "driver", "--speed", "113 mph", "--model", "slip", "--parameters", "fit.toml", "--json")
+    assert used.status == 0
+
+
+def test_the_fit_is_drawn(clubface_, drives):
+    pytest.importorskip("matplotlib")
+    ran = clubface_("identify", drives, "--club", "driver", "--model", "slip", *FAST, "--plot", "fit.PNG")
+    assert ran.status == 0
+    with open("fit.PNG", "rb") as file:
+        assert file.read(4) == b"\x89PNG"
+
+
+def test_options_reach_the_fit(clubface_, drives):
+    ran = clubface_(
+        "identify", drives, "--club", "driver", "--model", "slip", *FAST, "--free", "cor,slip_y",
+        "--set", "slip_z=0.01", "--bounds", "cor=0.7:0.9", "--cost", "robust", "--noise", "backspin=80 rpm",
+        "--no-profiles", "--seed", "7", "--quantity", "ball_speed,backspin", "--json",
+    ).json  # fmt: skip
+    assert ran["free"] == ["cor", "slip_y"]
+    assert ran["parameters"]["slip_z"] == 0.01
+    settings = ran["settings"]
+    assert settings["bounds"]["cor"] == [0.7, 0.9]
+    assert settings["cost"] == "robust"
+    assert settings["noise"][1] == pytest.approx(80.0 * 3.141592653589793 / 30.0)
+    assert (settings["seed"], settings["quantities"], ran["profiles"]) == (7, ["ball_speed", "backspin"], {})
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("missing.csv",), ("missing.csv", "No such file")),
+        (("drives.csv", "--club", "7-iron"), ("7-iron", "dynamic loft")),
+        (("drives.csv", "--model", "slipp"), ("slipp", "slip")),
+        (("drives.csv", "--model", "slip", "--free", "friction"), ("friction", "slip_y")),
+        (("drives.csv", "--model", "slip", "--bounds", "slip_y=0.1"), ("--bounds", "name=low:high")),
+        (("drives.csv", "--model", "slip", "--tie", "slip_z=cor"), ("slip_z", "cor")),
+        (("drives.csv", "--model", "slip", "--cost", "mean"), ("mean", "published")),
+        (("drives.csv", "--model", "slip", "-o", "fit.json"), ("--output", ".toml")),
+        (("drives.csv", "--model", "slip", "--plot", "fit.doc"), ("--plot", "fit.doc", ".png, .svg, .pdf")),
+        (("drives.csv", "--model", "slip", "-o", "none/fit.toml"), ("--output", "none/fit.toml", "folder that exists")),
+        (("drives.csv", "--model", "slip", "--plot", "none/a.png"), ("--plot", "none/a.png", "folder that exists")),
+        (("drives.csv", "--model", "slip", "--checkpoint", "drives.csv"), ("drives.csv", "checkpoint", "name another")),
+        (
+            ("drives.csv", "--club", "own.toml", "-o", "./own.toml"),
+            ("--output", "another file than those that are read"),
+        ),
+        (("drives.csv", "--model", "fem"), ("fem", "volumetric")),
+        (("swing.c3d",), ("swing.c3d", "clubface capture read")),
+        (("range.xlsx",), ("range.xlsx", "save it as CSV")),
+        (("empty.csv",), ("empty.csv",)),
+        (("header.csv",), ("header.csv", "no shots")),
+        (("words.csv",), ("words.csv",)),
+    ],
+)
+def test_a_mistake_is_one_message(clubface_, drives, arguments, words):
+    open("empty.csv", "w").close()
+    with open("own.toml", "w") as file:
+        file.write(clubface.Club.template())
+    with open("header.csv", "w") as file:
+        file.write("club_speed_mph,ball_speed_mph\n")
+    with open("words.csv", "w") as file:
+        file.write("club_speed_mph,ball_speed_mph\nfast,very fast\n")
+    club = () if "--club" in arguments else ("--club", "driver")
+    before = {each.name: each.read_bytes() for each in Path().iterdir()}
+    assert_mistake(clubface_("identify", *arguments, *club, *FAST), *words)
+    assert {each.name: each.read_bytes() for each in Path().iterdir()} == before
+
+
+def test_ctrl_c_keeps_what_is_finished_and_resume_goes_on(clubface_, drives):
+    arguments = ("identify", drives, "--club", "driver", "--model", "area", "--population", "40", "--generations", "40",
+                 "--refined", "1", "--folds", "0", "--bootstrap", "0", "--no-profiles")  # fmt: skip
+    kept = "drives-driver-area.checkpoint.json"
+    with subprocess.Popen(
+        [sys.executable, "-c", MAIN, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        deadline = time.monotonic() + 60.0
+        while not os.path.exists(kept) and time.monotonic() < deadline:
+            time.sleep(0.02)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert out == ""
+    assert f"kept in {kept}" in err
+    assert "Traceback" not in err
+    resumed = clubface_(*arguments, "--resume", "--json").json
+    whole = clubface_(*arguments, "--json").json
+    assert {**resumed, "wall_s": 0.0} == {**whole, "wall_s": 0.0}
+    assert not os.path.exists(kept)

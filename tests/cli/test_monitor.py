@@ -1,0 +1,141 @@
+"""``clubface monitor``: files to one table, layouts, and shots over a socket."""
+
+import csv
+import json
+import re
+import signal
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from clubface.launch_monitor.open_connect import Listener, Sender
+from clubface.recorded.shots import read_shots
+from command_line import MAIN, assert_mistake
+
+pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+
+DATA = Path(__file__).parents[1] / "data" / "launch_monitors"
+MPH = 0.44704
+
+
+def test_a_file_becomes_one_table_and_the_rejected_rows_are_told(clubface_, tmp_path):
+    out, rejects = tmp_path / "shots.csv", tmp_path / "rejects.csv"
+    ran = clubface_("monitor", "read", str(DATA / "trackman.csv"), "-o", str(out), "--rejects", str(rejects))
+    assert ran.status == 0
+    for said in ("1 Driver, 2 7 Iron", f"3 shots: {out}", "3 rows rejected", "line 7: Club Path: 'x' is not a number"):
+        assert said in ran.out
+    assert read_shots(out).launches["ball_speed"][0] == pytest.approx(147.5 * MPH, rel=1e-14)
+    with open(rejects, newline="") as file:
+        assert [row["line"] for row in csv.DictReader(file)] == ["7", "8", "9"]
+
+
+def test_the_document_says_what_was_read(clubface_):
+    ran = clubface_("monitor", "read", str(DATA / "rapsodo.csv"), "--unit", "speed=m/s", "--hand", "left", "--json")
+    found = ran.json
+    assert (found["format"], found["shots"], found["clubs"]) == ("rapsodo", 3, {"d": 2, "7i": 1})
+    assert found["quantities"]["ball_speed"] == {
+        "unit": "m/s", "shots": 3, "mean": pytest.approx((142.4 + 141 + 111.5) / 3)
+    }  # fmt: skip
+    assert found["rejected"] == [{"line": 11, "reason": "7 cells where there are 18 columns"}]
+
+
+def test_club_data_is_referred_to_the_clubs_that_are_named(clubface_, tmp_path):
+    measured = clubface_("monitor", "read", str(DATA / "foresight-play.csv"), "--json").json
+    path = str(tmp_path / "shots.csv")
+    ran = clubface_(
+        "monitor", "read", str(DATA / "foresight-play.csv"), "--club", "Driver=driver", "-o", path, "--json"
+    )
+    assert any("referred to its centre of gravity of driver" in note for note in ran.json["notes"])
+    before, after = (each["quantities"]["path"]["mean"] for each in (measured, ran.json))
+    # One of the two is a driver: closing at 2600 deg/s its face centre moves some 2 deg more to the left.
+    assert np.degrees(after - before) == pytest.approx(
+        0.5 * np.degrees(np.radians(2600) * 0.0408 / (102.5 * MPH)), abs=0.1
+    )
+    both = clubface_("monitor", "read", str(DATA / "foresight-play.csv"), "--club", "driver", "--club", "7-iron")
+    assert_mistake(both, "--club is '7-iron'", "NAME=CLUB")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("read", "missing.csv"), ("missing.csv", "cannot be read")),
+        (("read", str(DATA / "trackman.csv"), "--format", "garmins"), ("did you mean garmin",)),
+        (("read", str(DATA / "trackman.csv"), "--unit", "speed"), ("--unit is 'speed'", "NAME=UNIT")),
+        (("read", str(DATA / "trackman.csv"), "-o", str(DATA / "trackman.csv")), ("another file than those",)),
+        (("read", str(DATA / "trackman.csv"), "--rejects", str(DATA / "trackman.csv")), ("another file than those",)),
+        (("read", str(DATA / "trackman.csv"), "-o", "x.csv", "--rejects", "./x.csv"), ("than the output",)),
+        (("read", str(DATA / "trackman.csv"), "-o", "x.xlsx"), ("must end in .csv or .parquet",)),
+        (("formats", "garmins"), ("did you mean garmin",)),
+        (("listen", "--port", "70000"), ("from 0 to 65535",)),
+        (("listen", "--timeout", "5 mph"), ("timeout", "not a speed")),
+        (("listen", "-o", str(DATA / "trackman.csv")), ("exists already",)),
+        (("send", str(DATA / "rapsodo.csv"), "--shot", "2:9"), ("--shot is '2:9'", "from 1 to 3")),
+        (("send", str(DATA / "rapsodo.csv"), "--port", "1"), ("127.0.0.1:1 cannot be reached",)),
+    ],
+)
+def test_a_mistake_is_one_message(clubface_, arguments, words):
+    assert_mistake(clubface_("monitor", *arguments), *words)
+
+
+def test_layouts_are_listed_and_shown(clubface_):
+    names = [each["name"] for each in clubface_("monitor", "formats", "--json").json]
+    assert names == ["trackman", "foresight", "foresight-2020", "garmin", "rapsodo", "flightscope"]
+    text = clubface_("monitor", "formats").out
+    assert all(name in text for name in names)
+    shown = clubface_("monitor", "formats", "garmin")
+    assert "Schwungbahn" in shown.out
+    assert clubface_("monitor", "formats", "garmin", "--json").json["columns"]["sidespin"]["positive"] == "left"
+
+
+def test_shots_of_a_table_are_sent_and_what_is_refused_is_told(clubface_):
+    heard = []
+    with Listener(0) as listener:
+        thread = threading.Thread(target=lambda: heard.extend(listener.messages()))
+        thread.start()
+        try:
+            ran = clubface_("monitor", "send", str(DATA / "foresight-play.csv"), "--port", str(listener.port))
+            one = clubface_("monitor", "send", str(DATA / "rapsodo.csv"), "--port", str(listener.port), "--shot", "3")
+        finally:
+            listener.stop()
+            thread.join(5)
+    assert (ran.status, one.status) == (2, 0)
+    assert ran.out.count(": 200 Shot received successfully") == 3
+    assert "shot 4 has no ball speed or launch angle: not sent" in ran.err
+    assert "1 of 4 shots were not taken" in ran.err
+    assert [each.shot_number for each in heard] == [1, 2, 3, 1]
+    assert heard[0].delivery["toe"] == pytest.approx(0.0085, rel=1e-12)
+    assert heard[3].launch["ball_speed"] == pytest.approx(111.5 * MPH, rel=1e-12)
+
+
+def test_a_listening_process_keeps_every_shot_and_ends_on_an_interrupt(tmp_path):
+    path = tmp_path / "live.csv"
+    child = subprocess.Popen(
+        [sys.executable, "-c", MAIN, "monitor", "listen", "--port", "0", "-o", str(path), "--json", "--hand", "left"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        port = int(re.search(r":(\d+);", child.stderr.readline())[1])
+        with Sender(port, timeout=10) as sender:
+            for speed in (60.0, 70.0):
+                assert sender.send({"ball_speed": speed, "launch": 0.2, "backspin": 250.0}, {"speed": 45.0}).was_taken
+                assert json.loads(child.stdout.readline())["ball_speed"] == pytest.approx(speed, rel=1e-12)
+            assert sender.player["Handed"] == "LH"
+        shots = read_shots(path)
+        child.send_signal(signal.SIGINT)
+        _, said = child.communicate(timeout=20)
+    finally:
+        child.kill()
+    assert shots.launches["ball_speed"] == pytest.approx([60, 70], rel=1e-12)
+    assert shots.hand.tolist() == ["left", "left"]
+    assert child.returncode == 130
+    assert f"clubface: interrupted: 2 shots in {path}" in said
+
+
+def test_listening_ends_after_so_many_shots_or_so_long(clubface_):
+    assert "0 shots" in clubface_("monitor", "listen", "--port", "0", "--timeout", "0.1 s").err

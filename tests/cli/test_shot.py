@@ -1,0 +1,187 @@
+"""``clubface shot``: its table, its JSON and its options."""
+
+import re
+
+import pytest
+
+import clubface
+from clubface import units
+
+SHOT_KEYS = [
+    "model", "ball_speed_mps", "smash", "launch_deg", "azimuth_deg", "backspin_rpm", "sidespin_rpm", "total_spin_rpm",
+    "spin_axis_deg", "carry_m", "side_m", "apex_m", "landing_deg", "contact_time_s", "peak_force_n",
+]  # fmt: skip
+
+
+def test_a_shot_is_a_row_a_model(clubface_):
+    ran = clubface_("shot", "driver", "--speed", "113 mph")
+    rows = ran.out.split("─\n")[1].splitlines()[:7]
+    assert [row.split()[0] for row in rows] == list(clubface.models())
+    assert (ran.status, ran.err) == (0, "")
+
+
+def test_the_json_of_a_shot_has_exactly_the_promised_keys_and_null_where_there_is_no_value(clubface_):
+    rows = clubface_("shot", "driver", "--speed", "113 mph", "--json").json
+    assert [row["model"] for row in rows] == list(clubface.models())
+    for row in rows:
+        assert list(row) == SHOT_KEYS
+        contact = clubface.models()[row["model"]].kind == "contact"
+        assert [row["contact_time_s"] is None, row["peak_force_n"] is None] == [not contact, not contact]
+        assert all(row[key] is not None for key in SHOT_KEYS[:-2])
+
+
+def test_the_json_of_a_shot_is_what_the_library_computes(clubface_):
+    arguments = ["--speed", "113 mph", "--attack", "-1.3 deg", "--loft", "12.8 deg", "--toe", "8 mm", "--high", "-3 mm",
+                 "--path", "2 deg", "--face", "1 deg", "--lie", "0.5 deg", "--closure", "2400 deg/s",
+                 "--pitch-rate", "300 deg/s", "--lie-rate", "50 deg/s"]  # fmt: skip
+    (row,) = clubface_("shot", "driver", *arguments, "--model", "volumetric", "--json").json
+    shot = clubface.impact(
+        "driver", speed="113 mph", attack="-1.3 deg", loft="12.8 deg", toe="8 mm", high="-3 mm", path="2 deg",
+        face="1 deg", lie="0.5 deg", closure="2400 deg/s", pitch_rate="300 deg/s", lie_rate="50 deg/s",
+        model="volumetric",
+    )  # fmt: skip
+    flight = clubface.fly(shot)
+    assert row["ball_speed_mps"] == shot.ball_speed
+    assert row["smash"] == shot.smash
+    assert row["sidespin_rpm"] == shot.get("sidespin", "rpm")
+    assert row["azimuth_deg"] == shot.get("azimuth", "deg")
+    assert (row["carry_m"], row["side_m"], row["apex_m"]) == (flight.carry, flight.side, flight.apex)
+    assert row["landing_deg"] == flight.get("landing_angle", "deg")
+    assert row["contact_time_s"] == shot.contact_time
+
+
+def test_the_table_shows_what_golfers_read(clubface_):
+    ran = clubface_("shot", "driver", "--speed", "113 mph", "--model", "rings")
+    cells = ran.out.split("─\n")[1].splitlines()[0].split()
+    shot = clubface.impact("driver", speed="113 mph", model="rings")
+    assert float(cells[1]) == round(units.from_si(shot.ball_speed, "mph"), 1)
+    assert float(cells[5]) == round(shot.get("backspin", "rpm"))
+    assert float(cells[9]) == round(units.from_si(clubface.fly(shot).carry, "yd"), 1)
+    assert float(cells[11]) == round(shot.contact_time * 1e6)
+    assert float(cells[12]) == round(shot.peak_force / 1e3, 1)
+
+
+def test_an_option_left_out_takes_the_clubs_own_value_or_zero(clubface_):
+    given = ["--loft", "9.8 deg", "--attack", "0 deg", "--path", "0 deg", "--toe", "0 mm", "--closure", "0 deg/s"]
+    plain = clubface_("shot", "driver", "--speed", "113 mph", "--json").json
+    assert clubface_("shot", "driver", "--speed", "113 mph", *given, "--json").json == plain
+
+
+@pytest.mark.parametrize("attack", ["-1.3 deg", "-1.3deg", "-0.022689280275926284"])
+def test_a_negative_value_is_no_option(clubface_, attack):
+    (row,) = clubface_("shot", "driver", "--speed", "113 mph", "--attack", attack, "--model", "standard", "--json").json
+    shot = clubface.impact("driver", speed="113 mph", attack="-1.3 deg")
+    assert row["launch_deg"] == pytest.approx(shot.get("launch", "deg"), rel=1e-12)
+
+
+def test_a_bare_number_is_si_and_said_to_be(clubface_):
+    ran = clubface_("shot", "driver", "--speed", "50", "--model", "standard", "--json")
+    assert ran.json[0]["ball_speed_mps"] == clubface.impact("driver", speed=50.0).ball_speed
+    assert ran.err == "clubface: note: --speed 50 has no unit and is taken in m/s\n"
+
+
+def test_models_are_chosen_by_commas_or_repetition_in_the_order_asked(clubface_):
+    commas = clubface_("shot", "driver", "--speed", "50 m/s", "--model", "rings,standard", "--json").json
+    repeated = clubface_(
+        "shot", "driver", "--speed", "50 m/s", "--model", "rings", "--model", "standard", "--json"
+    ).json
+    assert [row["model"] for row in commas] == ["rings", "standard"]
+    assert commas == repeated
+
+
+def test_a_left_handed_shot_is_the_mirror_image(clubface_):
+    right = clubface_("shot", "driver", "--speed", "50 m/s", "--face", "2 deg", "--toe", "5 mm", "--json").json
+    left = clubface_(
+        "shot", "driver", "--speed", "50 m/s", "--face", "-2 deg", "--toe", "5 mm", "--hand", "left", "--json"
+    ).json
+    for one, other in zip(right, left, strict=True):
+        # Mirrored arithmetic differs by rounding only.
+        assert one["backspin_rpm"] == pytest.approx(other["backspin_rpm"], rel=1e-9)
+        assert one["sidespin_rpm"] == pytest.approx(-other["sidespin_rpm"], rel=1e-7)
+        assert one["side_m"] == pytest.approx(-other["side_m"], rel=1e-6)
+
+
+def test_a_setting_changes_the_models_that_have_it(clubface_):
+    plain = clubface_("shot", "driver", "--speed", "50 m/s", "--json").json
+    changed = clubface_("shot", "driver", "--speed", "50 m/s", "--set", "friction=0.2", "--json").json
+    differ = {a["model"] for a, b in zip(plain, changed, strict=True) if a != b}
+    assert differ == {"volumetric", "rings", "area"}
+
+
+def test_parameters_come_from_a_file_or_by_the_name_of_a_published_set(clubface_, tmp_path):
+    file = tmp_path / "mine.toml"
+    file.write_text(clubface.ParameterSet.builtin("standard", "driver").replace(cor="0.7").to_toml())
+    rows = clubface_("shot", "driver", "--speed", "50 m/s", "--parameters", str(file), "--json").json
+    shot = clubface.impact("driver", speed=50.0, parameters={"cor": 0.7})
+    assert rows[0]["ball_speed_mps"] == shot.ball_speed
+    named = clubface_("shot", "driver", "--speed", "50 m/s", "--parameters", "penner", "--json").json
+    assert named[0]["ball_speed_mps"] == clubface.impact("driver", speed=50.0, parameters="penner").ball_speed
+    assert named[1:] == rows[1:]
+
+
+def test_the_air_is_one_text_or_single_options(clubface_):
+    shot = ["shot", "driver", "--speed", "50 m/s", "--model", "standard", "--json"]
+    text = clubface_(*shot, "--air", "temperature=30 degC, altitude=1600 m, wind=-5 m/s").json
+    single = clubface_(*shot, "--temperature", "30 degC", "--altitude", "1600 m", "--wind", "-5 m/s").json
+    launch = clubface.impact("driver", speed=50.0)
+    flown = clubface.fly(launch, air={"temperature": "30 degC", "altitude": "1600 m"}, wind=("-5 m/s", 0, 0))
+    assert text == single
+    assert text[0]["carry_m"] == flown.carry
+    assert text[0]["carry_m"] != clubface_(*shot).json[0]["carry_m"]
+
+
+def test_a_crosswind_blows_to_the_right(clubface_):
+    (row,) = clubface_(
+        "shot", "driver", "--speed", "50 m/s", "--model", "standard", "--wind", "0, 5 m/s", "--json"
+    ).json
+    assert row["side_m"] > 5.0
+
+
+def test_one_line_under_the_table_says_where_the_caveats_of_the_models_stand(clubface_):
+    shot = ["shot", "driver", "--speed", "50 m/s"]
+    table, note = clubface_(*shot, "--model", "adjusted").out.rsplit("\n", 2)[:2]
+    assert note == "Caveats: clubface models adjusted"
+    assert table.splitlines()[-1].startswith("adjusted ")
+    assert clubface_(*shot).out.endswith("clubface models NAME\n")
+    assert clubface_(*shot, "--model", "slip").out.splitlines()[-1].startswith("slip ")  # has no caveats
+    assert "clubface models" not in clubface_(*shot, "--json").out
+    text = " ".join(clubface_("models", "adjusted").out.split())
+    assert text.count("lowers backspin by about 600 rpm") == 1
+
+
+def test_the_line_under_the_table_names_the_models_whose_spin_is_beyond_the_aerodynamic_data(clubface_):
+    # The aerodynamics were fitted to spin parameters up to 0.75: a putt-like speed at a wedge's loft is beyond.
+    slow = ["shot", "pitching-wedge", "--speed", "3 m/s", "--loft", "60 deg", "--model", "standard,slip"]
+    (note,) = clubface_(*slow).out.splitlines()[-1:]
+    assert note == "Spin beyond the aerodynamic data: standard, slip. Caveats: clubface models standard"
+
+
+def test_the_accuracy_is_passed_on(clubface_):
+    shot = ["shot", "driver", "--speed", "50 m/s", "--model", "volumetric", "--json"]
+    fine = clubface.impact("driver", speed=50.0, model="volumetric", accuracy=1e-10)
+    assert clubface_(*shot, "--accuracy", "1e-10").json[0]["backspin_rpm"] == fine.get("backspin", "rpm")
+
+
+def test_a_plot_is_written_and_json_stays_alone(clubface_, tmp_path):
+    pytest.importorskip("matplotlib")
+    file = tmp_path / "shot.svg"
+    ran = clubface_("shot", "driver", "--speed", "50 m/s", "--model", "standard,area", "--plot", str(file), "--json")
+    assert len(ran.json) == 2
+    assert file.read_bytes().startswith(b"<?xml")
+
+
+@pytest.mark.parametrize("width", [40, 80, 120])
+def test_no_line_of_a_table_exceeds_the_terminal(clubface_, monkeypatch, width):
+    monkeypatch.setenv("COLUMNS", str(width))
+    for arguments in (["shot", "driver", "--speed", "113 mph"], ["clubs"], ["models"], ["tour", "--model", "standard"]):
+        ran = clubface_(*arguments)
+        assert max(len(line) for line in ran.out.splitlines()) <= width
+        assert "…" not in ran.out
+
+
+def test_a_narrow_terminal_repeats_the_models_and_loses_no_column(clubface_, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "60")
+    out = clubface_("shot", "driver", "--speed", "113 mph").out
+    assert out.count("volumetric") == 2
+    assert len(re.findall(r"^volumetric(.*)$", out, re.MULTILINE)) == 2
+    assert sum(len(line.split()) - 1 for line in out.splitlines() if line.startswith("volumetric")) == 12

@@ -1,0 +1,113 @@
+"""Clubs and balls: the built-in ones, what is refused, and reading back what was written."""
+
+import csv
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+from clubface.equipment.balls import Ball, ball, ball_names
+from clubface.equipment.clubs import CLUB_NAMES, CLUB_QUANTITIES, club
+from clubface.errors import RuleWarning
+from clubface.simulation.impact import impact
+from clubface.support import shipped, warning
+
+
+@pytest.fixture(autouse=True)
+def _nothing_said_yet(monkeypatch):
+    monkeypatch.setattr(warning, "_given", set())
+
+
+def test_the_driver_and_the_7_iron_are_those_of_table_1():
+    driver, iron = club("driver"), club("7-iron")
+    # 1e-15: one rounding of the conversion.
+    assert driver.cg == pytest.approx((0.0408, 0.0114, 0.001), rel=1e-15)
+    assert iron.cg == pytest.approx((0.00361, 0.00485, 0.00112), rel=1e-15)
+    assert (driver.mass, iron.mass) == (0.204, 0.264)
+    expected = [[2843, -733, 530.2], [-733, 5679, 0.5], [530.2, 0.5, 4085]]
+    assert np.array(driver.inertia) * 1e7 == pytest.approx(np.array(expected), rel=1e-15)
+    expected = [[2752, -51, -53], [-51, 2889, -429], [-53, -429, 576.6]]
+    assert np.array(iron.inertia) * 1e7 == pytest.approx(np.array(expected), rel=1e-15)
+    assert math.degrees(driver.loft) == pytest.approx(9.8, rel=1e-15)
+    assert math.degrees(iron.loft) == pytest.approx(30.5, rel=1e-15)
+    assert (driver.bulge, driver.roll, iron.bulge, iron.roll) == (0.305, 0.305, math.inf, math.inf)
+
+
+def test_the_published_ball_is_that_of_table_1():
+    with pytest.warns(RuleWarning, match=r"42\.60 mm"):
+        published = ball("published")
+    assert published.inputs() == pytest.approx(
+        {"ball_mass": 0.0459, "ball_radius": 0.0213, "ball_inertia": 83.36e-7}, rel=1e-15
+    )
+
+
+def test_the_ball_that_nobody_named_is_taken_without_a_warning_and_warned_of_when_named():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        taken = ball()
+        assert impact("driver", speed=50.0).ball == taken
+    with pytest.warns(RuleWarning, match=r"42\.60 mm"):
+        assert ball("published") == taken
+
+
+def test_the_conforming_ball_breaks_no_rule_and_is_a_uniform_sphere():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        conforming = ball("conforming")
+    # The file gives six digits.
+    assert conforming.inertia == pytest.approx(0.4 * conforming.mass * conforming.radius**2, rel=1e-6)
+
+
+def test_there_is_a_club_for_every_row_of_the_tour_averages():
+    lines = (shipped.DATA / "tour_averages.csv").read_text().splitlines()
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    assert tuple(row["club"] for row in rows) == CLUB_NAMES == tuple(club(name).name for name in CLUB_NAMES)
+    assert {club(name).name for name in CLUB_NAMES} == set(shipped.builtin_names("clubs"))
+
+
+@pytest.mark.parametrize("name", CLUB_NAMES)
+def test_every_value_of_a_built_in_club_has_a_source(name):
+    assert set(club(name).sources) == set(CLUB_QUANTITIES) - {"cor"}
+
+
+@pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+@pytest.mark.parametrize("name", ball_names())
+def test_every_value_of_a_built_in_ball_has_a_source(name):
+    assert set(Ball.builtin(name).sources) == {"mass", "radius", "inertia"}
+
+
+# Values in the files have six digits: 1e-5 leaves room for two such roundings.
+SIX_DIGITS = 1e-5
+
+
+@pytest.mark.parametrize(("name", "loft", "volume"), [("3-wood", 15, 165), ("5-wood", 18, 150), ("hybrid", 18, 100)])
+def test_woods_follow_the_scaling_rules_their_files_state(name, loft, volume):
+    driver, iron, wood = club("driver"), club("7-iron"), club(name)
+    length = (volume / 460.0) ** (1.0 / 3.0)
+    share = (wood.loft - driver.loft) / (iron.loft - driver.loft)
+    assert math.degrees(wood.loft) == pytest.approx(loft)
+    assert wood.mass == pytest.approx(driver.mass + share * (iron.mass - driver.mass), abs=0.5001e-3)
+    assert np.array(wood.cg) == pytest.approx(length * np.array(driver.cg), rel=SIX_DIGITS)
+    scaled = np.array(driver.inertia) * (wood.mass / driver.mass) * length**2
+    assert np.array(wood.inertia) == pytest.approx(scaled, rel=SIX_DIGITS)
+
+
+@pytest.mark.parametrize("name", [name for name in CLUB_NAMES if "iron" in name or "wedge" in name])
+def test_irons_follow_the_scaling_rules_their_files_state(name):
+    seven, iron = club("7-iron"), club(name)
+    steps = (10 if "wedge" in name else int(name[0])) - 7
+    angle = iron.loft - seven.loft
+    turn = np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]])
+    normal = np.array([math.cos(seven.loft), math.sin(seven.loft), 0.0])
+    assert iron.mass == pytest.approx(seven.mass + 0.007 * steps, rel=1e-12)
+    assert np.array(iron.cg) == pytest.approx(turn @ (seven.cg - 0.207e-3 * steps * normal), rel=SIX_DIGITS)
+    scaled = turn @ np.array(seven.inertia) @ turn.T * iron.mass / seven.mass
+    assert np.array(iron.inertia) == pytest.approx(scaled, rel=SIX_DIGITS)
+
+
+def test_the_set_grows_in_loft_and_mass_from_driver_to_wedge():
+    lofts = [club(name).loft for name in CLUB_NAMES if name != "hybrid"]
+    masses = [club(name).mass for name in CLUB_NAMES]
+    assert lofts == sorted(lofts)
+    assert masses == sorted(masses)

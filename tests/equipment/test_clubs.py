@@ -1,0 +1,282 @@
+"""Clubs and balls: the built-in ones, what is refused, and reading back what was written."""
+
+import contextlib
+import math
+import warnings
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from clubface import units
+from clubface.equipment.balls import Ball, ball
+from clubface.equipment.clubs import CLUB_QUANTITIES, Club, club
+from clubface.equipment.mass_properties import principal_moments
+from clubface.errors import FileError, ImplausibleWarning, InputError, RuleWarning, UnitError, UnknownNameError
+from clubface.support import warning
+
+
+@pytest.fixture(autouse=True)
+def _nothing_said_yet(monkeypatch):
+    monkeypatch.setattr(warning, "_given", set())
+
+
+@st.composite
+def clubs(draw):
+    """Clubs with the inertia of a cloud of point masses, which is what makes a tensor possible."""
+    points = np.array(draw(st.lists(st.tuples(*[st.floats(-0.06, 0.06)] * 3), min_size=6, max_size=6)))
+    points = np.vstack([points, 0.03 * np.eye(3), -0.03 * np.eye(3)])
+    tensor = sum(0.02 * (p @ p * np.eye(3) - np.outer(p, p)) for p in points)
+    length, text = st.floats(-0.1, 0.1), st.text(st.characters(exclude_categories=["Cs"]))
+    radius = st.one_of(st.just(math.inf), st.floats(0.3, 10.0))  # of a face that reaches its corners
+    return Club(
+        name=draw(st.text(min_size=1).filter(lambda t: t.strip() and t.isprintable())),
+        kind=draw(st.sampled_from(["wood", "hybrid", "iron"])),
+        mass=draw(st.floats(1e-6, 0.9)),
+        cg_x=draw(length), cg_y=draw(length), cg_z=draw(length),
+        ixx=tensor[0, 0], iyy=tensor[1, 1], izz=tensor[2, 2],
+        ixy=tensor[0, 1], ixz=tensor[0, 2], iyz=tensor[1, 2],
+        loft=draw(st.floats(0.0, 1.3)), bulge=draw(radius), roll=draw(radius),
+        face_width=draw(st.floats(1e-3, 0.3)), face_height=draw(st.floats(1e-3, 0.3)),
+        hand=draw(st.sampled_from([1, -1])), parameters=draw(st.sampled_from(["driver", "7-iron"])),
+        cor=draw(st.none() | st.floats(0.0, 0.8)), description=draw(text),
+        sources=draw(st.dictionaries(st.sampled_from(sorted(CLUB_QUANTITIES)), text)),
+    )  # fmt: skip
+
+
+@pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+@given(clubs())
+def test_a_club_reads_back_as_it_was_written_bit_by_bit(subject):
+    assert Club.from_text(subject.to_toml()) == subject
+
+
+@pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+@given(st.floats(1e-9, 1.0), st.floats(1e-6, 1.0), st.floats(1e-3, 0.6))
+def test_a_ball_reads_back_as_it_was_written_bit_by_bit(mass, radius, factor):
+    subject = Ball(name="b", mass=mass, radius=radius, inertia=factor * mass * radius**2)
+    assert Ball.from_text(subject.to_toml()) == subject
+
+
+def test_templates_describe_usable_club_and_ball():
+    mine = Club.from_text(Club.template("mine"))
+    assert mine.replace(name="driver", description="", sources={}) == club("driver").replace(description="", sources={})
+    assert Ball.from_text(Ball.template()).name == "my-ball"
+
+
+@given(st.text())
+def test_any_text_is_a_club_or_a_file_error(text):
+    with pytest.raises(FileError):
+        Club.from_text(text)
+
+
+ANYTHING = st.one_of(
+    st.text(),
+    st.integers(),
+    st.floats(),
+    st.booleans(),
+    st.lists(st.integers()),
+    st.dictionaries(st.text(), st.text()),
+)
+
+
+def _toml(value):
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, float):
+        return {"nan": "nan", "inf": "inf", "-inf": "-inf"}.get(repr(value), repr(value))
+    if isinstance(value, str):
+        return '"' + "".join(f"\\U{ord(c):08X}" for c in value if not "\ud800" <= c <= "\udfff") + '"'
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_toml(k)} = {_toml(v)}" for k, v in value.items()) + "}"
+    return str(value)
+
+
+KEYS = st.sampled_from([*CLUB_QUANTITIES, "name", "kind", "hand", "parameters", "description", "sources", "extra"])
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@given(st.dictionaries(KEYS, ANYTHING, min_size=1, max_size=4))
+def test_a_club_file_with_anything_in_it_is_a_club_or_a_file_error(changes):
+    lines = [line for line in club("driver").to_toml().split("\n[sources]")[0].splitlines() if line]
+    kept = [line for line in lines if line.split(" = ")[0] not in changes]
+    text = "\n".join([*kept, *(f"{key} = {_toml(value)}" for key, value in changes.items())])
+    with contextlib.suppress(FileError):
+        Club.from_text(text)
+
+
+@pytest.mark.parametrize("content", [b"\xff\xfe", b"a = " + b"[" * 5000, b"x" * 1_000_001, b"a = 1" + b"0" * 5000])
+def test_unreadable_content_is_a_file_error(tmp_path, content):
+    path = tmp_path / "bad.toml"
+    path.write_bytes(content)
+    with pytest.raises(FileError, match=r"bad\.toml"):
+        Club.from_toml(path)
+
+
+def test_a_missing_file_is_a_file_error(tmp_path):
+    for path in (tmp_path / "none.toml", tmp_path, "nul\0.toml"):
+        with pytest.raises(FileError, match="cannot be read"):
+            club(path)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "message"),
+    [
+        ("mass = ", "mas = ", 6, "unknown key 'mas' .*did you mean mass"),
+        (
+            'mass = "204 g"',
+            'mass = "204 mm"',
+            6,
+            "mass is '204 mm'; it must be in kg or g or oz, not a length",
+        ),
+        ('mass = "204 g"', "mass = 0", 6, "mass is 0.0; it must be above 0 kg"),
+        ('mass = "204 g"', 'mass = "-204 g"', 6, "above 0 kg"),
+        ('mass = "204 g"', "mass = nan", 6, "finite"),
+        ('loft = "9.8 deg"', 'loft = "95 deg"', 16, "loft is '95 deg'; it must be from 0 to 75 deg"),
+        ('bulge = "305 mm"', 'bulge = "-305 mm"', 17, 'bulge .* above 0 m, or "flat"'),
+        ('bulge = "305 mm"', 'bulge = "round"', 17, "bulge is 'round'"),
+        ('face_width = "105 mm"', 'face_width = "0 mm"', 19, "face_width .* above 0 m"),
+        ('kind = "wood"', 'kind = "wod"', 2, "unknown kind 'wod' .*did you mean wood"),
+        ('hand = "right"', 'hand = "rihgt"', 3, "did you mean right"),
+        ('hand = "right"', "hand = 1", 3, "must be text"),
+        ('parameters = "driver"', 'parameters = "putter"', 4, "driver, 7-iron"),
+        ('iyy = "5679 g cm2"', 'iyy = "50 g cm2"', None, "positive definite"),
+        ('iyy = "5679 g cm2"', 'iyy = "9000 g cm2"', None, "triangle inequality"),
+        ('iyy = "5679 g cm2"', "", None, "keys are missing: iyy"),
+        ('loft = "9.8 deg"', 'loft = "9.8', 16, "not TOML"),
+        ('mass = "Table', 'mas = "Table', 23, "unknown key 'mas'"),
+    ],
+)
+def test_a_mistake_in_a_file_is_told_with_line_and_remedy(tmp_path, old, new, line, message):
+    text = club("driver").replace(description="").to_toml()
+    assert text.count(old) == 1 or old in ("mass = ",)
+    path = tmp_path / "mine.toml"
+    path.write_text(text.replace(old, new, 1))
+    with pytest.raises(FileError, match=message) as caught:
+        club(path)
+    assert caught.value.path == str(path)
+    assert caught.value.line == line
+
+
+@pytest.mark.parametrize(
+    ("changes", "error"),
+    [
+        ({"mass": "0 g"}, InputError),
+        ({"mass": math.inf}, InputError),
+        ({"mass": "200 mph"}, UnitError),
+        ({"masss": "200 g"}, UnknownNameError),
+        ({"loft": "95 deg"}, InputError),
+        ({"cg_x": math.nan}, InputError),
+        ({"roll": 0}, InputError),
+        ({"bulge": "52 mm"}, InputError),
+        ({"hand": "up"}, UnknownNameError),
+        ({"hand": 0}, InputError),
+        ({"cor": 1.2}, InputError),
+        ({"name": ""}, InputError),
+        ({"description": "\ud800"}, InputError),
+    ],
+)
+def test_an_impossible_change_is_refused(changes, error):
+    with pytest.raises(error, match=next(iter(changes))):
+        club("driver").replace(**changes)
+
+
+@pytest.mark.parametrize("huge", [1e155, 1e308])
+def test_numbers_whose_squares_are_beyond_all_numbers_are_no_exception(huge):
+    assert club("driver").replace(roll=huge).roll == huge
+    assert ball("conforming").replace(radius=huge).radius == huge
+    with pytest.raises(InputError, match="bulge"):
+        club("driver").replace(face_height=huge)
+
+
+def test_a_change_takes_units_and_drops_the_source_of_what_it_changed():
+    changed = club("driver").replace(mass="190 g", bulge="flat", hand="left")
+    assert (changed.mass, changed.bulge, changed.hand) == (0.19, math.inf, -1)
+    assert "mass" not in changed.sources
+    assert "loft" in changed.sources
+
+
+def test_a_flat_plate_meets_the_triangle_inequality():
+    plate = {"ixx": 3e-4, "iyy": 2e-4, "izz": 1e-4, "ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
+    assert club("driver").replace(**plate).ixx == 3e-4
+    with pytest.raises(InputError, match="triangle"):
+        club("driver").replace(**{**plate, "ixx": 3.000001e-4})
+
+
+@given(st.lists(st.floats(-1.0, 1.0), min_size=6, max_size=6))
+def test_principal_moments_are_the_eigenvalues(elements):
+    a, b, c, d, e, f = elements
+    tensor = ((a, d, e), (d, b, f), (e, f, c))
+    # Jacobi rotations and LAPACK are both backward stable: some 1e-15 of the norm (here up to 3).
+    assert principal_moments(tensor) == pytest.approx(np.linalg.eigvalsh(np.array(tensor)), abs=2e-14)
+
+
+def test_a_ball_heavier_at_the_rim_than_a_shell_is_refused():
+    with pytest.raises(InputError, match="thin shell"):
+        ball("conforming").replace(inertia="150 g cm2")
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [({"iyy": "6001 g cm2", "izz": "5000 g cm2"}, "5900"), ({"cor": "0.84"}, r"0\.83")],
+)
+def test_a_club_outside_the_rules_is_a_warning_given_once(changes, message):
+    with pytest.warns(RuleWarning, match=message):
+        club("driver").replace(**changes)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        club("driver").replace(**changes)
+
+
+@pytest.mark.parametrize("changes", [{"iyy": "5999 g cm2"}, {"cor": "0.83"}, {"iyy": "6500 g cm2", "kind": "iron"}])
+def test_the_tolerance_is_kept_and_the_inertia_of_irons_is_free(changes):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        club("driver").replace(izz="5000 g cm2", **changes)
+
+
+def test_a_ball_outside_the_rules_is_a_warning():
+    with pytest.warns(RuleWarning, match=r"45\.93 g"):
+        ball("conforming").replace(mass="46 g")
+    with pytest.warns(RuleWarning, match=r"42\.67 mm"):
+        ball("conforming").replace(radius="21.3 mm")
+
+
+@pytest.mark.parametrize("make", [lambda: ball("published"), lambda: ball("conforming").replace(mass="46 g")])
+def test_a_warning_points_at_the_line_that_asked(make):
+    with pytest.warns(RuleWarning) as caught:
+        make()
+    assert [each.filename for each in caught] == [__file__]
+
+
+def test_a_forgotten_unit_is_noticed():
+    with pytest.warns(ImplausibleWarning, match="204 kg"):
+        club("driver").replace(mass=204)
+
+
+def test_an_unknown_name_gives_the_nearest():
+    with pytest.raises(UnknownNameError, match=r"did you mean driver"):
+        club("drivr")
+    with pytest.raises(UnknownNameError, match="conforming"):
+        ball("conform")
+
+
+def test_a_club_is_taken_by_name_path_or_itself(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text(Club.template("mine"))
+    assert club(path) == club(str(path)) == club(club(path))
+
+
+def test_inputs_are_in_the_order_of_the_columns():
+    names = "club_mass cg_x cg_y cg_z ixx iyy izz ixy ixz iyz static_loft bulge roll face_width face_height hand"
+    assert list(club("driver").inputs()) == names.split()
+    assert list(ball("conforming").inputs()) == ["ball_mass", "ball_radius", "ball_inertia"]
+    assert club("driver").inputs()["hand"] == 1.0
+    assert units.from_si(club("driver").inputs()["iyy"], "g cm2") == pytest.approx(5679)
+
+
+def test_woods_take_the_published_driver_sets_and_irons_the_7_iron_sets():
+    for kind, family in (("wood", "driver"), ("hybrid", "driver"), ("iron", "7-iron")):
+        assert club("driver").replace(kind=kind, parameters="").parameters == family

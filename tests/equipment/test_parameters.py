@@ -1,0 +1,257 @@
+"""Published parameter sets against the tables they come from, the user's own sets, and what is refused."""
+
+import contextlib
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from clubface.equipment import parameters
+from clubface.equipment.models import model, models
+from clubface.equipment.parameters import ParameterSet, builtin_sets
+from clubface.errors import FileError, InputError, UnitError, UnknownNameError
+from clubface.support.strict_toml import Document
+
+# "Three-dimensional golf clubhead-ball impact models for drivers and irons", Tables 6 to 10, SI; the shear moduli
+# divided by 100 and the printed eta replaced by zero, as the sets say.
+PRINTED = {
+    ("standard", "driver"): [0.83, 0.0],
+    ("standard", "7-iron"): [0.83, 0.0],
+    ("adjusted", "driver"): [0.83, 0.0, 2.54e-3, 0.0, -0.482e-3, -0.068e-3],
+    ("adjusted", "7-iron"): [0.83, 0.0, 10.10e-3, -0.395e-3, -0.182e-3, -0.071e-3],
+    ("slip", "driver"): [0.83, 0.0, -0.0103, -0.0150],
+    ("slip", "7-iron"): [0.83, 0.0, 0.0183, 0.0423],
+    ("volumetric", "driver"): [6.25e9, 6.42e-3, 0.372, 13.5, 2.53e-3, 1.26e-3, 0.936],
+    ("volumetric", "7-iron"): [6.83e9, 9.26e-3, 0.489, 34.1, 13.2e-3, 2.55e-3, 0.812],
+    ("rings", "driver"): [5.58e9 / 100, 0.407, 6.50e-3, 0.360, 5.58e9 / 100],
+    ("rings", "7-iron"): [5.74e9 / 100, 0.418, 11.5e-3, 0.519, 5.74e9 / 100],
+    ("area", "driver"): [5.40e9 / 100, 0.398, 6.35e-3, 0.0486, 0.0],
+    ("area", "7-iron"): [5.24e9 / 100, 0.412, 9.89e-3, 0.118, 0.0],
+    ("jorgensen", "driver"): [0.83, 0.0, 0.92],
+    ("jorgensen", "7-iron"): [0.83, 0.0, 0.92],
+}
+
+
+@pytest.mark.parametrize("key", PRINTED, ids="-".join)
+def test_the_default_set_is_the_printed_one(key):
+    # One rounding of the conversion.
+    assert ParameterSet.builtin(*key).columns() == pytest.approx(PRINTED[key], rel=4e-16, abs=0)
+
+
+def test_every_model_and_family_has_exactly_one_default_set():
+    for name in models():
+        for club in ("driver", "7-iron"):
+            fitting = [each for each in builtin_sets(name) if each.default and each.club in (club, "any")]
+            assert len(fitting) == 1, (name, club)
+
+
+def test_set_names_are_unique_for_a_model_and_club():
+    seen = [(each.model, each.club, each.name) for each in builtin_sets()]
+    assert len(seen) == len(set(seen))
+
+
+@pytest.mark.parametrize("each", ["reference", "source", "name"])
+def test_every_published_set_tells_where_it_comes_from(each):
+    assert all(getattr(found, each) for found in builtin_sets())
+
+
+@pytest.mark.parametrize(
+    ("key", "parameter", "text"),
+    [
+        (("rings", "driver"), "shear_modulus", "printed 5.58 GPa, corrected by 1/100"),
+        (("rings", "7-iron"), "shear_modulus", "printed 5.74 GPa, corrected by 1/100"),
+        (("rings", "driver"), "ring_modulus", "not printed"),
+        (("area", "driver"), "shear_modulus", "printed 5.40 GPa, corrected by 1/100"),
+        (("area", "driver"), "area_damping", "printed eta 1.32e5 N s/m2"),
+        (("area", "7-iron"), "area_damping", "printed eta 2.06e5 N s/m2"),
+        (("adjusted", "driver"), "dcg_y", "as printed"),
+        (("volumetric", "driver"), "layer_damping", "ten times"),
+    ],
+)
+def test_errata_are_told_with_the_value(key, parameter, text):
+    assert text in ParameterSet.builtin(*key).value_caveats[parameter]
+
+
+def test_the_low_backspin_of_the_volumetric_driver_set_is_told():
+    assert "37 to 40 % less backspin" in ParameterSet.builtin("volumetric", "driver").caveats[0]
+
+
+def test_variants_are_chosen_by_name():
+    penner = ParameterSet.builtin("standard", "driver", "penner")
+    assert dict(penner.values) == {"cor": 0.86, "cor_slope": -0.0029}
+    own = ParameterSet.builtin("jorgensen", "any", "jorgensen")
+    assert own.values["compression_factor"] == 0.7
+    radius = ParameterSet.builtin("jorgensen", "driver", "golf-ball-spin-fem/effective-radius")
+    assert radius.values["compression_factor"] == 0.9476
+    with pytest.raises(UnknownNameError, match="did you mean penner"):
+        ParameterSet.builtin("standard", "driver", "pener")
+
+
+def test_compression_factors_follow_from_the_figures_of_the_paper():
+    # Roh and Lee: 35 m/s, 11.5 deg, 42.8 mm ball, 2047 rpm; Eq. 6 solved for f. They print four digits of spin.
+    along = 35.0 * math.sin(math.radians(11.5))
+    factor = 7.0 * 0.0214 * (2047.0 * math.pi / 30.0) / (5.0 * along)
+    assert factor == pytest.approx(ParameterSet.builtin("jorgensen", "any").values["compression_factor"], abs=1e-3)
+    # Eq. 11 with f' = 0.8379.
+    found = ParameterSet.builtin("jorgensen", "any", "golf-ball-spin-fem/effective-radius")
+    assert found.values["compression_factor"] == pytest.approx(7 * 0.8379 / (5 * 0.8379 + 2), abs=5e-5)
+
+
+def test_one_number_can_be_changed_and_the_set_says_so():
+    changed = ParameterSet.builtin("volumetric", "driver").replace(friction="0.4", cover_thickness="1.5 mm")
+    assert changed.values["friction"] == 0.4
+    assert changed.values["cover_thickness"] == 1.5e-3
+    assert changed.values["stiffness"] == 6.25e9
+    assert "changed: friction, cover_thickness" in changed.source
+    assert not changed.default
+
+
+def test_a_changed_value_loses_its_caveat():
+    assert "area_damping" not in ParameterSet.builtin("area", "driver").replace(area_damping=100.0).value_caveats
+
+
+def test_a_parameter_may_be_an_array():
+    changed = ParameterSet.builtin("volumetric", "driver").replace(
+        friction=[0.3, 0.4], cover_thickness=["1 mm", "2 mm"]
+    )
+    assert changed.values["friction"] == pytest.approx(np.array([0.3, 0.4]))
+    assert changed.values["cover_thickness"] == pytest.approx(np.array([0.001, 0.002]))
+    with pytest.raises(InputError, match="friction is '7'"):
+        changed.replace(friction=[0.3, 7.0])
+    with pytest.raises(InputError, match="a single number"):
+        changed.to_toml()
+
+
+@pytest.mark.parametrize(
+    ("changes", "error", "message"),
+    [
+        ({"friction": "3"}, InputError, "friction is '3'; it must be from 0 to 2"),
+        ({"friction": math.nan}, InputError, "finite"),
+        ({"friction": [0.1, math.nan]}, InputError, "friction"),
+        ({"friction": "0.4 m"}, UnitError, "not a length"),
+        ({"cover_thickness": "50 mm"}, InputError, "from 0.0003 m to 0.008 m"),
+        ({"frction": "0.4"}, UnknownNameError, "did you mean friction"),
+        ({"cor": "0.8"}, UnknownNameError, "parameter of volumetric 'cor'"),
+    ],
+)
+def test_an_impossible_value_is_refused(changes, error, message):
+    with pytest.raises(error, match=message):
+        ParameterSet.builtin("volumetric", "driver").replace(**changes)
+
+
+def test_unknown_model_and_family_give_the_nearest():
+    with pytest.raises(UnknownNameError, match="did you mean volumetric"):
+        ParameterSet.builtin("volumetrc", "driver")
+    with pytest.raises(UnknownNameError, match="did you mean driver"):
+        ParameterSet.builtin("area", "drivr")
+    with pytest.raises(UnknownNameError, match=r"unknown parameter of area 'fiction' .did you mean friction"):
+        model("area").parameter("fiction")
+
+
+def test_an_incomplete_set_lists_what_is_missing():
+    with pytest.raises(InputError, match="missing: cor_slope"):
+        ParameterSet(model="standard", club="any", name="mine", values={"cor": 0.8})
+
+
+def test_the_defaults_of_the_registry_make_a_set():
+    made = ParameterSet.defaults("area").values
+    assert dict(made) == {each.name: each.default for each in model("area").parameters}
+
+
+@pytest.mark.parametrize("key", PRINTED, ids="-".join)
+def test_a_published_set_reads_back_as_it_was_written(tmp_path, key):
+    written = ParameterSet.builtin(*key)
+    path = tmp_path / "mine.toml"
+    path.write_text(written.to_toml())
+    read = ParameterSet.from_toml(path)
+    assert read.values == written.values
+    assert (read.model, read.club, read.name, read.source) == (
+        *key[:1],
+        written.club,
+        written.name,
+        written.source,
+    )
+    assert (read.caveats, read.value_caveats) == (written.caveats, written.value_caveats)
+
+
+@given(st.floats(0.0, 1.0), st.floats(-0.02, 0.0))
+def test_any_standard_set_reads_back_bit_by_bit(cor, slope):
+    subject = ParameterSet(model="standard", club="any", name="a", values={"cor": cor, "cor_slope": slope})
+    assert parameters.read_sets(Document(subject.to_toml()))[0].values == subject.values
+
+
+OWN = """title = "My session"
+reference = "42 drives"
+
+[[set]]
+model = "slip"
+club = "driver"
+[set.values]
+cor = "82 %"
+cor_slope = 0
+slip_y = -0.01
+slip_z = "0.02"
+"""
+
+
+def test_a_users_own_file_is_read(tmp_path):
+    path = tmp_path / "own.toml"
+    path.write_text(OWN)
+    own = ParameterSet.from_toml(path)
+    assert dict(own.values) == {"cor": 0.82, "cor_slope": 0.0, "slip_y": -0.01, "slip_z": 0.02}
+    assert (own.name, own.reference) == ("My session", "42 drives")
+
+
+def test_where_a_file_holds_several_sets_one_is_chosen(tmp_path):
+    path = tmp_path / "own.toml"
+    path.write_text(OWN + OWN.partition("\n\n")[2].replace('"driver"', '"7-iron"').replace("82 %", "80 %"))
+    assert ParameterSet.from_toml(path, club="7-iron").values["cor"] == 0.8
+    with pytest.raises(FileError, match="more than one set fits; the file holds: slip for driver; slip for 7-iron"):
+        ParameterSet.from_toml(path)
+    with pytest.raises(FileError, match="no set fits"):
+        ParameterSet.from_toml(path, model="area")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "message"),
+    [
+        ('slip_z = "0.02"', 'slip_x = "0.02"', 11, "unknown key 'slip_x' .*did you mean slip_"),
+        ('slip_z = "0.02"', "", 7, r"keys of \[set.values\] are missing: slip_z"),
+        ('slip_z = "0.02"', 'slip_z = "2"', 11, "slip_z is '2'; it must be from -1 to 1"),
+        ('slip_z = "0.02"', 'slip_z = "2 mph"', 11, "not a speed"),
+        ("slip_y = -0.01", "slip_y = true", 10, "slip_y is True"),
+        ('model = "slip"', 'model = "slop"', 5, "unknown model 'slop' .*did you mean slip"),
+        ('model = "slip"', "model = 3", 5, "must be text"),
+        ('club = "driver"', 'club = "putter"', 6, "unknown club 'putter'"),
+        ("[[set]]", "[[sets]]", 4, "unknown key 'sets'"),
+        ('title = "My session"', "", None, "missing: title"),
+    ],
+)
+def test_a_mistake_in_a_file_is_told_with_line_and_remedy(tmp_path, old, new, line, message):
+    path = tmp_path / "own.toml"
+    path.write_text(OWN.replace(old, new, 1))
+    with pytest.raises(FileError, match=message) as caught:
+        ParameterSet.from_toml(path)
+    assert caught.value.line == line
+
+
+ANYTHING = st.sampled_from(["1", "-1.5", "nan", "true", '""', '"0.5"', '"2 mph"', "[]", "[[]]", "{}", "{a=1}", "[1]"])
+
+
+@given(st.sampled_from([line.split(" = ")[0] for line in OWN.splitlines() if "=" in line]), ANYTHING)
+def test_a_file_with_anything_in_it_is_a_set_or_a_file_error(key, value):
+    lines = [f"{key} = {value}" if line.startswith(f"{key} ") else line for line in OWN.splitlines()]
+    with contextlib.suppress(FileError):
+        parameters.read_sets(Document("\n".join(lines)))
+
+
+FRAGMENTS = ["[[set]]", "[set]", "[set.values]", "set = 1", "set = []", "set = [1]", "values = 1"]
+FRAGMENTS += ['title = "a"', 'reference = "b"', 'model = "slip"', 'club = "any"']
+
+
+@given(st.lists(st.sampled_from(FRAGMENTS)))
+def test_a_file_of_any_shape_is_a_set_or_a_file_error(lines):
+    with pytest.raises(FileError):
+        parameters.read_sets(Document("\n".join(lines)))

@@ -1,0 +1,252 @@
+"""Models beside measured shots: statistics against hand-worked ones, and known answers on shots made for them."""
+
+import json
+import math
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface import benchmark_data
+from clubface.errors import InputError, UnknownNameError
+from clubface.evaluation import report, tables
+from clubface.evaluation.evaluation import evaluate
+from clubface.evaluation.noise import TO_MEAN_ABSOLUTE
+from clubface.evaluation.published_accuracy import published
+from clubface.measured.shots import QUANTITIES
+from clubface.recorded.shots import RecordedShots
+from clubface.support.plain_json import plain
+
+RPM, DEG = math.pi / 30, math.pi / 180
+
+
+TRUTH = {"slip_y": 0.05}
+"""The parameters of slip that made the shots: grip that pure rolling lacks."""
+
+
+def made(n=200, *, model="slip", noise=True, seed=3, **changes):
+    """Shots whose launches are those of a model, measured with the noise of the default monitor."""
+    random = np.random.default_rng(seed)
+    delivery = {
+        "speed": random.normal(50, 1.5, n), "attack": random.normal(0.02, 0.03, n), "path": random.normal(0, 0.04, n),
+        "loft": random.normal(0.27, 0.03, n), "face": random.normal(0, 0.04, n), "toe": random.normal(0, 5e-3, n),
+        "high": random.normal(2e-3, 4e-3, n),
+    }  # fmt: skip
+    delivery.update({name: np.full(n, float(each)) for name, each in changes.items()})
+    launch = clubface.impact("driver", delivery, model=model, parameters=TRUTH)
+    deviation = {"ball_speed": 0.2, "launch": 0.25 * DEG, "azimuth": 0.25 * DEG, "backspin": 6.6, "sidespin": 6.6}
+    measured = {
+        name: np.array(getattr(launch, name)) + noise * deviation[name] * random.standard_normal(n)
+        for name in QUANTITIES
+    }
+    return RecordedShots(
+        deliveries=delivery, launches=measured, rows=np.arange(2, n + 2), source="made", format="clubface"
+    )
+
+
+@pytest.fixture(scope="module")
+def result():
+    return evaluate(
+        made(),
+        club="driver",
+        models=["standard", "slip", "volumetric"],
+        parameters={"slip": TRUTH},
+        noise={"ball_speed": 0.2},
+    )
+
+
+def test_the_model_that_made_the_shots_is_found_best_with_no_more_error_than_the_noise(result):
+    for name in QUANTITIES:
+        size = result.sizes[name]["slip"]
+        # Four standard errors of mean and mean magnitude of 200 normal deviates.
+        assert abs(size.bias) < 4 * size.std / math.sqrt(200)
+        assert size.mae == pytest.approx(result.floor[name], rel=4 * 0.76 / math.sqrt(200)), name
+    best = result.best["backspin"]
+    assert best.model == "slip"
+    assert {each.model for each in best.rivals if each.is_worse} == {"standard", "volumetric"}
+    assert result.cost("slip") == pytest.approx(
+        sum(result.sizes[name]["slip"].mae / np.abs(result.shots.launch[name]).mean() for name in QUANTITIES)
+    )
+
+
+def test_the_published_noise_of_the_monitor_is_the_floor(result):
+    assert result.floor["launch"] == pytest.approx(0.2 * DEG, rel=1e-12)
+    assert result.floor["sidespin"] == pytest.approx(50 * RPM, rel=1e-12)
+    assert result.floor["ball_speed"] == pytest.approx(0.2 * TO_MEAN_ABSOLUTE, rel=1e-12)
+    assert "ball_speed" not in evaluate(made(20), club="driver", models="standard").floor
+
+
+def test_noise_of_the_delivery_reaches_the_launch_by_its_sensitivity():
+    shots = made(300, face=0.0, path=0.0, toe=0.0, high=0.0, attack=0.02, loft=0.27, speed=50.0)
+    found = evaluate(
+        shots, club="driver", models="slip", delivery_noise={"face": "0.5 deg"}, noise={"azimuth": 0.0, "launch": 0.0}
+    )
+    slope = clubface.sensitivity("driver", speed=50.0, attack=0.02, loft=0.27, model="slip").value("azimuth", "face")
+    # 2400 draws know a standard deviation to 1.4 %; three of these.
+    assert found.floor["azimuth"] == pytest.approx(TO_MEAN_ABSOLUTE * abs(slope) * 0.5 * DEG, rel=0.045)
+    assert found.floor["launch"] < 0.1 * found.floor["azimuth"]
+
+
+def test_the_same_seed_gives_the_same_report_and_another_one_does_not(result):
+    def told(seed):
+        found = evaluate(
+            made(), club="driver", models=["standard", "slip", "volumetric"], seed=seed, noise={"ball_speed": 0.2}
+        )
+        document = report.document(found)
+        for each in document["models"].values():
+            del each["seconds_per_shot"]
+        return json.dumps(document, default=str)
+
+    assert told(0) == told(0) != told(1)
+
+
+def test_a_shot_that_one_model_cannot_compute_is_left_out_for_all():
+    shots = made(30)
+    shots.deliveries["toe"][4] = 0.2
+    found = evaluate(shots, club="driver", models=["standard", "slip"])
+    assert len(found.shots) == 29
+    (failed,) = found.failed
+    assert failed.line == 6
+    assert failed.reason.startswith("standard: impact at 200.0 mm is outside the face")
+    assert "cannot compute them: 1 shot (" in " ".join(tables.remarks(found))
+
+
+def test_missing_values_leave_out_no_more_than_they_must():
+    shots = made(30)
+    shots.launches["backspin"][3:13] = np.nan
+    shots.deliveries["speed"][0] = np.nan
+    found = evaluate(shots, club="driver", models=["standard"])
+    assert found.sizes["backspin"]["standard"].shots == 19
+    assert found.sizes["launch"]["standard"].shots == 29
+    assert found.shots.dropped == ((2, "speed was not measured"),)
+
+
+def test_one_shot_and_shots_all_alike_are_reported_without_what_they_cannot_tell():
+    one = evaluate(made(1), club="driver", models=["standard", "slip"])
+    assert math.isnan(one.sizes["launch"]["slip"].std)
+    assert not any(lines for each in one.trends.values() for lines in each.values())
+    alike = evaluate(made(1).select([0] * 12), club="driver", models=["standard", "slip"])
+    assert not any(lines for each in alike.trends.values() for lines in each.values())
+    for each in (one, alike):
+        text = report.as_markdown(each)
+        assert "nan" not in text.lower().replace("finan", "")
+        assert "What the errors go with" not in text
+        assert "no intervals" in text
+        assert all(best.equals for best in each.best.values())
+        assert report.document(each)["notes"]
+        json.dumps(plain(report.document(each)), allow_nan=False)
+
+
+def test_shots_that_look_like_another_clubs_are_told_before_the_tables():
+    pytest.importorskip("pyarrow")
+    shots = benchmark_data.load("7-iron").measured
+    with pytest.raises(InputError, match="the shots name 7-iron, not driver"):
+        evaluate(shots, club="driver", models="standard", resamples=100)
+    found = evaluate(shots, club="driver", models="standard", resamples=100, mismatch="note")
+    text = report.as_markdown(found)
+    assert "is this the right club?" in text[: text.index("## ")]
+
+
+def test_groups_are_one_a_shot_of_the_source():
+    shots = made(30)
+    shots.deliveries["speed"][0] = np.nan
+    players = np.repeat(np.arange(6), 5)
+    found = evaluate(shots, club="driver", models="standard", groups=players)
+    assert found.sizes["launch"]["standard"].shots == 29
+    with pytest.raises(InputError, match=r"one for each shot: \(30,\)"):
+        evaluate(shots, club="driver", models="standard", groups=players[:5])
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "words"),
+    [
+        ({"models": "standart"}, UnknownNameError, "did you mean standard"),
+        ({"noise": {"carry": 1.0}}, UnknownNameError, "quantity of noise"),
+        ({"noise": {"launch": -1.0}}, InputError, "not negative"),
+        ({"noise": {"launch": "3 mph"}}, InputError, "noise launch"),
+        ({"delivery_noise": {"speed": "1 deg"}}, InputError, "delivery_noise speed"),
+        ({"resamples": 10}, InputError, "from 100 on"),
+        ({"models": "standard", "parameters": {"slip": None}}, InputError, "one of the models evaluated"),
+        ({"club": None}, InputError, "the shots name none"),
+    ],
+)
+def test_mistakes_are_told_with_what_is_allowed(options, error, words):
+    with pytest.raises(error, match=words):
+        evaluate(made(5), **{"club": "driver", "models": "standard", **options})
+
+
+def test_published_errors_are_those_of_the_paper():
+    known = published()
+    assert len(known) == 12
+    adjusted, rings = known["adjusted", "driver"], known["rings", "7-iron"]
+    assert adjusted.mae["ball_speed"] == pytest.approx(1.51 * 0.44704, rel=1e-12)
+    assert adjusted.std["sidespin"] == pytest.approx(188 * RPM, rel=1e-12)
+    assert (adjusted.cpu, known["adjusted", "7-iron"].cost) == (5.52e-3, 1.05)
+    assert rings.mae["launch"] == pytest.approx(1.52 * DEG, rel=1e-12)
+    assert rings.mae_percent["sidespin"] == 52.6
+    assert known["standard", "7-iron"].mae["backspin"] == pytest.approx(632 * RPM, rel=1e-12)
+    assert known["standard", "driver"].std == {}
+
+
+def test_wrong_percentages_of_the_paper_are_flagged_and_right_ones_are_not():
+    known = published()
+    assert "MAE of launch: printed 5.12 %, the printed numbers give 5.61 %" in known["slip", "7-iron"].caveats
+    assert any("repeat those of volumetric" in each for each in known["rings", "driver"].caveats)
+    assert known["area", "driver"].caveats == ()
+    assert known["area", "7-iron"].caveats == ()
+
+
+def test_tables_of_the_report_have_a_cell_in_every_column(result):
+    for section in report.sections(result):
+        for table in section.tables:
+            assert {len(row) for row in table.rows} == {len(table.heads)}, table.title
+
+
+def test_the_markdown_shows_the_error_beside_the_published_one(result):
+    text = report.as_markdown(result)
+    row = next(line for line in text.splitlines() if line.startswith("| volumetric |") and "2.12" in line)
+    mae = result.sizes["ball_speed"]["volumetric"].mae / 0.44704
+    assert f"| {mae:.2f} |" in row
+    assert row.endswith("| 2.12 | 2.91 |")
+
+
+def test_the_html_is_one_well_formed_document_with_its_pictures(result):
+    class Reader(HTMLParser):
+        def __init__(self):
+            super().__init__()
+            self.open, self.pictures = [], 0
+
+        def handle_starttag(self, tag, attrs):
+            self.pictures += tag == "img" and dict(attrs)["src"].startswith("data:image/png;base64,")
+            if tag not in ("meta", "img"):
+                self.open.append(tag)
+
+        def handle_endtag(self, tag):
+            assert self.open.pop() == tag
+
+    reader = Reader()
+    reader.feed(report.as_html(result, dict.fromkeys(report.PICTURES, b"png")))
+    assert reader.open == []
+    assert reader.pictures == 3
+
+
+def test_the_report_is_written_with_its_pictures(result, tmp_path):
+    pytest.importorskip("matplotlib")
+    files = {each.name: each for each in result.write(tmp_path / "new" / "out")}
+    assert set(files) == {
+        "evaluation.md", "evaluation.html", "evaluation.json", "evaluation.csv", "errors.png", "errors.svg",
+        "trends.png", "trends.svg", "agreement.png", "agreement.svg",
+    }  # fmt: skip
+    document = json.loads(files["evaluation.json"].read_text())
+    assert document["errors"]["launch"]["slip"]["mae"] == result.sizes["launch"]["slip"].mae
+    assert len(files["evaluation.csv"].read_text().splitlines()) == 201
+    assert all(each.stat().st_size > 1000 for each in files.values())
+
+
+def test_pictures_are_drawn_of_few_quantities_and_shots(tmp_path):
+    pytest.importorskip("matplotlib")
+    shots = made(1)
+    for name in ("backspin", "sidespin", "azimuth", "total_spin", "spin_axis"):
+        del shots.launches[name]
+    assert len(evaluate(shots, club="driver", models="standard").write(tmp_path)) == 10

@@ -1,0 +1,53 @@
+"""Pictures of finite element impacts: what they show is what was computed, with the published numbers beside it."""
+
+import numpy as np
+import pytest
+
+from fem_runs import coarse_drive, coarse_shells, coarse_throw
+
+pytest.importorskip("matplotlib")
+
+from clubface.fem.figures.impact import sweep_figure
+from clubface.fem.figures.section import section_figure
+from clubface.fem.paper import PUBLISHED
+
+
+@pytest.mark.parametrize("run", [coarse_throw, coarse_drive, coarse_shells])
+def test_the_nodes_of_the_patch_add_up_to_what_the_contact_tells(run):
+    found = run()
+    patch, contact = found.patch, found.contact
+    # Records tell what the step before them did; the last may fall between steps that touch and that do not.
+    times = np.unique(patch["time"])[:-2]
+    steps = np.searchsorted(contact["time"], times + 1e-12) - 1
+    assert len(times) > 50
+    for time, step in zip(times, steps, strict=True):
+        at, near = patch["time"] == time, slice(max(step - 1, 0), step + 2)
+        # Rounding of a hundred summands.
+        assert abs(contact["area"][near] - patch["area"][at].sum()).min() < 1e-12
+        assert abs(contact["tangential"][near] - patch["tangential"][at].sum()).min() < 1e-9 * found.peak_force
+
+
+def test_the_section_shows_pressure_and_shear_of_the_nodes_near_it():
+    found = coarse_throw()
+    figure = section_figure(found, count=2)
+    below = [axes for axes in figure.axes if len(axes.lines) == 3]
+    assert below
+    _, pressure, shear = below[0].lines
+    assert [pressure.get_label(), shear.get_label()] == ["pressure", "shear"]
+    patch = found.patch
+    times = np.unique(patch["time"])
+    shown = found.frame_times[np.argmin(abs(found.frame_times - found.contact_time / 3))]
+    near = times[np.argmin(abs(times - shown))]
+    middle = (patch["time"] == near) & (abs(patch["toe"]) < 1e-4)
+    assert middle.sum() > 2
+    for curve, key in ((pressure, "normal"), (shear, "tangential")):
+        per_area = patch[key][middle] / patch["area"][middle] * 1e-6
+        assert np.isin(np.round(per_area, 9), np.round(curve.get_xdata(), 9)).all()
+
+
+def test_a_sweep_is_marked_with_what_p2_tells():
+    keys = ("ball_speed_mps", "launch_deg", "spin_rpm", "f")
+    rows = [{"speed_mps": speed, "loft_deg": 11.5, **dict.fromkeys(keys, speed)} for speed in (30.0, 60.0)]
+    marked = [axes.lines[1] for axes in sweep_figure(rows, published=True).axes]
+    assert [mark.get_xydata().tolist() for mark in marked] == [[[35.0, PUBLISHED[key]]] for key in keys]
+    assert all(len(axes.lines) == 1 for axes in sweep_figure(rows).axes)

@@ -1,0 +1,104 @@
+"""Heads from one's own meshes: what is read from them, and what is refused."""
+
+import numpy as np
+import pytest
+
+from clubface import fem
+from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.fem.heads import MeshHead
+from fem_meshes import GROUPS, HEAD, write_mesh
+from fem_runs import coarse, coarse_head
+
+
+@pytest.mark.parametrize("name", ["head.msh", "head.inp"])
+def test_a_mesh_of_ones_own_is_read_with_its_groups(tmp_path, name):
+    pytest.importorskip("meshio")
+    write_mesh(tmp_path, name)
+    path = tmp_path / "own.toml"
+    path.write_text(HEAD.replace("head.msh", name))
+    head, design = fem.head(path), coarse_head()
+    assert [part.name for part in head.parts] == ["face", "crown", "sole", "skirt"]
+    assert [part.elements for part in head.parts] == [part.elements for part in design.parts]
+    corners = head.nodes[head.quads] - design.nodes[design.quads]
+    assert np.abs(corners).max() < 1e-9
+    path.write_text(path.read_text().replace("loft =", 'face_centre = ["1 mm", 1, 0]\nloft ='))
+    assert np.abs(fem.head(path).nodes[head.quads] + [1e-3, 1e-3, 0.0] - head.nodes[head.quads]).max() < 1e-12
+    assert set(head.thickness[: head.parts[0].elements]) == {2.8e-3}
+    a, b, c, d = (head.nodes[head.quads[:, corner]] for corner in range(4))
+    areas = 0.5 * np.linalg.norm(np.cross(c - a, d - b), axis=1)
+    assert head.club.mass == pytest.approx(4430.0 * areas @ head.thickness + 0.06, rel=1e-9)
+    # The weight stands low and behind: the CG is below and behind that of the walls alone.
+    lighter = fem.head(MeshHead(name="x", file=tmp_path / name, loft="11.5 deg", groups=GROUPS))
+    assert head.club.cg_x > lighter.club.cg_x
+    assert head.club.cg_y > lighter.club.cg_y
+    found = fem.strike(head, speed="40 m/s", which=coarse(), settings=fem.Settings(duration=60e-6))
+    assert found.peak_force > 1000.0
+
+
+WEIGHT = '[[masses]]\nname = "weight"\nx = 0.0\ny = 0.0\nz = 0.0\nmass = "1 g"\n'
+
+MISTAKES = [
+    ('unit = "mm"', 'unit = "m"', "size of the head"),
+    ('unit = "mm"', 'unit = "kg"', "unit"),
+    ('file = "head.msh"', 'file = "none.msh"', "there is no such file"),
+    ('file = "head.msh"', 'file = "own.toml"', "this mesh cannot be read"),
+    ('name = "sole"', 'name = "soul"', "unknown group of the mesh 'sole' (did you mean soul?)"),
+    (
+        'thickness = "1.4 mm"',
+        'thickness = "0 mm"',
+        "own.toml:25: thickness of skirt is '0 mm'; it must be 0.2 to 20 mm",
+    ),
+    ('youngs = "110 GPa"', 'youngs = "-110 GPa"', "own.toml:21: youngs is '-110 GPa'; it must be 0.1 to 1000 GPa"),
+    ('youngs = "110 GPa"', "poisson = 0.5", "own.toml:21: poisson is 0.5; it must be above -1 and below 0.5"),
+    ("face = true", "", "at least one with face = true"),
+    ('kind = "mesh"', 'kind = "blade"', "own.toml:2: kind must be one of driver, iron, mesh"),
+    ('loft = "11.5 deg"', 'loft = "115 deg"', "own.toml:5: loft is '115 deg'; it must be 0 to 75 deg"),
+    ('mass = "60 g"', 'mass = "60 mm"', "weight"),
+    (
+        'x = "-40 mm"',
+        "x = -40",
+        "own.toml:29: x of mass weight is '-40000 mm'; it must be within 300 mm of the face centre",
+    ),
+    ("[[masses]]", WEIGHT + "[[masses]]", "own.toml:34: name: 'weight' is taken"),
+    ("[[masses]]", '[[groups]]\nname = "hosel"\nthickness = "2 mm"\n[[masses]]', "belongs to the group 'hosel'"),
+    ('unit = "mm"', 'unit = "mm"\nface_centre = [50, 0, 0]', "the nearest node of the face is"),
+    ('unit = "mm"', 'unit = "mm"\nface_centre = [0, 0]', "face_centre is [0, 0]; it must be three lengths"),
+    ('unit = "mm"', 'unit = "mm"\nface_centre = ["0 kg", 0, 0]', "face_centre is '0 kg'; it must be in m"),
+    ('unit = "mm"', 'unit = "mm"\nface_centre = [0, 0, true]', "face_centre is True; it must be three lengths"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "said"), MISTAKES)
+def test_a_mistake_in_a_head_is_told(tmp_path, old, new, said):
+    pytest.importorskip("meshio")
+    write_mesh(tmp_path)
+    path = tmp_path / "own.toml"
+    assert old in HEAD
+    path.write_text(HEAD.replace(old, new))
+    with pytest.raises(ClubfaceError) as told:
+        _ = fem.head(path).club
+    assert said in str(told.value)
+    assert "\n" not in str(told.value)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda quads: quads[:, ::-1], "side of two elements"),
+        (lambda quads: quads[:, [0, 2, 1, 3]], "inverted or degenerate"),
+        (lambda quads: np.hstack([quads[:, :3], quads[:, :1]]), "inverted or degenerate"),
+    ],
+)
+def test_a_mesh_with_bad_elements_is_refused(tmp_path, change, said):
+    pytest.importorskip("meshio")
+    path = write_mesh(tmp_path, change=change)
+    with pytest.raises(InputError, match=said):
+        _ = fem.head(MeshHead(name="bad", file=path, loft="11.5 deg", groups=GROUPS)).club
+
+
+def test_a_mesh_of_triangles_is_refused(tmp_path):
+    meshio = pytest.importorskip("meshio")
+    path = tmp_path / "triangles.vtk"
+    meshio.write(path, meshio.Mesh(np.eye(3), [("triangle", [[0, 1, 2]])]))
+    with pytest.raises(FileError, match="other kinds: triangle"):
+        fem.head(MeshHead(name="bad", file=path, loft="11.5 deg", groups=GROUPS))

@@ -1,0 +1,189 @@
+"""Pictures: what they show, in which units, and that nothing covers anything."""
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface.errors import InputError
+
+pytest.importorskip("matplotlib")
+
+from clubface import plots
+from clubface.identification.figures import identification_figure
+from clubface.plots import style
+from clubface.simulation.trajectory import trajectory
+from clubface.tour import averages as tour
+from clubface.tour import figures
+from synthetic_shots import recorded
+
+SHOT = {"speed": "113 mph", "attack": "-1.3 deg", "loft": "12.8 deg", "toe": "8 mm"}
+
+
+@pytest.fixture(scope="module")
+def flights():
+    models = ("standard", "volumetric", "area")
+    return {name: trajectory(clubface.impact("driver", SHOT, model=name)).position for name in models}
+
+
+@pytest.fixture(scope="module")
+def histories():
+    return {name: clubface.history("driver", SHOT, model=name) for name in ("volumetric", "area")}
+
+
+@pytest.fixture(scope="module")
+def averages():
+    return tour.tour(["standard", "area"])
+
+
+@pytest.fixture(scope="module")
+def identified():
+    # Five free parameters, of which two are not identified alone: a row and a part of one.
+    return clubface.identify(
+        recorded(20, "area", noise=1.0), club="driver", model="area", population=8, generations=2, refined=1, folds=0,
+        bootstrap=8, bounds={"area_damping": (0.0, 10.0)}, profiles=["damping", "friction", "poisson"],
+    )  # fmt: skip
+
+
+def laid_out(figure):
+    """Panels and legend of a drawn figure as boxes in pixels."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    return [axes.get_tightbbox() for axes in figure.axes], figure.legends[0].get_window_extent()
+
+
+def assert_nothing_overlaps(figure):
+    boxes, legend = laid_out(figure)
+    for box in boxes:
+        assert not box.overlaps(legend)
+        assert figure.bbox.padded(1.0).containsx(box.x0)
+        assert figure.bbox.padded(1.0).containsx(box.x1)
+    for index, box in enumerate(boxes):
+        # A pixel of touching is rounding.
+        assert not any(box.padded(-1.0).overlaps(other.padded(-1.0)) for other in boxes[:index])
+
+
+def lines(axes):
+    """The curves of a panel, without the lines that mark zero."""
+    return [line for line in axes.lines if len(line.get_xdata()) > 2]
+
+
+def test_a_shot_shows_forces_and_both_views(flights, histories):
+    figure = plots.shot_figure(flights, histories, title="driver")
+    assert [len(lines(axes)) for axes in figure.axes] == [2, 2, 2, 3, 3]
+    assert_nothing_overlaps(figure)
+
+
+def test_forces_are_in_kilonewtons_over_microseconds(histories):
+    figure = plots.force_histories(histories)
+    normal, along_y, along_z = figure.axes
+    curve, history = lines(normal)[0], histories["volumetric"]
+    assert max(curve.get_ydata()) == pytest.approx(history.normal_force.max() / 1e3, rel=1e-12)
+    assert curve.get_xdata()[-1] == pytest.approx(history.time[-1] * 1e6, rel=1e-12)
+    assert lines(along_y)[0].get_ydata()[10] == pytest.approx(history.force_y[10] / 1e3, rel=1e-12)
+    assert lines(along_z)[0].get_ydata()[10] == pytest.approx(history.force_z[10] / 1e3, rel=1e-12)
+    assert "(kN)" in normal.get_ylabel()
+    assert "(µs)" in normal.get_xlabel()
+
+
+def test_models_without_a_history_are_left_out_of_the_forces_and_named(flights, histories):
+    figure = plots.shot_figure(flights, histories)
+    texts = [text.get_text() for part in figure.subfigs for text in part.texts]
+    assert any("standard" in text and "volumetric" not in text for text in texts)
+    assert len(plots.shot_figure(flights).axes) == 2
+
+
+def test_right_of_the_target_is_drawn_downwards_from_above(flights):
+    above = plots.trajectories(flights).axes[-1]
+    lower, upper = above.get_ylim()
+    assert lower > upper
+    assert lower >= max(position[:, 2].max() for position in flights.values())
+
+
+def test_a_view_says_its_scale_truly(flights):
+    for axes in plots.trajectories(flights).axes:
+        stretch = axes.get_aspect()
+        said = "equal scales" if stretch == 1.0 else f"stretched {stretch:g} times"
+        assert said in axes.get_title(loc="left")
+
+
+@pytest.mark.parametrize("height", [0.0, 0.3, 30.0, 300.0])
+def test_flat_and_steep_flights_are_drawn(height):
+    x = np.linspace(0.0, 100.0, 20)
+    path = np.stack([x, height * (x / 50.0) * (2.0 - x / 50.0), 0.0 * x], axis=1)
+    figure = plots.trajectories({"standard": path})
+    assert_nothing_overlaps(figure)
+
+
+def test_each_model_has_its_own_colour_and_dash_whatever_else_is_drawn(histories):
+    alone = lines(plots.force_histories({"area": histories["area"]}).axes[0])[0]
+    beside = lines(plots.force_histories(histories).axes[0])[1]
+    assert alone.get_color() == beside.get_color()
+    looks = [str(style.look(name)) for name in clubface.models()]
+    assert len(set(looks)) == len(looks)
+
+
+def test_errors_of_every_model_and_club_are_drawn_with_their_sign(averages):
+    figure = figures.error_figure(averages)
+    spin = figure.axes[4]
+    drawn = sorted(value for line in spin.lines if line.get_marker() not in ("None", "") for value in line.get_ydata())
+    expected = [error for name in averages.models for error in averages.errors(name)["spin"] * 30.0 / np.pi]
+    assert drawn == pytest.approx(sorted(expected), rel=1e-12)
+    assert_nothing_overlaps(figure)
+
+
+def test_launches_stand_beside_what_was_published(averages):
+    figure = figures.launch_figure(averages)
+    published = figure.axes[0].lines[0]
+    assert published.get_ydata()[0] == pytest.approx(171.0, rel=1e-12)
+    assert_nothing_overlaps(figure)
+
+
+def test_each_identified_parameter_has_its_interval_samples_and_profile(identified):
+    figure = identification_figure(identified)
+    drawn = figure.axes
+    assert len(drawn) == len(identified.free) == 5
+    assert drawn[0].get_xlabel() == "shear modulus [MPa]"
+    for axes, name in zip(drawn, identified.free, strict=True):
+        factor = 1e-6 if name == "shear_modulus" else 1.0
+        band = axes.patches[0].get_extents().transformed(axes.transData.inverted())
+        low, high = identified.intervals[name]
+        assert (band.x0, band.x1) == pytest.approx((low * factor, high * factor), rel=1e-9)
+        assert axes.lines[0].get_xdata()[0] == pytest.approx(identified.parameters.values[name] * factor, rel=1e-12)
+        bars = axes.patches[1].get_data()
+        assert np.count_nonzero(bars.values) <= len(identified.samples)
+        left, right = axes.get_xlim()
+        assert left < low * factor
+        assert right > high * factor
+    assert_nothing_overlaps(figure)
+
+
+def test_a_profile_passes_the_level_of_95_percent_where_its_interval_ends(identified):
+    profile = identified.profiles["damping"]
+    assert profile.closed == (True, True)
+    curve = identification_figure(identified).axes[identified.free.index("damping")].lines[1]
+    rises = np.interp(profile.interval, curve.get_xdata(), curve.get_ydata())
+    # Straight pieces of a parabola between places: a sixteenth of a step squared.
+    assert rises == pytest.approx(3.84146, rel=2e-3)
+
+
+@pytest.mark.parametrize(("ending", "magic"), [(".png", b"\x89PNG"), (".pdf", b"%PDF"), (".svg", b"<?xml")])
+def test_the_ending_decides_the_format_and_the_same_shot_gives_the_same_bytes(flights, tmp_path, ending, magic):
+    first = plots.save(plots.trajectories(flights), tmp_path / f"a{ending}").read_bytes()
+    second = plots.save(plots.trajectories(flights), tmp_path / f"b{ending}").read_bytes()
+    assert first.startswith(magic)
+    assert first == second
+
+
+def test_another_ending_is_refused(flights, tmp_path):
+    with pytest.raises(InputError, match=r"\.png, \.svg, \.pdf"):
+        plots.save(plots.trajectories(flights), tmp_path / "a.doc")
+
+
+def test_the_callers_settings_are_left_alone(flights):
+    import matplotlib as mpl
+
+    with mpl.rc_context({"font.size": 31.0}):
+        plots.trajectories(flights)
+        assert mpl.rcParams["font.size"] == 31.0

@@ -1,0 +1,127 @@
+"""Exact derivatives against differences, and the units they are told in."""
+
+import math
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface.equipment.models import models
+from clubface.errors import InputError, ShotError, UnitError, UnknownNameError
+from clubface.simulation.quantities import inputs
+
+pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+
+DRIVE = {"speed": "113 mph", "attack": "-1.3 deg", "loft": "12.8 deg", "toe": "6 mm", "high": "3 mm", "face": "1 deg"}
+MAIN = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
+
+STEPS = {"speed": 1e-3, "attack": 1e-4, "loft": 1e-4, "face": 1e-4, "toe": 1e-5, "club_mass": 1e-4, "cg_x": 1e-5,
+         "izz": 1e-8, "ball_mass": 1e-5}  # fmt: skip
+"""SI; small enough for the error of a central difference, a few 1e-8 here, not to show."""
+
+
+@pytest.mark.parametrize("model", [name for name, each in models().items() if each.kind == "impulse"])
+def test_the_derivatives_of_impulse_models_are_those_of_central_differences(model):
+    """Closed forms: a difference is wrong by step^2 and by rounding / step, together below 1e-5 of its size."""
+    table = clubface.sensitivity("driver", **DRIVE, model=model, outputs=MAIN)
+    compare(table, model, None, 1e-5)
+
+
+@pytest.mark.parametrize("model", ["volumetric", "area"])
+def test_the_derivatives_of_contact_models_are_those_of_central_differences(model):
+    """Steps of tolerance 1e-10: launches repeat to some 1e-9, differences over 1e-4 of a value to some 1e-4."""
+    table = clubface.sensitivity("driver", **DRIVE, model=model, outputs=MAIN, accuracy=1e-10)
+    compare(table, model, 1e-10, 1e-3)
+
+
+def compare(table, model, accuracy, tolerance):
+    """Hold every derivative against a central difference, within ``tolerance`` of the largest effect of its row."""
+    centre = {name: table.launch.input(name) for name in STEPS}
+    scale = np.max(np.abs(table.si * [abs(STEPS.get(name, 0.0)) for name in table.variables]), axis=1)
+    for name, step in STEPS.items():
+        sides = [
+            clubface.impact("driver", {**DRIVE, name: centre[name] + sign * step}, model=model, accuracy=accuracy)
+            for sign in (1.0, -1.0)
+        ]
+        for row, output in enumerate(MAIN):
+            difference = (sides[0].get(output) - sides[1].get(output)) / 2.0
+            exact = table.value(output, name) * step
+            assert abs(difference - exact) <= tolerance * scale[row], (output, name)
+
+
+def test_derivatives_by_parameters_are_those_of_differences():
+    table = clubface.sensitivity("driver", **DRIVE, outputs=["ball_speed"], variables=["cor"])
+    low, high = (clubface.impact("driver", **DRIVE, parameters={"cor": cor}).ball_speed for cor in (0.829, 0.831))
+    # Ball speed is not quite linear in the COR off centre: second order in 1e-3.
+    assert table.value("ball_speed", "cor") == pytest.approx((high - low) / 0.002, rel=1e-6)
+
+
+def test_every_differentiable_input_and_every_parameter_is_there():
+    table = clubface.sensitivity("driver", **DRIVE, model="volumetric")
+    differentiable = [name for name, each in inputs().items() if each.differentiable]
+    assert list(table.variables) == differentiable + [each.name for each in models()["volumetric"].parameters]
+    assert not {"hand", "face_width", "face_height"} & set(table.variables)
+    assert table.si.shape == (len(table.outputs), len(table.variables))
+    assert np.isfinite(table.si).all()
+    assert "contact_time" in table.outputs
+    assert "contact_time" not in clubface.sensitivity("driver", **DRIVE).outputs
+
+
+def test_derivatives_are_told_in_the_units_people_use():
+    table = clubface.sensitivity("driver", **DRIVE)
+    assert table.unit("backspin", "toe") == "rpm per mm"
+    assert table.unit("ball_speed", "speed") == "mph per mph"
+    assert table.unit("backspin", "loft") == "rpm per deg"
+    si = table.value("backspin", "toe")
+    assert table.value("backspin", "toe", "rpm per mm") == pytest.approx(si * 30.0 / math.pi / 1e3, rel=1e-14)
+    row, column = table.outputs.index("backspin"), table.variables.index("toe")
+    assert table.values[row, column] == pytest.approx(table.value("backspin", "toe", "rpm per mm"), rel=1e-14)
+    frame = pytest.importorskip("pandas") and table.to_pandas()
+    assert frame.loc["toe [mm]", "backspin [rpm]"] == table.values[row, column]
+    assert frame.attrs["units"]["toe"] == "mm"
+    assert "per mm of toe" in repr(table)
+    assert float(table.to_xarray().sel(output="backspin", variable="toe")) == si
+
+
+def test_units_outputs_and_variables_can_be_chosen():
+    table = clubface.sensitivity(
+        "driver", **DRIVE, outputs=["backspin", "ball_speed"], variables=["toe", "cor"],
+        units={"toe": "in", "ball_speed": "km/h"},
+    )  # fmt: skip
+    assert (table.outputs, table.variables) == (("backspin", "ball_speed"), ("toe", "cor"))
+    assert table.unit("ball_speed", "toe") == "km/h per in"
+    full = clubface.sensitivity("driver", **DRIVE)
+    assert table.value("ball_speed", "toe") == full.value("ball_speed", "toe")
+
+
+@pytest.mark.parametrize(
+    ("values", "error", "said"),
+    [
+        ({"speed": [50.0, 51.0]}, InputError, "one shot"),
+        ({"speed": 50.0, "parameters": {"cor": np.array([0.8, 0.83])}}, InputError, "one shot"),
+        ({"speed": 50.0, "toe": 0.06}, ShotError, "52.5 mm"),
+        ({"speed": 50.0, "outputs": ["spin"]}, UnknownNameError, "did you mean"),
+        ({"speed": 50.0, "variables": ["hand"]}, UnknownNameError, "variable"),
+        ({"speed": 50.0, "variables": ["toe", "toe"]}, InputError, "different"),
+        ({"speed": 50.0, "units": {"toe": "mph"}}, UnitError, "toe"),
+        ({"speed": 50.0, "units": {"tow": "mm"}}, UnknownNameError, "toe"),
+    ],
+)
+def test_a_mistake_is_told(values, error, said):
+    with pytest.raises(error, match=said.replace(".", r"\.")):
+        clubface.sensitivity("driver", **values)
+
+
+def test_a_derivative_is_asked_for_by_its_names_and_unit():
+    table = clubface.sensitivity("driver", **DRIVE)
+    with pytest.raises(UnitError, match="rpm per mm"):
+        table.value("backspin", "toe", "rpm/mm")
+    with pytest.raises(UnitError, match="toe"):
+        table.value("backspin", "toe", "rpm per deg")
+    with pytest.raises(UnknownNameError, match="did you mean"):
+        table.value("backspin", "tow")
+
+
+def test_a_flat_face_does_not_depend_on_how_flat_it_is():
+    table = clubface.sensitivity("7-iron", speed=40.0, outputs=MAIN, variables=["bulge", "roll"])
+    assert np.all(table.si == 0.0)
