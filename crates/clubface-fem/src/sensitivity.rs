@@ -81,8 +81,6 @@ impl Setting {
     ///
     /// # Errors
     /// [`FemError`] of a setting that cannot run, of an unknown variable, or of a run that stopped early.
-    // Inlined so that this much code is made only where it is called.
-    #[inline]
     pub fn sensitivity(
         &self,
         variables: &[String],
@@ -124,7 +122,6 @@ struct Lifted<R> {
 }
 
 impl<R: Kernels> Lifted<R> {
-    #[inline]
     fn simulation(&self, environment: &Environment) -> Result<Simulation<R>, FemError> {
         match &self.head {
             Some(head) => {

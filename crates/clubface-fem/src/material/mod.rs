@@ -1,7 +1,8 @@
 //! What solids are made of: a law for the change of shape, one file each, and one common law for the change of volume.
 //!
-//! Every law is an energy per unit reference volume, `W(C̄) + K/2 (J - 1)^2` with `C̄ = J^(-2/3) F^T F`, so that nearly incompressible
-//! rubber and compressible plastics are treated alike (Holzapfel, Nonlinear Solid Mechanics, 2000, section 6.4).
+//! Every law is an energy per unit reference volume, `W(C̄) + K/2 (J - 1)^2` with `C̄ = J^(-2/3) F^T F`, so that
+//! nearly incompressible rubber and compressible plastics are treated alike (Holzapfel, Nonlinear Solid Mechanics,
+//! 2000, section 6.4).
 
 mod body;
 mod deformation;
@@ -25,7 +26,6 @@ mod viscous;
 mod von_mises;
 
 pub use body::Material;
-pub(crate) use deformation::{cross, dot};
 pub use deformation::{Deformation, Kinematics};
 pub use description::{Card, Constant, Description};
 pub use family::{Entry, Family, Law, DERIVATIVES};
@@ -40,6 +40,7 @@ pub use plane_stress::{PlaneState, PlaneStress};
 pub use point::MaterialPoint;
 pub use stage::{PointEnergy, Points, StressStage};
 pub use state_variables::{eight_alike, Eight, Numbers, State, StateVariables, Update, Updates};
+pub(crate) use symmetric::{cross, dot};
 pub use symmetric::{times, Symmetric};
 pub use table::{build, entry, from_table, map_law, Number};
 pub use viscous::{Branches, Decay, Maxwell, MAX_TERMS};

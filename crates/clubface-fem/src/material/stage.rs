@@ -1,7 +1,8 @@
-//! Stress as a stage of the elements' loops: one call for a run of packs, through a table of functions that is chosen once a patch and step, so
-//! that the loops are compiled once for each kind of pack and not for each law.
+//! Stress as a stage of the elements' loops: one call for a run of packs, through a table of functions that is chosen
+//! once a patch and step, so that the loops are compiled once for each kind of pack and not for each law.
 //!
-//! Packs pass these calls by reference: the callers on both sides are compiled with features of the CPU that the call itself knows nothing of.
+//! Packs pass these calls by reference: the callers on both sides are compiled with features of the CPU that the call
+//! itself knows nothing of.
 
 use super::deformation::{Deformation, Kinematics};
 use super::law::PointLaw;
@@ -110,7 +111,8 @@ impl<P: Pack, L: PointLaw<P>> StressStage<P> for Stage<P, L> {
         first: usize,
         strain: &mut P,
     ) {
-        P::outline(PlasticStrain { law: &self.law, state, block, first, strain });
+        // Asked for seldom, of single numbers: no features of the CPU are needed.
+        *strain = self.law.plastic_strain(&state.of(block, first).every_step);
     }
 }
 
@@ -180,21 +182,5 @@ impl<P: Pack, L: PointLaw<P>> Computation for Energy<'_, P, L> {
         let viscous = if self.stage.branching.count == 0 { P::zero() } else { work(&state) };
         let [strain, plastic] = self.stage.law.energy(self.c, &state.every_step);
         *self.energy = PointEnergy { strain, viscous, plastic };
-    }
-}
-
-struct PlasticStrain<'a, P: Pack, L> {
-    law: &'a L,
-    state: &'a mut StateVariables<P::Real>,
-    block: usize,
-    first: usize,
-    strain: &'a mut P,
-}
-
-impl<P: Pack, L: PointLaw<P>> Computation for PlasticStrain<'_, P, L> {
-    type Output = ();
-    #[inline(always)]
-    fn run(self) {
-        *self.strain = self.law.plastic_strain(&self.state.of(self.block, self.first).every_step);
     }
 }

@@ -1,6 +1,6 @@
-//! Contracts of the laws of the table: stress is the derivative of energy, knows no rotation, has the moduli it claims,
-//! and gives no work away; the same in every kind of number and of packs. A law that is added to the table is tested
-//! here with no other line.
+//! Contracts of the laws of the table: stress is the derivative of energy, knows no rotation, has the moduli it
+//! claims, and gives no work away; the same in every kind of number and of packs. A law that is added to the table is
+//! tested here with no other line.
 
 mod gent;
 
@@ -171,8 +171,8 @@ fn small_strains_meet_the_moduli() {
     }
 }
 
-/// Largest difference of the first Piola-Kirchhoff stresses and of the energies of two laws, over the shear modulus of
-/// 10 MPa.
+/// Largest difference of the first Piola-Kirchhoff stresses and of the energies of two laws, over the shear modulus
+/// of 10 MPa.
 fn apart(a: Arc<dyn Law<f64>>, b: Arc<dyn Law<f64>>) -> f64 {
     let (a, b) = (material(a), material(b));
     let mut most = 0.0_f64;
@@ -219,8 +219,8 @@ fn tension(law: &Arc<dyn Law<f64>>, stretch: f64) -> f64 {
 
 #[test]
 fn tension_of_ogdens_rubber() {
-    // Ogden's constants for Treloar's vulcanised rubber, and the closed form of its tension (Proc. R. Soc. Lond. A 326,
-    // 1972): sum of mu (l^(alpha - 1) - l^(-alpha/2 - 1)).
+    // Ogden's constants for Treloar's vulcanised rubber, and the closed form of its tension (Proc. R. Soc. Lond. A
+    // 326, 1972): sum of mu (l^(alpha - 1) - l^(-alpha/2 - 1)).
     let terms = [(0.63e6, 1.3), (1.2e3, 5.0), (-10e3, -2.0)];
     let law = named("ogden", terms.map(|(mu, alpha)| [mu, alpha]).as_flattened());
     for stretch in [0.5, 0.8, 1.0, 1.12, 2.0, 3.58, 5.0, 7.0] {
