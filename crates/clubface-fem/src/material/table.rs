@@ -88,13 +88,13 @@ impl<F: Family, R: Number> Law<R> for Built<F, R> {
         F::shear(&self.constants)
     }
     fn check(&self, name: &str) -> Result<(), FemError> {
+        let values: Vec<f64> = self.constants.iter().map(|value| value.re()).collect();
+        F::check(&values, name)?;
         let shear = self.shear().re();
         if !(shear > 0.0 && shear.is_finite()) {
             let allowed = "it must be above zero and finite";
             return Err(FemError::input(format!("shear modulus of {name}"), format!("{shear} Pa"), allowed));
         }
-        let values: Vec<f64> = self.constants.iter().map(|value| value.re()).collect();
-        F::check(&values, name)?;
         for (constant, value) in F::DESCRIPTION.constants.iter().zip(values) {
             let Constant { least, most, .. } = *constant;
             if !(least..=most).contains(&value) {
