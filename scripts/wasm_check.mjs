@@ -24,6 +24,12 @@ function timed(run, times) {
 const launches = {};
 for (const [model, parameters] of Object.entries(asked.models))
   launches[model] = timed(() => core.launches(model, asked.inputs, parameters, asked.inputs[0].length), 3);
+const first = asked.inputs.map((column) => column[0]);
+const derivatives = {};
+for (const [model, parameters] of Object.entries(asked.models)) {
+  const { values, jacobian } = core.sensitivity(model, first, parameters);
+  derivatives[model] = [Array.from(values), jacobian.map((row) => Array.from(row))];
+}
 const flights = timed(() => core.flights(asked.flights, asked.flights[0].length), 3);
 
 /** What `core` says of something that it cannot compute. */
@@ -48,7 +54,7 @@ try {
 }
 process.stdout.write(
   JSON.stringify({
-    description: core.description, launches, flights, refusals, reference, seen, stopped,
+    description: core.description, launches, derivatives, flights, refusals, reference, seen, stopped,
     size: bytes.length, compressed: gzipSync(bytes, { level: 9 }).length,
   }),
 );
