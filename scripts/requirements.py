@@ -9,4 +9,8 @@ from pathlib import Path
 
 PROJECT = tomllib.loads((Path(__file__).parent.parent / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
-print(*PROJECT["dependencies"], *(line for extra in sys.argv[1:] for line in PROJECT["optional-dependencies"][extra]), sep="\n")
+print(
+    *PROJECT["dependencies"],
+    *(line for extra in sys.argv[1:] for line in PROJECT["optional-dependencies"][extra]),
+    sep="\n",
+)

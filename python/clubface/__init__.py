@@ -8,6 +8,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from clubface.equipment.backends import MODULES
 from clubface.support.version import __version__ as __version__
 
 if TYPE_CHECKING:
@@ -53,16 +54,18 @@ _HOME = {
     "history": "simulation.history",
     "identify": "identification.run",
     "impact": "simulation.impact",
-    "infer": "inference.posterior",
+    "infer": "inference.run",
     "models": "equipment.models",
     "predict": "prediction.predict",
-    "read_shots": "recorded.shots",
+    "read_shots": "recorded.file",
     "sensitivity": "simulation.sensitivity",
     "trajectory": "simulation.trajectory",
 }
 """The module in which each public name is defined."""
 
 _MODULES = ("benchmark_data", "errors", "fem", "launch_monitor", "motion_capture", "units")
+
+MODULES["fem"] = "clubface.fem.backend"
 
 __all__ = [*_HOME, *_MODULES]  # pyright: ignore[reportUnsupportedDunderAll]
 

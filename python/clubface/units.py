@@ -230,16 +230,38 @@ def parse_values(value: object, dimension: str, *, name: str = "value") -> float
     return np.array(flat, dtype=np.float64).reshape(given.shape)
 
 
+def to_si(value: Any, symbol: str) -> Any:
+    """Express a value (number or array) in the unit ``symbol`` in SI."""
+    found = unit(symbol)
+    return value * found.numerator / found.denominator + found.offset
+
+
 def from_si(value: Any, symbol: str) -> Any:
     """Express an SI value (number or array) in the unit ``symbol``."""
     found = unit(symbol)
     return (value - found.offset) * found.denominator / found.numerator
 
 
+def size(symbol: str) -> float:
+    """Return the size of a unit in SI: what a difference of one of it is."""
+    found = unit(symbol)
+    return found.numerator / found.denominator
+
+
 def show(value: float, symbol: str, digits: int = 6) -> str:
     """Write an SI value as text in the unit ``symbol``, to ``digits`` significant digits."""
     suffix = "" if symbol in ("", "1") else f" {symbol}"
     return f"{from_si(value, symbol):.{digits}g}{suffix}"
+
+
+def fixed(value: float, symbol: str, decimals: int) -> str:
+    """Write an SI value as text in the unit ``symbol``, to ``decimals`` places behind the point."""
+    return f"{from_si(value, symbol):.{decimals}f} {symbol}"
+
+
+def show_range(least: float, most: float, symbol: str) -> str:
+    """Write two SI values as "``least`` to ``most``" in the unit ``symbol``."""
+    return f"{from_si(least, symbol):g} to {show(most, symbol)}"
 
 
 def display_unit(quantity: str, si_unit: str) -> str:

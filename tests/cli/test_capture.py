@@ -23,7 +23,7 @@ def arguments(folder, *files):
 
 
 def test_one_swing_is_printed_value_by_value(clubface_, folder):
-    from clubface.recorded.shots import read_shots
+    from clubface.recorded.file import read_shots
 
     ran = clubface_(*arguments(folder))
     assert ran.status == 0
@@ -35,7 +35,7 @@ def test_one_swing_is_printed_value_by_value(clubface_, folder):
 
 
 def test_json_holds_everything_in_si(clubface_, folder):
-    from clubface.recorded.shots import read_shots
+    from clubface.recorded.file import read_shots
 
     found = clubface_(*arguments(folder), "--json").json
     truth = read_shots(folder / "truth.csv").deliveries

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from clubface.launch_monitor.open_connect import Listener, Sender
-from clubface.recorded.shots import read_shots
+from clubface.recorded.file import read_shots
 from command_line import MAIN, assert_mistake
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")

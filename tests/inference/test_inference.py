@@ -9,8 +9,8 @@ import clubface
 from clubface import Prior, infer
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.inference import UnreachableLaunchError, words
-from clubface.inference.posterior import NOISE
 from clubface.inference.prior import prior_of
+from clubface.inference.run import NOISE
 from clubface.measured.shots import QUANTITIES
 
 DEG, RPM, MPH = math.pi / 180, math.pi / 30, 0.44704

@@ -8,7 +8,7 @@ import pytest
 
 from clubface import launch_monitor
 from clubface.errors import FileError, InputError, UnitError, UnknownNameError
-from clubface.recorded.shots import read_shots
+from clubface.recorded.file import read_shots
 
 DATA = Path(__file__).parents[1] / "data" / "launch_monitors"
 MPH, KMH, DEG, RPM = 0.44704, 1 / 3.6, math.pi / 180, math.pi / 30

@@ -9,7 +9,8 @@ import clubface
 from clubface import launch_monitor
 from clubface.errors import FileError, UnknownNameError
 from clubface.launch_monitor import refer
-from clubface.recorded.shots import RecordedShots, read_shots
+from clubface.recorded.file import read_shots
+from clubface.recorded.shots import RecordedShots
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning"),

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 import clubface
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
-from clubface.recorded.shots import RecordedShots, RejectedRow, read_shots
+from clubface.recorded.file import read_shots
+from clubface.recorded.shots import RecordedShots, RejectedRow
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from clubface.benchmark_data.recipe import CLUBS, FOLDER
 from clubface.errors import UnknownNameError
-from clubface.recorded.shots import RecordedShots, read_shots
+from clubface.recorded.file import read_shots
+from clubface.recorded.shots import RecordedShots
 
 if TYPE_CHECKING:
     import numpy as np

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.benchmark_data import impacts, measured, swings
 from clubface.benchmark_data.recipe import CLUBS, FOLDER, Recipe, Values, recipe
-from clubface.recorded.file import heading
 from clubface.simulation.quantities import inputs, outputs
+from clubface.tables.headings import heading_of
 from clubface.tables.parquet import pyarrow_for
 
 CAPTURE_DIGITS = {"mm": 1, "deg/s": 0}
@@ -99,7 +99,7 @@ def write(folder: Path = FOLDER) -> list[Path]:
 
 def _unit(name: str) -> tuple[str, str]:
     """Return heading and unit of the column of a quantity."""
-    return heading(name, (inputs()[name] if name in inputs() else outputs()[name]).unit)
+    return heading_of(name, (inputs()[name] if name in inputs() else outputs()[name]).unit)
 
 
 def _rounded(values: dict[str, Values], digits: dict[str, int], otherwise: int) -> dict[str, Values]:
@@ -107,9 +107,8 @@ def _rounded(values: dict[str, Values], digits: dict[str, int], otherwise: int) 
     found = {}
     for name, each in values.items():
         shown = _unit(name)[1]
-        factor = units.unit(shown)
         cells = np.round(units.from_si(each, shown), digits.get(shown, otherwise)) + 0.0  # no negative zero
-        found[name] = cells * factor.numerator / factor.denominator
+        found[name] = units.to_si(cells, shown)
     return found
 
 

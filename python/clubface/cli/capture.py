@@ -6,6 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
+from clubface import units
 from clubface.cli import options, output
 from clubface.cli.capture_join import join
 from clubface.cli.failures import Interrupted, say
@@ -253,7 +254,7 @@ def study(
         from clubface import plots
         from clubface.motion_capture.figures import study_figure
 
-        told = "no noise" if cameras.noise == 0.0 else f"{cameras.noise * 1e3:g} mm noise"
+        told = "no noise" if cameras.noise == 0.0 else f"{units.from_si(cameras.noise, 'mm'):g} mm noise"
         say(f"wrote {plots.save(study_figure({told: found}), picture)}")
 
 
@@ -272,7 +273,7 @@ def _print_study(found: Any) -> None:
             row += [output.number(bias[name], digits), output.number(spread[name], digits)]
             row.append(output.number(100.0 * coverage[name], 1))
         rows.append(row)
-    noise = f"{found.cameras.noise * 1e3:g} mm"
+    noise = f"{units.from_si(found.cameras.noise, 'mm'):g} mm"
     print_numbers(
         heads, rows, title=f"{len(found)} swings, {found.club.name}, markers' noise {noise}: captured less true"
     )
@@ -291,7 +292,7 @@ def _print_one(found: Any) -> None:
         value, deviation = (units.from_si(each[name], unit) for each in (found.launch, found.launch_uncertainty))
         rows.append([f"{label}, {unit}", output.number(value, digits), output.number(deviation, digits)])
     print_numbers(("", "", "standard\ndeviation"), rows, title=f"{found.source}: {found.club.name}, {found.estimator}")
-    noise = f"markers' noise {found.marker_noise * 1e3:.3f} mm"
+    noise = f"markers' noise {units.fixed(found.marker_noise, 'mm', 3)}"
     print(f"first touch {found.time:.6f} s, after frame {found.frames[0]}; {found.used} frames used; {noise}")
     output.print_notes(found.notes)
 

@@ -6,6 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
+from clubface import units
 from clubface.cli import options, output
 from clubface.cli.tables import print_numbers, print_words
 
@@ -44,7 +45,14 @@ def clubs(
     print_numbers(["club", *_COLUMNS.values(), "para-\nmeters\nof", "origin"], rows)
     print()
     weights = [
-        [each.name, f"{each.mass * 1e3:.2f}", f"{each.radius * 2e3:.2f}", f"{each.inertia * 1e7:.2f}", each.description]
+        [
+            each.name,
+            *(
+                f"{units.from_si(value, unit):.2f}"
+                for value, unit in ((each.mass, "g"), (2.0 * each.radius, "mm"), (each.inertia, "g cm2"))
+            ),
+            each.description,
+        ]
         for each in balls
     ]
     print_words(["ball", "mass\ng", "dia-\nmeter\nmm", "inertia\ng cm2", "what it is"], weights, numbers=(1, 2, 3))

@@ -13,8 +13,10 @@ from clubface.cli.fem_parts import ball as report_ball
 from clubface.cli.fem_parts import face as report_face
 from clubface.cli.fem_parts import head as report_head
 from clubface.cli.fem_progress import progress_bar, run_with_progress
-from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RPM, RUN_ROWS
+from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RUN_ROWS
 from clubface.errors import RunError, Told
+from clubface.support.folders import prepared_folder
+from clubface.units import fixed, from_si
 
 if TYPE_CHECKING:
     from clubface.fem.case import Case
@@ -64,8 +66,8 @@ def reference(
     document = {
         "normal_mps": found.normal_velocity,
         "tangential_mps": found.tangential_velocity,
-        "spin_rpm": found.backspin * RPM,
-        "spin_max_rpm": found.spin_max * RPM,
+        "spin_rpm": from_si(found.backspin, "rpm"),
+        "spin_max_rpm": from_si(found.spin_max, "rpm"),
         "peak_force_n": found.peak_force,
         "peak_force_time_s": found.peak_force_time,
         "contact_time_s": found.contact_time,
@@ -82,14 +84,16 @@ def reference(
         _end(found)
         return
     from clubface.cli.tables import print_numbers
+    from clubface.fem.reference_case import other_solvers
 
     # What other solvers found is known of this case alone.
     same = friction == 0.35 and ball == "reference"
+    beside, others = other_solvers() if same else ((), {})
     rows = [
-        [label, output.number(document[key] * scale, digits), *(others if same else ())]
-        for label, key, scale, digits, *others in REFERENCE_ROWS
+        [label, *(output.number(from_si(value, unit), digits) for value in (document[key], *others.get(key, ())))]
+        for label, key, unit, digits in REFERENCE_ROWS
     ]
-    beside = ("one-point", "8-point", "2nd code") if same else ()
+    rows = [[*row, *[""] * (len(beside) + 2 - len(row))] for row in rows]
     title = "Reference case, beside other solvers" if same else "Reference case, varied"
     print_numbers(("", "clubface", *beside), rows, title=title)
     print(_cost(found))
@@ -122,7 +126,7 @@ def run(
     if frames is not None or (animate and chosen.settings.frames < 2):
         chosen = chosen.replace(settings={"frames": MOVING if frames is None else frames})
     if folder is not None:
-        files.prepare(folder)
+        prepared_folder(folder)
     found = run_with_progress(lambda progress: chosen.run(progress))
     if as_json:
         output.print_json(files.document(found))
@@ -152,7 +156,7 @@ def paper(
 
     base = chosen = cases.case(case)
     if folder is not None:
-        files.prepare(folder)
+        prepared_folder(folder)
         if base.settings.frames < 2:
             chosen = base.replace(settings={"frames": SHAPES})
     found = run_with_progress(lambda progress: job.paper(chosen, progress))
@@ -163,8 +167,12 @@ def paper(
 
         ours = job.table(found)
         rows = [
-            [label, output.number(job.PUBLISHED[key] * scale, digits), output.number(ours[key] * scale, digits)]
-            for label, key, scale, digits in PAPER_ROWS
+            [
+                label,
+                output.number(from_si(job.PUBLISHED[key], unit), digits),
+                output.number(from_si(ours[key], unit), digits),
+            ]
+            for label, key, unit, digits in PAPER_ROWS
         ]
         factors = (job.SPIN_FACTOR, job.spin_factor(found))
         rows.append(["f that the spin means, Eq. (6)", *(output.number(factor, 4) for factor in factors)])
@@ -217,12 +225,12 @@ def export(
 ) -> None:
     """Write a case as a keyword deck, or run it and write its shapes for ParaView."""
     from clubface.fem import case as cases
-    from clubface.fem import files, keyword, vtu
+    from clubface.fem import keyword, vtu
     from clubface.support.checks import check_choice
 
     check_choice("--format", form, ("lsdyna", "vtu"))
     chosen = cases.case(case)
-    target = files.prepare(folder)
+    target = prepared_folder(folder)
     if form == "lsdyna":
         say_written([keyword.write(chosen, target / f"{vtu.file_stem(chosen.name)}.k")])
         return
@@ -240,7 +248,7 @@ def _sweep(
     from clubface.fem import sweep as job
 
     speeds, lofts = job.grid(speed, "speed", "--speed"), job.grid(loft, "angle", "--loft")
-    target = files.prepare(folder) / "sweep.csv" if folder is not None else None
+    target = prepared_folder(folder) / "sweep.csv" if folder is not None else None
     with progress_bar() as update:
         rows = job.sweep(
             base, speeds=speeds, lofts=lofts, output=target, workers=workers,
@@ -255,7 +263,7 @@ def _cost(found: Any) -> str:
     steps = f"{found.steps} steps of {found.settings.safety:g} of the stable one"
     counts = f"{found.elements} elements, {steps}, {found.wall:.2f} s"
     # A run that failed keeps what it had until energies were last in balance; its error tells of a later time.
-    last = found.energy["time"][-1:].sum() * 1e6
+    last = from_si(found.energy["time"][-1:].sum(), "us")
     until = f" until {last:.0f} us, the last record kept" if found.stopped and not found.unfinished else ""
     return f"{counts}; energies close to {found.energy_error:.2%}{until}"
 
@@ -269,16 +277,16 @@ def _rows_of(found: Any) -> list[list[str]]:
     }
     figures.setdefault("backspin", found.backspin)
     shown = [row for row in RUN_ROWS if row[1] in figures and not (found.launch and row[1] in REBOUND)]
-    rows = [[label, output.number(figures[key] * scale, digits)] for label, key, scale, digits in shown]
+    rows = [[label, output.number(from_si(figures[key], unit), digits)] for label, key, unit, digits in shown]
     return rows + [
-        [label, output.number(getattr(found, key) * scale, digits)] for label, key, scale, digits in FIGURE_ROWS
+        [label, output.number(from_si(getattr(found, key), unit), digits)] for label, key, unit, digits in FIGURE_ROWS
     ]
 
 
 def _end(found: Any) -> None:
     """When all that a run has is printed and written: tell if there is no launch, because of Ctrl-C or by itself."""
     if found.interrupted:
-        raise Interrupted(f"interrupted at {found.contact['time'][-1:].sum() * 1e6:.0f} us of the impact")
+        raise Interrupted(f"interrupted at {fixed(found.contact['time'][-1:].sum(), 'us', 0)} of the impact")
     if found.unfinished:
         # As long as was asked for.
         say(found.stopped)

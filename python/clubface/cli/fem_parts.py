@@ -9,6 +9,7 @@ import typer
 from clubface.cli import options, output
 from clubface.cli.failures import say, say_written
 from clubface.cli.fem_progress import progress_bar, run_with_progress
+from clubface.support.folders import prepared_folder
 from clubface.units import from_si
 
 RULES = {"mass": 0.04593, "diameter": 0.04267}
@@ -109,7 +110,7 @@ def head(
     rows.append(["elements", str(made.elements), ""])
     if measure:
         rows.append(["restitution", output.number(document["restitution"], 3), ""])
-        rows.append(["characteristic time, us", output.number(document["characteristic_time_s"] * 1e6, 0), ""])
+        rows.append(["characteristic time, us", output.number(from_si(document["characteristic_time_s"], "us"), 0), ""])
     header = ("", "", "asked for") if asked else ("", "")
     print_numbers(header, [each[: len(header)] for each in rows], title=made.description or made.name)
 
@@ -132,7 +133,7 @@ def face(
     from clubface.fem.sweep import grid
 
     toes, highs = grid(toe, "length", "--toe"), grid(high, "length", "--high")
-    target = None if folder is None else files.prepare(folder) / "face.csv"
+    target = None if folder is None else prepared_folder(folder) / "face.csv"
     with progress_bar() as update:
         rows = face_map.face_map(
             name, toes=toes, highs=highs, with_ball=ball, output=target, workers=workers,

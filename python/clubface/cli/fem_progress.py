@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from clubface.units import fixed
+
 
 @contextmanager
 def progress_bar() -> Iterator[Callable[[float, float, str], object] | None]:
@@ -26,4 +28,4 @@ def progress_bar() -> Iterator[Callable[[float, float, str], object] | None]:
 def run_with_progress(run: Callable[[Callable[[float, float], object] | None], Any]) -> Any:
     """Run an impact under a bar."""
     with progress_bar() as update:
-        return run(update and (lambda time, whole: update(time, whole, f"{time * 1e6:.0f} us")))
+        return run(update and (lambda time, whole: update(time, whole, f"{fixed(time, 'us', 0)}")))

@@ -173,7 +173,7 @@ def _write(found: Any, target: str | None, plot: str | None) -> None:
 
 
 def _print(found: Any) -> None:
-    from clubface.identification import report
+    from clubface.identification import result as report
 
     share = f"{100 * found.confidence:g}% interval"
     heads = ["parameter", "value", f"{share}\nfrom", "\nto", "profile\nlikelihood", "\nidentified"]

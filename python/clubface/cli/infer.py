@@ -82,7 +82,7 @@ def infer(
 
         check_ending(picture)
     from clubface.inference import words
-    from clubface.inference.posterior import infer as compute
+    from clubface.inference.run import infer as compute
 
     if not launch:
         measured = ", ".join(f"--{name.replace('_', '-')}" for name in options.MEASURED_LAUNCH)

@@ -25,7 +25,7 @@ def models(
     as_json: options.Json = False,
 ) -> None:
     """List the impact models, or show one with its parameters and their published values."""
-    from clubface.equipment.models import FEM, model
+    from clubface.equipment.models import further_models, model
     from clubface.equipment.models import models as registry
 
     if name is not None:
@@ -40,7 +40,7 @@ def models(
         return
     rows = [[each.name, each.kind, each.summary, each.laws_in_words] for each in registry().values()]
     print_words(["model", "kind", "what it is", "laws it obeys"], rows)
-    output.print_notes([f'{FEM.name}: {FEM.summary} It takes a second a shot, so that "all" does not mean it.'])
+    output.print_notes(f'{each.name}: {each.summary} "all" does not mean it.' for each in further_models().values())
     output.print_notes(["clubface models NAME lists parameters, units, bounds, published values, sources and caveats."])
 
 

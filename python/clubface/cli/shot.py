@@ -109,20 +109,21 @@ def _note(launches: Mapping[str, Any], flights: Mapping[str, Any]) -> str:
 def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any], delivery: Mapping[str, float]) -> None:
     """Draw forces and flights of all models into one file."""
     from clubface import plots, units
-    from clubface.equipment.models import FEM, model
+    from clubface.equipment.models import model
+    from clubface.simulation.backends import backend_of
     from clubface.simulation.history import history
     from clubface.simulation.trajectory import trajectory
 
     positions = {name: trajectory(launch, **conditions).position for name, launch in launches.items()}
-    histories: dict[str, Any] = {
-        name: history(
-            each.club, delivery, model=name, parameters=each.parameters, ball=each.ball, accuracy=each.accuracy or DRAWN
-        )
-        for name, each in launches.items()
-        if model(name).kind == "contact"
-    }
-    if FEM.name in launches:
-        histories[FEM.name] = _finite_elements(launches[FEM.name], delivery)
+    histories: dict[str, Any] = {}
+    for name, each in launches.items():
+        if model(name).kind == "contact":
+            accuracy = each.accuracy or DRAWN
+            histories[name] = history(
+                each.club, delivery, model=name, parameters=each.parameters, ball=each.ball, accuracy=accuracy
+            )
+        elif (forces := backend_of(name).forces(each, delivery)) is not None:
+            histories[name] = forces
     first = next(iter(launches.values()))
     shown = {"speed": "mph", "toe": "mm", "high": "mm", "closure": "deg/s", "pitch_rate": "deg/s", "lie_rate": "deg/s"}
     described = [
@@ -133,14 +134,3 @@ def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any],
     unbroken = ", ".join(each.replace(" ", "\N{NO-BREAK SPACE}") for each in described)
     figure = plots.shot_figure(positions, histories, title=f"{first.club.name}: {unbroken}")
     plots.save(figure, path)
-
-
-def _finite_elements(launch: Any, delivery: Mapping[str, float]) -> Mapping[str, Any]:
-    """Return the forces of a shot by finite elements."""
-    from clubface.fem.backend import force_history, meshed_ball
-    from clubface.fem.run import Settings, strike
-
-    made, _ = meshed_ball(launch.ball)
-    friction = launch.parameters.values["friction"]
-    how = Settings(until_separation=True)
-    return force_history(strike(launch.club, delivery, which=made, friction=friction, settings=how))

@@ -74,7 +74,7 @@ class Ball(Described):
             raise InputError("inertia", units.show(self.inertia, "g cm2"), allowed)
         if self.mass > BALL_MASS_LIMIT * (1.0 + 1e-9):
             warn_once(
-                f"{self.name}: ball mass {self.mass * 1e3:.2f} g is above the rule limit of 45.93 g",
+                f"{self.name}: ball mass {units.fixed(self.mass, 'g', 2)} is above the rule limit of 45.93 g",
                 RuleWarning,
             )
         if 2.0 * self.radius < BALL_DIAMETER_LIMIT * (1.0 - 1e-9):

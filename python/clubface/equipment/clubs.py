@@ -129,8 +129,8 @@ class Club(Described):
         check_text("description", self.description)
         check_positive("mass", self.mass, "kg")
         check_inertia(self.inertia)
-        if not 0.0 <= self.loft <= math.radians(75.0):
-            raise InputError("loft", f"{math.degrees(self.loft):.6g} deg", "from 0 to 75 deg")
+        if not 0.0 <= self.loft <= units.to_si(75.0, "deg"):
+            raise InputError("loft", units.show(self.loft, "deg"), "from 0 to 75 deg")
         for each in ("bulge", "roll"):
             if not getattr(self, each) > 0.0:
                 raise InputError(each, getattr(self, each), 'above 0 m, or "flat" (infinite)')
@@ -152,13 +152,13 @@ class Club(Described):
             if half_width <= self.bulge - drop:
                 return
         size = " x ".join(units.show(each, "mm") for each in (self.face_width, self.face_height))
-        given = f"{self.bulge * 1e3:.6g} mm with a roll of {self.roll * 1e3:.6g} mm"
+        given = f"{units.show(self.bulge, 'mm')} with a roll of {units.show(self.roll, 'mm')}"
         raise InputError("bulge", given, f"large enough, as the roll, for a face of {size}")
 
     def _warn(self) -> None:
         if self.kind != "iron" and self.iyy > MOI_LIMIT + MOI_TOLERANCE:
             warn_once(
-                f"{self.name}: moment of inertia about the vertical axis {self.iyy * 1e7:.0f} g cm2 is above"
+                f"{self.name}: moment of inertia about the vertical axis {units.fixed(self.iyy, 'g cm2', 0)} is above"
                 " the rule limit of 5900 g cm2 (tolerance 100)",
                 RuleWarning,
             )

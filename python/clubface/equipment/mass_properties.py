@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from clubface import units
 from clubface.errors import InputError
 
 Tensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
@@ -44,7 +45,7 @@ def check_inertia(tensor: Tensor) -> None:
     Its principal moments must be positive, and each at most the sum of the other two: no mass is negative.
     """
     moments = principal_moments(tensor)
-    shown = ", ".join(f"{moment * 1e7:.5g}" for moment in moments)
+    shown = ", ".join(f"{units.from_si(moment, 'g cm2'):.5g}" for moment in moments)
     if moments[0] <= 0.0:
         raise InputError(
             "inertia", f"principal moments {shown} g cm2", "positive definite: every principal moment above 0"

@@ -1,10 +1,14 @@
-"""The registry of impact models, as the core declares it: names, parameters, units, bounds, sources."""
+"""The impact models, as the core and further backends declare them: names, parameters, units, bounds, sources."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
+from importlib import import_module
 
+from clubface._core import models as declared
+from clubface.equipment.backends import MODULES
 from clubface.errors import InputError, UnknownNameError
 
 PARAMETER_KEYS = ("name", "unit", "meaning", "default", "lower", "upper", "source")
@@ -93,10 +97,8 @@ class Model:
 @cache
 def models() -> dict[str, Model]:
     """Return all models by name, in the order of the registry."""
-    from clubface import _core  # pyright: ignore[reportAttributeAccessIssue]
-
     found = {}
-    for entry in _core.models():
+    for entry in declared():
         parameters = tuple(Parameter(**{key: each[key] for key in PARAMETER_KEYS}) for each in entry["parameters"])
         plain = {key: entry[key] for key in MODEL_KEYS}
         without = entry.get("laws_without")
@@ -109,33 +111,29 @@ def models() -> dict[str, Model]:
     return found
 
 
-FEM = Model(
-    name="fem",
-    title="Explicit finite elements",
-    kind="finite elements",
-    summary="A meshed ball against a rigid head: deformation, vibration, sticking and slipping computed, not assumed.",
-    reference="W.-J. Roh and C.-W. Lee, Analysis of golf ball spin mechanism at impact by FEM",
-    laws=("momentum", "angular_momentum", "energy", "friction_cone"),
-    laws_without=None,
-    parameters=(
-        Parameter(
-            "friction", "1", "Coulomb's coefficient between ball and face", 0.35, 0.0, 2.0, "0.3 to 0.4, as measured"
-        ),
-    ),
-)
-"""The finite elements as a model. It takes a thousand times as long as the others, so that "all" does not mean it."""
-
-
 def _listed(laws: tuple[str, ...]) -> str:
     return ", ".join(each.replace("_", " ") for each in laws) or "none"
+
+
+@cache
+def further_models() -> Mapping[str, Model]:
+    """Return the models of the registered backends by name; they take long, so that "all" does not mean them."""
+    return {name: import_module(module).MODEL for name, module in MODULES.items()}
 
 
 def model(name: str) -> Model:
     """Return the model called ``name``; an unknown one is an error that names the nearest."""
     if not isinstance(name, str):
         raise InputError("model", name, "one of " + ", ".join(models()))
-    if name == FEM.name:
-        return FEM
-    if name not in models():
-        raise UnknownNameError("model", name, [*models(), FEM.name])
-    return models()[name]
+    if name in models():
+        return models()[name]
+    if name not in MODULES:
+        raise UnknownNameError("model", name, [*models(), *MODULES])
+    return further_models()[name]
+
+
+def reduced_model(name: str, wanted: str) -> Model:
+    """Return the reduced model called ``name``; for a model of another backend the error says what was ``wanted``."""
+    if name in MODULES:
+        raise InputError("model", name, f"{wanted}: {', '.join(models())}")
+    return model(name)

@@ -16,7 +16,7 @@ from clubface.measured.shots import QUANTITIES
 from clubface.plots.style import WIDTH, legend_above, look, marker, styled
 
 if TYPE_CHECKING:
-    from clubface.evaluation.evaluation import Evaluation
+    from clubface.evaluation.model_errors import ModelErrors
 
 TREND_COVARIATES = ("speed", "path", "toe", "high")
 """Those drawn; the tables have all."""
@@ -27,7 +27,7 @@ MOST_POINTS = 2000
 
 
 @styled
-def error_figure(of: Evaluation) -> Figure:
+def error_figure(of: ModelErrors) -> Figure:
     """Draw the mean absolute error of each model with its interval, the published error, and the effect of noise."""
     count = len(of.quantities)
     figure = Figure(figsize=(WIDTH, 0.5 + (0.35 + 0.17 * len(of.models)) * ((count + 1) // 2)), layout="constrained")
@@ -72,7 +72,7 @@ def error_figure(of: Evaluation) -> Figure:
 
 
 @styled
-def trend_figure(of: Evaluation) -> Figure:
+def trend_figure(of: ModelErrors) -> Figure:
     """Draw the error of each model over speed, path and place on the face, as means of equal numbers of shots."""
     names = [name for name in TREND_COVARIATES if _varies(of, name)]
     figure = Figure(figsize=(WIDTH, 0.6 + 1.45 * len(of.quantities)), layout="constrained")
@@ -96,7 +96,7 @@ def trend_figure(of: Evaluation) -> Figure:
 
 
 @styled
-def agreement_figure(of: Evaluation) -> Figure:
+def agreement_figure(of: ModelErrors) -> Figure:
     """Draw the computed value of each shot over the measured one, for the best model of each quantity."""
     count = len(of.quantities)
     figure = Figure(figsize=(WIDTH, 2.5 * ((count + 2) // 3)), layout="constrained")
@@ -121,7 +121,7 @@ def agreement_figure(of: Evaluation) -> Figure:
     return figure
 
 
-def _varies(of: Evaluation, name: str) -> bool:
+def _varies(of: ModelErrors, name: str) -> bool:
     values = of.shots.delivery.get(name)
     return values is not None and float(np.ptp(values)) > 0.0
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError, UnknownNameError
+from clubface.evaluation.published_accuracy import monitor_errors
 from clubface.measured.shots import QUANTITIES
 from clubface.simulation.delivery import DIMENSIONS
 
@@ -18,12 +19,7 @@ Values = NDArray[np.float64]
 
 TO_MEAN_ABSOLUTE = math.sqrt(2.0 / math.pi)
 """Mean magnitude of a normal deviate of standard deviation 1."""
-MONITOR = {
-    "launch": math.radians(0.2) / TO_MEAN_ABSOLUTE,
-    "azimuth": math.radians(0.2) / TO_MEAN_ABSOLUTE,
-    "backspin": 50.0 * math.pi / 30.0 / TO_MEAN_ABSOLUTE,
-    "sidespin": 50.0 * math.pi / 30.0 / TO_MEAN_ABSOLUTE,
-}
+MONITOR = {name: error / TO_MEAN_ABSOLUTE for name, error in monitor_errors().items()}
 """Standard deviations [SI] of a monitor with the mean errors that Caldwell and McPhee (2023) quote for theirs, 0.2 deg
 and 50 rpm."""
 DRAWS = 8

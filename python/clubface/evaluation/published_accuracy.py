@@ -57,9 +57,21 @@ class PublishedAccuracy:
 
 
 @cache
+def _data() -> dict[str, Any]:
+    return Document.read(DATA / "published_accuracy.toml").data
+
+
+def monitor_errors() -> dict[str, float]:
+    """Return the mean errors of the launch monitor of the published shots, SI, by quantity."""
+    return {
+        name: units.parse(text, units.unit(QUANTITIES[name]).dimension) for name, text in _data()["monitor"].items()
+    }
+
+
+@cache
 def published() -> dict[tuple[str, str], PublishedAccuracy]:
     """Return the published accuracy by model and club."""
-    data = Document.read(DATA / "published_accuracy.toml").data
+    data = _data()
     clubs = {each["club"]: each for each in data["club"]}
     found = {}
     for entry in data["model"]:
@@ -75,7 +87,7 @@ def published() -> dict[tuple[str, str], PublishedAccuracy]:
             std=_si(entry.get("std")),
             mae_percent=_named(entry.get("mae_percent")),
             std_percent=_named(entry.get("std_percent")),
-            cpu=None if cpu is None else cpu / 1e3,
+            cpu=None if cpu is None else units.to_si(cpu, "ms"),
             cost=entry.get("cost"),
             caveats=(),
         )
@@ -108,8 +120,4 @@ def _named(values: list[float] | None) -> dict[str, float]:
 
 
 def _si(values: list[float] | None) -> dict[str, float]:
-    found: dict[str, Any] = {}
-    for name, value in _named(values).items():
-        unit = units.unit(QUANTITIES[name])
-        found[name] = value * unit.numerator / unit.denominator
-    return found
+    return {name: units.to_si(value, QUANTITIES[name]) for name, value in _named(values).items()}

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 from clubface import units
 from clubface.errors import FileError
 from clubface.evaluation import tables
-from clubface.evaluation.evaluation import Evaluation
+from clubface.evaluation.model_errors import ModelErrors
 from clubface.evaluation.tables import Table
 from clubface.measured.shots import QUANTITIES
 from clubface.support.plain_json import plain
@@ -60,7 +60,7 @@ class Section(NamedTuple):
     picture: str | None = None
 
 
-def sections(of: Evaluation) -> Iterator[Section]:
+def sections(of: ModelErrors) -> Iterator[Section]:
     """Yield the parts of the report."""
     yield Section("Errors", tables.in_published_form(of), "errors")
     if published := tables.published_form(of):
@@ -74,12 +74,12 @@ def sections(of: Evaluation) -> Iterator[Section]:
     yield Section("Parameters", [tables.parameters_table(of)])
 
 
-def title(of: Evaluation) -> str:
+def title(of: ModelErrors) -> str:
     """Return the title of the report."""
     return f"Models beside {tables.counted(len(of.shots), 'measured shot')}: {of.shots.club.name}"
 
 
-def as_markdown(of: Evaluation, *, pictures: str | None = None) -> str:
+def as_markdown(of: ModelErrors, *, pictures: str | None = None) -> str:
     """Return the report as Markdown; ``pictures`` is the ending of the pictures beside it, such as ".png"."""
     lines = [f"# {title(of)}", "", f"Source: `{of.shots.source}`.", ""]
     lines += [*(f"* {note}" for note in tables.remarks(of)), ""] if tables.remarks(of) else []
@@ -101,7 +101,7 @@ def _markdown(table: Table) -> list[str]:
     return [line(table.heads), line(rule), *(line(row) for row in table.rows)]
 
 
-def as_html(of: Evaluation, pictures: dict[str, bytes] | None = None) -> str:
+def as_html(of: ModelErrors, pictures: dict[str, bytes] | None = None) -> str:
     """Return the report as one HTML document; ``pictures`` holds PNG files by name, which become part of it."""
     body = [f"<h1>{html.escape(title(of))}</h1>", f"<p>Source: <code>{html.escape(of.shots.source)}</code>.</p>"]
     if tables.remarks(of):
@@ -134,7 +134,7 @@ def _html(table: Table) -> str:
     return f"<table><caption>{html.escape(table.title)}</caption>{cells('th', table.heads)}{rows}</table>"
 
 
-def document(of: Evaluation) -> dict[str, Any]:
+def document(of: ModelErrors) -> dict[str, Any]:
     """Return everything as one document for JSON, SI."""
     return {
         "source": of.shots.source,
@@ -174,7 +174,7 @@ def document(of: Evaluation) -> dict[str, Any]:
     }
 
 
-def as_csv(of: Evaluation) -> str:
+def as_csv(of: ModelErrors) -> str:
     """Return one line a shot: its row in the source, what was measured, and what every model computes."""
     columns: dict[str, Any] = {"row": of.shots.rows}
     for name in of.quantities:
@@ -201,7 +201,7 @@ def refuse_input(folder: str | os.PathLike[str], source: str) -> None:
         raise FileError(source, None, "the report would overwrite this file; give another folder")
 
 
-def write(of: Evaluation, folder: str | os.PathLike[str]) -> list[Path]:
+def write(of: ModelErrors, folder: str | os.PathLike[str]) -> list[Path]:
     """Write the report and its pictures into ``folder``, which is made if need be; return the files.
 
     Raises

@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from clubface import units
-from clubface.evaluation.evaluation import Evaluation
+from clubface.evaluation.model_errors import ModelErrors
 from clubface.evaluation.statistics import Interval
 from clubface.evaluation.trends import COVARIATES
 from clubface.measured.shots import QUANTITIES
@@ -76,7 +76,7 @@ def percent(part: float, whole: float) -> str:
     return f"{100.0 * part / whole:.3g}%"
 
 
-def in_published_form(of: Evaluation) -> list[Table]:
+def in_published_form(of: ModelErrors) -> list[Table]:
     """Return the tables in the published form: one row a quantity, MAE and STD of each model with percentages."""
     found = []
     for what, words in (("mae", "Mean absolute error"), ("std", "Standard deviation of the error")):
@@ -94,7 +94,7 @@ def in_published_form(of: Evaluation) -> list[Table]:
     return found
 
 
-def published_form(of: Evaluation) -> list[Table]:
+def published_form(of: ModelErrors) -> list[Table]:
     """Return the published tables of the same models, if the club is of a family they were published for."""
     known = of.published
     if not known:
@@ -127,7 +127,7 @@ def published_form(of: Evaluation) -> list[Table]:
     return found
 
 
-def detail(of: Evaluation, quantity: str) -> Table:
+def detail(of: ModelErrors, quantity: str) -> Table:
     """Return one row a model: errors with 95% intervals, beside what was published."""
     known = of.published
     heads = ["model", "MAE", "95%", "of mean", "STD", "bias", "95%", "worst"]
@@ -155,7 +155,7 @@ def detail(of: Evaluation, quantity: str) -> Table:
     return Table(f"{name_of(quantity)}: model less measured, {counted(count)}", heads, rows)
 
 
-def best_models(of: Evaluation) -> Table:
+def best_models(of: ModelErrors) -> Table:
     """Return one row a quantity: the best model, those that are no worse, and the lead over the next."""
     rows = []
     for name, best in of.best.items():
@@ -170,7 +170,7 @@ def best_models(of: Evaluation) -> Table:
     return Table("Best model in each quantity", heads, rows, (0, 1, 3, 4))
 
 
-def noise_floor(of: Evaluation) -> Table:
+def noise_floor(of: ModelErrors) -> Table:
     """Return one row a quantity: the error a perfect model would have, beside that of the best."""
     rows = []
     for name, least in of.floor.items():
@@ -191,7 +191,7 @@ def noise_floor(of: Evaluation) -> Table:
     return Table("What measurement alone explains", heads, rows)
 
 
-def trend_table(of: Evaluation, quantity: str) -> Table:
+def trend_table(of: ModelErrors, quantity: str) -> Table:
     """Return one row a model: the slope of its error over each quantity of the delivery."""
     lines = of.trends[quantity]
     names = list(dict.fromkeys(each.covariate for each_model in lines.values() for each in each_model))
@@ -209,7 +209,7 @@ def trend_table(of: Evaluation, quantity: str) -> Table:
     return Table(f"{name_of(quantity)}: change of the error", heads, rows)
 
 
-def parameters_table(of: Evaluation) -> Table:
+def parameters_table(of: ModelErrors) -> Table:
     """Return the parameter set of each model."""
     rows = []
     for model, each in of.parameters.items():
@@ -233,11 +233,10 @@ def probability(p: float, resamples: int) -> str:
 
 def _step(covariate: str) -> float:
     """Return the size in SI of one unit of a covariate."""
-    unit = units.unit(COVARIATES[covariate])
-    return unit.numerator / unit.denominator
+    return units.size(COVARIATES[covariate])
 
 
-def remarks(of: Evaluation) -> list[str]:
+def remarks(of: ModelErrors) -> list[str]:
     """Return what a reader must know of the shots before the tables: what was assumed, what was left out."""
     found = list(of.shots.notes)
     if of.shots.dropped:
@@ -251,7 +250,7 @@ def remarks(of: Evaluation) -> list[str]:
     return found
 
 
-def notes(of: Evaluation) -> list[str]:
+def notes(of: ModelErrors) -> list[str]:
     """Return what a reader must know of the tables."""
     found = [
         "Errors are model less measured. Percentages refer to the mean magnitude of what was measured. STD is the"

@@ -28,7 +28,8 @@ from clubface.fem.heads import (
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.fem.reference_case import reference
 from clubface.fem.result import Impact
-from clubface.fem.run import Settings, strike, throw
+from clubface.fem.run import strike, throw
+from clubface.fem.settings import Settings
 
 __all__ = [
     "Ball",

@@ -2,33 +2,104 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from clubface.equipment.balls import DEFAULT_BALL as PUBLISHED
 from clubface.equipment.balls import Ball as RigidBall
+from clubface.equipment.models import Model, Parameter
 from clubface.errors import InputError
-from clubface.fem.balls import Ball, ball
+from clubface.fem import core
+from clubface.fem.balls import ball
 from clubface.fem.result import Impact
-from clubface.fem.run import Settings, rigid_ball, simulate
+from clubface.fem.run import rigid_ball, simulate, strike
+from clubface.fem.settings import Settings
+from clubface.simulation.backends import Balls, Problems
+from clubface.simulation.quantities import outputs
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+MODEL = Model(
+    name="fem",
+    title="Explicit finite elements",
+    kind="finite elements",
+    summary="A meshed ball against a rigid head: deformation, vibration, sticking and slipping computed, not assumed;"
+    " takes a second a shot.",
+    reference="W.-J. Roh and C.-W. Lee, Analysis of golf ball spin mechanism at impact by FEM",
+    laws=("momentum", "angular_momentum", "energy", "friction_cone"),
+    laws_without=None,
+    parameters=(
+        Parameter(
+            "friction", "1", "Coulomb's coefficient between ball and face", 0.35, 0.0, 2.0, "0.3 to 0.4, as measured"
+        ),
+    ),
+)
+
 DEFAULT_BALL = "reference"
 """The meshed ball where none is named."""
+HOW = Settings(until_separation=True)
 
 
-def meshed_ball(given: Any) -> tuple[Ball, Any]:
-    """Return the meshed ball that ``given`` names, or the default, and its mass properties as a rigid ball.
+class FiniteElements:
+    """A shot at a time, each on all cores."""
 
-    Given may be a :class:`Ball`, a name, the path of a TOML file, a rigid ball made from a built-in one, or the ball of
-    the published models, in whose place the default stands.
-    """
-    if isinstance(given, RigidBall):
-        given = given.name
-    made = ball(DEFAULT_BALL if given in (None, PUBLISHED) else given)
-    return made, rigid_ball(made)
+    def balls(self, given: Any, accuracy: float | None) -> Balls:
+        """Return the meshed ball that ``given`` names, or the default, and its mass properties as a rigid ball.
+
+        Given may be a :class:`clubface.fem.Ball`, a name, the path of a TOML file, a rigid ball made from a built-in
+        one, or the ball of the published models, in whose place the default stands. An accuracy is refused: the mesh
+        sets it.
+        """
+        if accuracy is not None:
+            raise InputError("accuracy", accuracy, "leave it out for fem, whose accuracy is that of the mesh")
+        if isinstance(given, RigidBall):
+            given = given.name
+        made = ball(DEFAULT_BALL if given in (None, PUBLISHED) else given)
+        return Balls(made, rigid_ball(made))
+
+    def launches(
+        self,
+        model: str,
+        own: Any,
+        inputs: Sequence[Any],
+        parameters: Sequence[Any],
+        count: int,
+        accuracy: float | None,
+        threads: int,
+        progress: Callable[[int], object] | None,
+    ) -> tuple[NDArray[Any], Problems]:
+        """Run shot after shot; one that ends early has no launch."""
+        import numpy as np
+
+        (friction,) = parameters
+        found = np.full((len(outputs()), count), np.nan)
+        problems: Problems = []
+        for row in range(count):
+            columns, mu = [_at(each, row) for each in inputs], _at(friction, row)
+            try:
+                result, _ = simulate(core.fem_head, own.values(), columns, mu, how=HOW)
+            except InputError as error:
+                problems.append((row, error.parameter, error.allowed))
+                continue
+            if result["interrupted"]:
+                raise KeyboardInterrupt
+            if result["stopped"]:
+                problems.append((row, MODEL.name, result["stopped"]))
+                continue
+            found[:, row] = result["launch"]
+            if progress is not None:
+                progress(row + 1)
+        return found, problems
+
+    def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Run the shot again and keep its forces on the ball [s, N]."""
+        made, _ = self.balls(launch.ball, None)
+        friction = launch.parameters.values["friction"]
+        return force_history(strike(launch.club, delivery, which=made, friction=friction, settings=HOW))
+
+
+BACKEND = FiniteElements()
 
 
 def force_history(found: Impact) -> dict[str, NDArray[Any]]:
@@ -40,41 +111,5 @@ def force_history(found: Impact) -> dict[str, NDArray[Any]]:
     return {name: values[touching] for name, values in named.items()}
 
 
-def launches(
-    made: Ball, columns: Sequence[Any], friction: Any, n: int, progress: Callable[[int], object] | None
-) -> tuple[NDArray[Any], list[tuple[int, str, str]]]:
-    """Return outputs by shots, and what kept shots from being computed: (row, name, message)."""
-    import numpy as np
-
-    from clubface import _core
-    from clubface.simulation.quantities import outputs
-
-    found = np.full((len(outputs()), n), np.nan)
-    problems: list[tuple[int, str, str]] = []
-    how = Settings(until_separation=True)
-    for row in range(n):
-        inputs = [float(_at(each, row)) for each in columns]
-        try:
-            result, _ = simulate(_core.fem_head, made.values(), inputs, float(_at(friction, row)), how=how)
-        except InputError as error:
-            problems.append((row, error.parameter, error.allowed))
-            continue
-        if result["interrupted"]:
-            raise KeyboardInterrupt
-        if result["stopped"]:
-            problems.append((row, "fem", result["stopped"]))
-            continue
-        found[:, row] = result["launch"]
-        if progress is not None:
-            progress(row + 1)
-    return found, problems
-
-
-def check_no_accuracy(accuracy: float | None) -> None:
-    """Refuse an accuracy: the mesh sets that of finite elements."""
-    if accuracy is not None:
-        raise InputError("accuracy", accuracy, "leave it out for fem, whose accuracy is that of the mesh")
-
-
 def _at(value: Any, row: int) -> float:
-    return value if isinstance(value, (int, float)) else value[row]
+    return float(value if isinstance(value, (int, float)) else value[row])

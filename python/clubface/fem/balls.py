@@ -11,6 +11,7 @@ from typing import Any
 
 from clubface import units
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.fem import core
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.support.checks import check_choice, check_count, check_name, check_text
 from clubface.support.shipped import builtin_names, builtin_path, is_path
@@ -163,9 +164,12 @@ class Ball:
 
     @cached_property
     def _meshed(self) -> Mapping[str, float]:
-        from clubface import _core
+        return core.fem_ball(self.values())
 
-        return _core.fem_ball(self.values())
+    @cached_property
+    def mesh(self) -> Mapping[str, Any]:
+        """The mesh: nodes [m], elements, the piece of each element, the density of each piece [kg/m3]."""
+        return core.fem_mesh(self.values())
 
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""

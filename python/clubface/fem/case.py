@@ -14,7 +14,8 @@ from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
-from clubface.fem.run import Settings, friction_value, rigid_ball, strike, throw, throw_values
+from clubface.fem.run import friction_value, rigid_ball, strike, throw, throw_values
+from clubface.fem.settings import Settings
 from clubface.simulation.delivery import DIMENSIONS
 from clubface.simulation.impact import impact
 from clubface.support.checks import check_choice, check_name, check_text
@@ -37,19 +38,19 @@ class Case:
     Attributes
     ----------
     name, description
-        For tables.
+        What it is called in tables.
     ball
         The ball.
     head
         "plane" (rigid, at rest), "rigid" (the head of ``club``) or "meshed".
     club
-        For a head: a club, or a meshed head.
+        The club or the meshed head, if there is a head.
     delivery
-        Of the head, as of :func:`clubface.impact`; for a plane, ``speed`` and ``angle`` of the ball.
+        That of the head, as of :func:`clubface.impact`; for a plane, ``speed`` and ``angle`` of the ball.
     friction
-        Coulomb's coefficient.
+        Coefficient of friction.
     settings
-        How to run.
+        How the run is made.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Calls of the core: errors in its words, Ctrl-C at any time."""
+"""What the compiled core computes by finite elements, with errors in its words and Ctrl-C at any time."""
 
 from __future__ import annotations
 
@@ -8,6 +8,45 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any
 
+from clubface._core import (
+    fem_ball as fem_ball,
+)
+from clubface._core import (
+    fem_deformable as fem_deformable,
+)
+from clubface._core import (
+    fem_driver as fem_driver,
+)
+from clubface._core import (
+    fem_head as fem_head,
+)
+from clubface._core import (
+    fem_head_properties as fem_head_properties,
+)
+from clubface._core import (
+    fem_iron as fem_iron,
+)
+from clubface._core import (
+    fem_laws as fem_laws,
+)
+from clubface._core import (
+    fem_mesh as fem_mesh,
+)
+from clubface._core import (
+    fem_plane as fem_plane,
+)
+from clubface._core import (
+    fem_sensitivity as fem_sensitivity,
+)
+from clubface._core import (
+    fem_thickness_points as fem_thickness_points,
+)
+from clubface._core import (
+    fem_variables as fem_variables,
+)
+from clubface._core import (
+    fem_yield_stress as fem_yield_stress,
+)
 from clubface.errors import InputError, ShotError
 
 THE_RUN = "the run"
@@ -67,4 +106,4 @@ def told() -> Iterator[None]:
 
 def core_error(name: str, value: str, allowed: str) -> InputError:
     """Return the error the core told as name, value and what is allowed, the first two of which may be empty."""
-    return ShotError(name or THE_RUN, value or None, f"{value}: {allowed}" if value else allowed)
+    return ShotError(name or THE_RUN, value or None, f"{value}; {allowed}" if value else allowed)

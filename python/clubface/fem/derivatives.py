@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError, ShotError, UnknownNameError
+from clubface.fem import core
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import THE_RUN, Progress, core_call
 from clubface.fem.heads import MeshedHead, ShellHead
-from clubface.fem.run import Settings, friction_value, inputs_of, one_shot, settings_of
+from clubface.fem.run import friction_value, inputs_of, one_shot
+from clubface.fem.settings import Settings, settings_of
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.quantities import outputs
 
@@ -60,10 +62,8 @@ def variables(
     "maxwell.0.time" and so on. A part of a head of shells has its mean "thickness", as in "head.face.thickness",
     "youngs", "poisson" and "density"; its mesh stays, and its club is no variable.
     """
-    from clubface import _core
-
     made, head, rigid = ball(which), *_head_of(club)
-    found = _core.fem_variables(made.values(), head, inputs_of(one_shot(rigid, {"speed": 1.0}, made)))
+    found = core.fem_variables(made.values(), head, inputs_of(one_shot(rigid, {"speed": 1.0}, made)))
     for piece in made.pieces:
         found.insert(found.index(f"{piece.name}.bulk"), f"{piece.name}.poisson")
     return found
@@ -105,13 +105,12 @@ def sensitivity(
     Parameters
     ----------
     club, delivery, **values, which, friction, settings
-        As of :func:`strike`; left out, the settings end the run soon after the last touch.
+        As for :func:`strike`; left out, the settings end the run soon after the last touch.
     by
         Names of variables, see :func:`variables`; every four of them take one run.
     progress
         Called with the runs done, in parts, and the runs in all.
     """
-    from clubface import _core
     from clubface.simulation.inputs import as_values
 
     made, mu = ball(which), friction_value(friction)
@@ -132,7 +131,7 @@ def sensitivity(
         def step(which: int, time: float, whole: float) -> None:
             watch(which + time / whole, runs)
 
-        return _core.fem_sensitivity(made.values(), head, inputs, mu, run, own, step)
+        return core.fem_sensitivity(made.values(), head, inputs, mu, run, own, step)
 
     def at(safety: float | None) -> tuple[Any, Any]:
         run["safety"] = safety

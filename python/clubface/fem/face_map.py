@@ -88,7 +88,7 @@ def face_map(
 
 
 def _row(point: tuple[float, float], restitution: float, time: float, stopped: str = "") -> dict[str, Any]:
-    return dict(zip(COLUMNS, (*_millimetres(point), restitution, time * 1e6, stopped), strict=True))
+    return dict(zip(COLUMNS, (*_millimetres(point), restitution, units.from_si(time, "us"), stopped), strict=True))
 
 
 def _millimetres(point: tuple[float, float]) -> tuple[float, float]:

@@ -10,20 +10,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from clubface.errors import FileError
 from clubface.fem.result import FIGURES, Impact
-
-
-def prepare(folder: str | os.PathLike[str]) -> Path:
-    """Make the folder; one that cannot be made is told before any work is done."""
-    path = Path(folder)
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except FileExistsError:
-        raise FileError(str(path), None, "this is a file; give the name of a folder") from None
-    if not os.access(path, os.W_OK):
-        raise FileError(str(path), None, "this folder cannot be written to")
-    return path
+from clubface.support.folders import prepared_folder
 
 
 def document(found: Impact) -> dict[str, Any]:
@@ -51,7 +39,7 @@ def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool 
     list
         The files.
     """
-    path = prepare(folder)
+    path = prepared_folder(folder)
     figures = path / "figures.json"
     plain = {key: _finite(value) for key, value in document(found).items()}
     figures.write_text(json.dumps(plain, indent=2) + "\n", encoding="utf-8")
@@ -79,7 +67,7 @@ def write_paper(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
     written = write_run(found, folder)
     if not len(found.patch["time"]):
         return written
-    return [*written, plots.save(pictures.paper_figure(found), prepare(folder) / "paper.png")]
+    return [*written, plots.save(pictures.paper_figure(found), prepared_folder(folder) / "paper.png")]
 
 
 def write_sweep(
@@ -89,7 +77,7 @@ def write_sweep(
     from clubface import plots
     from clubface.fem.figures import impact as pictures
 
-    return [plots.save(pictures.sweep_figure(rows, published=published), prepare(folder) / "sweep.png")]
+    return [plots.save(pictures.sweep_figure(rows, published=published), prepared_folder(folder) / "sweep.png")]
 
 
 def draw_face(rows: Sequence[Mapping[str, Any]], path: Path) -> Path:

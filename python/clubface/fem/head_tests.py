@@ -15,7 +15,8 @@ from clubface.fem.heads import head as meshed
 from clubface.fem.heads.read import Design
 from clubface.fem.materials import Material
 from clubface.fem.result import Impact
-from clubface.fem.run import Settings, strike
+from clubface.fem.run import strike
+from clubface.fem.settings import Settings
 
 COR_SPEED = "160 ft/s"
 """Speed of the ball in the test of restitution that the rules had before the pendulum."""
@@ -45,13 +46,13 @@ def restitution(
     which
         The ball.
     speed
-        Of approach [m/s], with the face centre level.
+        Speed of approach [m/s], at the level of the face centre.
     toe, high
         Where the ball is struck [m]; unless either is given, in front of the CG, as the rules had it.
     friction
-        Coulomb's coefficient.
+        Coefficient of friction.
     threads
-        0 for all cores.
+        How many threads compute; 0 for all cores.
     progress
         Called with simulated time and duration [s].
 
@@ -114,11 +115,11 @@ def characteristic_time(
     head
         The head, as of :func:`clubface.fem.head`.
     speed
-        Of the sphere [m/s].
+        Speed of the sphere [m/s].
     toe, high
         Where it strikes [m].
     threads
-        0 for all cores.
+        How many threads compute; 0 for all cores.
     progress
         Called with simulated time and duration [s].
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from clubface.fem.cards import Cards
 from clubface.fem.case import MESHED, PLANE, RIGID, Case
 from clubface.fem.keyword_head import write_head
 from clubface.fem.materials import Material
-from clubface.fem.run import Settings
+from clubface.fem.settings import Settings
 
 BALL_SET = 1
 USUAL_SAFETY = 0.9
@@ -58,15 +59,13 @@ def write(case: Case, path: str | os.PathLike[str]) -> Path:
     InputError
         A case that cannot be run, such as a head that moves away from the ball.
     """
-    from clubface import _core
-
     deck = Cards()
     deck.lines.append("*KEYWORD")
     deck.comment(f"clubface: {case.name}. {case.description}", *HEADER)
     deck.keyword("TITLE")
     deck.text(f"{case.name}: ball {case.ball.name}, {case.head}, {_delivered(case)}")
     _control(deck, case.settings, case.head)
-    mesh = _core.fem_mesh(case.ball.values())
+    mesh = case.ball.mesh
     _ball(deck, case.ball, mesh)
     if case.head == PLANE:
         _plane(deck, case)
@@ -95,7 +94,7 @@ def _control(deck: Cards, how: Settings, head: str) -> None:
     deck.keyword("DATABASE_BINARY_D3PLOT", [how.duration / max(how.frames - 1, 50)], names="dt")
 
 
-def _ball(deck: Cards, ball: Ball, mesh: dict[str, Any]) -> None:
+def _ball(deck: Cards, ball: Ball, mesh: Mapping[str, Any]) -> None:
     """Write nodes, elements, parts and materials of the ball; it just touches the plane x = 0."""
     count = len(ball.pieces)
     deck.keyword("SECTION_SOLID", [1, 1], names="secid elform")

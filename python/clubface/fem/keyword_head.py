@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import face_point, nearest, turn_to_sole
+from clubface.fem import core
 from clubface.fem.cards import Cards, element
 from clubface.fem.case import Case
 from clubface.fem.heads import MeshedHead, Metal, ShellHead
-from clubface.fem.run import Settings, strike
+from clubface.fem.run import strike
+from clubface.fem.settings import Settings
 from clubface.simulation.delivery import DIMENSIONS
 
 if TYPE_CHECKING:
@@ -80,12 +82,10 @@ def _solid(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: in
 
 def _section(deck: Cards, number: int, metal: Metal) -> None:
     """Write the section of a part of shells, with the points that the metal asks for; any do for stress resultants."""
-    from clubface import _core
-
     count, rule = metal.points or USUAL_POINTS, 0
     if metal.points is not None or (metal.yield_stress is not None and metal.rule != "gauss"):
         deck.keyword("INTEGRATION_SHELL", [number, count, 0], names="irid nip esop")
-        for place, weight in _core.fem_thickness_points(count, metal.rule):
+        for place, weight in core.fem_thickness_points(count, metal.rule):
             deck.card([place, 0.5 * weight])
         rule = -number
     names = "secid elform shrf nip propt qr"

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from clubface import units
 from clubface.errors import InputError, UnknownNameError
+from clubface.fem import core
 
 
 class Law(NamedTuple):
@@ -49,10 +50,8 @@ class Law(NamedTuple):
 @cache
 def laws() -> Mapping[str, Law]:
     """Return the elastic laws by name."""
-    from clubface import _core
-
     found = {}
-    for each in _core.fem_laws():
+    for each in core.fem_laws():
         names = each["constants"]
         dimensions = each.get("dimensions", ["pressure"] * len(names))
         constants = MappingProxyType(dict(zip(names, dimensions, strict=True)))

@@ -11,21 +11,19 @@ from clubface.errors import InputError
 from clubface.fem.case import PLANE, Case, case
 from clubface.fem.core import Progress
 from clubface.fem.result import Impact
+from clubface.support.shipped import DATA
+from clubface.support.strict_toml import Document
 
-PUBLISHED: dict[str, float] = {
-    "ball_speed_mps": 50.4,
-    "launch_deg": 9.8,
-    "club_speed_after_mps": 24.0,
-    "spin_rpm": 2047.0,
-    "peak_force_n": 6600.0,
-    "peak_force_time_s": 280e-6,
-    "reversal_time_s": 320e-6,
-    "contraction": 0.23,
-    "contraction_time_s": 300e-6,
-    "f_prime": 0.8379,
-    "f": 0.9476,
-}
-"""What Roh and Lee computed: Figs. 3 to 7, Eqs. (9) and (11)."""
+_ROH_LEE = Document.read(DATA / "published_impacts.toml").data["roh-lee"]
+PUBLISHED: dict[str, float] = _ROH_LEE["figures"]
+"""What Roh and Lee computed."""
+LEAST_FACTOR: float = _ROH_LEE["least_factor"]
+"""The least compression factor they tell."""
+SPEED, LOFT, RADIUS = (
+    units.parse(_ROH_LEE["case"][name], dimension)
+    for name, dimension in (("speed", "speed"), ("loft", "angle"), ("ball_radius", "length"))
+)
+"""Their case [m/s, rad, m]."""
 
 
 def paper(which: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> Impact:
@@ -54,8 +52,13 @@ def table(found: Impact) -> dict[str, float]:
     }
 
 
-SPIN_FACTOR = 7.0 * 0.0214 * units.parse("2047 rpm", "angular rate") / (5.0 * 35.0 * math.sin(math.radians(11.5)))
-"""The factor of Eq. (6) that Roh and Lee's spin means."""
+def _rolling_factor(spin: float, radius: float, along: float) -> float:
+    """Return the compression factor of Eq. (6): the ball rolls off the face that it met at ``along`` [m/s]."""
+    return 7.0 * radius * spin / (5.0 * along)
+
+
+SPIN_FACTOR = _rolling_factor(units.to_si(PUBLISHED["spin_rpm"], "rpm"), RADIUS, SPEED * math.sin(LOFT))
+"""The factor of Eq. (6) that their spin means."""
 
 
 def spin_factor(found: Impact) -> float:
@@ -66,7 +69,7 @@ def spin_factor(found: Impact) -> float:
     approach = sum(found.relative_velocity()[:1, 1])
     if not approach > 0.0:
         return math.nan
-    return float(7.0 * 0.5 * found.ball.diameter * found.launch["backspin"] / (5.0 * approach))
+    return float(_rolling_factor(found.launch["backspin"], 0.5 * found.ball.diameter, approach))
 
 
 def document(found: Impact) -> dict[str, Any]:

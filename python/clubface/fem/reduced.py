@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, Told
 from clubface.fem.result import Impact
+from clubface.simulation.history import history
+from clubface.simulation.impact import impact
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -64,8 +67,6 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
     """
     import numpy as np
 
-    import clubface
-
     if model not in LAWS:
         raise InputError("model", model, f"one of {', '.join(LAWS)}")
     if found.equipment is None or found.stopped is not None:
@@ -73,13 +74,13 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
     club, ball = found.equipment
     wanted = np.log([found.launch["ball_speed"], _peak(found)])
     names = LAWS[model]
-    set_ = clubface.ParameterSet.builtin(model, club.parameters)
+    set_ = ParameterSet.builtin(model, club.parameters)
     place = np.log([float(set_.values[name]) for name in names])
 
     def figures(at: Any) -> Any:
         """Logarithms of ball speed and peak force at three sets of parameters at once."""
         given = {name: np.exp(values) for name, values in zip(names, np.transpose(at), strict=True)}
-        launch = clubface.impact(club, found.given, model=model, parameters=given, ball=ball)
+        launch = impact(club, found.given, model=model, parameters=given, ball=ball)
         return np.log(np.stack([launch.ball_speed, launch.peak_force], axis=-1))
 
     for _ in range(ROUNDS):
@@ -92,13 +93,11 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
     else:
         raise InputError("impact", found, f"one that {model} can reach with positive stiffness and damping")
     parameters = {name: float(value) for name, value in zip(names, np.exp(place), strict=True)}
-    history = clubface.history(club, found.given, model=model, parameters=parameters, ball=ball)
+    over = history(club, found.given, model=model, parameters=parameters, ball=ball)
     time, reference = _smooth(found)
-    force = np.interp(time, history.time, history.normal_force, right=0.0)
+    force = np.interp(time, over.time, over.normal_force, right=0.0)
     error = float(np.sqrt(np.mean((force - reference) ** 2)) / reference.max())
-    return Equivalent(
-        model, parameters, time, force, reference, error, float(history.time[-1]), float(found.contact_time)
-    )
+    return Equivalent(model, parameters, time, force, reference, error, float(over.time[-1]), float(found.contact_time))
 
 
 def _smooth(found: Impact) -> tuple[Any, Any]:

@@ -9,7 +9,10 @@ from typing import Any
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
 from clubface.fem.result import Impact
-from clubface.fem.run import Settings, throw
+from clubface.fem.run import throw
+from clubface.fem.settings import Settings
+from clubface.support.shipped import DATA
+from clubface.support.strict_toml import Document
 
 SPEED = "35 m/s"
 ANGLE = "11.5 deg"
@@ -38,7 +41,13 @@ def reference(
     element
         The kind of elements: "one-point" or "full".
     settings, progress
-        As of :func:`throw`.
+        As for :func:`throw`.
     """
     made = replace(ball(which).refined(refine), element=element)
     return throw(made, speed=SPEED, angle=ANGLE, friction=friction, settings=settings, progress=progress)
+
+
+def other_solvers() -> tuple[list[str], dict[str, list[float]]]:
+    """Return the names of independent solvers, and what they found [SI; rpm], by the keys of the command line."""
+    told = Document.read(DATA / "published_impacts.toml").data["reference"]
+    return told["solvers"], told["figures"]

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from clubface.equipment.balls import Ball as RigidBall
     from clubface.equipment.clubs import Club
     from clubface.fem.heads import MeshedHead
-    from clubface.fem.run import Settings
+    from clubface.fem.settings import Settings
     from clubface.simulation.inputs import Shots
 
 FIGURES = (

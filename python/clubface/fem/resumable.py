@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import csv
-import hashlib
-import json
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
 from clubface.errors import FileError
 from clubface.fem.core import Progress
 from clubface.fem.side_by_side import side_by_side
+from clubface.support.resuming import complete_lines, cut_incomplete_line, fingerprint
 
 P = TypeVar("P")
 
@@ -44,7 +42,7 @@ class ResumableTable:
         self._path = None if path is None else Path(path)
         self._columns, self._kinds = tuple(columns), kinds
         self._rows: dict[tuple[float, ...], dict[str, Any]] = {}
-        self._mark = "# case " + _fingerprint(content)
+        self._mark = "# case " + fingerprint(content)[:16]
         if self._path is None:
             return
         if self._path.exists():
@@ -54,18 +52,16 @@ class ResumableTable:
             self._path.write_text(f"{self._mark}\n{','.join(self._columns)}\n", encoding="utf-8")
 
     def _read(self, path: Path) -> None:
-        lines = path.read_text(encoding="utf-8").split("\n")
+        lines = complete_lines(path)
         if lines[:1] != [self._mark] or lines[1:2] != [",".join(self._columns)]:
             raise FileError(str(path), 1, "this is not the table of this case; give another file, or remove it")
-        # A last line without its end was being written when the run was cut off.
-        complete = lines[2:-1]
-        for number, line in enumerate(csv.reader(complete), 3):
+        for number, line in enumerate(csv.reader(lines[2:]), 3):
             try:
                 pairs = zip(self._columns, line, strict=True)
                 self._keep({name: self._kinds.get(name, float)(text) for name, text in pairs})
             except ValueError:
                 raise FileError(str(path), number, "this is not a row of the table; remove it") from None
-        path.write_text("\n".join([*lines[:2], *complete, ""]), encoding="utf-8")
+        cut_incomplete_line(path)
 
     def fill(
         self,
@@ -83,7 +79,7 @@ class ResumableTable:
         places
             What is run, and the values of the first two columns of its row.
         run
-            As of :func:`clubface.fem.side_by_side.side_by_side`; returns a row.
+            As for :func:`clubface.fem.side_by_side.side_by_side`; returns a row.
         what
             What is run, in the plural, for people.
         workers
@@ -121,21 +117,3 @@ class ResumableTable:
 def _key(place: Sequence[float]) -> tuple[float, ...]:
     """Return values without the rounding of units on their way."""
     return tuple(round(value, 9) for value in place)
-
-
-def _fingerprint(content: Sequence[Any]) -> str:
-    """Return a mark of some content."""
-    return hashlib.sha256(json.dumps(content, default=_plain, sort_keys=True).encode()).hexdigest()[:16]
-
-
-def _plain(value: Any) -> Any:
-    """Return what JSON has no form for as what it has: every number of an array counts, not those its text shows."""
-    import numpy as np
-
-    if isinstance(value, np.ndarray):
-        return [str(value.dtype), value.shape, hashlib.sha256(np.ascontiguousarray(value).tobytes()).hexdigest()]
-    if isinstance(value, Mapping):
-        return dict(value)
-    if is_dataclass(value):
-        return [type(value).__name__, *((each.name, getattr(value, each.name)) for each in fields(value))]
-    return str(value)

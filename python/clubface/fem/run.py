@@ -5,102 +5,25 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
 from clubface.equipment.balls import Ball as RigidBall
 from clubface.equipment.clubs import Club
 from clubface.errors import EdgeWarning, InputError, RuleWarning
+from clubface.fem import core
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress, core_call
 from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.result import Impact
+from clubface.fem.settings import Settings, settings_of
 from clubface.simulation.delivery import Delivery
-from clubface.support.checks import check_choice, check_count
 from clubface.support.shipped import builtin_names
 from clubface.support.warning import warn_once
 
 if TYPE_CHECKING:
     from clubface.simulation.inputs import Shots
-
-
-METHODS = ("penalty", "augmented-lagrange")
-"""How nodes are kept out of the face."""
-
-SAFETIES = (None, 0.65, 0.55)
-"""Time steps over the stable one that are tried in turn where none is asked for; the first is chosen by the core."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Settings:
-    """How to run.
-
-    Attributes
-    ----------
-    duration
-        Simulated time [s].
-    safety
-        Time step over the stable step of the undeformed bodies. Left out, it is 0.75 of the ball's (0.9 where no piece
-        of the ball can rest in every second step), and at most 0.95 of the head's; hard impacts squeeze elements, which
-        then need shorter steps, so that a run whose elements fail is done again with 0.65, and then with 0.55. Those of
-        a result tell what it was.
-    interval
-        Time between the records of motion [s]; contact is recorded at every step.
-    until_separation
-        Whether to end soon after the last touch, be it before or after ``duration`` (0.1 s at most).
-    contact
-        How nodes are kept out of the face: "penalty", springs that give way by what they carry, or
-        "augmented-lagrange", springs with multipliers that take the load over from them.
-    bulk_viscosity
-        Pressure against fast changes of volume in solid elements, over density, speed of waves, size of the element and
-        rate of the volume: 0.06 is usual in other codes; 0 for none.
-    frames
-        Number of deformed shapes to keep, evenly over ``duration``.
-    fields
-        Whether to keep stress and strain of every element with the deformed shapes.
-    threads
-        0 for all cores; the result does not depend on it.
-    """
-
-    duration: float = 1e-3
-    safety: float | None = None
-    interval: float = 5e-6
-    until_separation: bool = False
-    contact: str = "penalty"
-    bulk_viscosity: float = 0.0
-    frames: int = 0
-    fields: bool = False
-    threads: int = 0
-
-    def __post_init__(self) -> None:
-        for name in ("duration", "interval"):
-            object.__setattr__(self, name, units.parse(getattr(self, name), "time", name=name))
-        if not 1e-6 <= self.duration <= 0.1:
-            raise InputError("duration", units.show(self.duration, "us"), "1 us to 0.1 s")
-        if not 1e-8 <= self.interval <= self.duration:
-            raise InputError("interval", units.show(self.interval, "us"), "0.01 us to the duration")
-        for name in ("safety", "bulk_viscosity"):
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, units.parse(getattr(self, name), units.DIMENSIONLESS, name=name))
-        if self.safety is not None and not 0.05 <= self.safety <= 1.0:
-            raise InputError("safety", self.safety, "0.05 to 1, the stable step")
-        if not 0.0 <= self.bulk_viscosity <= 1.0:
-            raise InputError("bulk_viscosity", self.bulk_viscosity, "0 to 1; 0.06 is usual")
-        check_count("frames", self.frames, 0, 10_000)
-        check_count("threads", self.threads, 0, 1024)
-        check_choice("contact", self.contact, METHODS)
-        for name in ("until_separation", "fields"):
-            if not isinstance(getattr(self, name), bool):
-                raise InputError(name, getattr(self, name), "true or false")
-
-    def values(self) -> dict[str, Any]:
-        """Return what the core takes."""
-        return {name: getattr(self, name) for name in self.__dataclass_fields__}
-
-    def safeties(self) -> tuple[float | None, ...]:
-        """Return the safety, or those to be tried in turn where none is asked for."""
-        return SAFETIES if self.safety is None else (self.safety,)
 
 
 def simulate(
@@ -146,19 +69,8 @@ def throw(
     """
     made, (v, incidence) = ball(which), throw_values(speed, angle)
     mu, how = friction_value(friction), settings_of(settings)
-    from clubface import _core
-
-    found, used = simulate(_core.fem_plane, made.values(), v, incidence, mu, how=how, progress=progress)
+    found, used = simulate(core.fem_plane, made.values(), v, incidence, mu, how=how, progress=progress)
     return Impact(found, made, {"speed": v, "angle": incidence}, mu, used)
-
-
-def settings_of(given: Settings | None) -> Settings:
-    """Return the settings given, checked, or those by default."""
-    if given is None:
-        return Settings()
-    if not isinstance(given, Settings):
-        raise InputError("settings", given, "a clubface.fem.Settings")
-    return given
 
 
 def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
@@ -189,21 +101,20 @@ def strike(
     club
         A club as of :func:`clubface.impact`, or a meshed head (:func:`clubface.fem.head`).
     delivery, **values
-        As of :func:`clubface.impact`, for one shot.
+        As for :func:`clubface.impact`, for one shot.
     which, friction, settings, progress
-        As of :func:`throw`.
+        As for :func:`throw`.
     """
-    from clubface import _core
     from clubface.simulation.inputs import as_values
 
     made, mu, how = ball(which), friction_value(friction), settings_of(settings)
     given = dict(as_values(delivery, values))
     if isinstance(club, MeshedHead):
         hit = one_shot(club.club, given, made)
-        arguments: Any = (_core.fem_deformable, made.values(), club.values(), inputs_of(hit))
+        arguments: Any = (core.fem_deformable, made.values(), club.values(), inputs_of(hit))
     else:
         hit = one_shot(club, given, made)
-        arguments = (_core.fem_head, made.values(), inputs_of(hit))
+        arguments = (core.fem_head, made.values(), inputs_of(hit))
     found, used = simulate(*arguments, mu, how=how, progress=progress)
     if found["over_edge"] and not found["failed"]:
         toe, high = (units.show(units.parse(given.get(name, 0.0), "length"), "mm") for name in ("toe", "high"))

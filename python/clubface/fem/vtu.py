@@ -48,11 +48,9 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
     import meshio
     import numpy as np
 
-    from clubface import _core
-
     if not len(found.frames):
         raise InputError("frames", 0, "1 or more; ask for them in the settings of the run")
-    mesh = _core.fem_mesh(found.ball.values())
+    mesh = found.ball.mesh
     shapes = found.world_positions()
     cells: list[Any] = [("hexahedron", np.asarray(mesh["elements"], dtype=np.int32))]
     of_cells: dict[str, list[Any]] = {

@@ -5,8 +5,6 @@ Each part is written to its own file when it is finished, so that an interrupted
 
 from __future__ import annotations
 
-import json
-import os
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -29,6 +27,7 @@ from clubface.findings.tour_fit import FREE, fit
 from clubface.identification import Identification, identify
 from clubface.measured.shots import QUANTITIES
 from clubface.support.plain_json import plain
+from clubface.support.resuming import once
 from clubface.support.version import __version__
 
 MODELS = ("standard", "adjusted", "slip", "jorgensen", "volumetric", "area", "rings")
@@ -49,7 +48,7 @@ def run(folder: Path, *, threads: int | None = None, progress: Progress | None =
     """Run what is not in ``folder`` yet, and return all findings, made of what JSON has."""
     folder.mkdir(parents=True, exist_ok=True)
     _check_settings(folder)
-    tour = {model: _kept(folder / f"tour-{model}.json", partial(_tour, model)) for model in FREE}
+    tour = {model: once(folder / f"tour-{model}.json", partial(_tour, model)) for model in FREE}
     of = {club: load(club) for club in CLUBS}
     # The quick models of both clubs before the slow ones of either.
     fits = {club: {} for club in CLUBS}
@@ -58,7 +57,7 @@ def run(folder: Path, *, threads: int | None = None, progress: Progress | None =
             fits[club][model] = fitted(shots, model, folder, threads=threads, progress=progress)
     own = {
         club: {
-            model: _kept(folder / f"{club}-{model}-own.json", partial(_own, shots, model, folder, threads, progress))
+            model: once(folder / f"{club}-{model}-own.json", partial(_own, shots, model, folder, threads, progress))
             for model in MODELS
             if model in OWN
         }
@@ -72,7 +71,7 @@ def _check_settings(folder: Path) -> None:
     """Refuse a folder whose parts were made otherwise: they would be mixed with others."""
     counts = {"every": EVERY, "bootstrap": BOOTSTRAP, "resamples": RESAMPLES}
     now = {"version": __version__, **counts}
-    kept = _kept(folder / "settings.json", lambda: now)
+    kept = once(folder / "settings.json", lambda: now)
     if kept != now:
         changed = ", ".join(name for name in now if kept.get(name) != now[name])
         raise InputError("the folder of the study", str(folder), f"a new one: what is in it has another {changed}")
@@ -84,7 +83,7 @@ def _of_club(shots: BenchmarkShots, fits: dict[str, Any], folder: Path, threads:
     return {
         "fits": {model: {key: each[key] for key in each if key != "held_out"} for model, each in fits.items()},
         "held_out": _leads(shots, fits),
-        "errors": _kept(folder / f"{shots.club}-errors.json", partial(_errors, shots, sets, threads)),
+        "errors": once(folder / f"{shots.club}-errors.json", partial(_errors, shots, sets, threads)),
         "effects": effect_sizes(shots),
         "budget": {model: error_budget(shots, sets[model]) for model in MODELS},
     }
@@ -96,7 +95,7 @@ def fitted(
     """Return one model as identified on the shots of one club, from ``folder`` if it is there."""
     which = np.arange(0, len(shots), EVERY.get(f"{shots.club}-{model}", 1))
     part = folder / f"{shots.club}-{model}.json"
-    return _kept(part, lambda: _told(_identified(shots, model, which, part, threads, progress), shots, which))
+    return once(part, lambda: _told(_identified(shots, model, which, part, threads, progress), shots, which))
 
 
 def _own(
@@ -200,17 +199,6 @@ def _tour(model: str) -> dict[str, Any]:
         "left_out": of.left_out,
         "carry": of.carry,
     }
-
-
-def _kept(path: Path, compute: Callable[[], dict[str, Any]]) -> dict[str, Any]:
-    """Return what is in ``path``, computed and written there if it is not."""
-    if path.exists():
-        return json.loads(path.read_text(encoding="utf-8"))
-    found = plain(compute())
-    part = path.with_suffix(".part")
-    part.write_text(json.dumps(found, allow_nan=False), encoding="utf-8")
-    os.replace(part, path)
-    return found
 
 
 def rounded(value: Any) -> Any:

@@ -21,7 +21,7 @@ from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import input_dimensions
-from clubface.tour.averages import PUBLISHED_LOFTS, Average, averages
+from clubface.tour.averages import Average, averages, published_lofts
 
 Values = NDArray[np.float64]
 
@@ -98,8 +98,7 @@ class Bag:
         self.speed = np.array([each.club_speed for each in rows])
         self.attack = np.array([each.attack for each in rows])
         self.launch = np.array([each.launch for each in rows])
-        given = [PUBLISHED_LOFTS.get(each.club) for each in rows]
-        self.loft = np.array([np.nan if text is None else units.parse(text, "angle") for text in given])
+        self.loft = np.array([published_lofts().get(each.club, np.nan) for each in rows])
 
     def errors(self, parameters: ParameterSet) -> tuple[dict[str, Values], Values]:
         """Return model less published, and the lofts; the launch angle is NaN where the loft was solved."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import time
 from collections.abc import Callable
@@ -11,10 +10,12 @@ from typing import Any
 
 from clubface.errors import FileError
 from clubface.identification.simulator import Effort
-from clubface.tables.writer import Journal
+from clubface.support.resuming import Journal
 
 FORMAT = 1
 """Of the file; another one is refused."""
+UNREADABLE = "cannot be read as a checkpoint: remove it or name another"
+OTHERS = "was begun from other shots or with other settings: start again without resume"
 
 
 class Checkpoint:
@@ -48,11 +49,13 @@ class Checkpoint:
         self.settings = settings
         self.parts: dict[str, dict[str, Any]] = {}
         self._effort = effort
-        self._journal = None if self.path is None else Journal(self.path)
+        self._journal = (
+            None if self.path is None else Journal(self.path, settings, unreadable=UNREADABLE, others=OTHERS)
+        )
         self._before = 0.0
         self._began = time.monotonic()
-        if self.path is not None:
-            self._find(self.path, resume)
+        if self._journal is not None:
+            self._find(self._journal, resume)
         self.resumed = bool(self.parts)
 
     @property
@@ -69,8 +72,7 @@ class Checkpoint:
         """Record a finished part, made of what JSON has, and what it took."""
         self.parts[name] = {"value": value, "evaluations": spent.evaluations, "impacts": spent.impacts}
         if self._journal is not None:
-            state = {"format": FORMAT, "settings": self.settings, "seconds": self.seconds, "parts": self.parts}
-            self._journal.write(state)
+            self._journal.write({"format": FORMAT, "seconds": self.seconds, "parts": self.parts})
 
     def value(self, name: str) -> Any:
         """Return the value of a part, None where it is not finished."""
@@ -89,24 +91,18 @@ class Checkpoint:
         if self._journal is not None:
             self._journal.remove()
 
-    def _find(self, path: Path, resume: bool) -> None:
+    def _find(self, journal: Journal, resume: bool) -> None:
         """Take what an earlier run finished; refuse a file that is no checkpoint: it would be written over."""
-        if not path.parent.is_dir():
-            raise FileError(str(path), None, "this folder does not exist; give a file in one that does")
-        try:
-            state = json.loads(path.read_text())
-            version, settings, seconds, parts = (state[key] for key in ("format", "settings", "seconds", "parts"))
-            if version != FORMAT or any(set(part) != {"value", "evaluations", "impacts"} for part in parts.values()):
-                raise ValueError
-            before = float(seconds)
-        except FileNotFoundError:
-            return
-        except (OSError, ValueError, KeyError, TypeError, AttributeError):
-            message = "cannot be read as a checkpoint: remove it or name another"
-            raise FileError(str(path), None, message) from None
-        if not resume:
-            return
-        if settings != self.settings:
-            message = "was begun from other shots or with other settings: start again without resume"
-            raise FileError(str(path), None, message)
-        self.parts, self._before = parts, before
+        if not journal.path.parent.is_dir():
+            raise FileError(str(journal.path), None, "this folder does not exist; give a file in one that does")
+        found = journal.read(_checked, resume=resume)
+        if found is not None:
+            self.parts, self._before = found
+
+
+def _checked(state: Any) -> tuple[dict[str, dict[str, Any]], float]:
+    """Return parts and seconds of a checkpoint."""
+    parts = state["parts"]
+    if state["format"] != FORMAT or any(set(part) != {"value", "evaluations", "impacts"} for part in parts.values()):
+        raise ValueError
+    return parts, float(state["seconds"])

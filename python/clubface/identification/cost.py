@@ -23,7 +23,7 @@ LOSSES: dict[str, Loss] = {"published": "absolute", "least-squares": "squares", 
 
 NORMALISERS = ("absolute", "signed")
 
-NOISE = {"ball_speed": 0.5 * 0.44704, **MONITOR}
+NOISE = {"ball_speed": units.to_si(0.5, "mph"), **MONITOR}
 """Standard deviations of a launch monitor [SI]: angles and spin after Caldwell and McPhee (2023), section 4; the
 0.5 mph of ball speed is assumed."""
 

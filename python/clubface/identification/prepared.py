@@ -17,8 +17,7 @@ from clubface.launch_monitor import read
 from clubface.measured.shots import QUANTITIES, measured_shots
 from clubface.recorded.shots import RecordedShots, RejectedRow
 from clubface.simulation.impact import impact
-from clubface.simulation.inputs import broadcast, equipment, shots
-from clubface.simulation.quantities import input_columns, outputs
+from clubface.simulation.quantities import input_columns, inputs, outputs
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -121,7 +120,6 @@ def prepared_shots(
     labels = _groups(groups, len(recorded))
     asked = tuple(QUANTITIES) if quantities is None else _asked(quantities)
     measured = measured_shots(recorded, club=club, only=only, mismatch=mismatch, quantities=asked)
-    with_ = equipment(measured.club, ball)
     there = tuple(name for name, values in measured.launch.items() if np.isfinite(values).any())
     missing = [name for name in asked if name not in there]
     if missing and quantities is not None:
@@ -131,7 +129,7 @@ def prepared_shots(
     notes = [f"not measured, so not in the cost: {', '.join(missing)}"] if missing else []
     launches = np.array([measured.launch[name] for name in there])
     launch = impact(
-        measured.club, measured.delivery, model=parameters.model, parameters=parameters, ball=with_.ball,
+        measured.club, measured.delivery, model=parameters.model, parameters=parameters, ball=ball,
         on_error="nan",
     )  # fmt: skip
     problems = {each.row[0] if each.row else 0: f"{each.parameter}: {each.reason}" for each in launch.problems}
@@ -142,11 +140,10 @@ def prepared_shots(
     if not len(kept):
         told = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
         raise InputError("shots", measured.source, f"shots of which some have a launch that can be computed ({told})")
-    hit = shots(with_, measured.delivery)
-    hit, _ = broadcast(hit, [], (), len(outputs()))
-    columns = [each if isinstance(each, float) else np.ascontiguousarray(each[kept]) for each in hit.columns]
+    columns = [launch.input(name) for name in inputs()]
+    columns = [each if isinstance(each, float) else np.ascontiguousarray(each[kept]) for each in columns]
     return PreparedShots(
-        club=measured.club, ball=with_.ball, columns=columns, quantities=there,
+        club=launch.club, ball=launch.ball, columns=columns, quantities=there,
         launches=np.ascontiguousarray(launches[:, kept]), rows=measured.rows[kept],
         groups=np.unique(labels[measured.places[kept]], return_inverse=True)[1], source=measured.source,
         dropped=(*measured.dropped, *dropped), notes=(*measured.notes, *notes),

@@ -10,7 +10,7 @@ import numpy as np
 
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import FEM, models
+from clubface.equipment.models import reduced_model
 from clubface.errors import InputError
 from clubface.identification import search as genetic
 from clubface.identification.checkpoint import Checkpoint
@@ -21,12 +21,12 @@ from clubface.identification.resampling import BOOTSTRAP, FOLDS
 from clubface.identification.result import Identification
 from clubface.identification.sanity import check_information
 from clubface.identification.simulator import Effort, Simulator
-from clubface.identification.stages import Progress, Stages, fingerprint
-from clubface.launch_monitor import read
+from clubface.identification.stages import Progress, Stages
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import equipment, parameter_set
 from clubface.simulation.run_options import thread_count, tolerance
+from clubface.support.resuming import fingerprint
 
 
 def identify(
@@ -137,8 +137,7 @@ def identify(
     FileError
         A file cannot be read, or a checkpoint belongs to other shots or settings.
     """
-    if model == FEM.name:
-        raise InputError("model", model, f"one with derivatives: {', '.join(models())}")
+    reduced_model(model, "one with derivatives")
     counts = {
         "population": (population, 4), "generations": (generations, 1), "refined": (refined, 1), "folds": (folds, 0),
         "bootstrap": (bootstrap, 0), "seed": (seed, 0),
@@ -149,7 +148,6 @@ def identify(
     if not 0.5 <= confidence < 1.0:
         raise InputError("confidence", confidence, "from 0.5 to below 1")
     head = equipment(club, ball).club
-    recorded = shots if isinstance(shots, RecordedShots) else read(shots)
     fixed = parameter_set(model, head, parameters)
     for name, value in fixed.values.items():
         if not isinstance(value, float):
@@ -160,7 +158,7 @@ def identify(
         if name not in chosen.names:
             raise InputError("profiles", name, "free parameters: " + ", ".join(chosen.names))
     prepared = prepared_shots(
-        recorded, club=head, ball=ball, only=only, mismatch=mismatch, quantities=quantities, groups=groups,
+        shots, club=head, ball=ball, only=only, mismatch=mismatch, quantities=quantities, groups=groups,
         parameters=fixed,
     )  # fmt: skip
     notes = list(prepared.notes)
@@ -182,7 +180,8 @@ def identify(
         },
         "tied": dict(chosen.tied),
     }  # fmt: skip
-    kept = Checkpoint(checkpoint, fingerprint(prepared, chosen, settings), effort, resume=resume)
+    content = fingerprint([settings, fixed.values, prepared.columns, prepared.launches, prepared.groups])
+    kept = Checkpoint(checkpoint, content, effort, resume=resume)
     stages = Stages(simulator, judged, deviations, settings, kept, progress)
     try:
         found = stages.result(tuple(notes))

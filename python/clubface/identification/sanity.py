@@ -117,12 +117,13 @@ def _contacts(simulator: Simulator, point: NDArray[np.float64]) -> list[str]:
     found = []
     time, force = float(np.mean(times)), float(np.mean(forces))
     if not CONTACT_TIME[0] <= time <= CONTACT_TIME[1]:
-        found.append(f"contact lasts {time * 1e6:.0f} us on average; measured contacts last 400 to 500 us")
+        found.append(f"contact lasts {units.fixed(time, 'us', 0)} on average; measured contacts last 400 to 500 us")
     scale = (simulator.shots.mean("speed") / REFERENCE_SPEED) ** SPEED_POWER
     low, high = (limit * scale for limit in PEAK_FORCE)
     if not low <= force <= high:
         usual = f"{10 * scale:.0f} to {14 * scale:.0f} kN"
         found.append(
-            f"the normal force peaks at {force / 1e3:.1f} kN on average; measured impacts of this speed at {usual}"
+            f"the normal force peaks at {units.fixed(force, 'kN', 1)} on average; measured impacts of this"
+            f" speed at {usual}"
         )
     return found

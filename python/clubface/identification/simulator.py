@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from clubface import _core
 from clubface.identification.free_parameters import FreeParameters
 from clubface.identification.prepared import PreparedShots
+from clubface.simulation import core
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -104,7 +104,7 @@ class Simulator:
         driven = self.free.driven()
         flat = [place for places in driven for place in places]
         variables = [len(self.shots.columns) + place for place in flat]
-        found, _ = _core.sensitivities(
+        found, _ = core.sensitivities(
             self.free.fixed.model, self.shots.columns, self.free.single(point), len(self.shots), self._places,
             variables, self.accuracy, self.threads,
         )  # fmt: skip
@@ -123,7 +123,7 @@ class Simulator:
         from clubface.simulation.quantities import outputs
 
         order = list(outputs())
-        found, _ = _core.impact(
+        found, _ = core.impact(
             self.free.fixed.model, self.shots.columns, self.free.single(point), len(self.shots), self.accuracy,
             self.threads,
         )  # fmt: skip
@@ -133,7 +133,7 @@ class Simulator:
         count, shots = len(points), len(self.shots)
         inputs = self._inputs(count)
         parameters = self.free.columns(points, shots)
-        found, _ = _core.impact(self.free.fixed.model, inputs, parameters, count * shots, self.accuracy, self.threads)
+        found, _ = core.impact(self.free.fixed.model, inputs, parameters, count * shots, self.accuracy, self.threads)
         return found[self._places].reshape(len(self._places), count, shots)
 
     def _inputs(self, count: int) -> list[float | NDArray[np.float64]]:

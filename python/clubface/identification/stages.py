@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from statistics import NormalDist
@@ -16,9 +14,7 @@ from clubface.equipment.models import Parameter
 from clubface.identification.asymptotic import errors_of_minimum
 from clubface.identification.checkpoint import Checkpoint
 from clubface.identification.cost import Cost
-from clubface.identification.free_parameters import FreeParameters
 from clubface.identification.identifiability import Identifiability, identifiability, scatter
-from clubface.identification.prepared import PreparedShots
 from clubface.identification.profile import Profile, Profiler
 from clubface.identification.refine import refine
 from clubface.identification.resampling import Refits, bootstrap, held_out, interval_of
@@ -35,14 +31,6 @@ FEWEST_GROUPS = 10
 
 Progress = Callable[[str, int, int, float], object]
 """Stage, done, of how much, least cost so far."""
-
-
-def fingerprint(shots: PreparedShots, free: FreeParameters, settings: Mapping[str, Any]) -> str:
-    """Return a text that is the same only for the same shots, club, ball, fixed parameters and settings."""
-    digest = hashlib.sha256(json.dumps([settings, dict(free.fixed.values)]).encode())
-    for column in (*shots.columns, shots.launches, shots.groups):
-        digest.update(np.ascontiguousarray(column, dtype=np.float64).tobytes() + b"|")
-    return digest.hexdigest()
 
 
 class Stages:

@@ -5,7 +5,7 @@ Many deliveries make the same launch, so the answer is a sample of deliveries. :
 
 from clubface.inference.expectation import UnreachableLaunchError as UnreachableLaunchError
 from clubface.inference.posterior import Posterior as Posterior
-from clubface.inference.posterior import infer as infer
 from clubface.inference.prior import Prior as Prior
+from clubface.inference.run import infer as infer
 
 __all__ = ["Posterior", "Prior", "UnreachableLaunchError", "infer"]

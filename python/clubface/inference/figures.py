@@ -10,7 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from clubface import units
-from clubface.inference.words import CLOSE, NOT_LEARNED, unit_of
+from clubface.inference.posterior import unit_of
+from clubface.inference.words import CLOSE, NOT_LEARNED
 from clubface.plots.style import COLOURS, WIDTH, legend_above, styled
 
 if TYPE_CHECKING:

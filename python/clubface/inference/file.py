@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping
@@ -16,13 +15,15 @@ from clubface import units
 from clubface.equipment.clubs import club
 from clubface.errors import FileError, InputError
 from clubface.inference.expectation import UnreachableLaunchError
-from clubface.inference.posterior import infer
+from clubface.inference.posterior import unit_of
 from clubface.inference.prior import prior_of
-from clubface.inference.words import unit_of
+from clubface.inference.run import infer
 from clubface.measured.shots import QUANTITIES
 from clubface.recorded.shots import RecordedShots
+from clubface.support.resuming import Journal, complete_lines, cut_incomplete_line, fingerprint, unfinished
 
 REMARK = "remark"
+OTHERS = "of an unfinished file of other settings; finish it with those, or start again without --resume"
 
 
 class InferReport(NamedTuple):
@@ -93,12 +94,16 @@ def infer_shots(
         raise InputError("shots", shots.source, f"shots with a measured launch: {', '.join(QUANTITIES)}")
     head = club(options.pop("club"))
     options = {**options, "club": head, "prior": prior_of(options.get("prior"), head)}
-    part, settings = (target.with_name(f"{target.stem}.part{ending}") for ending in (".csv", ".json"))
-    key = json.dumps({"source": shots.source, "rows": shots.rows.tolist(), **options}, default=repr, sort_keys=True)
-    done = _finished(part, settings, key) if resume else 0
+    part = unfinished(target)
+    content = [shots.source, shots.rows, shots.launches, repr(sorted(options.items()))]
+    journal = Journal(unfinished(target, ".json"), fingerprint(content), others=OTHERS)
+    done = 0
+    if resume and part.exists() and journal.read(lambda state: state) is not None:
+        cut_incomplete_line(part)
+        done = max(0, len(complete_lines(part)) - 1)
     try:
         if not done:
-            settings.write_text(key, encoding="utf-8")
+            journal.write({})
         with part.open("a" if done else "w", newline="", encoding="utf-8") as file:
             out = csv.writer(file, lineterminator="\n")
             if not done:
@@ -109,7 +114,7 @@ def infer_shots(
                 if progress is not None:
                     progress(place + 1, len(shots))
         os.replace(part, target)
-        settings.unlink()
+        journal.remove()
     except OSError as error:
         raise FileError(str(target), None, f"cannot be written: {error.strerror or error}") from None
     except KeyboardInterrupt:
@@ -161,17 +166,3 @@ def _row(shots: RecordedShots, place: int, wanted: list[str], options: Mapping[s
 
 def _cell(value: float, unit: str) -> str:
     return "" if math.isnan(value) else f"{float(units.from_si(value, unit)):.6g}"
-
-
-def _finished(part: Path, settings: Path, key: str) -> int:
-    """Return how many shots an interrupted run finished; a last line that was cut off is taken out."""
-    if not (part.exists() and settings.exists()):
-        return 0
-    if settings.read_text(encoding="utf-8") != key:
-        message = "an unfinished file of other settings; finish it with those, or start again without --resume"
-        raise FileError(str(part), None, message)
-    with part.open("rb+") as file:
-        whole = file.read()
-        whole = whole[: whole.rfind(b"\n") + 1]
-        file.truncate(len(whole))
-    return max(0, whole.count(b"\n") - 1)

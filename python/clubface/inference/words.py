@@ -2,34 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from clubface import units
+from clubface.inference.posterior import Posterior, shown, unit_of
 from clubface.measured.shots import QUANTITIES
 from clubface.simulation.delivery import DIMENSIONS
-
-if TYPE_CHECKING:
-    from clubface.inference.posterior import Posterior
 
 CLOSE = 0.5
 """Correlation from which two quantities are said to go together."""
 NOT_LEARNED = 0.05
 """Narrowing below which a launch is said to tell nothing of a quantity."""
-MOST_WEIGHT = 0.05
-"""Part of the weight on one draw from which it is warned of."""
-DIGITS = {"mph": 1, "deg": 1, "mm": 1, "deg/s": 0}
-
-
-def unit_of(name: str) -> str:
-    """Return the unit a quantity of a delivery is read in."""
-    return "mph" if name == "speed" else units.display_unit(name, units.SI_UNITS[DIMENSIONS[name]])
-
-
-def _shown(value: float, name: str) -> str:
-    unit = unit_of(name)
-    return f"{float(units.from_si(value, unit)):.{DIGITS[unit]}f}"
 
 
 def summary(of: Posterior) -> tuple[list[str], list[list[str]]]:
@@ -42,10 +27,10 @@ def summary(of: Posterior) -> tuple[list[str], list[list[str]]]:
         rows.append(
             [
                 f"{name} ({unit_of(name)})",
-                _shown(mean[name], name),
-                _shown(deviation[name], name),
-                f"[{_shown(low, name)}, {_shown(high, name)}]",
-                f"{_shown(of.prior.mean[name], name)} +- {_shown(of.prior.deviation[name], name)}",
+                shown(mean[name], name),
+                shown(deviation[name], name),
+                f"[{shown(low, name)}, {shown(high, name)}]",
+                f"{shown(of.prior.mean[name], name)} +- {shown(of.prior.deviation[name], name)}",
                 f"{100.0 * learned[name]:.0f}%",
             ]
         )
@@ -80,26 +65,6 @@ def ambiguities(of: Posterior) -> list[str]:
 def not_learned(of: Posterior) -> list[str]:
     """Return the quantities that are as uncertain as before."""
     return [name for name, part in of.learned.items() if part < NOT_LEARNED]
-
-
-def warnings(of: Posterior) -> list[str]:
-    """Return the reasons not to trust the sample."""
-    from clubface.inference.posterior import FEWEST_EFFECTIVE, SURPRISING
-
-    found = []
-    if of.surprise < SURPRISING:
-        found.append(
-            f"the launch contradicts the prior ({of.prior.name}): fewer than {SURPRISING:.1%} of launches by {of.model}"
-            " are as far from what it expects; give a prior that suits the golfer"
-        )
-    wanted = min(FEWEST_EFFECTIVE, len(of))
-    if of.effective < wanted:
-        found.append(
-            f"only {of.effective:.0f} draws are effective (of {of.sample.draws}): the sample is too small to be trusted"
-        )
-    if of.sample.largest_weight > MOST_WEIGHT:
-        found.append(f"a single draw has {of.sample.largest_weight:.0%} of the weight")
-    return found
 
 
 def notes(of: Posterior) -> list[str]:

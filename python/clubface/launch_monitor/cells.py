@@ -8,11 +8,9 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from clubface.errors import UnitError
-from clubface.tables.csv_rows import is_number
+from clubface.tables.cells import NUMBER, is_missing, number, without_thousands
 from clubface.units import unit
 
-MISSING = frozenset({"", "-", "--", "---", "–", "—", "n/a", "na", "nan", "null", "none"})
-"""Cells that say that nothing was measured, in lower case."""
 NOT_MEASURED = 1e30
 """A number beyond this stands for no measurement: some programs write the largest number they can."""
 
@@ -61,12 +59,7 @@ _UNITS = {
 _BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 _WORDS = "|".join(sorted({re.sub(" ", "[ -]", each) for words in SIDES.values() for each in words}, key=len)[::-1])
 _TWO_SIDES = re.compile(rf"(?:^|\s)({_WORDS})([-+])\s*/\s*({_WORDS})([-+])$", re.IGNORECASE)
-_CELL = re.compile(r"(?:(?P<before>[LR])\s*)?(?P<number>[-+]?[\d.,]+(?:e[-+]?\d+)?)\s*(?P<rest>\D*)", re.IGNORECASE)
 _PLAIN = re.compile(r"-?\d{1,15}(\.\d{0,20})?", re.ASCII)
-_THOUSANDS = {
-    ",": re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?"),
-    ".": re.compile(r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?"),
-}
 
 
 class CellError(ValueError):
@@ -127,25 +120,6 @@ def unit_symbol(text: str) -> str | None:
     return None
 
 
-def number(text: str, decimal_comma: bool) -> float:
-    """Return the number that a text stands for.
-
-    Raises
-    ------
-    CellError
-        The text is not a number.
-    """
-    point, group = (",", ".") if decimal_comma else (".", ",")
-    if _THOUSANDS[group].fullmatch(text):
-        text = text.replace(group, "")
-    if group in text or "_" in text:
-        raise CellError("not a number")
-    try:
-        return float(text.replace(point, "."))
-    except ValueError:
-        raise CellError("not a number") from None
-
-
 class Reading(NamedTuple):
     """The content of a cell: a number and its side; without a ``side`` the sign is as the file has it."""
 
@@ -161,12 +135,15 @@ def reading(cell: str, quantity: str, decimal_comma: bool) -> Reading | None:
     if not decimal_comma and _PLAIN.fullmatch(cell):
         return Reading(float(cell), None)  # as below, but for most cells of most files at a tenth of the cost
     text = cell.replace("\xa0", " ").replace("−", "-").strip()
-    if text.lower() in MISSING:
+    if is_missing(text):
         return None
-    found = _CELL.fullmatch(text)
+    found = NUMBER.fullmatch(text)
     if not found:
         raise CellError("not a number")
-    value = number(found["number"], decimal_comma)
+    try:
+        value = number(without_thousands(found["number"], decimal_comma), decimal_comma)
+    except ValueError:
+        raise CellError("not a number") from None
     side = _side(found["before"] or "", found["rest"], quantity)
     if side is None:
         return Reading(value, None)
@@ -187,18 +164,3 @@ def _side(before: str, rest: str, quantity: str) -> Side | None:
         allowed = ", ".join(SIDES.get(quantity, {}))
         raise CellError("not a number" + (f", or one with its side ({allowed})" if allowed else ""))
     return side
-
-
-def uses_decimal_comma(cells: list[str], delimiter: str) -> bool:
-    """Return whether numbers have a decimal comma: whether more cells are numbers that way than with a point.
-
-    If commas separate the cells, a comma inside a cell and before three digits separates thousands.
-    """
-    numbers = [found["number"] for cell in cells if (found := _CELL.fullmatch(cell.strip()))]
-    commas = sum(
-        is_number(each.replace(",", ".")) and not (delimiter == "," and _THOUSANDS[","].fullmatch(each))
-        for each in numbers
-        if each.count(",") == 1 and "." not in each
-    )
-    points = sum(is_number(each) for each in numbers if "." in each)
-    return commas > points

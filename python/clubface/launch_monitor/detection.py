@@ -12,7 +12,7 @@ from clubface.launch_monitor.formats import Format
 from clubface.launch_monitor.registry import FORMATS
 from clubface.tables.csv_rows import Row
 from clubface.tables.headings import layout, listed, shot_words
-from clubface.tables.reader import Reject
+from clubface.tables.rows import Reject
 
 OWN = "clubface"
 """The name of the layout of clubface's own tables."""

@@ -13,25 +13,25 @@ import numpy as np
 
 from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.launch_monitor.cells import FACE_TO_PATH, uses_decimal_comma
+from clubface.launch_monitor.cells import FACE_TO_PATH
 from clubface.launch_monitor.detection import OWN, asked_for, detected, others
 from clubface.launch_monitor.formats import POINTS, Format
 from clubface.launch_monitor.mapping import Mapped, mapping_of
 from clubface.launch_monitor.registry import FORMATS
 from clubface.launch_monitor.rows import Session, SessionReader, Shot
-from clubface.recorded.file import refuse_empty
-from clubface.recorded.shots import SIDES, RecordedShots, read_shots
+from clubface.recorded.file import read_shots, refuse_empty
+from clubface.recorded.shots import SIDES, RecordedShots
 from clubface.simulation.quantities import inputs
 from clubface.support.checks import check_choice
-from clubface.tables.csv_rows import CsvRows, Row
+from clubface.tables.cells import uses_decimal_comma
+from clubface.tables.csv_rows import DECIMAL_ROWS, CsvRows, Row
 from clubface.tables.headings import shot_words
-from clubface.tables.reader import PARQUET, Reject
+from clubface.tables.parquet import ENDINGS as PARQUET
+from clubface.tables.rows import Reject
 from clubface.units import unit
 
 HEAD_ROWS = 30
 """Rows among which the header must be."""
-DECIMAL_ROWS = 200
-"""Rows that tell how numbers are written."""
 
 
 def read(

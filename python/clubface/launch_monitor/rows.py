@@ -12,9 +12,10 @@ from clubface.launch_monitor.columns import Columns, Used, columns_of, is_units_
 from clubface.launch_monitor.formats import Format
 from clubface.recorded.shots import RejectedRow
 from clubface.simulation.quantities import inputs
+from clubface.tables.cells import hand_of, shortened
 from clubface.tables.csv_rows import Row
-from clubface.tables.reader import Reject
-from clubface.units import unit
+from clubface.tables.rows import Reject
+from clubface.units import to_si
 
 SUMMARIES = frozenset(
     {
@@ -26,16 +27,6 @@ SUMMARIES = frozenset(
 """What stands first in a row that sums up others."""
 COUNTING = ("shot", "no", "index", "shot number")
 """Headings of a column that numbers the shots; in a row that sums them up it says so."""
-HANDS = {
-    "r": 1.0,
-    "rh": 1.0,
-    "right": 1.0,
-    "right handed": 1.0,
-    "l": -1.0,
-    "lh": -1.0,
-    "left": -1.0,
-    "left handed": -1.0,
-}
 SAME = 1e-6
 """Relative difference up to which two cells say the same."""
 
@@ -176,10 +167,11 @@ class SessionReader:
     def _shot(self, cells: Sequence[str], line: int, columns: Columns) -> Shot:
         hand = self._hand
         if hand != hand and columns.hand is not None:
-            told = plain(cells[columns.hand])
-            if told not in HANDS:
-                raise CellError(f"{self._header[columns.hand].strip()}: {cells[columns.hand].strip()!r} is not a hand")
-            hand = HANDS[told]
+            try:
+                hand = hand_of(cells[columns.hand])
+            except ValueError:
+                told = f"{self._header[columns.hand].strip()}: {cells[columns.hand].strip()!r}"
+                raise CellError(f"{told} is not a hand") from None
         values: dict[str, float] = {}
         for quantity, used in columns.used.items():
             found = [
@@ -220,9 +212,7 @@ class SessionReader:
         try:
             found = reading(cell, column.quantity, self._decimal_comma)
         except CellError as error:
-            text = cell.strip()
-            shown = repr(text if len(text) <= 40 else text[:37] + "...")
-            raise CellError(f"{column.heading}: {shown} is {error}") from None
+            raise CellError(f"{column.heading}: {shortened(cell.strip())} is {error}") from None
         if found is None:
             return None
         if abs(found.value) > NOT_MEASURED:
@@ -233,5 +223,4 @@ class SessionReader:
             if hand < 0.0:
                 value = -value
             self.session.guessed_hand |= hand != hand
-        factor = unit(column.unit)
-        return value * factor.numerator / factor.denominator
+        return to_si(value, column.unit)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 MISMATCH = ("refuse", "note")
 """What shots of another club may do."""
-LOFT_DIFFERENCE = float(np.radians(12.0))
+LOFT_DIFFERENCE = units.to_si(12.0, "deg")
 """Median dynamic loft further than this [rad] from the static loft is most likely another club's."""
 LEAST_LOFT = 0.6
 """So is one below this part of the static loft, where that allows more: of short irons, players take off more than of

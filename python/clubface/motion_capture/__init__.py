@@ -9,8 +9,9 @@ from __future__ import annotations
 from clubface.motion_capture.captured import CapturedDelivery
 from clubface.motion_capture.estimators import ESTIMATORS
 from clubface.motion_capture.joined import join
-from clubface.motion_capture.mapping import FacePoint, MarkerMap
+from clubface.motion_capture.mapping import MarkerMap
 from clubface.motion_capture.mapping_file import template
+from clubface.motion_capture.markers import FacePoint
 from clubface.motion_capture.recording import Recording, read_c3d, write_c3d
 from clubface.motion_capture.shots import CapturedSwings, read_swings
 from clubface.motion_capture.swing import read_swing

@@ -118,7 +118,7 @@ class CapturedDelivery:
         }
 
     def __repr__(self) -> str:
-        lines = [f"{self.source}: {self.club.name}, {self.estimator}, first touch {self.time * 1e3:.3f} ms"]
+        lines = [f"{self.source}: {self.club.name}, {self.estimator}, first touch {units.fixed(self.time, 'ms', 3)}"]
         for name in QUANTITIES:
             unit = units.display_unit(name, units.SI_UNITS[DIMENSIONS[name]])
             value, deviation = self.get(name, unit)

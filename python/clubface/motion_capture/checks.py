@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError
 from clubface.motion_capture.ball_flight import Launched
@@ -21,7 +22,7 @@ SLOWEST = 0.3
 """m/s; of the shortest putt."""
 STARTS = (-0.3e-3, 0.75e-3)
 """Seconds from first touch to when the ball seems to start at once: half a contact of 0.4 to 0.5 ms, within 0.5 ms."""
-DIRECTION_OFF = math.radians(6.0)
+DIRECTION_OFF = units.to_si(6.0, "deg")
 """By which launch and azimuth may differ from those of the standard model; published models: 1.2 degrees."""
 SPEED_OFF = 0.15
 ROUGH = 1.5
@@ -35,23 +36,23 @@ def of_delivery(values: Mapping[str, float], deviations: Mapping[str, float], cl
     notes = []
     toe, high = values["toe"], values["high"]
     if abs(toe) > 0.5 * club.face_width or abs(high) > 0.5 * club.face_height:
-        size = f"{club.face_width * 1e3:.0f} x {club.face_height * 1e3:.0f} mm"
+        size = " x ".join(f"{units.from_si(each, 'mm'):.0f}" for each in (club.face_width, club.face_height)) + " mm"
         notes.append(
-            f"the impact lies {toe * 1e3:.1f} mm towards the toe and {high * 1e3:.1f} mm high, outside the face of"
-            f" {club.name} ({size}): a wrong club, mapping or calibration"
+            f"the impact lies {units.fixed(toe, 'mm', 1)} towards the toe and {units.fixed(high, 'mm', 1)} high,"
+            f" outside the face of {club.name} ({size}): a wrong club, mapping or calibration"
         )
     if not SLOWEST < values["speed"] < FASTEST:
         notes.append(f"a clubhead of {values['speed']:.3g} m/s: the unit of length or the frame rate may be wrong")
-    if abs(values["loft"] - club.loft) > math.radians(25.0):
+    if abs(values["loft"] - club.loft) > units.to_si(25.0, "deg"):
         notes.append(
-            f"the dynamic loft of {math.degrees(values['loft']):.1f} deg is far from the"
-            f" {math.degrees(club.loft):.1f} deg of {club.name}: a wrong club, mapping or calibration"
+            f"the dynamic loft of {units.fixed(values['loft'], 'deg', 1)} is far from the"
+            f" {units.fixed(club.loft, 'deg', 1)} of {club.name}: a wrong club, mapping or calibration"
         )
-    if abs(values["lie"]) > math.radians(45.0):
+    if abs(values["lie"]) > units.to_si(45.0, "deg"):
         notes.append(
-            f"the lie of {math.degrees(values['lie']):.0f} deg is no club's: the axis that points up may be wrong"
+            f"the lie of {units.fixed(values['lie'], 'deg', 0)} is no club's: the axis that points up may be wrong"
         )
-    if deviations["loft"] > math.radians(2.0):
+    if deviations["loft"] > units.to_si(2.0, "deg"):
         notes.append(
             "the dynamic loft is not known to 2 deg: too few markers, too near together, or gaps before impact"
         )
@@ -66,8 +67,8 @@ def of_launch(values: Mapping[str, float], club: Club, ball: Any, seen: Launched
     late = seen.start - touch
     if not STARTS[0] < late < STARTS[1]:
         notes.append(
-            f"the ball starts {late * 1e3:.2f} ms after the face touches it, not the 0.2 ms of a real impact: a wrong"
-            " club, mapping or calibration"
+            f"the ball starts {units.fixed(late, 'ms', 2)} after the face touches it, not the 0.2 ms of a real impact:"
+            " a wrong club, mapping or calibration"
         )
     from clubface.simulation.impact import impact
 
@@ -104,7 +105,8 @@ def of_track(followed: Track, cluster: Registration, first_frame: int) -> list[s
     if moved.max() > MOVED:
         name = cluster.names[int(moved.argmax())]
         notes.append(
-            f"{name} sits {moved.max() * 1e3:.1f} mm from its place by the mapping or calibration: has it moved?"
+            f"{name} sits {units.fixed(moved.max(), 'mm', 1)} from its place by the mapping or calibration: has it"
+            " moved?"
         )
     return notes
 
@@ -131,7 +133,7 @@ def directions(velocity: Any) -> tuple[float, float, float]:
 
 
 def _flight(speed: float, launch: float, azimuth: float) -> str:
-    return f"{speed:.1f} m/s, {math.degrees(launch):.1f} deg up and {math.degrees(azimuth):.1f} deg right"
+    return f"{speed:.1f} m/s, {units.fixed(launch, 'deg', 1)} up and {units.fixed(azimuth, 'deg', 1)} right"
 
 
 def _frames(frames: list[int], first_frame: int) -> str:

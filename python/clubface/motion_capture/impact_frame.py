@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.errors import FileError
 from clubface.motion_capture.ball_flight import RestingBall
@@ -93,7 +94,8 @@ def find_impact(
     stays = "the ball stays" if places[0].departure is None else "the ball leaves"
     raise FileError(
         where, None,
-        f"no impact: the face does not pass the ball; its centre comes no nearer than {away[nearest] * 1e3:.0f} mm"
+        f"no impact: the face does not pass the ball; its centre comes no nearer than"
+        f" {units.fixed(away[nearest], 'mm', 0)}"
         f" (frame {nearest + 1} of {len(away)}), and {stays}",
     )  # fmt: skip
 
@@ -151,7 +153,7 @@ def _make_sure(
             raise FileError(
                 where, None,
                 f"no impact: the face passes the place of the ball between {frames}, but the ball stays there"
-                f" (it moves {moved * 1e3:.1f} mm): a swing without a ball, or a wrong mapping",
+                f" (it moves {units.fixed(moved, 'mm', 1)}): a swing without a ball, or a wrong mapping",
             )  # fmt: skip
         return ()
     speeds = [

@@ -19,7 +19,7 @@ from clubface.recorded.shots import RecordedShots, RejectedRow
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-SAME = {"ball_speed": 1.5, "launch": float(np.radians(2.0)), "speed": 2.5}
+SAME = {"ball_speed": 1.5, "launch": units.to_si(2.0, "deg"), "speed": 2.5}
 """Differences [SI] beyond which two measurements are not of the same shot.
 
 Azimuth is not looked at: lines to the target may differ.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from clubface import units
 from clubface.errors import FileError
 from clubface.motion_capture.mapping import MarkerMap
 from clubface.motion_capture.recording import Recording
@@ -46,7 +47,9 @@ def to_world(mapping: MarkerMap, recording: Recording) -> Array:
         if abs(float(target @ up)) > STEEP:
             names = " and ".join(mapping.target)
             raise FileError(
-                recording.path, None, f"{names} give no target line: {length * 1e3:.0f} mm apart, {mapping.up} is up"
+                recording.path,
+                None,
+                f"{names} give no target line: {units.fixed(length, 'mm', 0)} apart, {mapping.up} is up",
             )
         target = target - (target @ up) * up
         target = target / np.linalg.norm(target)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeVar
 
 from clubface import units
 from clubface.errors import ClubfaceError, InputError
-from clubface.motion_capture.mapping import FacePoint, MarkerMap, Point
+from clubface.motion_capture.markers import FacePoint, Markers, Point
 from clubface.support.strict_toml import Document, quoted
 
+M = TypeVar("M", bound=Markers)
 TABLES = {
     "cluster": None,
     "face": None,
@@ -22,7 +23,7 @@ SEEN = "seen"
 """Stands for the position of a marker that the calibration places."""
 
 
-def from_document(document: Document) -> MarkerMap:
+def from_document(kind: type[M], document: Document) -> M:
     """Return the mapping that a TOML document describes; every error names file and line."""
     data = document.data
     document.check_keys(data, [*TABLES, "club"], ["cluster", "ball"])
@@ -59,7 +60,7 @@ def from_document(document: Document) -> MarkerMap:
     if "target" in laboratory:
         given["target"] = read.target(laboratory["target"])
     try:
-        return MarkerMap(**given)
+        return kind(**given)
     except ClubfaceError as error:
         name = getattr(error, "parameter", "")
         table = "laboratory" if name in ("target", "up") else ""
@@ -155,11 +156,11 @@ def template() -> str:
     return TEMPLATE
 
 
-def to_toml(mapping: MarkerMap) -> str:
+def to_toml(mapping: Markers) -> str:
     """Return the text of a mapping file; see :meth:`MarkerMap.to_toml`."""
 
     def length(value: float) -> str:
-        return quoted(f"{round(value * 1e3, 6):.10g} mm")
+        return quoted(f"{round(units.from_si(value, 'mm'), 6):.10g} mm")
 
     def vector(value: Point) -> str:
         return f"[{', '.join(length(each) for each in value)}]"

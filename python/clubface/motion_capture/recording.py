@@ -137,7 +137,7 @@ def write_c3d(recording: Recording, path: str | os.PathLike[str]) -> Path:
     point["LABELS"]["value"] = recording.labels
     point["UNITS"]["value"] = ("mm",)
     points = np.ones((4, len(recording.labels), len(recording.positions)))
-    points[:3] = np.moveaxis(recording.positions * 1e3, -1, 0).swapaxes(1, 2)
+    points[:3] = np.moveaxis(units.from_si(recording.positions, "mm"), -1, 0).swapaxes(1, 2)
     file["data"]["points"] = points
     try:
         file.write(os.fspath(target))
@@ -149,7 +149,7 @@ def write_c3d(recording: Recording, path: str | os.PathLike[str]) -> Path:
 def _metres(name: str, groups: Any, unit: str | None) -> float:
     """Return the length [m] of the unit of a file."""
     if unit is not None:
-        return units.unit(unit, name="units", dimension="length").numerator / units.unit(unit).denominator
+        return units.size(units.unit(unit, name="units", dimension="length").symbol)
     given = _texts(groups, "UNITS")
     symbol = given[0] if given else ""
     if not symbol:
@@ -161,7 +161,7 @@ def _metres(name: str, groups: Any, unit: str | None) -> float:
         raise FileError(
             name, None, f"the unit of length {symbol!r} is unknown; give the right one with --units: {allowed}"
         ) from None
-    return found.numerator / found.denominator
+    return units.size(found.symbol)
 
 
 def _texts(groups: Any, *names: str) -> list[str]:

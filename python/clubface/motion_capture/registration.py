@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import face_point, nearest
 from clubface.errors import FileError
@@ -91,8 +92,8 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
         worst = list(mapping.face)[int(np.argmax(np.linalg.norm(poses.residuals.mean(0), axis=-1)))]
         raise FileError(
             recording.path, None,
-            f"the points of the face miss their places by {misfit * 1e3:.1f} mm, most of all {worst}: is this the"
-            f" calibration of {club.name}, and are toe, high and standoff those of the markers?",
+            f"the points of the face miss their places by {units.fixed(misfit, 'mm', 1)}, most of all {worst}: is this"
+            f" the calibration of {club.name}, and are toe, high and standoff those of the markers?",
         )  # fmt: skip
     arms = cluster[whole] - poses.position[:, None]
     turned = np.einsum("kij,kmi->kmj", poses.rotation, arms)

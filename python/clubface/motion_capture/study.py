@@ -110,7 +110,7 @@ class Study:
             "club": self.club.name,
             "swings": len(self),
             "rate_hz": self.cameras.rate,
-            "noise_mm": self.cameras.noise * 1e3,
+            "noise_mm": units.from_si(self.cameras.noise, "mm"),
             "gaps": self.cameras.gaps,
             "units": UNITS,
             "estimators": {name: {key: getattr(self, key)(name) for key in figures} for name in self.errors},

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface import units
 from clubface.errors import FileError
 from clubface.motion_capture.rigid_body import FEWEST, Poses, degrees_of_freedom, fit_poses, visible
 from clubface.motion_capture.rotations import Array
@@ -207,7 +208,8 @@ def _odd_one(shape: Array, observed: Array, limit: float) -> int | None:
 
 def _diagnosis(shape: Array, observed: Array, names: Sequence[str], usual: float) -> str:
     """Say why a cluster does not fit at all."""
-    told = f"the markers of the clubhead do not fit the mapping: {usual * 1e3:.1f} mm are left over in the usual frame"
+    left = units.fixed(usual, "mm", 1)
+    told = f"the markers of the clubhead do not fit the mapping: {left} are left over in the usual frame"
     whole = np.flatnonzero(np.all(visible(observed), axis=-1))
     frames = whole[:: max(len(whole) // 15, 1)]
     if len(frames):

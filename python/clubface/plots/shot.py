@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from clubface import units
 from clubface.plots.style import WIDTH, legend_above, look, styled
 
 FORCES = {
@@ -136,7 +137,11 @@ def _view(name: str, axis: int, limits: tuple[float, float], length: float) -> _
 def _draw_forces(panels: Sequence[Axes], histories: Mapping[str, Any]) -> None:
     for axes, (column, label) in zip(panels, FORCES.items(), strict=True):
         for model, history in histories.items():
-            axes.plot(_column(history, "time") * 1e6, _column(history, column) * 1e-3, **look(model))
+            axes.plot(
+                units.from_si(_column(history, "time"), "us"),
+                units.from_si(_column(history, column), "kN"),
+                **look(model),
+            )
         axes.set(xlabel="time (µs)", ylabel=label)
         axes.set_xlim(left=0.0)
         if column == "normal_force":

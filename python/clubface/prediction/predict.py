@@ -10,17 +10,19 @@ from typing import Any
 
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import FEM
 from clubface.errors import FileError, InputError, Told
 from clubface.prediction.run import Task, results_of, run
 from clubface.simulation.air import Air
-from clubface.simulation.flight import fly
-from clubface.simulation.impact import Parameters, meshed_ball
+from clubface.simulation.backends import backend_of
+from clubface.simulation.flight_inputs import check_conditions
+from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import equipment, hand_value, parameter_set
-from clubface.simulation.run_options import thread_count
+from clubface.simulation.launch import computed_with
+from clubface.simulation.run_options import thread_count, tolerance
+from clubface.support.resuming import unfinished
 from clubface.tables.headings import layout, require_speed
 from clubface.tables.reader import open_table
-from clubface.tables.writer import is_parquet, unfinished
+from clubface.tables.writer import is_parquet
 
 CHUNK_ROWS = 16384
 MOST_ROWS = 1_000_000
@@ -104,12 +106,12 @@ def predict(
 ) -> PredictReport:
     """Compute the launch of every delivery in a CSV or Parquet file.
 
-    Columns are found by name and carry their unit: ``club_speed_mph``, ``club_speed [mph]``; without one they are
-    SI. Those of other names are passed through untouched. A row that cannot be used goes to the file of rejects
-    with its line and the reason.
+    Columns are found by name and carry their unit, as in ``club_speed_mph`` or ``club_speed [mph]``; a column without
+    a unit is in SI units. Columns of other names are passed through untouched. A row that cannot be used goes to the
+    file of rejects with its line and the reason.
 
-    Both files have ``.part`` in their names until they are complete. Interrupted, what is finished stays in them,
-    valid files, and ``resume=True`` goes on after it.
+    Both files have ``.part`` in their names until they are complete. If the run is interrupted, what is finished stays
+    in them as valid files, and ``resume=True`` goes on after it.
 
     Parameters
     ----------
@@ -117,16 +119,16 @@ def predict(
         A file whose first row names the columns: CSV in UTF-8 (commas, semicolons or tabs; decimal commas where
         the delimiter is another), or Parquet by its ending.
     club, model, ball, parameters, hand, accuracy, threads
-        As of :func:`impact`. A column named like an input wins over the club, ball or hand given here.
+        As for :func:`impact`. A column named like an input wins over the club, ball or hand given here.
     carry
         Whether to compute the flight too.
     air, wind
-        As of :func:`fly`.
+        As for :func:`fly`.
     output
-        The file to write, CSV or Parquet by its ending; left out, ``<source>-launches.csv`` beside the source.
+        The file to write, CSV or Parquet by its ending; ``<source>-launches.csv`` beside the source if left out.
     rejects
-        The CSV file for rows that cannot be used; left out, ``<output>.rejects.csv`` beside the output. It is
-        there only if there are any.
+        The CSV file for rows that cannot be used; ``<output>.rejects.csv`` beside the output if left out. It is
+        written only if there are such rows.
     chunk_rows
         Rows held in memory at a time.
     progress
@@ -138,15 +140,15 @@ def predict(
     Returns
     -------
     PredictReport
-        How many rows were written and rejected, which columns were used, and what to know of them.
+        How many rows were written and rejected, which columns were used, and what to know about them.
 
     Raises
     ------
     FileError
-        A file that cannot be read or written, with the line: empty, without a column for the speed, a column twice,
-        a unit of another dimension, not UTF-8.
+        A file cannot be read or written; the message names the line. It is empty, has no column for the speed or one
+        column twice, a unit has another dimension, or the text is not UTF-8.
     KeyboardInterrupt
-        On Ctrl-C, telling where the finished rows are.
+        Ctrl-C was pressed; the message says where the finished rows are.
     """
     path = Path(source)
     target = Path(output) if output is not None else path.with_name(f"{path.stem}-launches.csv")
@@ -154,10 +156,8 @@ def predict(
     _check_paths(path, target, aside)
     if isinstance(chunk_rows, bool) or not isinstance(chunk_rows, int) or not 1 <= chunk_rows <= MOST_ROWS:
         raise InputError("chunk_rows", chunk_rows, f"a whole number from 1 to {MOST_ROWS}")
-    threads = thread_count(threads) or None
-    meshed = None
-    if model == FEM.name:
-        meshed, ball = meshed_ball(ball, accuracy)
+    threads, accuracy = thread_count(threads) or None, tolerance(accuracy)
+    own, ball = backend_of(model).balls(ball, accuracy)
     with_ = equipment(club, ball)
     chosen = parameter_set(model, with_.club, parameters)
     arrays = [name for name, value in chosen.values.items() if not isinstance(value, float)]
@@ -166,22 +166,23 @@ def predict(
     side = float(with_.club.hand) if hand is None else hand_value(hand)
     if side not in (1.0, -1.0):
         raise InputError("hand", hand, "right or left")
+    provenance = computed_with(model, chosen, with_.club, with_.ball, accuracy)
     shot = {
         "club": with_.club,
         "model": model,
-        "ball": meshed or with_.ball,
+        "ball": own or with_.ball,
         "parameters": chosen,
         "accuracy": accuracy,
         "threads": threads,
     }
     if carry:
-        fly({"velocity_x": 1.0, "velocity_y": 1.0, "velocity_z": 0.0}, air=air, wind=wind)
+        check_conditions(air, wind)
     flight = {"air": air, "wind": wind, "threads": threads} if carry else None
     reader = open_table(path)
     try:
         columns = layout(reader.headings, reader.path, reader.header_line)
         require_speed(columns, reader.path, reader.header_line)
-        task = Task(shot, flight, side, columns, results_of(model, carry))
+        task = Task(shot, flight, side, columns, results_of(model, carry), provenance)
         outcome = run(reader, task, (path, target, aside), chunk_rows, progress, resume)
     finally:
         reader.close()
@@ -200,7 +201,7 @@ def predict(
         notes=columns.notes,
         first_rejects=outcome.first_rejects,
         resumed=outcome.resumed,
-        provenance=task.provenance(),
+        provenance=provenance,
     )
 
 

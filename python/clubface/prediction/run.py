@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 import os
 import signal
 import threading
@@ -17,10 +15,11 @@ from clubface.equipment.models import model as model_named
 from clubface.errors import FileError
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
+from clubface.support.resuming import Journal, fingerprint, unfinished
 from clubface.tables.headings import HAND, Layout
-from clubface.tables.reader import Piece, Reader, Reject
-from clubface.tables.writer import STATE, CsvWriter, Journal, RejectsWriter, Writer, is_parquet, unfinished
-from clubface.units import from_si, unit
+from clubface.tables.rows import Piece, Reader, Reject
+from clubface.tables.writer import CsvWriter, RejectsWriter, Writer, is_parquet
+from clubface.units import from_si, to_si
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -36,6 +35,9 @@ FLIGHT_COLUMNS = {
 }  # fmt: skip
 CONTACT_COLUMNS = {"contact_time_s": ("contact_time", "s"), "peak_force_n": ("peak_force", "N")}
 """Columns written: quantity and unit by heading."""
+
+STATE: tuple[str, ...] = ("rows", "written", "rejected", "output_bytes", "rejects_bytes")
+"""What a journal counts: rows read, written and rejected, and the length of both files."""
 
 PREFIX = "predicted_"
 """Put before the headings written where the file has one of them already."""
@@ -64,8 +66,10 @@ class Task:
         hand: float,
         columns: Layout,
         results: Mapping[str, tuple[str, str]],
+        provenance: Mapping[str, Any],
     ) -> None:
         self.shot = shot
+        self.provenance = provenance
         self.flight = flight
         self.hand = hand
         self.columns = columns
@@ -85,14 +89,7 @@ class Task:
             shot["model"], dict(shot["parameters"].values), shot["club"].inputs(), told_ball,
             shot["accuracy"], self.hand, repr(flight.get("air")), repr(flight.get("wind")),
         ]  # fmt: skip
-        return hashlib.sha256(json.dumps(told, default=str).encode()).hexdigest()
-
-    def provenance(self) -> dict[str, Any]:
-        """Return model, parameters, club, ball and version, from a launch of a single shot."""
-        found = impact(delivery={"speed": 1.0}, hand=self.hand, on_error="nan", **self.shot).provenance
-        for name in ("delivery", "changed"):
-            del found[name]
-        return found
+        return fingerprint(told)
 
     def compute(self, piece: Piece) -> tuple[list[int] | None, list[NDArray[Any]], list[Reject]]:
         """Return the rows that have a launch (None: all), their results, and the other rows."""
@@ -104,8 +101,7 @@ class Task:
             numbers, bad = piece.numbers(column)
             for row, reason in bad.items():
                 reasons.setdefault(row, reason)
-            factor = unit(column.unit)
-            values[column.quantity] = numbers * factor.numerator / factor.denominator
+            values[column.quantity] = to_si(numbers, column.unit)
         count = len(piece.lines)
         kept = np.array([row for row in range(count) if row not in reasons], dtype=np.intp) if reasons else None
         if kept is not None:
@@ -164,9 +160,8 @@ def run(
     """Compute the rows of a file; ``paths`` are those of the file, the output and the rejects."""
     source, target, aside = paths
     part, aside_part = unfinished(target), unfinished(aside)
-    journal = Journal(target.with_name(f"{target.stem}.part.json"))
-    settings = task.settings(source, target)
-    state = journal.read(settings) if resume else None
+    journal = Journal(unfinished(target, ".json"), task.settings(source, target))
+    state = journal.read(lambda told: {name: int(told[name]) for name in STATE}) if resume else None
     begun = state or dict.fromkeys(STATE, 0)
     done, shown = dict(begun), []
     writer = _open_writer(part, reader, task, begun if state else None)
@@ -182,7 +177,7 @@ def run(
                 done["written"] += written
                 done["rejected"] += len(rejects)
                 done["output_bytes"], done["rejects_bytes"] = writer.place(), aside_writer.place()
-                journal.write({"settings": settings, **done})
+                journal.write(done)
             shown += [(each.line, each.reason) for each in rejects[: SHOWN - len(shown)]]
             if progress is not None:
                 progress(reader.progress(), done["rows"])
@@ -217,11 +212,11 @@ def _open_writer(part: Path, reader: Reader, task: Task, begun: Mapping[str, int
 
     types = [reader.schema(place) for place in range(len(headings))]
     if begun is None:
-        return ParquetWriter(part, headings, types, task.headings, task.provenance())
+        return ParquetWriter(part, headings, types, task.headings, task.provenance)
     earlier = part.with_name(f"{part.stem}.earlier{part.suffix}")
     if part.exists():
         os.replace(part, earlier)
-    writer = ParquetWriter(part, headings, types, task.headings, task.provenance())
+    writer = ParquetWriter(part, headings, types, task.headings, task.provenance)
     writer.copy(earlier)
     earlier.unlink()
     return writer

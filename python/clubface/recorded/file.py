@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import math
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,26 +9,38 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface.errors import FileError
-from clubface.recorded.shots import FACE_AT, SIDES, SPEED_AT, RecordedShots, RejectedRow
+from clubface.recorded.shots import POINTS, SIDES, RecordedShots, RejectedRow
+from clubface.simulation.quantities import inputs
+from clubface.tables.cells import is_missing
 from clubface.tables.headings import HAND, Column, Layout, layout, listed, plain_name, shot_words
-from clubface.tables.reader import Piece, open_table
-from clubface.tables.writer import is_parquet, open_text, unfinished
-from clubface.units import display_unit, from_si, unit
+from clubface.tables.reader import open_table
+from clubface.tables.rows import Piece
+from clubface.units import to_si
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-POINTS = {"speed_at": SPEED_AT, "face_at": FACE_AT}
-"""Columns that say where club data was taken; they are there only where it is not where models want it."""
 CLUB_HEADINGS = ("club", "club_name", "club_type")
 CHUNK_ROWS = 16384
 SHOWN = 3
 """Reasons an error names."""
 
 
-def read(path: Path) -> RecordedShots:
-    """Read recorded shots; see :func:`clubface.recorded.shots.read_shots`."""
-    reader = open_table(path)
+def read_shots(path: str | os.PathLike[str]) -> RecordedShots:
+    """Read recorded shots from a CSV or Parquet file with the columns of clubface.
+
+    Columns are found by name and carry their unit, as for :func:`predict`: ``club_speed_mph``, ``attack [deg]``, and
+    of the launch ``ball_speed_mph``, ``launch_deg``, ``azimuth_deg``, ``backspin_rpm``, ``sidespin_rpm``,
+    ``total_spin_rpm``, ``spin_axis_deg``, ``carry_yd`` and so on; ``club`` names the club, ``hand`` is right or left.
+    An empty cell is a value not measured.
+
+    Raises
+    ------
+    FileError
+        A file that cannot be read, with the line: empty, without a column of a delivery or launch, a column twice, a
+        unit of another dimension, not UTF-8, or without a single row that can be used.
+    """
+    reader = open_table(Path(path))
     try:
         found = layout(reader.headings, reader.path, reader.header_line, shot_words())
         if not [each for each in found.used if each.quantity != HAND]:
@@ -106,8 +116,6 @@ class _Columns:
         """Return all rows taken."""
         values = {name: np.concatenate(parts) for name, parts in self._values.items()}
         hand = values.pop(HAND, None)
-        from clubface.simulation.quantities import inputs
-
         return RecordedShots(
             deliveries={name: each for name, each in values.items() if name in inputs()},
             launches={name: each for name, each in values.items() if name not in inputs()},
@@ -127,60 +135,8 @@ def _numbers(piece: Piece, column: Column) -> tuple[NDArray[Any], dict[int, str]
     values, bad = piece.numbers(column)
     if bad:
         cells = piece.texts(list(bad))
-        empty = {row for row, cell in zip(bad, cells, strict=True) if cell[column.place].strip().lower() in ("", "nan")}
+        empty = {row for row, cell in zip(bad, cells, strict=True) if is_missing(cell[column.place])}
         bad = {row: reason for row, reason in bad.items() if column.quantity == HAND or row not in empty}
     if not len(values):
         return np.empty(0), bad
-    factor = unit(column.unit)
-    return values * factor.numerator / factor.denominator, bad
-
-
-def heading(name: str, si_unit: str) -> tuple[str, str]:
-    """Return the heading of a column and its unit."""
-    shown = "mph" if si_unit == "m/s" else display_unit(name, si_unit)
-    spelled = "club_speed" if name == "speed" else name
-    if shown == "1":
-        return spelled, shown
-    return (f"{spelled}_{shown}" if shown.isalnum() else f"{spelled} [{shown}]"), shown
-
-
-def write(shots: RecordedShots, path: Path) -> None:
-    """Write recorded shots; see :meth:`clubface.recorded.shots.RecordedShots.write`."""
-    parquet = is_parquet(path)
-    columns: dict[str, Any] = {}
-    for name, texts in (("club", shots.clubs), (HAND, shots.hand)):
-        if texts is not None:
-            columns[name] = [str(each) for each in texts]
-    for name, points in POINTS.items():
-        if getattr(shots, name) != points[0]:
-            columns[name] = [getattr(shots, name)] * len(shots)
-    of = shots.deliveries | shots.launches
-    for name, si_unit in shots.units().items():
-        named, shown = heading(name, si_unit)
-        columns[named] = from_si(of[name], shown)
-    part = unfinished(path)
-    if parquet:
-        _write_parquet(columns, part)
-    else:
-        with open_text(part, None) as file:
-            out = csv.writer(file, delimiter="\t" if path.suffix.lower() == ".tsv" else ",", lineterminator="\n")
-            out.writerow(columns)
-            out.writerows(zip(*(map(_cell, each) for each in columns.values()), strict=True))
-    os.replace(part, path)
-
-
-def _cell(value: Any) -> str:
-    if isinstance(value, str):
-        return value
-    return "" if math.isnan(value) else repr(float(value))
-
-
-def _write_parquet(columns: dict[str, Any], path: Path) -> None:
-    from clubface.tables.parquet import pyarrow_for
-
-    arrow = pyarrow_for(path)
-    arrays = {name: arrow.array(values, from_pandas=True) for name, values in columns.items()}
-    try:
-        arrow.parquet.write_table(arrow.table(arrays), path)
-    except OSError as error:
-        raise FileError(str(path), None, f"cannot be written: {error.strerror or error}") from None
+    return to_si(values, column.unit), bad

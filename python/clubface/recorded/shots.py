@@ -14,8 +14,9 @@ from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Told, UnknownNameError
 from clubface.simulation.quantities import inputs
 from clubface.support.checks import check_choice
-from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, shot_words
-from clubface.units import SI_UNITS
+from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, heading_of, shot_words
+from clubface.tables.writer import write_columns
+from clubface.units import SI_UNITS, from_si
 
 if TYPE_CHECKING:
     import pandas
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
 SPEED_AT = ("cg", "face", "unknown")
 FACE_AT = ("face", "contact", "unknown")
 """Where club data may be taken; the first is where models want it."""
+POINTS = {"speed_at": SPEED_AT, "face_at": FACE_AT}
+"""Columns that say where club data was taken; they are there only where it is not where models want it."""
 SIDES = {1.0: "right", -1.0: "left"}
 """The hand by the sign the core takes."""
 
@@ -166,32 +169,22 @@ class RecordedShots:
         return frame
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Write the shots to a CSV or Parquet file, by its ending, as :func:`read_shots` and ``predict`` read them.
+        """Write the shots to a CSV or Parquet file, by its ending, as :func:`clubface.read_shots` reads them.
 
         The file has its name only once it is complete. Rejected rows and notes are not in it.
         """
-        from clubface.recorded.file import write
-
-        write(self, Path(path))
-
-
-def read_shots(path: str | os.PathLike[str]) -> RecordedShots:
-    """Read recorded shots from a CSV or Parquet file with the columns of clubface.
-
-    Columns are found by name and carry their unit, as for :func:`predict`: ``club_speed_mph``, ``attack [deg]``, and
-    of the launch ``ball_speed_mph``, ``launch_deg``, ``azimuth_deg``, ``backspin_rpm``, ``sidespin_rpm``,
-    ``total_spin_rpm``, ``spin_axis_deg``, ``carry_yd`` and so on; ``club`` names the club, ``hand`` is right or left.
-    An empty cell is a value not measured.
-
-    Raises
-    ------
-    FileError
-        A file that cannot be read, with the line: empty, without a column of a delivery or launch, a column twice, a
-        unit of another dimension, not UTF-8, or without a single row that can be used.
-    """
-    from clubface.recorded.file import read
-
-    return read(Path(path))
+        columns: dict[str, Any] = {}
+        for name, texts in (("club", self.clubs), (HAND, self.hand)):
+            if texts is not None:
+                columns[name] = [str(each) for each in texts]
+        for name, points in POINTS.items():
+            if getattr(self, name) != points[0]:
+                columns[name] = [getattr(self, name)] * len(self)
+        of = self.deliveries | self.launches
+        for name, si_unit in self.units().items():
+            named, shown = heading_of(name, si_unit)
+            columns[named] = from_si(of[name], shown)
+        write_columns(columns, Path(path))
 
 
 def with_both_spins(launches: Mapping[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:

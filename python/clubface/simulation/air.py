@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from clubface import _core, units
+from clubface import units
 from clubface.errors import InputError, UnknownNameError
+from clubface.simulation import core
 from clubface.simulation.quantities import flight_inputs
 
 
@@ -51,7 +52,7 @@ class Air:
         """Refuse one altitude whose pressure a flight does not take; a bad one of many is reported with its flight."""
         allowed = flight_inputs()["pressure"]
         if isinstance(self.altitude, float) and not allowed.lower <= self.pressure <= allowed.upper:
-            limits = f"{allowed.lower / 100.0:.0f} to {allowed.upper / 100.0:.0f} hPa"
+            limits = units.show_range(allowed.lower, allowed.upper, "hPa")
             text = f"where the pressure of the standard atmosphere is {limits}, about -1400 to 9100 m"
             raise InputError("altitude", units.show(self.altitude, "m"), text)
 
@@ -76,8 +77,8 @@ def air_of(values: Air | Mapping[str, Any] | None) -> Air:
 
 def _pressure(altitude: Any) -> Any:
     if isinstance(altitude, float):
-        return _core.pressure_at_altitude(altitude)
+        return core.pressure_at_altitude(altitude)
     import numpy as np
 
-    flat = [_core.pressure_at_altitude(each) for each in altitude.ravel().tolist()]
+    flat = [core.pressure_at_altitude(each) for each in altitude.ravel().tolist()]
     return np.array(flat, dtype=np.float64).reshape(altitude.shape)

@@ -61,13 +61,12 @@ def flight_columns(
         given |= vectors({name: value for name, value in launch.items() if value is not None})
     else:
         raise InputError("launch", launch, "a Launch or a mapping of values")
-    given |= air_of(air).values()
-    given |= _group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))
+    given |= conditions(air, wind)
     given |= _group("ground", ground or {}, [name for name, each in inputs.items() if each.group == "ground"])
     parsed: dict[str, Any] = {name: each.default for name, each in inputs.items()}
     varied: dict[str, NDArray[Any]] = {}
     for name, value in given.items():
-        value = units.parse_values(value, inputs[name].dimension, name=name) if type(value) is not float else value
+        value = _parsed(value, name)
         if not isinstance(value, float):
             value = varied[name] = np.asarray(value, dtype=np.float64)
         parsed[name] = value
@@ -81,6 +80,25 @@ def flight_columns(
     if isinstance(launch, Launch):
         varied = {name: value for name, value in varied.items() if name not in (*VELOCITY, *SPIN, *BALL)}
     return FlightColumns(flat, shape, varied)
+
+
+def conditions(air: Air | Mapping[str, Any] | None, wind: Any) -> dict[str, Any]:
+    """Return the inputs of a flight that air and wind give, by name."""
+    return {**air_of(air).values(), **_group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))}
+
+
+def check_conditions(air: Air | Mapping[str, Any] | None, wind: Any) -> None:
+    """Refuse air and wind, single numbers both, that no flight takes."""
+    for name, given in conditions(air, wind).items():
+        value, allowed = _parsed(given, name), flight_inputs()[name]
+        if not isinstance(value, float):
+            raise InputError(name, "an array", "a single number")
+        if not allowed.lower <= value <= allowed.upper:
+            raise InputError(name, value, f"from {allowed.lower:g} to {allowed.upper:g} {allowed.unit}")
+
+
+def _parsed(value: Any, name: str) -> Any:
+    return value if type(value) is float else units.parse_values(value, flight_inputs()[name].dimension, name=name)
 
 
 def flight_error(error: ValueError, columns: Mapping[str, Any]) -> ShotError:

@@ -6,12 +6,13 @@ import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from clubface import _core
+from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import model as model_named
 from clubface.equipment.models import models
 from clubface.errors import InputError, UnknownNameError
+from clubface.simulation import core
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import as_values, equipment, parameter_set, shot_error, shots, single
@@ -80,13 +81,13 @@ class History:
     contact_area
         [m2], shape (n,).
     kinetic_energy, layer_energy, normal_work, friction_work, layer_work
-        The account of energy [J], shape (n,).
+        The energy balance [J], shape (n,).
     ball_position, ball_velocity, ball_spin, club_position, club_velocity, club_spin
         Motion of both bodies [m, m/s, rad/s], shape (n, 3).
     club_attitude
         Quaternion w, x, y, z, shape (n, 4).
     ring_radius, ring_traction_y, ring_traction_z, ring_slip, ring_inside
-        Of the rings, where the model has them [m, Pa, 1], shape (n, rings).
+        State of the rings, if the model has them [m, Pa, 1], shape (n, rings).
     launch
         The launch it ends with.
     """
@@ -183,8 +184,8 @@ class History:
 
     def __repr__(self) -> str:
         return (
-            f"history of a contact by {self.launch.model}: {len(self)} steps, {self.time[-1] * 1e6:.4g} us,"
-            f" peak {self.launch.peak_force / 1e3:.4g} kN"
+            f"history of a contact by {self.launch.model}: {len(self)} steps, {units.show(self.time[-1], 'us', 4)},"
+            f" peak {units.show(self.launch.peak_force, 'kN', 4)}"
         )
 
 
@@ -215,7 +216,7 @@ def history(
     hit = shots(with_, as_values(delivery, values), hand=hand)
     columns, parameter_columns = single(hit, chosen, "a history")
     try:
-        arrays = _core.history(model, columns, parameter_columns, accuracy)
+        arrays = core.history(model, columns, parameter_columns, accuracy)
     except ValueError as error:
         raise shot_error(error, columns, chosen) from None
     outcome = arrays.pop("launch").reshape(-1, 1)

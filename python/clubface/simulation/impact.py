@@ -7,12 +7,12 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Literal, overload
 
-from clubface import _core
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import FEM, models
+from clubface.equipment.models import models
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, UnknownNameError
+from clubface.simulation.backends import backend_of
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.inputs import as_values, broadcast, equipment, parameter_set, shot_error, shots, value_of
 from clubface.simulation.launch import Comparison, Launch
@@ -84,35 +84,35 @@ def impact(
         values that changes the published set of the club's family, which is used where nothing is given. For
         several models, a mapping of model names to these.
     ball
-        As ``club``; left out, the ball of the published models.
+        A built-in name, the path of a TOML file, or a :class:`Ball`; left out, the ball of the published models.
     accuracy
         Relative tolerance of a step of a contact model; left out, the launch is correct to 1e-4.
     hand
         "right" or "left"; left out, that of the club.
     threads
-        Left out, all cores. The result does not depend on it.
+        How many threads compute; all cores if left out. The result does not depend on it.
     progress
         Called with the number of shots done.
     on_error
-        What a shot that cannot be computed does: "raise" an error, or leave "nan" and an entry in
+        What happens to a shot that cannot be computed: "raise" raises an error, "nan" gives NaN and an entry in
         ``Launch.problems``.
     **values
         Values of the delivery (``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe``, ``high``,
         ``closure``, ``pitch_rate``, ``lie_rate``) and of club and ball (``club_mass``, ``cg_x``, ``ball_mass``,
-        ...): text with a unit, SI numbers, or arrays, which broadcast. Left out, an angle, offset or rate is 0,
-        the loft and the rest those of the club and ball. ``speed`` is required.
+        ...): text with a unit, SI numbers, or arrays, which broadcast. ``speed`` is required. An angle, an offset or
+        a rate that is left out is 0; the loft and all else are then those of club and ball.
 
     Returns
     -------
     Launch
-        Of the shape to which the inputs broadcast.
+        Its quantities have the shape to which the inputs broadcast.
 
     Raises
     ------
     ShotError
-        An input outside what is allowed, naming it, its value and what is allowed.
+        An input is outside what is allowed; the message names it, its value and what is allowed.
     InputError
-        A value that is no number, a unit of another dimension, an unknown name, more shots than memory holds.
+        A value is no number, a unit has another dimension, a name is unknown, or memory does not hold the shots.
     """
     values = dict(as_values(delivery, values))
     if not isinstance(model, str) or model == ALL:
@@ -122,36 +122,22 @@ def impact(
         )  # fmt: skip
     check_on_error(on_error)
     accuracy, cores = tolerance(accuracy), thread_count(threads)
-    meshed = None
-    if model == FEM.name:
-        meshed, ball = meshed_ball(ball, accuracy)
+    backend = backend_of(model)
+    own, ball = backend.balls(ball, accuracy)
     with_ = equipment(club, ball)
     chosen = parameter_set(model, with_.club, parameters)
     hit = shots(with_, values, hand=hand)
     names = tuple(chosen.values)
     hit, columns = broadcast(hit, chosen.columns(), names, len(outputs()))
     count = math.prod(hit.shape)
-    if meshed is not None:
-        from clubface.fem.backend import launches
-
-        computed, problems = launches(meshed, hit.columns, columns[0], count, progress)
-    else:
-        try:
-            computed, problems = _core.impact(model, hit.columns, columns, count, accuracy, cores, progress)
-        except ValueError as error:
-            raise shot_error(error, hit.columns, chosen) from None
+    try:
+        computed, problems = backend.launches(model, own, hit.columns, columns, count, accuracy, cores, progress)
+    except ValueError as error:
+        raise shot_error(error, hit.columns, chosen) from None
     if problems and on_error == "raise":
         row, name, _ = problems[0]
         raise first_error(problems, value_of(name, row, hit.columns, names, columns), hit.shape)
     return Launch(computed, hit, model, chosen, accuracy, problems)
-
-
-def meshed_ball(ball: Any, accuracy: float | None) -> tuple[Any, Any]:
-    """Return the ball of the finite elements and its rigid counterpart; the module is large, and seldom needed."""
-    from clubface.fem import backend as as_model
-
-    as_model.check_no_accuracy(accuracy)
-    return as_model.meshed_ball(ball)
 
 
 def model_names(model: ModelNames) -> tuple[str, ...]:

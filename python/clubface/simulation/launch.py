@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from clubface.equipment.balls import Ball
@@ -155,33 +156,45 @@ class Launch(Result):
     @property
     def provenance(self) -> dict[str, Any]:
         """The model, its parameters with source and caveats, club, ball, delivery and version."""
-        declared = model(self.model)
-        plain = self.parameters.values.items()
+        inputs = (*self.club.inputs().items(), *self.ball.inputs().items())
+        varied = self._shots.varied
         changed = {
             name: self.input(name)
-            for with_ in (self.club, self.ball)
-            for name, value in with_.inputs().items()
-            if self.input(name) is not value and (name in self._shots.varied or self.input(name) != value)
+            for name, value in inputs
+            if self.input(name) is not value and (name in varied or self.input(name) != value)
         }
+        delivered = {name: _number(name, value, varied) for name, value in self.delivery.items()}
         return {
-            "model": {"name": declared.name, "reference": declared.reference},
-            "parameters": {
-                "name": self.parameters.name,
-                "source": self.parameters.source,
-                "reference": self.parameters.reference,
-                "caveats": [*self.parameters.caveats]
-                + [f"{name}: {text}" for name, text in self.parameters.value_caveats.items()],
-                "values": {name: _number(name, value, self._shots.varied) for name, value in plain},
-            },
-            "club": {"name": self.club.name, "description": self.club.description},
-            "ball": {"name": self.ball.name, "description": self.ball.description},
-            "changed": {"values": {name: _number(name, value, self._shots.varied) for name, value in changed.items()}},
-            "delivery": {
-                "values": {name: _number(name, value, self._shots.varied) for name, value in self.delivery.items()}
-            },
-            "accuracy": self.accuracy or "fast",
-            "clubface_version": __version__,
+            **computed_with(self.model, self.parameters, self.club, self.ball, self.accuracy, varied),
+            "changed": {"values": {name: _number(name, value, varied) for name, value in changed.items()}},
+            "delivery": {"values": delivered},
         }
+
+
+def computed_with(
+    of_model: str,
+    parameters: ParameterSet,
+    club: Club,
+    ball: Ball,
+    accuracy: float | None,
+    varied: Mapping[str, Any] = MappingProxyType({}),
+) -> dict[str, Any]:
+    """Return the provenance that launches share: model, parameters with source and caveats, club, ball and version."""
+    declared = model(of_model)
+    return {
+        "model": {"name": declared.name, "reference": declared.reference},
+        "parameters": {
+            "name": parameters.name,
+            "source": parameters.source,
+            "reference": parameters.reference,
+            "caveats": [*parameters.caveats, *(f"{key}: {text}" for key, text in parameters.value_caveats.items())],
+            "values": {name: _number(name, value, varied) for name, value in parameters.values.items()},
+        },
+        "club": {"name": club.name, "description": club.description},
+        "ball": {"name": ball.name, "description": ball.description},
+        "accuracy": accuracy or "fast",
+        "clubface_version": __version__,
+    }
 
 
 class Comparison(dict[str, Launch]):

@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from clubface import units
+from clubface.simulation import core
 
 
 class Quantity(NamedTuple):
@@ -16,17 +17,17 @@ class Quantity(NamedTuple):
     Attributes
     ----------
     name
-        As in keyword arguments and tables.
+        The name in keyword arguments and tables.
     unit
         The SI unit it is held in.
     meaning
         One line; says what positive means where there is a sign.
     group
-        Of an input: "delivery", "club", "ball", "launch", "air" or "ground".
+        What an input belongs to: "delivery", "club", "ball", "launch", "air" or "ground".
     differentiable
         Whether a launch can be differentiated with respect to it.
     default, lower, upper
-        Of an input of a flight: the value used where none is given (NaN: it must be given), and what is allowed.
+        For an input of a flight: the value that is used if none is given (NaN if it must be given), and its limits.
     """
 
     name: str
@@ -47,33 +48,25 @@ class Quantity(NamedTuple):
 @cache
 def inputs() -> Mapping[str, Quantity]:
     """Return the inputs of an impact by name, in the order of the columns."""
-    from clubface import _core
-
-    return _read(_core.inputs())
+    return _read(core.inputs())
 
 
 @cache
 def outputs() -> Mapping[str, Quantity]:
     """Return the outputs of an impact by name, in order."""
-    from clubface import _core
-
-    return _read(_core.outputs())
+    return _read(core.outputs())
 
 
 @cache
 def flight_inputs() -> Mapping[str, Quantity]:
     """Return the inputs of a flight by name, in the order of the columns."""
-    from clubface import _core
-
-    return _read(_core.flight_inputs())
+    return _read(core.flight_inputs())
 
 
 @cache
 def flight_outputs() -> Mapping[str, Quantity]:
     """Return the outputs of a flight by name, in order."""
-    from clubface import _core
-
-    return _read(_core.flight_outputs())
+    return _read(core.flight_outputs())
 
 
 @cache

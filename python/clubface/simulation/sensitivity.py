@@ -6,13 +6,14 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from clubface import _core, units
+from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import FEM, models
 from clubface.equipment.models import model as model_named
+from clubface.equipment.models import reduced_model
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, UnitError, UnknownNameError
+from clubface.simulation import core
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import as_values, equipment, parameter_set, shot_error, shots, single
@@ -74,8 +75,8 @@ class Sensitivity:
         """The derivatives in the units shown, shape (outputs, variables)."""
         import numpy as np
 
-        rows = np.array([_size(self._shown[name]) for name in self.outputs])
-        columns = np.array([_size(self._shown[name]) for name in self.variables])
+        rows = np.array([units.size(self._shown[name]) for name in self.outputs])
+        columns = np.array([units.size(self._shown[name]) for name in self.variables])
         return self.si * columns / rows[:, None]
 
     @property
@@ -98,7 +99,7 @@ class Sensitivity:
         if not found:
             raise UnitError("unit", unit, 'of the form "rpm per mm"')
         over, under = _checked(self._rows[output], upper), _checked(self._columns[variable], lower)
-        return derivative * _size(under) / _size(over)
+        return derivative * units.size(under) / units.size(over)
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return one row a variable and one column an output, in the units shown, which stand in the labels.
@@ -176,7 +177,7 @@ def sensitivity(
     Parameters
     ----------
     club, delivery, model, parameters, ball, accuracy, hand, **values
-        As of :func:`impact`, for a single shot.
+        As for :func:`impact`, for a single shot.
     outputs
         Names of launch quantities; left out, all the model gives.
     variables
@@ -191,13 +192,12 @@ def sensitivity(
     """
     accuracy = tolerance(accuracy)
     with_ = equipment(club, ball)
-    if model == FEM.name:
-        raise InputError("model", model, f"one with derivatives: {', '.join(models())}")
+    reduced_model(model, "one with derivatives")
     chosen = parameter_set(model, with_.club, parameters)
     hit = shots(with_, as_values(delivery, values), hand=hand)
     columns, parameter_columns = single(hit, chosen, "a sensitivity")
     try:
-        computed, jacobian = _core.sensitivity(model, columns, parameter_columns, accuracy)
+        computed, jacobian = core.sensitivity(model, columns, parameter_columns, accuracy)
     except ValueError as error:
         raise shot_error(error, columns, chosen) from None
     known_rows = _known_outputs(computed)
@@ -258,9 +258,3 @@ def _shown_units(quantities: Mapping[str, Quantity], given: Mapping[str, str]) -
 def _checked(quantity: Quantity, symbol: str) -> str:
     """Return the unit ``symbol`` if it is one of ``quantity``."""
     return units.unit(symbol, name=quantity.name, dimension=quantity.dimension).symbol
-
-
-def _size(symbol: str) -> float:
-    """Return the size of a unit in SI; an offset does not matter to a difference."""
-    found = units.unit(symbol)
-    return found.numerator / found.denominator

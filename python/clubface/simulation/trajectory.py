@@ -6,8 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from clubface import _core
 from clubface.errors import InputError, Told
+from clubface.simulation import core
 from clubface.simulation.air import Air
 from clubface.simulation.flight_inputs import AXES, flight_columns, flight_error
 from clubface.simulation.launch import Launch
@@ -93,7 +93,7 @@ def trajectory(
     if shape or varied:
         raise InputError("launch", Told(f"a batch of shape {shape}"), "a single shot: a trajectory is of one ball")
     try:
-        arrays = _core.trajectory(list(columns.values()))
+        arrays = core.trajectory(list(columns.values()))
     except ValueError as error:
         raise flight_error(error, columns) from None
     began = {"impact": launch.provenance} if isinstance(launch, Launch) else {}

@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from clubface.errors import FileError
-from clubface.tables.csv_rows import CsvRows, Row, is_number
+from clubface.tables.cells import parsed, uses_decimal_comma
+from clubface.tables.csv_rows import DECIMAL_ROWS, CsvRows, Row
 from clubface.tables.headings import Column
-from clubface.tables.reader import Reject, parsed
+from clubface.tables.rows import Reject
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -19,7 +20,7 @@ LARGEST_PIECE = 64_000_000
 
 
 class CsvReader:
-    """A CSV file: UTF-8, with commas, semicolons or tabs between cells. See :class:`clubface.tables.reader.Reader`."""
+    """A CSV file: UTF-8, with commas, semicolons or tabs between cells. See :class:`clubface.tables.rows.Reader`."""
 
     counts = "line"
 
@@ -51,15 +52,11 @@ class CsvReader:
         self._decide_decimal()
 
     def _decide_decimal(self) -> None:
-        """Look at the first rows: with another delimiter, "50,5" is a number with a decimal comma."""
-        if self.delimiter == ",":
-            return
-        while len(self._seen) < 100 and (row := self._rows.next()) is not None:
+        """Look at the first rows: a number such as "50,5" is one with a decimal comma."""
+        while len(self._seen) < DECIMAL_ROWS and (row := self._rows.next()) is not None:
             self._seen.append(row)
-        cells = [cell for row in self._seen if not isinstance(row, Reject) for cell in row[0]]
-        commas = sum(is_number(cell.replace(",", ".")) for cell in cells if cell.count(",") == 1 and "." not in cell)
-        points = sum(is_number(cell) for cell in cells if "." in cell)
-        self.decimal_comma = commas > points
+        cells = (cell for row in self._seen if not isinstance(row, Reject) for cell in row[0])
+        self.decimal_comma = uses_decimal_comma(cells, self.delimiter)
 
     def pieces(self, rows: int, skip: int) -> Iterator[CsvPiece]:
         """Yield the rows after the first ``skip``, some ``rows`` at a time."""
@@ -109,7 +106,7 @@ class CsvReader:
 
 
 class CsvPiece:
-    """Some rows of a CSV file. See :class:`clubface.tables.reader.Piece`."""
+    """Some rows of a CSV file. See :class:`clubface.tables.rows.Piece`."""
 
     def __init__(
         self,

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import csv
-import math
 from collections.abc import Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
 from clubface.errors import FileError
-from clubface.tables.reader import Reject
+from clubface.tables.rows import Reject
 
 LONGEST_LINE = 2_000_000
 """Bytes; a longer line is no row of a table."""
+DECIMAL_ROWS = 200
+"""Rows that tell how numbers are written."""
 FALLBACK = "cp1252"
 """The encoding of spreadsheets that do not write UTF-8."""
 
@@ -144,14 +145,6 @@ def delimiter_of(lines: Sequence[str]) -> str:
     """Return the delimiter that is most frequent in one of the lines, outside quotes."""
     plain = ["".join(line.split('"')[::2]) for line in lines]
     return max(",;\t", key=lambda each: max(line.count(each) for line in plain))
-
-
-def is_number(text: str) -> bool:
-    """Tell whether a text is a finite number with a decimal point."""
-    try:
-        return math.isfinite(float(text))
-    except ValueError:
-        return False
 
 
 def _explained(message: str) -> str:

@@ -110,7 +110,7 @@ class Layout(NamedTuple):
     Attributes
     ----------
     headings
-        Of all columns, as in the file; one without is named after its place.
+        Names of all columns, as in the file; a column without a name is named after its place.
     used
         The columns that give inputs.
     passed
@@ -216,3 +216,12 @@ def _unit_of(quantity: str, unit: str | None, heading: str, place: tuple[str, in
 
 def _reversed(synonyms: Mapping[str, Sequence[str]]) -> dict[str, str]:
     return {other: name for name, others in synonyms.items() for other in others}
+
+
+def heading_of(name: str, si_unit: str) -> tuple[str, str]:
+    """Return the heading of a column and its unit."""
+    shown = "mph" if si_unit == "m/s" else units.display_unit(name, si_unit)
+    spelled = "club_speed" if name == "speed" else name
+    if shown == "1":
+        return spelled, shown
+    return (f"{spelled}_{shown}" if shown.isalnum() else f"{spelled} [{shown}]"), shown

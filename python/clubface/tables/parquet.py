@@ -6,13 +6,16 @@ import csv
 import io
 import json
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from clubface.errors import FileError
+from clubface.tables.cells import parsed
 from clubface.tables.headings import HAND, Column
-from clubface.tables.reader import Piece, Reject, parsed
+from clubface.tables.rows import Piece, Reject
+
+ENDINGS = (".parquet", ".pq")
 
 
 def pyarrow_for(path: Path | str) -> Any:
@@ -27,7 +30,7 @@ def pyarrow_for(path: Path | str) -> Any:
 
 
 class ParquetReader:
-    """A Parquet file. See :class:`clubface.tables.reader.Reader`."""
+    """A Parquet file. See :class:`clubface.tables.rows.Reader`."""
 
     counts = "row"
     header_line: int | None = None
@@ -72,7 +75,7 @@ class ParquetReader:
 
 
 class ParquetPiece:
-    """Some rows of a Parquet file. See :class:`clubface.tables.reader.Piece`."""
+    """Some rows of a Parquet file. See :class:`clubface.tables.rows.Piece`."""
 
     def __init__(self, batch: Any, first: int) -> None:
         self._batch = batch
@@ -157,6 +160,16 @@ class ParquetWriter:
     def close(self) -> None:
         """Write the end of the file, without which it cannot be read."""
         self._writer.close()
+
+
+def write_parquet(columns: Mapping[str, Any], path: Path) -> None:
+    """Write a whole table; NaN becomes null."""
+    arrow = pyarrow_for(path)
+    arrays = {name: arrow.array(values, from_pandas=True) for name, values in columns.items()}
+    try:
+        arrow.parquet.write_table(arrow.table(arrays), path)
+    except OSError as error:
+        raise FileError(str(path), None, f"cannot be written: {error.strerror or error}") from None
 
 
 def _indices(rows: Sequence[int]) -> Any:

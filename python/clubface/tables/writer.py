@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import csv
 import io
-import json
+import math
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
 from clubface.errors import FileError
-from clubface.tables.reader import PARQUET, Piece, Reader, Reject
+from clubface.support.resuming import unfinished
+from clubface.tables.parquet import ENDINGS as PARQUET
+from clubface.tables.parquet import write_parquet
+from clubface.tables.rows import Piece, Reader, Reject
 
 DIGITS = 9
 """Significant digits in a CSV file, far below the error of any model."""
@@ -45,7 +48,8 @@ class CsvWriter:
 
     def write(self, piece: Piece, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
         """Write some rows of a piece (None: all), each followed by its results."""
-        form = self._delimiter.join([f"%.{DIGITS}g"] * len(results)) + "\n"
+        cell = f'"%.{DIGITS}g"' if self._comma and self._delimiter == "," else f"%.{DIGITS}g"
+        form = self._delimiter.join([cell] * len(results)) + "\n"
         found = [form % row for row in zip(*(each.tolist() for each in results), strict=True)]
         if self._comma:
             found = [text.replace(".", ",") for text in found]
@@ -97,41 +101,6 @@ class RejectsWriter:
             self._file.close()
 
 
-class Journal:
-    """How far an unfinished file has come, kept beside it, so that a later run goes on from there."""
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
-
-    def write(self, state: dict[str, Any]) -> None:
-        """Record ``state``, whole or not at all."""
-        fresh = self.path.with_name(self.path.name + ".new")
-        fresh.write_text(json.dumps(state))
-        os.replace(fresh, self.path)
-
-    def read(self, settings: str) -> dict[str, Any] | None:
-        """Return what was recorded, None where nothing was; refuse that of a run with other ``settings``."""
-        try:
-            state = json.loads(self.path.read_text())
-            begun, counts = state["settings"], {name: int(state[name]) for name in STATE}
-        except FileNotFoundError:
-            return None
-        except (OSError, ValueError, KeyError, TypeError):
-            raise FileError(str(self.path), None, "this file cannot be read; start again without resuming") from None
-        if begun != settings:
-            message = "this file was begun from another file or with other settings; start again without resuming"
-            raise FileError(str(self.path), None, message)
-        return counts
-
-    def remove(self) -> None:
-        """Remove it: the work is done."""
-        self.path.unlink(missing_ok=True)
-
-
-STATE = ("rows", "written", "rejected", "output_bytes", "rejects_bytes")
-"""What a journal counts: rows read, written and rejected, and the length of both files."""
-
-
 def is_parquet(path: Path) -> bool:
     """Tell from the ending whether to write Parquet or CSV; another ending is an error."""
     if path.suffix.lower() in PARQUET:
@@ -139,11 +108,6 @@ def is_parquet(path: Path) -> bool:
     if path.suffix.lower() in (".csv", ".txt", ".tsv"):
         return False
     raise FileError(str(path), None, "the name must end in .csv or .parquet")
-
-
-def unfinished(path: Path) -> Path:
-    """Return the name a file has until it is complete."""
-    return path.with_name(f"{path.stem}.part{path.suffix}")
 
 
 def open_text(path: Path, keep: int | None) -> io.TextIOWrapper:
@@ -162,3 +126,26 @@ def flushed(file: io.TextIOWrapper) -> int:
     """Bring text to the disk and return the length of the file [bytes]."""
     file.flush()
     return os.fstat(file.fileno()).st_size
+
+
+def write_columns(columns: Mapping[str, Any], path: Path) -> None:
+    """Write a whole table to a CSV or Parquet file, by its ending, which has its name only once it is complete.
+
+    Numbers that are NaN become empty cells; there are no others.
+    """
+    parquet = is_parquet(path)
+    part = unfinished(path)
+    if parquet:
+        write_parquet(columns, part)
+    else:
+        with open_text(part, None) as file:
+            out = csv.writer(file, delimiter="\t" if path.suffix.lower() == ".tsv" else ",", lineterminator="\n")
+            out.writerow(columns)
+            out.writerows(zip(*(map(_cell, each) for each in columns.values()), strict=True))
+    os.replace(part, path)
+
+
+def _cell(value: Any) -> str:
+    if isinstance(value, str):
+        return value
+    return "" if math.isnan(value) else repr(float(value))

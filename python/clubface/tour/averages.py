@@ -11,7 +11,7 @@ import csv
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -29,18 +29,16 @@ from clubface.support.shipped import DATA
 Values = NDArray[np.float64]
 
 SOURCE = "PGA Tour averages published by TrackMan (2023): trackman.com/blog/golf/introducing-updated-tour-averages"
-PUBLISHED_LOFTS = {"driver": "12.8 deg", "6-iron": "20.2 deg"}
-"""Dynamic lofts of older tables of the same source; no other club's is published."""
 LOFT_MODEL = "standard"
 """The model whose launch angle fixes the lofts that are not published."""
 
 QUANTITIES = {"ball_speed": "mph", "launch": "deg", "spin": "rpm", "carry": "yd"}
 """What is compared, and the unit it is read in. Spin is the total spin, as launch monitors report it."""
-STEEPEST = float(np.radians(78.0))
+STEEPEST = units.to_si(78.0, "deg")
 """The largest dynamic loft [rad] that is tried."""
 _DIMENSIONS = {
     "club_speed": "speed", "attack": "angle", "ball_speed": "speed", "smash": "dimensionless", "launch": "angle",
-    "spin": "angular rate", "height": "length", "land": "angle", "carry": "length",
+    "spin": "angular rate", "loft": "angle", "height": "length", "land": "angle", "carry": "length",
 }  # fmt: skip
 
 
@@ -73,17 +71,27 @@ class Average(NamedTuple):
 
 def averages() -> list[Average]:
     """Read the published averages that come with the package, driver to pitching wedge."""
-    with (DATA / "tour_averages.csv").open(newline="") as file:
-        rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        return [_average(row) for row in rows]
+    return [Average(**row) for row in _rows("tour_averages.csv")]
 
 
-def _average(row: dict[str, str]) -> Average:
+@cache
+def published_lofts() -> dict[str, float]:
+    """Return the dynamic lofts [rad] that are published, by club; those of the other clubs are not."""
+    return {row["club"]: row["loft"] for row in _rows("tour_lofts.csv")}
+
+
+def _rows(name: str) -> list[dict[str, Any]]:
+    """Read a table of clubs, SI."""
+    with (DATA / name).open(newline="") as file:
+        return [_row(row) for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+
+
+def _row(row: dict[str, str]) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for heading, text in row.items():
         name, unit = units.parse_column_name(heading, ("club",))
         found[name] = text if name == "club" else units.parse(f"{text} {unit or ''}", _DIMENSIONS[name], name=heading)
-    return Average(**found)
+    return found
 
 
 @dataclass(frozen=True)
@@ -150,13 +158,13 @@ def tour(model_names: Iterable[str] | None = None, *, ball: str | os.PathLike[st
     model_names
         Which models; all of the registry unless given.
     ball
-        As of :func:`clubface.impact`.
+        As for :func:`clubface.impact`.
     """
     names = [model(name).name for name in (models() if model_names is None else model_names)]
     if not names:
         raise InputError("model_names", names, "at least one model")
     rows = tuple(averages())
-    is_published = tuple(each.club in PUBLISHED_LOFTS for each in rows)
+    is_published = tuple(each.club in published_lofts() for each in rows)
     lofts = np.array([dynamic_loft(each) for each in rows])
     launches = {
         name: [
@@ -170,8 +178,8 @@ def tour(model_names: Iterable[str] | None = None, *, ball: str | os.PathLike[st
 
 def dynamic_loft(average: Average) -> float:
     """Return the dynamic loft [rad]: published, or that with which ``standard`` gives the published launch angle."""
-    if average.club in PUBLISHED_LOFTS:
-        return units.parse(PUBLISHED_LOFTS[average.club], "angle")
+    if average.club in published_lofts():
+        return published_lofts()[average.club]
     return solve_loft(average.club, average.club_speed, average.attack, average.launch)
 
 
@@ -187,9 +195,7 @@ def solve_loft(club: str, speed: float, attack: float, launch: float, *, resolut
         found = impact(club, speed=speed, attack=attack, loft=tried, model=LOFT_MODEL).launch
         above = np.flatnonzero(found >= launch)
         if not above.size or above[0] == 0:
-            raise InputError(
-                "launch", f"{np.degrees(launch):.4g} deg", f"a launch angle {club} can reach at this speed"
-            )
+            raise InputError("launch", units.show(launch, "deg", 4), f"a launch angle {club} can reach at this speed")
         low, high = float(tried[above[0] - 1]), float(tried[above[0]])
     return 0.5 * (low + high)
 

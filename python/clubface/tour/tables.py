@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import json
-import math
 from typing import Any
 
 import numpy as np
@@ -94,8 +93,8 @@ def as_markdown(result: Tour) -> str:
         [
             each.club,
             f"{units.from_si(each.club_speed, 'mph'):.0f}",
-            f"{math.degrees(each.attack):.1f}",
-            f"{math.degrees(loft):.2f}",
+            f"{units.from_si(each.attack, 'deg'):.1f}",
+            f"{units.from_si(loft, 'deg'):.2f}",
             "published" if given else f"solved with {LOFT_MODEL}",
         ]
         for each, loft, given in zip(result.averages, result.lofts, result.loft_is_published, strict=True)
@@ -126,8 +125,8 @@ def records(result: Tour) -> list[dict[str, Any]]:
                 "club": each.club,
                 "model": name,
                 "club_speed_mph": units.from_si(each.club_speed, "mph"),
-                "attack_deg": math.degrees(each.attack),
-                "loft_deg": math.degrees(result.lofts[index]),
+                "attack_deg": units.from_si(each.attack, "deg"),
+                "loft_deg": units.from_si(result.lofts[index], "deg"),
                 "loft_source": "published" if result.loft_is_published[index] else f"solved with {LOFT_MODEL}",
             }
             for quantity, unit in QUANTITIES.items():

@@ -63,8 +63,7 @@ pub fn from_table<R: Number>(
     constants: &[R],
 ) -> Result<Arc<dyn Law<R>>, FemError> {
     let Some(entry) = table.iter().find(|entry| entry.description.name == name) else {
-        let known: Vec<_> = table.iter().map(|entry| entry.description.name).collect();
-        return Err(FemError::input("law", name, format!("known are {}", known.join(", "))));
+        return Err(FemError::unknown("law", name, table.iter().map(|entry| entry.description.name)));
     };
     entry.description.check_count(constants.len())?;
     let law = R::law(entry, constants);
@@ -103,7 +102,7 @@ impl<F: Family, R: Number> Law<R> for Built<F, R> {
                 let unit = constant.unit();
                 let given = format!("{value} {unit}");
                 let allowed = format!("{least} to {most} {unit}");
-                let allowed = format!("{} is allowed", allowed.trim_end());
+                let allowed = format!("it must be {}", allowed.trim_end());
                 return Err(FemError::input(
                     format!("{} of {name}", constant.name),
                     given.trim_end(),

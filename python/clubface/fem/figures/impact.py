@@ -10,18 +10,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from clubface import units
-from clubface.fem.paper import PUBLISHED
+from clubface.fem.paper import LEAST_FACTOR, PUBLISHED, SPEED
 from clubface.fem.result import Impact
 from clubface.plots.style import COLOURS, DASHES, MARKERS, WIDTH, styled
 
 BLUE, RED, GREEN = COLOURS[0], COLOURS[1], COLOURS[2]
 MARK: dict[str, Any] = {"color": "0.25", "marker": "x", "markersize": 5.0, "linestyle": "none", "zorder": 5}
-RPM = units.from_si(1.0, "rpm")
 
 TAKE_OFF = 5.15
 """Velocity along the face, relative to the clubhead, at take-off in Roh and Lee, section 3.2 [m/s]."""
-PUBLISHED_SPEED, LEAST_FACTOR = 35.0, 0.92
-"""Clubhead speed of the case of Roh and Lee [m/s], and the least compression factor of their sweep, section 4."""
 ENERGIES = {
     "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction", "damping": "damping",
     "hourglass": "hourglass", "contact": "contact springs",
@@ -43,27 +40,31 @@ def paper_figure(found: Impact) -> Figure:
     panels = figure.subplots(2, 3, sharex=True)
     speed, force, radius, tangential, sliding, spin = panels.flat
     end = _end(found)
-    when = found.motion["time"] * 1e6
+    when = units.from_si(found.motion["time"], "us")
     world = np.linalg.norm(found.world_velocity(), axis=1)
     speed.plot(when, world, color=BLUE)
     speed.plot([end], [PUBLISHED["ball_speed_mps"]], clip_on=False, label="Roh and Lee", **MARK)
     _name(speed, "ball speed (m/s)", "Fig. 3")
     _forces(force, found)
-    force.plot([PUBLISHED["peak_force_time_s"] * 1e6], [PUBLISHED["peak_force_n"] / 1e3], **MARK)
+    force.plot(
+        [units.from_si(PUBLISHED["peak_force_time_s"], "us")], [units.from_si(PUBLISHED["peak_force_n"], "kN")], **MARK
+    )
     _name(force, "force on the ball (kN)", "Fig. 4")
     _radius(radius, found, PUBLISHED["contraction"])
-    least = found.ball.diameter * 500.0 * (1.0 - PUBLISHED["contraction"])
-    radius.plot([PUBLISHED["contraction_time_s"] * 1e6], [least], **MARK)
+    least = units.from_si(0.5 * found.ball.diameter, "mm") * (1.0 - PUBLISHED["contraction"])
+    radius.plot([units.from_si(PUBLISHED["contraction_time_s"], "us")], [least], **MARK)
     _name(radius, "mass centre to face (mm)", "Fig. 7")
-    tangential.plot(found.contact["time"] * 1e6, found.contact["tangential"], color=RED, linestyle=DASHES[0])
+    tangential.plot(
+        units.from_si(found.contact["time"], "us"), found.contact["tangential"], color=RED, linestyle=DASHES[0]
+    )
     tangential.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
-    tangential.plot([PUBLISHED["reversal_time_s"] * 1e6], [0.0], **MARK)
+    tangential.plot([units.from_si(PUBLISHED["reversal_time_s"], "us")], [0.0], **MARK)
     _name(tangential, "force along the face (N)", "Fig. 6")
     sliding.plot(when, found.relative_velocity()[:, 1], color=GREEN)
-    last = found.last_touch * 1e6
+    last = units.from_si(found.last_touch, "us")
     sliding.plot([0.0, last], [7.0, TAKE_OFF], clip_on=False, **MARK)
     _name(sliding, "velocity along the face (m/s)", "Fig. 6")
-    spin.plot(when, found.motion["spin"][:, 2] * RPM, color=GREEN)
+    spin.plot(when, units.from_si(found.motion["spin"][:, 2], "rpm"), color=GREEN)
     spin.plot([last], [PUBLISHED["spin_rpm"]], **MARK)
     _name(spin, "backspin (rpm)", "Fig. 6")
     _time_axes(panels[1], end)
@@ -80,8 +81,8 @@ def impact_figure(found: Impact) -> Figure:
     force, spin, radius, energy = panels.flat
     _forces(force, found)
     _name(force, "force on the ball (kN)")
-    when = found.motion["time"] * 1e6
-    spin.plot(when, found.motion["spin"][:, 2] * RPM, color=GREEN)
+    when = units.from_si(found.motion["time"], "us")
+    spin.plot(when, units.from_si(found.motion["spin"][:, 2], "rpm"), color=GREEN)
     _name(spin, "backspin (rpm)")
     _radius(radius, found, found.contraction)
     _name(radius, "mass centre to face (mm)")
@@ -121,11 +122,11 @@ def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
         low = -high if key == "tangential" else 0.0
         for panel, moment in zip(panels[row], chosen, strict=True):
             at = patch["time"] == moment
-            points = patch["toe"][at] * 1e3, patch["up"][at] * 1e3
+            points = units.from_si(patch["toe"][at], "mm"), units.from_si(patch["up"][at], "mm")
             panel.scatter(*points, c=patch[key][at], s=dots, cmap=map_, vmin=low, vmax=high, linewidths=0)
             panel.set(aspect="equal", xlim=(-extent, extent), ylim=(-extent, extent))
             if row == 0:
-                panel.set_title(f"{moment * 1e6:.0f} µs")
+                panel.set_title(f"{units.from_si(moment, 'us'):.0f} µs")
         figure.colorbar(panels[row][0].collections[0], ax=list(panels[row]), label=label, fraction=0.05, pad=0.01)
         panels[row][0].set_ylabel("up the face (mm)")
     figure.supxlabel("towards the toe (mm); both from the ball's mass centre", fontsize=8)
@@ -157,7 +158,7 @@ def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) 
             look["marker"] = MARKERS[index % len(MARKERS)]
             panel.plot(*zip(*points, strict=True), markersize=3, label=f"{loft:.4g}°", **look)
         if published:
-            panel.plot([PUBLISHED_SPEED], [PUBLISHED[key]], label="Roh and Lee, 11.5°", **MARK)
+            panel.plot([SPEED], [PUBLISHED[key]], label="Roh and Lee, 11.5°", **MARK)
         _name(panel, label)
     if published:
         panels[1][1].axhline(LEAST_FACTOR, color="0.25", linewidth=0.8, linestyle=":", label="least of Roh and Lee")
@@ -182,9 +183,11 @@ def _time_axes(panels: Any, end: float) -> None:
 
 
 def _forces(panel: Axes, found: Impact) -> None:
-    time = found.contact["time"] * 1e6
-    panel.plot(time, found.contact["normal"] / 1e3, color=BLUE, label="normal")
-    panel.plot(time, found.contact["tangential"] / 1e3, color=RED, linestyle=DASHES[1], label="along the face")
+    time = units.from_si(found.contact["time"], "us")
+    panel.plot(time, units.from_si(found.contact["normal"], "kN"), color=BLUE, label="normal")
+    panel.plot(
+        time, units.from_si(found.contact["tangential"], "kN"), color=RED, linestyle=DASHES[1], label="along the face"
+    )
     panel.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
     top = float(np.max(found.contact["normal"], initial=0.0)) / 1e3
     low = float(np.min(found.contact["tangential"], initial=0.0)) / 1e3
@@ -198,7 +201,7 @@ def _energies(panel: Axes, found: Impact) -> None:
     shown = {key: energy[key] for key in ENERGIES if np.max(energy[key], initial=0.0) > 0.0}
     if not shown:
         return
-    times = energy["time"] * 1e6
+    times = units.from_si(energy["time"], "us")
     colours = [COLOURS[index % len(COLOURS)] for index in (0, 6, 5, 1, 2, 3)]
     panel.stackplot(times, *shown.values(), labels=[ENERGIES[key] for key in shown], colors=colours, alpha=0.75)
     missing = energy["kinetic"][0] - energy["kinetic"]
@@ -208,10 +211,11 @@ def _energies(panel: Axes, found: Impact) -> None:
 
 
 def _radius(panel: Axes, found: Impact, contraction: float) -> None:
-    motion, radius = found.motion, found.ball.diameter * 500.0
-    panel.plot(motion["time"] * 1e6, motion["radius"] * 1e3, color=BLUE)
+    motion, radius = found.motion, units.from_si(0.5 * found.ball.diameter, "mm")
+    from_face = units.from_si(motion["radius"], "mm")
+    panel.plot(units.from_si(motion["time"], "us"), from_face, color=BLUE)
     panel.axhline(radius, color="0.5", linewidth=0.6, zorder=1)
-    least = min(radius * (1.0 - contraction), float(np.min(motion["radius"], initial=radius / 1e3)) * 1e3)
+    least = min(radius * (1.0 - contraction), float(np.min(from_face, initial=radius)))
     panel.set_ylim(least - 0.08 * radius, radius * 1.05)
 
 

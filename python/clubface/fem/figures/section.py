@@ -11,6 +11,7 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 
+from clubface import units
 from clubface.errors import InputError
 from clubface.fem.figures.outline import Outline
 from clubface.fem.heads import ShellHead
@@ -33,11 +34,9 @@ class Section:
     """
 
     def __init__(self, found: Impact) -> None:
-        from clubface import _core
-
         if not len(found.frames):
             raise InputError("frames", 0, "1 or more; ask for them in the settings of the run")
-        mesh = _core.fem_mesh(found.ball.values())
+        mesh = found.ball.mesh
         nodes, elements = mesh["nodes"], mesh["elements"].astype(int)
         faces = np.concatenate([elements[:, corners] for corners in _FACES])
         quads = np.unique(faces[(abs(nodes[faces, 2]) < 1e-9).all(axis=1)], axis=0)
@@ -58,7 +57,7 @@ class Section:
         """
         places, first = (self._found.frames[each] @ self._found.axes.T for each in (frame, 0))
         corners = (places[:, :2] + self._shift(frame))[self._quads]
-        return corners * 1e3, _compression(first[:, :2][self._quads], corners)
+        return units.from_si(corners, "mm"), _compression(first[:, :2][self._quads], corners)
 
     def head_at(self, frame: int) -> tuple[Any, Any]:
         """Return the cuts through a head of shells [mm], (n, 2, 2), and their thickness [mm]; none of a rigid head."""
@@ -66,7 +65,7 @@ class Section:
             return np.zeros((0, 2, 2)), np.zeros(0)
         cuts = self._head.at(self._from_touch(self._found.head_frames[frame]))[..., :2]
         origin = self._from_touch(np.zeros(3))[:2]
-        return (cuts - origin + self._shift(frame)) * 1e3, self._head.thickness * 1e3
+        return units.from_si(cuts - origin + self._shift(frame), "mm"), units.from_si(self._head.thickness, "mm")
 
     def _from_touch(self, places: Any) -> Any:
         """Return places in the axes of first touch, the plane of the picture at zero of the third."""
@@ -120,7 +119,7 @@ def section_figure(found: Impact, *, count: int = 5) -> Figure:
     for column, frame in enumerate(frames):
         panel, below = panels[0][column], panels[1][column]
         drawn, _ = _draw(panel, section, frame, radius, most)
-        panel.set_title(f"{section.times[frame] * 1e6:.0f} µs")
+        panel.set_title(f"{units.from_si(section.times[frame], 'us'):.0f} µs")
         high = max(high, _tractions(below, found, float(section.times[frame])))
         if column == 0:
             panel.set_ylabel("up the face (mm)")
@@ -164,14 +163,18 @@ def animate(found: Impact, path: str | os.PathLike[str], *, seconds: float = 5.0
     drawn, head = _draw(left, section, 0, radius, _scale(section, range(len(section.times))))
     figure.colorbar(drawn, ax=left, label="compression (%)", fraction=0.05, pad=0.01)
     left.set(xlabel="distance from the face (mm)", ylabel="up the face (mm)")
-    times = found.contact["time"] * 1e6
+    times = units.from_si(found.contact["time"], "us")
     curves = []
     for key, colour in (("normal", COLOURS[0]), ("tangential", COLOURS[1])):
-        force = found.contact[key] * 1e-3
+        force = units.from_si(found.contact[key], "kN")
         right.plot(times, force, color="0.8", linewidth=0.8)
         (curve,) = right.plot([], [], color=colour, label="normal" if key == "normal" else "along the face")
         curves.append((curve, force))
-    right.set(xlabel="time (µs)", ylabel="force on the ball (kN)", xlim=(0.0, float(section.times[-1]) * 1e6 or None))
+    right.set(
+        xlabel="time (µs)",
+        ylabel="force on the ball (kN)",
+        xlim=(0.0, units.from_si(float(section.times[-1]), "us") or None),
+    )
     right.legend(loc="upper right")
     title = right.text(0.03, 0.97, "", transform=right.transAxes, va="top")
 
@@ -189,8 +192,8 @@ def animate(found: Impact, path: str | os.PathLike[str], *, seconds: float = 5.0
         head.set_segments(section.head_at(frame)[0])
         drawn.set_array(squeezed * 100.0)
         for curve, force in curves:
-            curve.set_data(times[times <= time * 1e6], force[times <= time * 1e6])
-        title.set_text(f"{time * 1e6:.0f} µs")
+            curve.set_data(times[times <= units.from_si(time, "us")], force[times <= units.from_si(time, "us")])
+        title.set_text(f"{units.from_si(time, 'us'):.0f} µs")
         canvas.restore_region(still)
         for artist in moving:
             figure.draw_artist(artist)
@@ -235,7 +238,7 @@ def _tractions(panel: Any, found: Impact, time: float) -> float:
         return 0.0
     at = np.flatnonzero((patch["time"] == nearest) & (abs(patch["toe"]) < near))
     at = at[np.argsort(patch["up"][at])]
-    up, scale = patch["up"][at] * 1e3, 1e-6 / patch["area"][at]
+    up, scale = units.from_si(patch["up"][at], "mm"), 1e-6 / patch["area"][at]
     pressure, shear = patch["normal"][at] * scale, patch["tangential"][at] * scale
     panel.plot(pressure, up, color=COLOURS[0], marker="o", markersize=2, label="pressure")
     panel.plot(shear, up, color=COLOURS[1], marker="s", markersize=2, label="shear")

@@ -8,6 +8,7 @@ from typing import Any
 
 from clubface import units
 from clubface.errors import InputError, TargetWarning
+from clubface.fem import core
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import Place, parsed_places
 from clubface.fem.heads.shells import Part, ShellHead
@@ -41,16 +42,16 @@ class DriverHead:
     thickness
         "face_centre", "face_edge", "crown", "sole", "skirt".
     target
-        "mass", and where wanted "cg_x", "cg_y", "cg_z" (from the CG to the face centre), "cg_above" (of the CG above
+        "mass" and, if wanted, "cg_x", "cg_y", "cg_z" (from the CG to the face centre), "cg_above" (of the CG above
         the face normal at the face centre), "ixx", "iyy", "izz" about the CG.
     metal
-        Of all parts.
+        The metal of all parts.
     trims
         Places where mass may be added, by name: (x, y, z, most).
     scales
         Limits of the factor on the thickness of crown, sole and skirt by which the mass is met; the face stays.
     elements
-        From heel to toe, from sole to crown, from face to back.
+        Numbers of elements from heel to toe, from sole to crown, from face to back.
     """
 
     name: str
@@ -69,7 +70,7 @@ class DriverHead:
         shape = parsed("shape", self.shape, SHAPE, SHAPE, lambda key: "angle" if key == "loft" else "length")
         for key, (least, most) in _LIMITS.items():
             if not least <= shape[key] <= most:
-                raise InputError(f"shape.{key}", units.show(shape[key], "mm"), f"{least * 1e3:g} to {most * 1e3:g} mm")
+                raise InputError(f"shape.{key}", units.show(shape[key], "mm"), units.show_range(least, most, "mm"))
         if not 0.0 <= shape["loft"] <= units.parse("40 deg", "angle"):
             raise InputError("shape.loft", units.show(shape["loft"], "deg"), "0 to 40 deg")
         thickness = parsed("thickness", self.thickness, WALLS, WALLS, lambda _: "length")
@@ -88,7 +89,6 @@ class DriverHead:
 
     def mesh(self) -> ShellHead:
         """Mesh the head and bring it to its targets as nearly as walls and trim masses allow."""
-        from clubface import _core
         from clubface.fem.core import beside
 
         target = self.target
@@ -105,7 +105,7 @@ class DriverHead:
             "above": target.get("cg_above"),
             "inertia": [target.get(key) for key in INERTIA],
         }
-        found = beside(_core.fem_driver, values)
+        found = beside(core.fem_driver, values)
         report = {"scale": found["scale"], **dict(zip(self.trims, found["trims"], strict=True))}
         made = ShellHead(
             name=self.name,

@@ -16,16 +16,16 @@ MAX_POINTS = 8
 
 @dataclass(frozen=True, kw_only=True)
 class Hardening:
-    """What the yield stress gains with the plastic strain p: ``modulus p + gain (1 - exp(-rate p))``; or a table.
+    """How the yield stress grows with the plastic strain p: by ``modulus p + gain (1 - exp(-rate p))``, or by a table.
 
     Attributes
     ----------
     modulus
-        Of linear hardening [Pa].
+        Modulus of linear hardening [Pa].
     gain
-        Of Voce's saturating hardening, in the end [Pa].
+        What Voce's saturating hardening adds in the end [Pa].
     rate
-        Of its saturation: 63% of the gain are there at a plastic strain of 1 / rate.
+        Rate of its saturation: 63% of the gain are reached at a plastic strain of 1 / rate.
     table
         Points of plastic strain, the first 0, and yield stress [Pa], joined by straight lines and constant behind the
         last; or none.

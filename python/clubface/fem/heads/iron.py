@@ -8,6 +8,7 @@ from typing import Any
 
 from clubface import units
 from clubface.errors import InputError
+from clubface.fem import core
 from clubface.fem.balls import ELEMENTS
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import Place, parsed_places, spread
@@ -69,7 +70,7 @@ class IronHead:
         shape = parsed("shape", self.shape, SHAPE, SHAPE, lambda key: dimensions.get(key, "length"))
         for key, (least, most) in LENGTHS.items():
             if not least <= shape[key] <= most:
-                raise InputError(f"shape.{key}", units.show(shape[key], "mm"), f"{least * 1e3:g} to {most * 1e3:g} mm")
+                raise InputError(f"shape.{key}", units.show(shape[key], "mm"), units.show_range(least, most, "mm"))
         if not 0.0 <= shape["loft"] <= units.parse("70 deg", "angle"):
             raise InputError("shape.loft", units.show(shape["loft"], "deg"), "0 to 70 deg")
         if not 0.05 <= shape["rim"] <= 0.5:
@@ -85,10 +86,9 @@ class IronHead:
 
     def mesh(self) -> SolidHead:
         """Mesh the head."""
-        from clubface import _core
         from clubface.fem.core import beside
 
-        found = beside(_core.fem_iron, [self.shape[key] for key in SHAPE], list(self.elements))
+        found = beside(core.fem_iron, [self.shape[key] for key in SHAPE], list(self.elements))
         nodes = found["nodes"].reshape(-1, 3)
         return SolidHead(
             name=self.name,
@@ -114,7 +114,7 @@ def _grooves(given: Mapping[str, Any] | None, shape: Mapping[str, float]) -> dic
     shown = {key: units.show(value, "mm") for key, value in found.items()}
     for key, (least, most) in GROOVES.items():
         if not least <= found[key] <= most:
-            raise InputError(f"grooves.{key}", shown[key], f"{least * 1e3:g} to {most * 1e3:g} mm")
+            raise InputError(f"grooves.{key}", shown[key], units.show_range(least, most, "mm"))
     if 2.0 * found["wall"] > found["width"]:
         raise InputError("grooves.wall", shown["wall"], f"at most half of the grooves' width, {shown['width']}")
     if found["width"] >= found["pitch"]:

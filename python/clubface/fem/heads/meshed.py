@@ -8,7 +8,9 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from clubface import units
 from clubface.equipment.clubs import Club
+from clubface.fem import core
 from clubface.fem.core import beside
 
 if TYPE_CHECKING:
@@ -43,9 +45,7 @@ class MeshedHead(ABC):
         """The same head as a rigid one: mass, CG and inertia of the mesh, for any model."""
         import numpy as np
 
-        from clubface import _core
-
-        found = beside(_core.fem_head_properties, self.values())
+        found = beside(core.fem_head_properties, self.values())
         places = self.face_places()
         size = places.max(axis=0) - places.min(axis=0)
         x, y, z = (-float(value) for value in found["centre"])
@@ -78,4 +78,4 @@ class MeshedHead(ABC):
         return self.club.cg_x * math.sin(self.loft) - self.club.cg_y * math.cos(self.loft)
 
     def __repr__(self) -> str:
-        return f"<head {self.name}: {self.elements} elements, {self.club.mass * 1e3:.1f} g>"
+        return f"<head {self.name}: {self.elements} elements, {units.fixed(self.club.mass, 'g', 1)}>"

@@ -8,6 +8,7 @@ from typing import Any
 
 from clubface import units
 from clubface.errors import InputError, Told
+from clubface.fem import core
 from clubface.fem.heads.hardening import Hardening
 from clubface.support.checks import check_choice, check_count
 
@@ -94,12 +95,10 @@ class Metal:
 
     def flow_stress(self, strains: Sequence[float]) -> list[float]:
         """Return the stresses [Pa] at which a metal that yields flows at plastic strains."""
-        from clubface import _core
-
         metal = self.plastic()
         if metal is None:
             raise InputError("yield", None, "give it: without it this metal stays elastic")
-        return _core.fem_yield_stress(metal, list(strains))
+        return core.fem_yield_stress(metal, list(strains))
 
     def plastic(self) -> dict[str, Any] | None:
         """Return what the core takes of yield and hardening; None for an elastic metal."""

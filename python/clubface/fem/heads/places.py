@@ -45,7 +45,7 @@ def parsed_places(places: Mapping[str, Place], what: str) -> dict[str, tuple[flo
         # A trim mass that may weigh nothing is none.
         least = LEAST_TRIM if what == "trim" else 0.0
         if not least <= mass <= 0.5:
-            raise InputError(key, units.show(mass, "g"), f"{least * 1e3:g} to 500 g")
+            raise InputError(key, units.show(mass, "g"), units.show_range(least, 0.5, "g"))
         found[name] = (*place, mass)
     return found
 

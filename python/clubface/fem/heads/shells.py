@@ -44,11 +44,11 @@ class ShellHead(MeshedHead):
     name, description
         For tables.
     nodes
-        Of the middle surface [m], shape (n, 3).
+        Nodes of the middle surface [m], shape (n, 3).
     quads
         Nodes of each element, counterclockwise seen from outside, shape (m, 4).
     thickness
-        Of each element [m].
+        Thickness of each element [m].
     parts
         In the order of their elements.
     added

@@ -63,15 +63,15 @@ class MeshHead:
     Attributes
     ----------
     name, description
-        For tables.
+        What it is called in tables.
     file
-        Any format of meshio with quadrilaterals.
+        A file with quadrilaterals in any format that meshio reads.
     groups
         What the groups are; every quadrilateral belongs to one of them.
     loft
         Elevation of the face normal at the face centre [rad].
     unit
-        Of the file's lengths, such as "mm".
+        Unit of the lengths in the file, such as "mm".
     face_centre
         Its place in the file, numbers in that unit or text with its own: where the outer side of the face has its
         centre.

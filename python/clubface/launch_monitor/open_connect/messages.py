@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from clubface.errors import ClubfaceError
 from clubface.launch_monitor.open_connect.fields import BALL, CLUB, LARGEST_NUMBER, METRES, NEVER_ZERO, VERSION
-from clubface.units import unit
+from clubface.units import to_si
 
 if TYPE_CHECKING:
     from clubface.recorded.shots import RecordedShots
@@ -135,8 +135,7 @@ def _si(given: Mapping[str, float], fields: Mapping[str, tuple[str, str]]) -> di
     found = {}
     for name, value in given.items():
         quantity, symbol = fields[name]
-        factor = unit(symbol)
-        found[quantity] = value * factor.numerator / factor.denominator
+        found[quantity] = to_si(value, symbol)
     return found
 
 

@@ -9,7 +9,7 @@ from typing import Any
 from clubface.errors import InputError, UnknownNameError
 from clubface.launch_monitor.open_connect.fields import BALL, CLUB, HANDS, VERSION
 from clubface.simulation.launch import Launch
-from clubface.units import from_si, parse, unit
+from clubface.units import from_si, parse, to_si, unit
 
 
 def to_json(
@@ -41,8 +41,8 @@ def to_json(
         raise InputError("launch", None, "give the launch angle, which a message to a simulator needs")
     back, side = ball.get("BackSpin", 0.0), ball.get("SideSpin", 0.0)
     ball.setdefault("TotalSpin", math.hypot(back, side))
-    ball.setdefault("SpinAxis", math.degrees(math.atan2(side, back)) if side or back else 0.0)
-    axis = math.radians(ball["SpinAxis"])
+    ball.setdefault("SpinAxis", from_si(math.atan2(side, back), "deg") if side or back else 0.0)
+    axis = to_si(ball["SpinAxis"], "deg")
     ball.setdefault("BackSpin", ball["TotalSpin"] * math.cos(axis))
     ball.setdefault("SideSpin", ball["TotalSpin"] * math.sin(axis))
     ball.setdefault("HLA", 0.0)

@@ -75,12 +75,12 @@ def synthesize(
         The files, those of the swings first.
     """
     from clubface.equipment.clubs import club as club_of
-    from clubface.fem.files import prepare
+    from clubface.support.folders import prepared_folder
 
     check_count(count)
     seen, head = cameras or Cameras(), club_of(club)
     head = head if hand is None else head.replace(hand=hand)
-    target = prepare(folder)
+    target = prepared_folder(folder)
     swings, files = [], []
     for number in range(1, count + 1):
         swings.append(random_swing(np.random.default_rng([seed, number, 0]), club=head))

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
+from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.motion_capture.synthetic.path import Chain, Turn
 from clubface.motion_capture.synthetic.synthetic_swing import SyntheticSwing, swing
@@ -57,7 +57,7 @@ def random_swing(
     asked = {}
     for name, (mean, deviation) in DELIVERIES["iron" if iron else "wood"].items():
         drawn = mean + deviation * float(np.clip(random.normal(), -FARTHEST, FARTHEST))
-        asked[name] = wanted.get(name, drawn * _TO_SI.get(name, math.pi / 180.0))
+        asked[name] = wanted.get(name, drawn * _TO_SI.get(name, units.size("deg")))
     return swing(head, random_chain(random, iron=iron), asked)
 
 
@@ -71,7 +71,7 @@ def random_chain(random: np.random.Generator, *, iron: bool) -> Chain:
         return {"amplitude": between(0.0, amplitude), "frequency": between(slow, fast), "phase": between(0.0, 6.28)}
 
     return Chain(
-        plane=math.radians(between(54.0, 60.0) if iron else between(45.0, 51.0)),
+        plane=units.to_si(between(54.0, 60.0) if iron else between(45.0, 51.0), "deg"),
         arm=Turn(rate=between(15.0, 18.0), width=between(0.10, 0.14), peak=between(-0.06, -0.03)),
         club=Turn(
             rate=between(36.0, 40.0), width=between(0.060, 0.085), peak=between(-0.010, 0.008),

@@ -12,7 +12,7 @@ from clubface.equipment.face import face_point, nearest
 from clubface.errors import InputError
 from clubface.motion_capture.attitude import delivered, face_axes
 from clubface.motion_capture.laboratory import axis
-from clubface.motion_capture.mapping import FacePoint, Point
+from clubface.motion_capture.markers import FacePoint, Point
 from clubface.motion_capture.recording import Recording
 from clubface.motion_capture.rotations import Array
 from clubface.motion_capture.synthetic.synthetic_swing import MIRROR, SyntheticSwing

@@ -1,0 +1,91 @@
+"""What computes a model: the compiled core for the reduced ones, or the module that is registered for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+
+from clubface.equipment.backends import MODULES
+from clubface.simulation import core
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+Problems = list[tuple[int, str, str]]
+"""Row, name of the input at fault, and reason of each shot without a launch."""
+
+
+class Balls(NamedTuple):
+    """A ball as a backend computes it, and as the inputs of a shot describe it.
+
+    Attributes
+    ----------
+    own
+        What the backend takes; None where the inputs say everything.
+    described
+        As of :func:`clubface.ball`.
+    """
+
+    own: Any
+    described: Any
+
+
+class Backend(Protocol):
+    """What computes the launches of a model."""
+
+    def balls(self, given: Any, accuracy: float | None) -> Balls:
+        """Return the ball that ``given`` means; refuse an accuracy that the backend does not take."""
+        ...
+
+    def launches(
+        self,
+        model: str,
+        own: Any,
+        inputs: Sequence[Any],
+        parameters: Sequence[Any],
+        count: int,
+        accuracy: float | None,
+        threads: int,
+        progress: Callable[[int], object] | None,
+    ) -> tuple[NDArray[Any], Problems]:
+        """Return outputs by shots, NaN for those without a launch, and what kept them from having one."""
+        ...
+
+    def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
+        """Return the forces of one shot over time as :class:`clubface.History` names them, None without a contact."""
+        ...
+
+
+class ReducedCore:
+    """The reduced models."""
+
+    def balls(self, given: Any, accuracy: float | None) -> Balls:
+        """Return the ball as it is."""
+        return Balls(None, given)
+
+    def launches(
+        self,
+        model: str,
+        own: Any,
+        inputs: Sequence[Any],
+        parameters: Sequence[Any],
+        count: int,
+        accuracy: float | None,
+        threads: int,
+        progress: Callable[[int], object] | None,
+    ) -> tuple[NDArray[Any], Problems]:
+        """Compute all shots at once."""
+        return core.impact(model, inputs, parameters, count, accuracy, threads, progress)
+
+    def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
+        """Return None: :func:`clubface.history` tells more."""
+        return None
+
+
+REDUCED = ReducedCore()
+
+
+def backend_of(model: str) -> Backend:
+    """Return what computes a model; of an unknown one, its parameters say that there is none."""
+    return import_module(MODULES[model]).BACKEND if model in MODULES else REDUCED

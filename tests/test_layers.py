@@ -1,0 +1,115 @@
+"""The rooms of the package stand one above the other: no import runs upward, no files import each other in a loop."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import clubface
+
+ROOT = Path(clubface.__file__).parent
+
+ROOMS = (
+    "errors", "support", "units", "equipment", "simulation", "plots", "tables", "recorded", "launch_monitor",
+    "measured", "prediction", "tour", "benchmark_data", "evaluation", "identification", "inference", "fem",
+    "motion_capture", "findings", "cli", "__main__",
+)  # fmt: skip
+"""From the ground up. The package itself, which names what is public in all of them, stands above."""
+
+CORE = "clubface._core"
+"""What is compiled."""
+
+
+def sources():
+    """The text of every module, by its name."""
+    found = {}
+    for path in sorted(ROOT.rglob("*.py")):
+        parts = ("clubface", *path.relative_to(ROOT).with_suffix("").parts)
+        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path.read_text()
+    return found
+
+
+def imports(texts):
+    """The modules each module imports: at its top, inside functions, and for types alone."""
+    found = {}
+    for name, text in texts.items():
+        told = set()
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.Import):
+                told |= {each.name for each in node.names}
+            elif isinstance(node, ast.ImportFrom):
+                assert not node.level, f"{name} imports relatively"
+                whole = {f"{node.module}.{each.name}" for each in node.names}
+                told |= {each if each in (*texts, CORE) else node.module for each in whole}
+        found[name] = {each for each in told if each.split(".")[0] == "clubface" and each != name}
+    return found
+
+
+def room(name):
+    return name.split(".")[1] if "." in name else "clubface"
+
+
+def upward(found):
+    """The imports that run from a room to one above it."""
+    floors = {each: floor for floor, each in enumerate((*ROOMS, "clubface"))}
+    return sorted(
+        f"{name} -> {each}"
+        for name, told in found.items()
+        for each in told
+        if each != CORE and floors[room(each)] > floors[room(name)]
+    )
+
+
+def loops(found):
+    """The modules from which a path of imports leads back to them."""
+    reached = {}
+    for name in found:
+        seen, left = set(), [name]
+        while left:
+            for each in found.get(left.pop(), ()):
+                if each not in seen:
+                    seen.add(each)
+                    left.append(each)
+        reached[name] = seen
+    return sorted(name for name, seen in reached.items() if name in seen)
+
+
+def test_every_room_has_its_floor():
+    assert {room(name) for name in sources()} - {"clubface"} == set(ROOMS)
+
+
+def test_no_import_runs_upward():
+    assert upward(imports(sources())) == []
+
+
+def test_no_files_import_each_other_in_a_loop():
+    assert loops(imports(sources())) == []
+
+
+def test_the_core_is_imported_in_one_module_a_room():
+    users = [name for name, told in imports(sources()).items() if CORE in told]
+    assert users == ["clubface.equipment.models", "clubface.fem.core", "clubface.simulation.core"]
+
+
+@pytest.mark.parametrize(
+    ("name", "line", "told"),
+    [
+        ("clubface.units", "from clubface.cli import app", "clubface.cli.app"),
+        (
+            "clubface.fem.core",
+            "def later():\n    import clubface.motion_capture.swing",
+            "clubface.motion_capture.swing",
+        ),
+        ("clubface.errors", "from clubface import impact", "clubface"),
+    ],
+)
+def test_an_import_that_runs_upward_is_seen_wherever_it_stands(name, line, told):
+    texts = sources()
+    texts[name] += f"\n{line}\n"
+    assert upward(imports(texts)) == [f"{name} -> {told}"]
+
+
+def test_a_loop_of_files_is_seen():
+    texts = sources()
+    texts["clubface.fem.fields"] += "\ndef later():\n    from clubface.fem import result\n"
+    assert loops(imports(texts)) == ["clubface.fem.fields", "clubface.fem.result"]
