@@ -62,7 +62,7 @@ impl<R: Real> Drag<'_, R> {
 /// in their fastest vibration. In that of cubes, which breathe in turns, it is the square root of three times the
 /// coefficient.
 #[must_use]
-pub fn stable_share(coefficient: f64) -> f64 {
+pub fn damped_step_ratio(coefficient: f64) -> f64 {
     let share = coefficient * 3.0_f64.sqrt();
     share.hypot(1.0) - share
 }

@@ -2,7 +2,7 @@
 
 use super::stable_step::rounded;
 use super::{Options, Simulation};
-use crate::element::stable_share;
+use crate::element::damped_step_ratio;
 use clubface_math::Real;
 use std::collections::HashSet;
 
@@ -46,7 +46,7 @@ impl<R: Real> Simulation<R> {
             self.ball_stable_step
         };
         let usual = BALL_SAFETY.map(|safety| (self.ball_stable_step / stable * safety).min(LARGEST_SAFETY));
-        let factor = stable_share(options.bulk_viscosity);
+        let factor = damped_step_ratio(options.bulk_viscosity);
         let mut with_safety = |safety: f64| {
             let dt = rounded(stable * safety * factor);
             let period = if self.choose_subcycled(dt, safety * factor) { 2 } else { 1 };

@@ -1,4 +1,5 @@
-//! Adjusted impulse-momentum model of Danaei et al.: extra clubhead mass and a displaced ball CG (P1 section 2.1.1).
+//! Adjusted impulse-momentum model of Danaei et al.: extra clubhead mass and a displaced ball CG (Caldwell and McPhee,
+//! section 2.1.1).
 
 use super::impulse::{restitution, solve, Restitution};
 use crate::contact::Recorder;
@@ -12,14 +13,18 @@ use clubface_math::{Scalar, Vec3};
 parameters! {
     /// Parameters of the adjusted model.
     Adjusted {
-        cor ["1"] = 0.83 in 0.0 ..= 1.0, "coefficient of restitution at rest", "P1 Eq. 5, the rule limit";
-        cor_slope ["s/m"] = 0.0 in -0.02 ..= 0.0, "change of restitution per normal approach speed", "0 in P1";
-        extra_mass ["kg"] = 2.54e-3 in -0.05 ..= 0.1, "mass added at the clubhead CG", "P1 Table 6, driver";
-        dcg_x ["m"] = 0.0 in -0.005 ..= 0.005, "displacement of the ball CG along x' (outward)", "P1 Table 6, driver";
+        cor ["1"] = 0.83 in 0.0 ..= 1.0, "coefficient of restitution at rest",
+            "Caldwell and McPhee (2023), Eq. 5, the rule limit";
+        cor_slope ["s/m"] = 0.0 in -0.02 ..= 0.0, "change of restitution per normal approach speed",
+            "0 in Caldwell and McPhee (2023)";
+        extra_mass ["kg"] = 2.54e-3 in -0.05 ..= 0.1, "mass added at the clubhead CG",
+            "Caldwell and McPhee (2023), Table 6, driver";
+        dcg_x ["m"] = 0.0 in -0.005 ..= 0.005, "displacement of the ball CG along x' (outward)",
+            "Caldwell and McPhee (2023), Table 6, driver";
         dcg_y ["m"] = -0.482e-3 in -0.005 ..= 0.005, "displacement of the ball CG along y' (up the face)",
-            "P1 Table 6, driver";
+            "Caldwell and McPhee (2023), Table 6, driver";
         dcg_z ["m"] = -0.068e-3 in -0.005 ..= 0.005, "displacement of the ball CG along z' (to the toe)",
-            "P1 Table 6, driver";
+            "Caldwell and McPhee (2023), Table 6, driver";
     }
 }
 
@@ -30,7 +35,7 @@ impl Describe for Adjusted<()> {
         title: "Adjusted impulse-momentum",
         kind: ModelKind::Impulse,
         summary: "The standard model with a little mass added to the clubhead and the ball's CG displaced.",
-        reference: "P1 section 2.1.1 after Danaei et al.; parameters P1 Table 6",
+        reference: "Caldwell and McPhee (2023), section 2.1.1, after Danaei et al.; parameters of Table 6",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],
         laws_without: None,
         lanes: true,

@@ -1,4 +1,5 @@
-//! Concentric rings (P1 section 2.2.2), after Maw, Barber and Fawcett (1976), with both tangential directions.
+//! Concentric rings (Caldwell and McPhee, section 2.2.2), after Maw, Barber and Fawcett (1976), with both tangential
+//! directions.
 
 use super::hertz;
 use crate::contact::{
@@ -32,10 +33,13 @@ parameters! {
     /// Parameters of the rings model.
     Rings {
         shear_modulus ["Pa"] = 5.58e7 in 1e6 ..= 1e9, "effective shear modulus G of the normal stiffness",
-            "P1 Table 9, driver, corrected by 1/100 (as printed a drive lasts 82 us)";
-        poisson ["1"] = 0.407 in 0.0 ..= 0.499, "effective Poisson's ratio", "P1 Table 9, driver";
-        damping ["s/m"] = 6.50e-3 in 0.0 ..= 0.03, "Hunt-Crossley damping d", "P1 Table 9, driver";
-        friction ["1"] = 0.360 in 0.0 ..= 2.0, "coefficient of friction mu", "P1 Table 9, driver";
+            "Caldwell and McPhee (2023), Table 9, driver, corrected by 1/100 (as printed a drive lasts 82 us)";
+        poisson ["1"] = 0.407 in 0.0 ..= 0.499, "effective Poisson's ratio",
+            "Caldwell and McPhee (2023), Table 9, driver";
+        damping ["s/m"] = 6.50e-3 in 0.0 ..= 0.03, "Hunt-Crossley damping d",
+            "Caldwell and McPhee (2023), Table 9, driver";
+        friction ["1"] = 0.360 in 0.0 ..= 2.0, "coefficient of friction mu",
+            "Caldwell and McPhee (2023), Table 9, driver";
         ring_modulus ["Pa"] = 5.58e7 in 1e6 ..= 1e10, "shear modulus G_ring of the tangential compliance of the rings",
             "not printed: that of the normal stiffness; half of it would be consistent, but gives far too much spin";
     }
@@ -48,7 +52,7 @@ impl Describe for Rings<()> {
         title: "Concentric rings",
         kind: ModelKind::Contact,
         summary: "Hertz contact cut into rings that stick or slip on their own and displace the surface elastically.",
-        reference: "P1 section 2.2.2, Eqs. 14-16, after Maw, Barber and Fawcett; parameters P1 Table 9",
+        reference: "Caldwell and McPhee (2023), section 2.2.2, Eqs. 14-16, after Maw, Barber and Fawcett; parameters of Table 9",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,
         lanes: false,

@@ -1,4 +1,5 @@
-//! Variable-slip impulse-momentum model: Cross and Dewhurst's tangential restitution in 3D (P1 section 2.1.2).
+//! Variable-slip impulse-momentum model: Cross and Dewhurst's tangential restitution in 3D (Caldwell and McPhee,
+//! section 2.1.2).
 
 use super::impulse::{restitution, solve, Restitution};
 use crate::contact::Recorder;
@@ -12,12 +13,14 @@ use clubface_math::{Scalar, Vec3};
 parameters! {
     /// Parameters of the variable-slip model.
     Slip {
-        cor ["1"] = 0.83 in 0.0 ..= 1.0, "coefficient of restitution at rest", "P1 Eq. 5, the rule limit";
-        cor_slope ["s/m"] = 0.0 in -0.02 ..= 0.0, "change of restitution per normal approach speed", "0 in P1";
-        slip_y ["1"] = -0.0103 in -1.0 ..= 1.0, "slip ratio e_y up the face (P1 Eq. 10); 0 is rolling",
-            "P1 Table 7, driver";
-        slip_z ["1"] = -0.0150 in -1.0 ..= 1.0, "slip ratio e_z towards the toe (P1 Eq. 11); 0 is rolling",
-            "P1 Table 7, driver";
+        cor ["1"] = 0.83 in 0.0 ..= 1.0, "coefficient of restitution at rest",
+            "Caldwell and McPhee (2023), Eq. 5, the rule limit";
+        cor_slope ["s/m"] = 0.0 in -0.02 ..= 0.0, "change of restitution per normal approach speed",
+            "0 in Caldwell and McPhee (2023)";
+        slip_y ["1"] = -0.0103 in -1.0 ..= 1.0, "slip ratio e_y up the face (Eq. 10); 0 is rolling",
+            "Caldwell and McPhee (2023), Table 7, driver";
+        slip_z ["1"] = -0.0150 in -1.0 ..= 1.0, "slip ratio e_z towards the toe (Eq. 11); 0 is rolling",
+            "Caldwell and McPhee (2023), Table 7, driver";
     }
 }
 
@@ -28,7 +31,7 @@ impl Describe for Slip<()> {
         title: "Variable-slip impulse-momentum",
         kind: ModelKind::Impulse,
         summary: "The standard model with a prescribed fraction of the sliding velocity reversed instead of rolling.",
-        reference: "P1 section 2.1.2, Eqs. 10-11, after Cross and Dewhurst; parameters P1 Table 7",
+        reference: "Caldwell and McPhee (2023), section 2.1.2, Eqs. 10-11, after Cross and Dewhurst; parameters of Table 7",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],
         laws_without: None,
         lanes: true,

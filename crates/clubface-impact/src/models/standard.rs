@@ -1,4 +1,5 @@
-//! Standard impulse-momentum model: restitution along the normal, pure rolling along the face (P1 section 2.1).
+//! Standard impulse-momentum model: restitution along the normal, pure rolling along the face (Caldwell and McPhee,
+//! section 2.1).
 
 use super::impulse::{restitution, solve, Restitution};
 use crate::contact::Recorder;
@@ -12,9 +13,10 @@ use clubface_math::{Scalar, Vec3};
 parameters! {
     /// Parameters of the standard model.
     Standard {
-        cor ["1"] = 0.83 in 0.0 ..= 1.0, "coefficient of restitution at rest", "P1 Eq. 5, the rule limit";
+        cor ["1"] = 0.83 in 0.0 ..= 1.0, "coefficient of restitution at rest",
+            "Caldwell and McPhee (2023), Eq. 5, the rule limit";
         cor_slope ["s/m"] = 0.0 in -0.02 ..= 0.0, "change of restitution per normal approach speed",
-            "0 in P1; Penner: cor 0.86, slope -0.0029 s/m";
+            "0 in Caldwell and McPhee (2023); Penner: cor 0.86, slope -0.0029 s/m";
     }
 }
 
@@ -25,7 +27,7 @@ impl Describe for Standard<()> {
         title: "Standard impulse-momentum",
         kind: ModelKind::Impulse,
         summary: "Instantaneous impact with restitution along the normal and pure rolling along the face.",
-        reference: "P1 section 2.1, Eqs. 1-9",
+        reference: "Caldwell and McPhee (2023), section 2.1, Eqs. 1-9",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],
         laws_without: None,
         lanes: true,

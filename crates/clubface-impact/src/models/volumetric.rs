@@ -1,4 +1,5 @@
-//! Two-layer ball with a volumetric normal force (P1 section 2.2.1, Eqs. 12-13), after McNally, Gonthier and Brown.
+//! Two-layer ball with a volumetric normal force (Caldwell and McPhee, section 2.2.1, Eqs. 12-13), after McNally,
+//! Gonthier and Brown.
 
 use crate::contact::{run, ContactLaw, Core, Recorder, LAYERED, RECORDED_LAYERED};
 use crate::description::{Law, ModelInfo, ModelKind};
@@ -13,15 +14,20 @@ use core::f64::consts::PI;
 parameters! {
     /// Parameters of the volumetric model.
     Volumetric {
-        stiffness ["N/m3"] = 6.25e9 in 1e8 ..= 1e11, "volumetric stiffness k_V", "P1 Table 8, driver";
-        damping ["s/m"] = 6.42e-3 in 0.0 ..= 0.03, "Hunt-Crossley damping d_V", "P1 Table 8, driver";
-        friction ["1"] = 0.372 in 0.0 ..= 2.0, "coefficient of friction mu", "P1 Table 8, driver";
+        stiffness ["N/m3"] = 6.25e9 in 1e8 ..= 1e11, "volumetric stiffness k_V",
+            "Caldwell and McPhee (2023), Table 8, driver";
+        damping ["s/m"] = 6.42e-3 in 0.0 ..= 0.03, "Hunt-Crossley damping d_V",
+            "Caldwell and McPhee (2023), Table 8, driver";
+        friction ["1"] = 0.372 in 0.0 ..= 2.0, "coefficient of friction mu",
+            "Caldwell and McPhee (2023), Table 8, driver";
         layer_stiffness ["N m/rad"] = 13.5 in 0.0 ..= 200.0, "rotary stiffness between cover and core k_ball",
-            "P1 Table 8, driver";
+            "Caldwell and McPhee (2023), Table 8, driver";
         layer_damping ["N m s/rad"] = 2.53e-3 in 0.0 ..= 0.1, "rotary damping between cover and core c_ball",
-            "P1 Table 8, driver";
-        cover_thickness ["m"] = 1.26e-3 in 0.3e-3 ..= 8e-3, "thickness of the cover t_cover", "P1 Table 8, driver";
-        transition_speed ["m/s"] = 0.936 in 0.01 ..= 5.0, "transition speed of friction v_tr", "P1 Table 8, driver";
+            "Caldwell and McPhee (2023), Table 8, driver";
+        cover_thickness ["m"] = 1.26e-3 in 0.3e-3 ..= 8e-3, "thickness of the cover t_cover",
+            "Caldwell and McPhee (2023), Table 8, driver";
+        transition_speed ["m/s"] = 0.936 in 0.01 ..= 5.0, "transition speed of friction v_tr",
+            "Caldwell and McPhee (2023), Table 8, driver";
     }
 }
 
@@ -33,7 +39,7 @@ impl Describe for Volumetric<()> {
         kind: ModelKind::Contact,
         summary:
             "Normal force from the overlap volume, smooth Coulomb friction, a cover that twists on its core.",
-        reference: "P1 section 2.2.1, Eqs. 12-13; parameters P1 Table 8",
+        reference: "Caldwell and McPhee (2023), section 2.2.1, Eqs. 12-13; parameters of Table 8",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,
         lanes: true,
@@ -70,7 +76,7 @@ impl<S: Scalar> ContactLaw<S> for Volumetric<S> {
         radius: S,
     ) -> Dual<S, K> {
         let (volume, _) = overlap(depth, curvature, Dual::constant(radius));
-        // P1 Eq. 12; never adhesive.
+        // Caldwell and McPhee, Eq. 12; never adhesive.
         (volume.scale(self.stiffness) * (rate.scale(self.damping) + 1.0)).max(Dual::zero())
     }
     #[inline(always)]
@@ -81,7 +87,7 @@ impl<S: Scalar> ContactLaw<S> for Volumetric<S> {
         _radius: S,
         w: Dual<S, K>,
     ) -> Dual<S, K> {
-        // P1 Eq. 13.
+        // Caldwell and McPhee, Eq. 13.
         let slope = Dual::constant(S::from_f64(4.0) / self.transition_speed);
         tanh_ratio(slope, w) * normal_force.scale(self.friction)
     }

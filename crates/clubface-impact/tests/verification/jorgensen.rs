@@ -1,4 +1,4 @@
-//! Jorgensen's theory with the figures of P2 (sections 3.1 and 3.2).
+//! Jorgensen's theory with the figures of Roh and Lee (sections 3.1 and 3.2).
 
 use crate::rigid::Rigid;
 use crate::shots::*;
@@ -6,7 +6,7 @@ use clubface_impact::models::jorgensen::compression_factor;
 use clubface_impact::Accuracy;
 use proptest::prelude::*;
 
-/// P2's impact: a ball of 42.8 mm and 46 g, 35 m/s, 11.5 deg; head of 210 g and 1526 g cm2.
+/// Roh and Lee's impact: a ball of 42.8 mm and 46 g, 35 m/s, 11.5 deg; head of 210 g and 1526 g cm2.
 fn p2() -> Inputs {
     simple_head(0.04).with(&[
         ("speed", 35.0),
@@ -27,7 +27,7 @@ fn spin_rpm(factor: f64) -> f64 {
     hit(model, &p2(), &parameters, Accuracy::Fast).at("backspin") / RPM
 }
 
-/// 5 f V sin(phi)/(7 R) (Eq. 6). P2 prints 2047 rpm, which its f = 0.92 (two digits) gives to 0.1%.
+/// 5 f V sin(phi)/(7 R) (Eq. 6). Roh and Lee print 2047 rpm, which their f = 0.92 (two digits) gives to 0.1%.
 #[test]
 fn the_spin_of_p2_is_that_of_its_compression_factor() {
     let closed_form = 5.0 * 0.92 * 35.0 * 11.5f64.to_radians().sin() / (7.0 * 0.0214) / RPM;
@@ -35,7 +35,8 @@ fn the_spin_of_p2_is_that_of_its_compression_factor() {
     assert!((spin_rpm(0.92) - 2047.0).abs() < 2.0, "{}", spin_rpm(0.92));
 }
 
-/// P2's ball leaves with 5.15 m/s along the face and would spin with 2298 rpm if it rolled: v/R, three digits given.
+/// Roh and Lee's ball leaves with 5.15 m/s along the face and would spin with 2298 rpm if it rolled: v/R, three digits
+/// given.
 #[test]
 fn a_rolling_ball_spins_with_its_velocity_along_the_face_over_its_radius() {
     let left = 7.0 / 5.0 * 5.15 / (35.0 * 11.5f64.to_radians().sin());
