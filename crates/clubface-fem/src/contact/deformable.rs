@@ -195,7 +195,7 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
             let node = self.nodes[index];
             let x = positions[node as usize].vec();
             let Some(projection) = self.surface.projection(positions, x, candidate.quad, candidate.at) else {
-                self.passed_edge |= candidate.state.touches();
+                self.passed_edge |= candidate.state.in_contact();
                 (candidate.state, candidate.beyond) = (NodeState::free(), true);
                 self.intervals.skip(index, BEYOND);
                 continue;

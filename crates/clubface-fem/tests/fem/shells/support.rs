@@ -166,7 +166,7 @@ impl Body {
 
     /// Comes to rest under its loads; `frequency` (rad/s) is near that of the slowest motion. Returns the work of the
     /// loads over twice the elastic energy, less one: the error of equilibrium.
-    pub fn settle(&mut self, frequency: f64, periods: f64) -> f64 {
+    pub fn relax(&mut self, frequency: f64, periods: f64) -> f64 {
         let before = self.structure.positions.clone();
         for _ in 0..(periods * std::f64::consts::TAU / (frequency * self.dt)) as usize {
             self.step(2.0 * frequency);
