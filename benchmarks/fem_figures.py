@@ -1,4 +1,4 @@
-"""The figures that docs/finite-elements.md states, computed again; with names of sections, theirs alone."""
+"""The figures that docs/finite-elements states, computed again; with names of sections, theirs alone."""
 
 import math
 import sys
