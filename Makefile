@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures identification-coverage capture-coverage clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures identification-coverage capture-coverage clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -60,6 +60,11 @@ check: dev ## formatting, lints, types, documentation
 docs: dev ## the documentation as web pages in docs/_build
 	$(BIN)/sphinx-build -W --keep-going -q docs docs/_build
 	@echo "docs/_build/index.html"
+
+wasm-check: build ## the core in WebAssembly: built, run in Node, compared with the package
+	rustup target add wasm32-unknown-unknown
+	cargo build --release --locked --package clubface-wasm --target wasm32-unknown-unknown
+	$(PYTHON) scripts/wasm_check.py target/wasm32-unknown-unknown/release/clubface_wasm.wasm
 
 bench: dev ## speed, printed beside the computed results
 	cargo bench $(RUST_TESTED)

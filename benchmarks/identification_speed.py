@@ -1,4 +1,4 @@
-"""Time of the whole identification of Caldwell and McPhee: 200 by 100 sets of parameters on 550 drives, and refinement.
+"""Time of the whole published identification: 200 by 100 sets of parameters on 550 drives, and five refinements.
 
 Prints wall and processor time and memory beside what they bought: cost and parameters.
 """
@@ -36,7 +36,7 @@ def main() -> None:
         print(f"  {name:<18} {value}")
     if chosen.model == "volumetric":
         days = found.impacts * PUBLISHED_SECONDS / 86400.0
-        print(f"at the processor time published for an impact, {PUBLISHED_SECONDS} s: {days:.1f} days")
+        print(f"at the published processor time of an impact, {PUBLISHED_SECONDS} s: {days:.1f} days")
 
 
 if __name__ == "__main__":

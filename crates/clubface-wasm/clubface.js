@@ -39,11 +39,24 @@ export async function load(source, progress = () => true) {
   }
 
   const description = call("describe");
-  const flat = (columns, rows) => {
+
+  /** Number of a model that has as many parameters. */
+  function numberOf(model, parameters) {
+    const index = description.models.findIndex(({ name }) => name === model);
+    if (parameters.length === description.models[index]?.parameters.length) return index;
+    throw new Error(`model: '${model}' is unknown, or has another number of parameters`);
+  }
+
+  /** Columns, or one number for all rows, one after the other. */
+  function flat(columns, rows) {
     const all = new Float64Array(columns.length * rows);
-    columns.forEach((column, i) => (typeof column === "number" ? all.fill(column, i * rows, (i + 1) * rows) : all.set(column, i * rows)));
+    columns.forEach((column, i) => {
+      if (typeof column === "number") all.fill(column, i * rows, (i + 1) * rows);
+      else all.set(column, i * rows);
+    });
     return all;
-  };
+  }
+
   const split = (all, rows) =>
     Array.from({ length: all.length / rows }, (_, i) => all.slice(i * rows, (i + 1) * rows));
 
@@ -57,13 +70,23 @@ export async function load(source, progress = () => true) {
      * `tolerance` is that of a step of a contact; 0 is the fast setting.
      */
     launches(model, inputs, parameters, rows, tolerance = 0) {
-      const index = description.models.findIndex(({ name }) => name === model);
-      if (parameters.length !== description.models[index]?.parameters.length)
-        throw new Error(`model: '${model}' is unknown, or has another number of parameters`);
+      const index = numberOf(model, parameters);
       const arrays = [flat(inputs, rows), Float64Array.from(parameters), description.outputs.length * rows];
       return lend(arrays, ([from, set, to], view) => {
         const rejects = call("launches", index, from, set, rows, tolerance, to);
         return { outputs: split(view(2), rows), rejects };
+      });
+    },
+
+    /** Launch of one shot with its derivatives: {values, jacobian: a row an output, by the inputs and then the parameters}. */
+    sensitivity(model, inputs, parameters, tolerance = 0) {
+      const index = numberOf(model, parameters);
+      const width = inputs.length + parameters.length;
+      const count = description.outputs.length;
+      const arrays = [Float64Array.from(inputs), Float64Array.from(parameters), count, count * width];
+      return lend(arrays, ([from, set, to, jacobian], view) => {
+        call("sensitivity", index, from, set, tolerance, to, jacobian);
+        return { values: view(2).slice(), jacobian: split(view(3), width) };
       });
     },
 

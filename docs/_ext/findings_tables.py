@@ -33,7 +33,7 @@ EFFECTS = {
 
 
 class Errors(CoreTable):
-    """``{findings-errors} driver``: mean absolute errors of identified models with intervals, and those published."""
+    """``{findings-errors} driver``: errors of the identified models with intervals, beside the published ones."""
 
     required_arguments = 1
 
@@ -115,7 +115,7 @@ class Best(CoreTable):
 
 
 class Costs(CoreTable):
-    """``{findings-costs}``: Cost on the shots of an identification and on shots held out, beside the published one."""
+    """``{findings-costs}``: the cost on the shots of the fit and on shots held out, beside the published one."""
 
     def table(self) -> list[str]:
         """One row a model."""
@@ -125,7 +125,7 @@ class Costs(CoreTable):
             for club, found in results()["clubs"].items():
                 fit = found["fits"][model]
                 given = published().get((model, club))
-                # Caldwell and McPhee print two of the ten; this is what its errors and means add up to.
+                # Two of the ten are printed; this is what the printed errors and means add up to.
                 cost = sum(given.mae[name] / given.mean[name] for name in QUANTITIES) if given else None
                 row += [f"{fit['cost']:.4f}", f"{fit['cost_holdout']:.4f}", "" if cost is None else f"*{cost:.2f}*"]
             rows.append(row)
@@ -199,7 +199,7 @@ class Budget(CoreTable):
 
 
 class ImpliedBias(CoreTable):
-    """``{implied-bias} azimuth sidespin``: the bias that published MAE and STD imply, for both readings of STD."""
+    """``{implied-bias} azimuth sidespin``: the bias that the published MAE and STD imply, for both readings of STD."""
 
     required_arguments = 1
     final_argument_whitespace = True

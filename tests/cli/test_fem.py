@@ -128,8 +128,8 @@ def test_a_run_whose_elements_fail_ends_with_the_element_and_what_it_has(clubfac
     said = ran.err.splitlines()[-1]
     assert "clubface: element " in said
     assert " of c" in said  # core or cover
-    assert " kept " in said or " was turned inside out " in said
-    assert " us: the time step is too long (a smaller `safety` helps)" in said
+    assert " times its original volume" in said or " was turned inside out " in said
+    assert " us: the time step is too long (choose a smaller `safety`)" in said
     contact = np.genfromtxt(out / "contact.csv", delimiter=",", names=True)
     assert contact["normal"].max() > 0.0
     assert np.isfinite(contact["normal"]).all()

@@ -31,7 +31,7 @@ THIN = {'face = "4 mm"': 'face = "1.5 mm"', 'top = "9 mm"': 'top = "1.2 mm"'}
 @pytest.mark.parametrize(
     ("name", "old", "new", "said"),
     [
-        ("paper", '"1.85 mm"', '"0 mm"', ":22: thickness.face_centre: 0 mm: 0.2 to 20 mm is allowed"),
+        ("paper", '"1.85 mm"', '"0 mm"', ":22: thickness.face_centre: 0 mm; it must be 0.2 to 20 mm"),
         ("paper", 'crown = "1.3 mm"', 'crown = "1 kg"', ":24: thickness.crown is '1 kg'; it must be in m or mm"),
         ("paper", 'crown = "25 mm"', 'crown = "1 mm"', ":17: shape.crown is '1 mm'; it must be 8 to 60 mm"),
         ("paper", 'mass = "210 g"', "mass = 210", ":34: target.mass is '210000 g'; it must be 50 to 500 g"),

@@ -11,7 +11,7 @@ from clubface.fem.case import case
 from clubface.fem.sweep import sweep
 from fem_runs import drive_case, throw_case
 
-# The published figures are read off pictures: 2% of speeds, 5% of spin and force, 25 us; contraction has no reference.
+# Roh and Lee's figures are read off pictures: 2% of speeds, 5% of spin and force, 25 us; contraction is undefined.
 TOLERANCES = {
     "ball_speed_mps": 0.02 * 50.4,
     "launch_deg": 0.3,
@@ -52,7 +52,7 @@ def test_the_tangential_velocity_is_that_relative_to_the_clubhead():
 
 
 def test_what_factor_a_spin_means():
-    # 7 R w / (5 V sin phi) with 21.4 mm, 2047 rpm, 35 m/s and 11.5 deg; Roh and Lee print 0.9476, from the forces.
+    # 7 R w / (5 V sin phi) with 21.4 mm, 2047 rpm, 35 m/s and 11.5 deg; they print 0.9476, from the forces.
     assert pytest.approx(0.9204, abs=1e-4) == paper.SPIN_FACTOR
     # In proportion to the spin, for the same ball and blow.
     spin = found().launch["backspin"] * 30.0 / math.pi
@@ -67,13 +67,13 @@ def test_a_blow_without_loft_has_no_factor():
 
 
 def test_trends_over_speed_and_loft():
-    # Fig. 8. Its text has the ball speed rise with loft too, and the launch angle with speed: neither is so here.
+    # Fig. 8 of Roh and Lee. By their text ball speed rises with loft too, and launch angle with speed: not so here.
     speeds, lofts = (30.0, 45.0, 60.0), tuple(math.radians(loft) for loft in (8.0, 10.0, 12.0))
     base = case("paper").replace(settings={"until_separation": True})
     rows = sweep(base, speeds=(speeds[0], speeds[2]), lofts=(lofts[0], lofts[2]))
     rows += sweep(base, speeds=speeds[1:2], lofts=lofts)
     at = {(round(row["speed_mps"]), round(row["loft_deg"])): row for row in rows}
-    # Twice the speed, all but 5 to 10% for what the ball loses more; Roh and Lee have f fall by some 0.03.
+    # Twice the speed, all but 5 to 10% for what the ball loses more; they have f fall by some 0.03.
     for loft in (8, 12):
         slow, fast = at[30, loft], at[60, loft]
         assert fast["ball_speed_mps"] > 1.8 * slow["ball_speed_mps"]

@@ -162,7 +162,7 @@ def test_a_study_is_resumed_and_keeps_what_was_finished(tmp_path, monkeypatch):
     best = min(costs, key=lambda name: costs[name])
     assert held[best]["more"] == 0.0
     (other,) = set(costs) - {best}
-    # The mean of the shares of the shots is Caldwell and McPhee's cost.
+    # The mean of the shares of the shots is the published cost.
     assert held[other]["more"] == pytest.approx(costs[other] - costs[best], abs=1e-7)
     assert held[other]["interval"][0] <= held[other]["more"] <= held[other]["interval"][1]
 

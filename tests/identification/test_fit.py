@@ -196,7 +196,7 @@ def test_the_best_of_a_population_come_first():
 
 
 def test_what_changes_no_launch_is_proven_and_named():
-    """In the area model shear modulus G and Poisson's ratio nu enter as G / (1 - nu) alone (Eq. 15)."""
+    """In the area model shear modulus G and Poisson's ratio nu enter as G / (1 - nu) alone (published Eq. 15)."""
     shots = recorded(20, "area")
     simulator, cost, point = fitted(shots, "area", free=["shear_modulus", "poisson", "damping"])
     told = identifiability(simulator, point, scatter(simulator.launch(point) - cost.measured, np.full(5, 1e-3)))
@@ -271,7 +271,7 @@ def test_without_a_bootstrap_the_errors_are_those_of_the_cost_that_is_minimised(
     _, huber, _ = fitted(shots, "adjusted", cost="robust")
     # 95% efficient: P. J. Huber's 1.345.
     assert errors_of_minimum(simulator, huber, point, told) == pytest.approx(told.errors / np.sqrt(0.95), rel=1e-3)
-    # Caldwell and McPhee's weights are not those of the noise.
+    # The published weights are not those of the noise.
     _, published_, _ = fitted(shots, "adjusted")
     assert np.all(errors_of_minimum(simulator, published_, point, told) > 1.01 * absolute)
 

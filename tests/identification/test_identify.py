@@ -11,8 +11,7 @@ import clubface
 from clubface.errors import FileError, InputError, UnknownNameError
 from synthetic_shots import published, recorded
 
-# What 1e-4 means where the true value is 0: of the other published displacements, 0.5 mm, and of Penner's slope,
-# 0.0029 s/m.
+# What 1e-4 means where the true value is 0: of other published displacements, 0.5 mm, and Penner's slope, 0.0029 s/m.
 ZERO = {"dcg_x": 5e-8, "cor_slope": 2.9e-7}
 QUICK = {"population": 30, "generations": 8, "refined": 3, "folds": 0, "bootstrap": 0, "profiles": ()}
 
@@ -140,7 +139,7 @@ def test_the_hold_out_and_the_intervals_say_what_a_fit_is_worth():
     found = small(folds=5, bootstrap=60, noise={"backspin": "60 rpm"})
     # Held out, a fit is worse than on what it was made from; three parameters on 25 shots cost it little.
     assert found.cost < found.cost_holdout < 1.5 * found.cost
-    # The held-out launches themselves: Caldwell and McPhee's cost of them is the one stated.
+    # The held-out launches themselves: the published cost of them is the one stated.
     assert found.held_out is not None
     measured = np.array([recorded(25, "slip", noise=1.0).launches[name] for name in found.deviations])
     parts = np.abs(found.held_out - measured).mean(axis=1) / np.abs(measured).mean(axis=1)

@@ -69,7 +69,7 @@ def test_without_noise_no_swing_of_two_hundred_is_off(club):
     for name in ("attack", "path", "loft", "face", "lie"):
         assert worst[name] < 0.05
     assert max(worst["toe"], worst["high"]) < 0.3
-    # Caldwell and McPhee's extrapolation is ten times as far off in what matters.
+    # The published extrapolation is ten times as far off in what matters.
     assert found.worst("linear")["speed"] > 10 * worst["speed"]
     assert found.worst("linear")["high"] > 10 * worst["high"]
 

@@ -259,7 +259,7 @@ def test_paths_that_cannot_be_are_refused(write, tmp_path):
         (tmp_path / "dir.csv").mkdir(exist_ok=True)
         with pytest.raises(FileError, match=said):
             predict(path, club="driver", output=output)
-    with pytest.raises(FileError, match="must not be the output"):
+    with pytest.raises(FileError, match="another file than the output"):
         predict(path, club="driver", output=tmp_path / "out.csv", rejects=tmp_path / "out.csv")
     with pytest.raises(FileError, match="No such file"):
         predict(tmp_path / "none.csv", club="driver")

@@ -102,7 +102,7 @@ def test_a_run_is_not_resumed_with_other_settings_or_another_file(write, tmp_pat
         predict(path, club="driver", output=output, resume=True)
     begin()
     (tmp_path / "out.part.json").write_text("{")
-    with pytest.raises(FileError, match="without resume"):
+    with pytest.raises(FileError, match="without resuming"):
         predict(path, club="driver", output=output, resume=True)
 
 

@@ -77,11 +77,11 @@ impl<R: Kernels> BallConstruction<R> {
             return Err(FemError::input(
                 "pieces",
                 self.pieces.len(),
-                format!("1 to {MAX_PIECES} are allowed"),
+                format!("it must be from 1 to {MAX_PIECES}"),
             ));
         }
         if !(2..=96).contains(&self.cube) || self.cube % 2 == 1 {
-            return Err(FemError::input("ball.cube", self.cube, "an even number from 2 to 96 is allowed"));
+            return Err(FemError::input("ball.cube", self.cube, "it must be an even number from 2 to 96"));
         }
         let mut inside = 0.0;
         for piece in &self.pieces {
@@ -89,7 +89,7 @@ impl<R: Kernels> BallConstruction<R> {
             let radius = piece.radius.re();
             if !(radius > inside + 1e-5 && radius < 0.1) {
                 let allowed =
-                    "it must exceed that of the piece inside by 0.01 mm, and stay below 100 mm".to_owned();
+                    "it must be at least 0.01 mm more than that of the piece inside, and below 100 mm";
                 return Err(FemError::input(
                     format!("radius of {name}"),
                     format!("{} mm", radius * 1e3),
@@ -97,7 +97,11 @@ impl<R: Kernels> BallConstruction<R> {
                 ));
             }
             if !(1..=48).contains(&piece.layers) {
-                return Err(FemError::input(format!("{name}.layers"), piece.layers, "1 to 48 are allowed"));
+                return Err(FemError::input(
+                    format!("{name}.layers"),
+                    piece.layers,
+                    "it must be from 1 to 48",
+                ));
             }
             // The mass of the ball decides the density of the core.
             if self.mass.is_some() && inside == 0.0 {
@@ -112,7 +116,7 @@ impl<R: Kernels> BallConstruction<R> {
                 return Err(FemError::input(
                     "ball.mass",
                     format!("{} g", mass * 1e3),
-                    "0 to 1000 g is allowed",
+                    "it must be above 0 and below 1000 g",
                 ));
             }
         }
@@ -198,7 +202,7 @@ impl<R: Kernels> BallConstruction<R> {
             return Err(FemError::input(
                 "ball.mass",
                 format!("{:.2} g", target * 1e3),
-                format!("the pieces around the core leave it a density of {:.0} kg/m3; make them lighter or thinner", density.re()),
+                format!("this leaves the core a density of {:.0} kg/m3, and at least 100 is needed; make the pieces around it lighter or thinner", density.re()),
             ));
         }
         materials[0].density = density;

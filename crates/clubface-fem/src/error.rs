@@ -1,4 +1,4 @@
-//! What can go wrong.
+//! Errors: requests that cannot be met, and runs that had to stop.
 
 use thiserror::Error;
 
@@ -6,17 +6,17 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum FemError {
     /// An input that makes no sense.
-    #[error("{name} is {value}: {allowed}")]
+    #[error("{name} is {value}; {allowed}")]
     Input {
         /// What was given, such as "cover.poisson".
         name: String,
         /// Its value, with unit.
         value: String,
-        /// What is allowed, and what to do.
+        /// What it must be, and what to do.
         allowed: String,
     },
-    /// An element was squeezed or stretched beyond what its law can follow.
-    #[error("element {element} of {part} {} at {microseconds:.0} us: the time step is too long (a smaller `safety` helps), the mesh too coarse, or the material too soft for this impact", fate(*ratio))]
+    /// The volume of an element has left the range of its material law.
+    #[error("element {element} of {part} {} at {microseconds:.0} us: the time step is too long (choose a smaller `safety`), the mesh too coarse, or the material too soft for this impact", volume(*ratio))]
     ElementLost {
         /// Number of the most strained element in the mesh of the body.
         element: usize,
@@ -27,8 +27,8 @@ pub enum FemError {
         /// Time, us.
         microseconds: f64,
     },
-    /// The energies no longer add up.
-    #[error("the energies were off by {} at {microseconds:.0} us (1% is allowed): {}", off(*percent), cause(*edge, *element, part))]
+    /// The energy balance is off.
+    #[error("the energy balance was off by {} at {microseconds:.0} us (at most 1% is allowed); {}", percentage(*percent), cause(*edge, *element, part))]
     Energy {
         /// Number of the most strained element in the mesh of the body.
         element: usize,
@@ -41,19 +41,21 @@ pub enum FemError {
         /// Time, us.
         microseconds: f64,
     },
-    /// The ball and the face never met.
-    #[error("the ball and the face did not meet in {microseconds:.0} us: the head moves away from the ball, or passes it")]
+    /// The ball and the face did not touch.
+    #[error("the ball and the face did not touch within {microseconds:.0} us; the head must move towards the ball and not pass it")]
     Missed {
         /// Simulated time, us.
         microseconds: f64,
     },
-    /// The ball has not left yet.
-    #[error("the ball was still on the face at {microseconds:.0} us, so there is no launch yet: a longer `duration` helps")]
+    /// The ball has not left the face yet.
+    #[error(
+        "the ball was still on the face at {microseconds:.0} us, so there is no launch; choose a longer `duration`"
+    )]
     Unfinished {
         /// Simulated time, us.
         microseconds: f64,
     },
-    /// Stopped by request.
+    /// The caller has stopped the run.
     #[error("stopped at {microseconds:.0} us by request")]
     Interrupted {
         /// Time, us.
@@ -62,41 +64,47 @@ pub enum FemError {
 }
 
 impl FemError {
-    /// An input that is not allowed.
+    /// An input that is not allowed. The message reads "`name` is `value`; `allowed`".
     pub fn input(name: impl Into<String>, value: impl std::fmt::Display, allowed: impl Into<String>) -> Self {
         Self::Input { name: name.into(), value: value.to_string(), allowed: allowed.into() }
     }
 
-    /// Whether the model broke down: what it found last is worth nothing.
+    /// An unknown name of something of which some are known.
+    pub fn unknown<'a>(what: &str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+        let known: Vec<_> = known.into_iter().collect();
+        Self::input(what, format!("{name:?}"), format!("it must be one of {}", known.join(", ")))
+    }
+
+    /// Whether the model broke down, so that the last results are worth nothing.
     #[must_use]
     pub fn failed(&self) -> bool {
         matches!(self, Self::ElementLost { .. } | Self::Energy { .. })
     }
 }
 
-/// What became of an element, by the share of its volume that is left.
-fn fate(ratio: f64) -> String {
+/// The volume of an element, by its ratio to that at rest.
+fn volume(ratio: f64) -> String {
     if ratio > 0.0 && ratio < 100.0 {
-        format!("kept {ratio:.2} of its volume")
+        format!("had {ratio:.2} times its original volume")
     } else {
         "was turned inside out".to_owned()
     }
 }
 
-/// An error of the energies, per cent, also where they are no number any more.
-fn off(percent: f64) -> String {
+/// An error of the energies, per cent, also if it is not a number any more.
+fn percentage(percent: f64) -> String {
     if percent < 1e3 {
-        format!("{percent:.1}%")
+        format!("{percent:.1}% of the initial kinetic energy")
     } else {
-        "more than they are themselves".to_owned()
+        "more than ten times the initial kinetic energy".to_owned()
     }
 }
 
-/// Why energies are off, and what to do.
+/// Why the energy balance is off, and what to do.
 fn cause(edge: bool, element: usize, part: &str) -> String {
     if edge {
-        return "the ball reached round the edge of the face, where contact ends; strike nearer the face centre"
+        return "the ball reached round the edge of the face, where contact ends: hit it nearer the face centre"
             .to_owned();
     }
-    format!("the time step is too long (a smaller `safety` helps), or an element is failing; the most strained is element {element} of {part}")
+    format!("the time step is too long (choose a smaller `safety`) or an element is failing, most likely the most strained one, element {element} of {part}")
 }

@@ -91,7 +91,7 @@ impl Setting {
     ) -> Result<Sensitivity, FemError> {
         let known = self.variables();
         if let Some(unknown) = variables.iter().find(|name| !known.contains(name)) {
-            return Err(FemError::input("variable", unknown, format!("known are {}", known.join(", "))));
+            return Err(FemError::unknown("variable", unknown, known.iter().map(String::as_str)));
         }
         let mut found =
             Sensitivity { values: [f64::NAN; OUTPUT_COUNT], jacobian: vec![Vec::new(); OUTPUT_COUNT] };

@@ -12,7 +12,8 @@ use std::hint::black_box;
 /// Shots of a batch: enough to fill every pack, few enough to repeat.
 const SHOTS: usize = 2048;
 
-/// Caldwell and McPhee's driver and ball, delivered at 108 mph, attack 2 deg, dynamic loft 13 deg; the face outline is assumed.
+/// Caldwell and McPhee's driver and ball, delivered at 108 mph, attack 2 deg, dynamic loft 13 deg; the face outline is
+/// assumed.
 fn drive() -> [f64; INPUT_COUNT] {
     let degrees = |angle: f64| angle.to_radians();
     let mut inputs = [0.0; INPUT_COUNT];

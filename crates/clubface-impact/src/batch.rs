@@ -20,8 +20,8 @@ pub struct Batch<'a> {
     pub accuracy: Accuracy,
 }
 
-/// Shots a task takes: whole packs of any width, and few enough that even rings, at some 0.3 ms a shot, let a caller look
-/// at signals within 0.1 s.
+/// Shots a task takes: whole packs of any width, and few enough that even rings, at some 0.3 ms a shot, let a caller
+/// look at signals within 0.1 s.
 pub const CHUNK: usize = 64;
 
 impl Batch<'_> {

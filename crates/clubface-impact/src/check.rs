@@ -9,7 +9,8 @@ use core::f64::consts::FRAC_PI_2;
 /// Largest loft, rad: beyond it the face no longer drives the ball forwards.
 pub const LARGEST_LOFT: f64 = 80.0 * core::f64::consts::PI / 180.0;
 
-/// Largest size of any input and its inverse, in SI units: far from all clubs, balls and swings, and safe from overflow.
+/// Largest size of any input and its inverse, in SI units: far from all clubs, balls and swings, and safe from
+/// overflow.
 const LARGEST: f64 = 1e12;
 
 /// Checks the values of a shot, in the order of [`INPUTS`].

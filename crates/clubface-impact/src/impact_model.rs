@@ -68,8 +68,8 @@ impl ImpactModel {
     /// Computes one shot by a contact model and keeps every step: its history and its outputs.
     ///
     /// # Errors
-    /// A model without a contact, a faulty input, a wrong number of parameters, a club that moves away from the ball, or
-    /// a contact that does not end.
+    /// A model without a contact, a faulty input, a wrong number of parameters, a club that moves away from the ball,
+    /// or a contact that does not end.
     pub fn history(
         self,
         inputs: &[f64; INPUT_COUNT],

@@ -107,8 +107,8 @@ impl Sensitivities<'_> {
         self.outputs.len() * (1 + self.variables.len())
     }
 
-    /// Computes `rows` into `results`, one slice a column, each as long as `rows`, on the calling thread. Rows that cannot
-    /// be computed are NaN and returned with reasons. Rows may be shared out among threads, [`CHUNK`] at a time.
+    /// Computes `rows` into `results`, one slice a column, each as long as `rows`, on the calling thread. Rows that
+    /// cannot be computed are NaN and returned with reasons. Rows may be shared out among threads, [`CHUNK`] at a time.
     #[must_use]
     pub fn run(&self, rows: Range<usize>, mut results: Vec<&mut [f64]>) -> Vec<Reject> {
         let width = self.variables.len();

@@ -39,8 +39,8 @@ pub fn exp<S: Primal>(x: S) -> S {
     let shifted = x * core::f64::consts::LOG2_E + SHIFT;
     let n = shifted - SHIFT;
     let r = x - n * LN2_HI - n * LN2_LO;
-    // Taylor to r^13: |r| <= 0.347, so the first term left out is below 5e-18. In pairs (Estrin), since the time of a pack
-    // is that of the longest chain of operations.
+    // Taylor to r^13: |r| <= 0.347, so the first term left out is below 5e-18. In pairs (Estrin), since the time of a
+    // pack is that of the longest chain of operations.
     let (r2, r4) = (r * r, (r * r) * (r * r));
     let first = (r * (1.0 / 6.0) + 0.5) * r2 + (r + 1.0);
     let second = (r * (1.0 / 5_040.0) + 1.0 / 720.0) * r2 + (r * (1.0 / 120.0) + 1.0 / 24.0);

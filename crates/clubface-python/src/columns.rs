@@ -47,8 +47,8 @@ pub type Computed<'py> = (Bound<'py, PyArray2<f64>>, Vec<(usize, &'static str, S
 pub type Derivatives<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// Runs `work` over `rows` on `threads` threads (0: all), in pieces of at most about 40 ms, into an array of `outputs`
-/// by `rows`; a thread takes `chunk` rows at a time. Between pieces, reports the rows done to `progress` and lets Python
-/// interrupt.
+/// by `rows`; a thread takes `chunk` rows at a time. Between pieces, reports the rows done to `progress` and lets
+/// Python interrupt.
 #[allow(clippy::too_many_arguments)]
 pub fn run_in_pieces<'py>(
     py: Python<'py>,

@@ -1,11 +1,11 @@
 //! clubface in WebAssembly: arrays in, arrays out. All values SI and radians.
 //!
-//! Plain exports without generated glue; `clubface.js` beside this crate calls them. Numbers pass through memory that the
-//! caller allocates here. A function returns 0, or 1 for an error; text (an error, a description, rejected rows, figures)
-//! is JSON and waits at [`text_at`] until the next call.
+//! Plain exports without generated glue; `clubface.js` beside this crate calls them. Numbers pass through memory that
+//! the caller allocates here. A function returns 0, or 1 for an error; text (an error, a description, rejected rows,
+//! figures) is JSON and waits at [`text_at`] until the next call.
 //!
-//! Clock, progress and threads are the caller's: it exports `now` (s) and `progress` (time and duration of a simulation, s;
-//! false stops it) to this module as `clubface`.
+//! Clock, progress and threads are the caller's: it exports `now` (s) and `progress` (time and duration of a
+//! simulation, s; false stops it) to this module as `clubface`.
 
 #![cfg(target_arch = "wasm32")]
 

@@ -2,8 +2,10 @@
 
 use clubface_impact::batch::Batch;
 use clubface_impact::columns::{Column, Reject};
+use clubface_impact::error::all_inputs;
 use clubface_impact::flight::{self, FlightBatch};
 use clubface_impact::launch::OUTPUT_COUNT;
+use clubface_impact::sensitivity::sensitivity_to_all;
 use clubface_impact::shot::INPUT_COUNT;
 use clubface_impact::{registry, Accuracy, ImpactError};
 use serde_json::{json, Value};
@@ -61,6 +63,47 @@ pub unsafe extern "C" fn launches(
         Ok(batch.run(0..rows, outputs.chunks_exact_mut(rows).collect()))
     };
     crate::finish(run().map(|rejects| rejected(&rejects)).map_err(|fault: ImpactError| error(&fault)))
+}
+
+/// Launch of one shot, and its derivatives: a row an output, by the inputs and then the parameters. NaN by an input that is
+/// not differentiable. The rest as for [`launches`].
+///
+/// # Safety
+/// The addresses hold as many numbers as said.
+#[no_mangle]
+pub unsafe extern "C" fn sensitivity(
+    model: usize,
+    inputs: *const f64,
+    parameters: *const f64,
+    tolerance: f64,
+    outputs: *mut f64,
+    jacobian: *mut f64,
+) -> u32 {
+    let Some(&model) = registry::ALL.get(model) else {
+        return crate::finish(Err(json!({"input": "model", "message": "unknown"})));
+    };
+    let count = model.info().parameters.len();
+    // SAFETY: the caller's promise.
+    let (inputs, parameters, outputs, jacobian) = unsafe {
+        (
+            from_raw_parts(inputs, INPUT_COUNT),
+            from_raw_parts(parameters, count),
+            from_raw_parts_mut(outputs, OUTPUT_COUNT),
+            from_raw_parts_mut(jacobian, OUTPUT_COUNT * (INPUT_COUNT + count)),
+        )
+    };
+    let run = || {
+        let accuracy = Accuracy::of_tolerance((tolerance > 0.0).then_some(tolerance))?;
+        sensitivity_to_all(model, all_inputs(inputs)?, parameters, accuracy)
+    };
+    crate::finish(match run() {
+        Ok(found) => {
+            outputs.copy_from_slice(&found.values);
+            jacobian.copy_from_slice(&found.jacobian.concat());
+            Ok(json!([]))
+        }
+        Err(fault) => Err(error(&fault)),
+    })
 }
 
 /// Flights of `rows` launches; `inputs` and `outputs` are columns in their order, one after the other.

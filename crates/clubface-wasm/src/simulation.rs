@@ -1,10 +1,10 @@
 //! Finite elements: the reference case, a ball on a rigid plane.
 
-use clubface_fem::ball::{Ball, Piece};
-use clubface_fem::cases::against_plane;
+use clubface_fem::ball::{BallConstruction, BallPiece};
+use clubface_fem::cases::ball_against_plane;
 use clubface_fem::element::Element;
 use clubface_fem::environment::{Environment, SingleThread};
-use clubface_fem::material::{Hencky, Material, MooneyRivlin, Shape};
+use clubface_fem::material::{Hencky, Material, MooneyRivlin};
 use clubface_fem::solve::Options;
 use clubface_fem::FemError;
 use serde_json::{json, Value};
@@ -16,9 +16,9 @@ extern "C" {
     fn progress(time: f64, duration: f64) -> u32;
 }
 
-/// Throws the reference ball at a rigid plane for 1000 us, at `speed` (m/s) and `angle` (rad) from its normal, with Coulomb's
-/// `friction`, on a mesh `refine` times as fine. Leaves the velocity (m/s) and spin (rad/s) of the ball, peak force (N),
-/// contact time (s), number of elements and steps, and the time that the steps took (s).
+/// Throws the reference ball at a rigid plane for 1000 us, at `speed` (m/s) and `angle` (rad) from its normal, with
+/// Coulomb's `friction`, on a mesh `refine` times as fine. Leaves the velocity (m/s) and spin (rad/s) of the ball, peak
+/// force (N), contact time (s), number of elements and steps, and the time that the steps took (s).
 #[no_mangle]
 pub extern "C" fn reference_case(speed: f64, angle: f64, friction: f64, refine: usize) -> u32 {
     crate::finish(run(speed, angle, friction, refine).map_err(|error| json!({"message": error.to_string()})))
@@ -28,21 +28,21 @@ fn run(speed: f64, angle: f64, friction: f64, refine: usize) -> Result<Value, Fe
     let ball = reference_ball(refine);
     // SAFETY: the caller provides both functions.
     let environment = Environment { clock: || unsafe { now() }, executor: Arc::new(SingleThread) };
-    let mut impact = against_plane(&ball, speed, angle, friction, &environment)?;
-    let outcome = impact.run(&Options::default(), &mut |view| {
+    let mut simulation = ball_against_plane(&ball, speed, angle, friction, &environment)?;
+    let found = simulation.run(&Options::default(), &mut |view| {
         // SAFETY: as above.
         unsafe { progress(view.progress.time, view.progress.duration) != 0 }
     })?;
-    if let Some(stopped) = outcome.stopped {
+    if let Some(stopped) = found.stopped {
         return Err(stopped);
     }
-    let figures = outcome.history.figures(impact.radius);
+    let figures = found.records.summary(simulation.radius);
     let layers: usize = ball.pieces.iter().map(|piece| piece.layers).sum();
     Ok(json!({
-        "velocity": outcome.ball.velocity.array(), "spin": outcome.ball.spin.array(),
+        "velocity": found.ball.velocity.array(), "spin": found.ball.spin.array(),
         "peak_force": figures.peak_force, "contact_time": figures.contact_time,
         "energy_error": figures.energy_error, "elements": ball.cube.pow(3) + 6 * ball.cube.pow(2) * layers,
-        "steps": outcome.steps, "wall": outcome.wall,
+        "steps": found.steps, "wall": found.wall,
     }))
 }
 
@@ -52,23 +52,19 @@ fn bulk(shear: f64, poisson: f64) -> f64 {
 }
 
 /// The ball of Roh and Lee: a Mooney-Rivlin core in a stiffer cover.
-fn reference_ball(refine: usize) -> Ball<f64> {
+fn reference_ball(refine: usize) -> BallConstruction<f64> {
+    let shear = 350e6 / 2.8;
     let core = Material {
-        shape: Shape::MooneyRivlin(MooneyRivlin { c10: 4e6, c01: 1e6 }),
+        law: MooneyRivlin { c10: 4e6, c01: 1e6 }.law(),
         bulk: bulk(10e6, 0.49),
         maxwell: vec![],
         density: 1150.0,
     };
-    let shear = 350e6 / 2.8;
-    let cover = Material {
-        shape: Shape::Hencky(Hencky { shear }),
-        bulk: bulk(shear, 0.4),
-        maxwell: vec![],
-        density: 950.0,
-    };
+    let cover =
+        Material { law: Hencky { shear }.law(), bulk: bulk(shear, 0.4), maxwell: vec![], density: 950.0 };
     let pieces = vec![
-        Piece { name: "core".into(), radius: 0.0196, layers: 6 * refine, material: core },
-        Piece { name: "cover".into(), radius: 0.0214, layers: 3 * refine, material: cover },
+        BallPiece { name: "core".into(), radius: 0.0196, layers: 6 * refine, material: core },
+        BallPiece { name: "cover".into(), radius: 0.0214, layers: 3 * refine, material: cover },
     ];
-    Ball { pieces, cube: 12 * refine, element: Element::OnePoint, mass: Some(0.046) }
+    BallConstruction { pieces, cube: 12 * refine, element: Element::OnePoint, mass: Some(0.046) }
 }

@@ -106,4 +106,4 @@ def told() -> Iterator[None]:
 
 def core_error(name: str, value: str, allowed: str) -> InputError:
     """Return the error the core told as name, value and what is allowed, the first two of which may be empty."""
-    return ShotError(name or THE_RUN, value or None, f"{value}: {allowed}" if value else allowed)
+    return ShotError(name or THE_RUN, value or None, f"{value}; {allowed}" if value else allowed)

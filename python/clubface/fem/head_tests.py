@@ -46,7 +46,7 @@ def restitution(
     which
         The ball.
     speed
-        Speed of approach [m/s], with the face centre level.
+        Speed of approach [m/s]; the face normal at the face centre is level.
     toe, high
         Where the ball is struck [m]. If neither is given: in front of the CG, as the rules had it.
     friction

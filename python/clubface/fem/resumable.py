@@ -79,7 +79,7 @@ class ResumableTable:
         places
             What is run, and the values of the first two columns of its row.
         run
-            As of :func:`clubface.fem.side_by_side.side_by_side`; returns a row.
+            As for :func:`clubface.fem.side_by_side.side_by_side`; returns a row.
         what
             What is run, in the plural, for people.
         workers

@@ -106,12 +106,12 @@ def predict(
 ) -> PredictReport:
     """Compute the launch of every delivery in a CSV or Parquet file.
 
-    Columns are found by name and carry their unit: ``club_speed_mph``, ``club_speed [mph]``; without one they are
-    SI. Those of other names are passed through untouched. A row that cannot be used goes to the file of rejects
-    with its line and the reason.
+    Columns are found by name and carry their unit, as in ``club_speed_mph`` or ``club_speed [mph]``; a column without
+    a unit is in SI units. Columns of other names are passed through untouched. A row that cannot be used goes to the
+    file of rejects with its line and the reason.
 
-    Both files have ``.part`` in their names until they are complete. Interrupted, what is finished stays in them,
-    valid files, and ``resume=True`` goes on after it.
+    Both files have ``.part`` in their names until they are complete. If the run is interrupted, what is finished stays
+    in them as valid files, and ``resume=True`` goes on after it.
 
     Parameters
     ----------
@@ -119,16 +119,16 @@ def predict(
         A file whose first row names the columns: CSV in UTF-8 (commas, semicolons or tabs; decimal commas where
         the delimiter is another), or Parquet by its ending.
     club, model, ball, parameters, hand, accuracy, threads
-        As of :func:`impact`. A column named like an input wins over the club, ball or hand given here.
+        As for :func:`impact`. A column named like an input wins over the club, ball or hand given here.
     carry
         Whether to compute the flight too.
     air, wind
-        As of :func:`fly`.
+        As for :func:`fly`.
     output
-        The file to write, CSV or Parquet by its ending; left out, ``<source>-launches.csv`` beside the source.
+        The file to write, CSV or Parquet by its ending; ``<source>-launches.csv`` beside the source if left out.
     rejects
-        The CSV file for rows that cannot be used; left out, ``<output>.rejects.csv`` beside the output. It is
-        there only if there are any.
+        The CSV file for rows that cannot be used; ``<output>.rejects.csv`` beside the output if left out. It is
+        written only if there are such rows.
     chunk_rows
         Rows held in memory at a time.
     progress
@@ -140,15 +140,15 @@ def predict(
     Returns
     -------
     PredictReport
-        How many rows were written and rejected, which columns were used, and what to know of them.
+        How many rows were written and rejected, which columns were used, and what to know about them.
 
     Raises
     ------
     FileError
-        A file that cannot be read or written, with the line: empty, without a column for the speed, a column twice,
-        a unit of another dimension, not UTF-8.
+        A file cannot be read or written; the message names the line. It is empty, has no column for the speed or one
+        column twice, a unit has another dimension, or the text is not UTF-8.
     KeyboardInterrupt
-        On Ctrl-C, telling where the finished rows are.
+        Ctrl-C was pressed; the message says where the finished rows are.
     """
     path = Path(source)
     target = Path(output) if output is not None else path.with_name(f"{path.stem}-launches.csv")

@@ -158,7 +158,7 @@ def fly(
     Parameters
     ----------
     launch
-        A :class:`Launch`; a comparison of models, which gives a flight a model; or a mapping of values, in the terms
+        A :class:`Launch`; a comparison of models, which gives one flight for each; or a mapping of values, in the terms
         of a launch monitor (``ball_speed``, ``launch``, ``azimuth``, ``backspin``, ``sidespin``, or ``total_spin``
         and ``spin_axis``) or as vectors (``velocity_x`` ... ``spin_z``), with ``ball_mass``, ``ball_radius``,
         ``ball_inertia`` where the ball is not the published one. Text with a unit, SI numbers, or arrays.
@@ -166,21 +166,21 @@ def fly(
         An :class:`Air` or a mapping of its values; left out, 25 degC at sea level.
     wind
         Velocity of the wind to the target, up and right, three values (``("-10 mph", 0, 0)`` is a headwind), or a
-        mapping of ``wind_x``, ``wind_y``, ``wind_z``; left out, none.
+        mapping of ``wind_x``, ``wind_y``, ``wind_z``; no wind if left out.
     ground
         A mapping of ``restitution_factor``, ``ground_tilt``, ``ground_friction``, ``rolling_friction``.
     threads
-        Left out, all cores. The result does not depend on it.
+        How many threads compute; all cores if left out. The result does not depend on it.
     progress
         Called with the number of flights done.
     on_error
-        What a flight that cannot be computed does: "raise" an error, or leave "nan" and an entry in
-        ``Flight.problems``. Launches that have no result have no flight either, and raise nothing.
+        What happens to a flight that cannot be computed: "raise" raises an error, "nan" gives NaN and an entry in
+        ``Flight.problems``. A launch without a result has no flight either, and raises nothing.
 
     Returns
     -------
     Flight
-        Of the shape to which the inputs broadcast.
+        Its quantities have the shape to which the inputs broadcast.
     """
     if isinstance(launch, Comparison):
         return {

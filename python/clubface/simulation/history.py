@@ -81,13 +81,13 @@ class History:
     contact_area
         [m2], shape (n,).
     kinetic_energy, layer_energy, normal_work, friction_work, layer_work
-        The account of energy [J], shape (n,).
+        The energy balance [J], shape (n,).
     ball_position, ball_velocity, ball_spin, club_position, club_velocity, club_spin
         Motion of both bodies [m, m/s, rad/s], shape (n, 3).
     club_attitude
         Quaternion w, x, y, z, shape (n, 4).
     ring_radius, ring_traction_y, ring_traction_z, ring_slip, ring_inside
-        Of the rings, where the model has them [m, Pa, 1], shape (n, rings).
+        State of the rings, if the model has them [m, Pa, 1], shape (n, rings).
     launch
         The launch it ends with.
     """

@@ -84,35 +84,35 @@ def impact(
         values that changes the published set of the club's family, which is used where nothing is given. For
         several models, a mapping of model names to these.
     ball
-        As ``club``; left out, the ball of the published models.
+        A built-in name, the path of a TOML file, or a :class:`Ball`; left out, the ball of the published models.
     accuracy
         Relative tolerance of a step of a contact model; left out, the launch is correct to 1e-4.
     hand
         "right" or "left"; left out, that of the club.
     threads
-        Left out, all cores. The result does not depend on it.
+        How many threads compute; all cores if left out. The result does not depend on it.
     progress
         Called with the number of shots done.
     on_error
-        What a shot that cannot be computed does: "raise" an error, or leave "nan" and an entry in
+        What happens to a shot that cannot be computed: "raise" raises an error, "nan" gives NaN and an entry in
         ``Launch.problems``.
     **values
         Values of the delivery (``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe``, ``high``,
         ``closure``, ``pitch_rate``, ``lie_rate``) and of club and ball (``club_mass``, ``cg_x``, ``ball_mass``,
-        ...): text with a unit, SI numbers, or arrays, which broadcast. Left out, an angle, offset or rate is 0,
-        the loft and the rest those of the club and ball. ``speed`` is required.
+        ...): text with a unit, SI numbers, or arrays, which broadcast. ``speed`` is required. An angle, an offset or
+        a rate that is left out is 0; the loft and all else are then those of club and ball.
 
     Returns
     -------
     Launch
-        Of the shape to which the inputs broadcast.
+        Its quantities have the shape to which the inputs broadcast.
 
     Raises
     ------
     ShotError
-        An input outside what is allowed, naming it, its value and what is allowed.
+        An input is outside what is allowed; the message names it, its value and what is allowed.
     InputError
-        A value that is no number, a unit of another dimension, an unknown name, more shots than memory holds.
+        A value is no number, a unit has another dimension, a name is unknown, or memory does not hold the shots.
     """
     values = dict(as_values(delivery, values))
     if not isinstance(model, str) or model == ALL:

@@ -17,17 +17,17 @@ class Quantity(NamedTuple):
     Attributes
     ----------
     name
-        As in keyword arguments and tables.
+        The name in keyword arguments and tables.
     unit
         The SI unit it is held in.
     meaning
         One line; says what positive means where there is a sign.
     group
-        Of an input: "delivery", "club", "ball", "launch", "air" or "ground".
+        What an input belongs to: "delivery", "club", "ball", "launch", "air" or "ground".
     differentiable
         Whether a launch can be differentiated with respect to it.
     default, lower, upper
-        Of an input of a flight: the value used where none is given (NaN: it must be given), and what is allowed.
+        For an input of a flight: the value that is used if none is given (NaN if it must be given), and its limits.
     """
 
     name: str

@@ -177,7 +177,7 @@ def sensitivity(
     Parameters
     ----------
     club, delivery, model, parameters, ball, accuracy, hand, **values
-        As of :func:`impact`, for a single shot.
+        As for :func:`impact`, for a single shot.
     outputs
         Names of launch quantities; left out, all the model gives.
     variables

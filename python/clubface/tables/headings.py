@@ -110,7 +110,7 @@ class Layout(NamedTuple):
     Attributes
     ----------
     headings
-        Of all columns, as in the file; one without is named after its place.
+        Names of all columns, as in the file; a column without a name is named after its place.
     used
         The columns that give inputs.
     passed

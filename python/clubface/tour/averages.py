@@ -158,7 +158,7 @@ def tour(model_names: Iterable[str] | None = None, *, ball: str | os.PathLike[st
     model_names
         Which models; all of the registry unless given.
     ball
-        As of :func:`clubface.impact`.
+        As for :func:`clubface.impact`.
     """
     names = [model(name).name for name in (models() if model_names is None else model_names)]
     if not names:

@@ -13,6 +13,6 @@ pub(super) fn check_approach<R: Real>(touch: &FirstTouch<R>) -> Result<(), FemEr
     if approach > 0.0 {
         return Ok(());
     }
-    let allowed = "it must be above zero: the face moves away from the ball";
-    Err(FemError::input("approach of face and ball", format!("{approach:.2} m/s"), allowed))
+    let allowed = "it must be above 0, but the face moves away from the ball";
+    Err(FemError::input("speed of approach", format!("{approach:.2} m/s"), allowed))
 }

@@ -74,7 +74,7 @@ pub fn ball_against_deformable_head<R: Kernels>(
     // Both sides are polyhedra: bring them to touch.
     let gap = contact.clearance(&positions);
     if !gap.re().is_finite() {
-        let allowed = "the face must be there: does the mesh lie at the face centre, its normals outwards?";
+        let allowed = "it must be on the face; the origin of the mesh must be the face centre, and normals must point outwards";
         return Err(FemError::input("point of first touch", "beside the face", allowed));
     }
     for row in &mut positions[..balls] {

@@ -42,10 +42,10 @@ impl Grooves {
         if apart <= self.width {
             return Ok(());
         }
-        let value =
-            format!("{:.2} mm wide; nodes of the ball are {:.2} mm apart", self.width * 1e3, apart * 1e3);
+        let value = format!("{:.2} mm wide", self.width * 1e3);
         let allowed = format!(
-            "nodes must be no farther apart than grooves are wide: make the ball's cube {:.1} times as large",
+            "they must be at least as wide as nodes of the ball are apart, {:.2} mm; make `cube` of the ball {:.1} times as large",
+            apart * 1e3,
             apart / self.width
         );
         Err(FemError::input("grooves", value, allowed))

@@ -59,9 +59,10 @@ impl ContactMethod {
     /// [`FemError::Input`] for an unknown name.
     pub fn from_name(name: &str) -> Result<Self, FemError> {
         let known = [Self::Penalty, Self::AugmentedLagrange];
-        known.into_iter().find(|method| method.name() == name).ok_or_else(|| {
-            FemError::input("contact", name, format!("known are {}", known.map(Self::name).join(", ")))
-        })
+        known
+            .into_iter()
+            .find(|method| method.name() == name)
+            .ok_or_else(|| FemError::unknown("contact", name, known.map(Self::name)))
     }
     /// Time in which multipliers take over, s, if there are any.
     #[must_use]

@@ -32,9 +32,10 @@ impl Element {
     /// [`FemError::Input`] for an unknown name.
     pub fn from_name(name: &str) -> Result<Self, FemError> {
         let known = [Self::OnePoint, Self::FullyIntegrated];
-        known.into_iter().find(|kind| kind.name() == name).ok_or_else(|| {
-            FemError::input("element", name, format!("known are {}", known.map(Self::name).join(", ")))
-        })
+        known
+            .into_iter()
+            .find(|kind| kind.name() == name)
+            .ok_or_else(|| FemError::unknown("element", name, known.map(Self::name)))
     }
 
     /// Patches of some elements of a mesh, of one material, in their undeformed shape.

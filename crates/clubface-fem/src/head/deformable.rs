@@ -43,8 +43,8 @@ pub trait DeformableHead<R: Real> {
         if out.dot(face_axes(self.loft())[0]) > 0.5 * out.norm() {
             return Ok(());
         }
-        let allowed = "it must look at the ball, within 60 degrees of the loft: corners go counterclockwise seen from outside, x is towards the target";
-        Err(FemError::input("face", "looks away from the ball", allowed))
+        let allowed = "its normal must be within 60 degrees of that of the loft: list the corners counterclockwise seen from outside, and let x point towards the target";
+        Err(FemError::input("face", "turned away from the ball", allowed))
     }
 
     /// Mass, mass centre and inertia.

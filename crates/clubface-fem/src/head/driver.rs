@@ -104,7 +104,11 @@ impl<R: Real> Driver<R> {
         self.metal.check("metal")?;
         if self.fineness.0.iter().any(|n| !(4..=400).contains(n)) {
             let value = format!("{:?}", self.fineness.0);
-            return Err(FemError::input("head elements", value, "4 to 400 a side are allowed"));
+            return Err(FemError::input(
+                "elements",
+                value,
+                "each of the three numbers must be from 4 to 400",
+            ));
         }
         Ok(())
     }

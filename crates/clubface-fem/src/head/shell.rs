@@ -47,8 +47,8 @@ impl<R: Kernels> DeformableHead<R> for ShellHead<R> {
         if !self.parts.iter().any(|part| part.face && !part.elements.is_empty()) {
             return Err(FemError::input(
                 "face",
-                "no elements",
-                "at least one element must be the ball's to touch",
+                "empty",
+                "at least one element must belong to the face, which the ball touches",
             ));
         }
         self.shells.check_size()?;

@@ -35,15 +35,19 @@ impl<R: Kernels> DeformableHead<R> for SolidHead<R> {
             let volume = self.solid.volume(element);
             if volume <= 0.0 || volume.is_nan() {
                 let name = format!("element {element} of the head");
-                let allowed = "its volume must be above zero: make the blade thicker or the mesh finer there";
-                return Err(FemError::input(name, format!("{:.3} mm3", volume * 1e9), allowed));
+                let allowed = "its volume must be above 0; make the blade thicker or the mesh finer there";
+                return Err(FemError::input(
+                    name,
+                    format!("inverted (volume {:.3} mm3)", volume * 1e9),
+                    allowed,
+                ));
             }
         }
         if self.face.is_empty() {
             return Err(FemError::input(
                 "face",
-                "no elements",
-                "at least one side must be the ball's to touch",
+                "empty",
+                "at least one side of an element must belong to the face, which the ball touches",
             ));
         }
         self.check_face()

@@ -96,21 +96,21 @@ impl<R: Real> Material<R> {
         let of = |what: &str| format!("{what} of {name}");
         self.law.check(name)?;
         positive(self.bulk.re(), "Pa", || {
-            of("bulk modulus (infinite for a Poisson's ratio of 0.5: take 0.49 to 0.499 for rubber)")
+            of("bulk modulus (which is infinite for a Poisson's ratio of 0.5; use 0.49 to 0.499 for rubber)")
         })?;
         if self.poisson() > POISSON {
             let allowed = format!(
-                "at most {POISSON} is allowed, since the time step falls to nothing at 0.5; rubber behaves as incompressible from 0.49 on"
+                "it must be at most {POISSON}, since the time step goes to zero at 0.5; rubber behaves as if incompressible from 0.49 on"
             );
             return Err(FemError::input(of("Poisson's ratio"), format!("{:.6}", self.poisson()), allowed));
         }
         if self.maxwell.len() > MAX_TERMS {
-            let allowed = format!("at most {MAX_TERMS} are allowed");
+            let allowed = format!("it must be at most {MAX_TERMS}");
             return Err(FemError::input(of("number of viscoelastic terms"), self.maxwell.len(), allowed));
         }
         if !self.law.description().state.is_empty() && !self.maxwell.is_empty() {
             let allowed =
-                "none are allowed over a law with state variables of its own, as of a metal that yields";
+                "it must be 0, since the law has state variables of its own (as a metal that yields has)";
             return Err(FemError::input(of("number of viscoelastic terms"), self.maxwell.len(), allowed));
         }
         for (number, term) in self.maxwell.iter().enumerate() {
@@ -118,7 +118,7 @@ impl<R: Real> Material<R> {
             positive(term.modulus.re(), "", || of("relative modulus"))?;
             positive(term.time.re(), "s", || of("relaxation time"))?;
             if term.modulus.re() > BRANCH {
-                let allowed = format!("at most {BRANCH} times the slow modulus is allowed");
+                let allowed = format!("it must be at most {BRANCH} times the long-term modulus");
                 return Err(FemError::input(of("relative modulus"), term.modulus.re(), allowed));
             }
         }

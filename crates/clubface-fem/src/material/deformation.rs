@@ -1,7 +1,7 @@
 //! Deformation at a point, its change of shape apart from that of volume.
 
-use super::symmetric::{times, Symmetric};
-use clubface_math::{Mat3, Scalar, Vec3};
+use super::symmetric::{cross, dot, times, Symmetric};
+use clubface_math::{Mat3, Scalar};
 
 /// Deformation at a point: what laws see of its gradient.
 #[derive(Clone, Copy, Debug)]
@@ -72,14 +72,6 @@ impl<S: Scalar> Kinematics<S> {
     }
 }
 
-#[inline(always)]
-pub(crate) fn cross<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
-    Vec3::new(a.y.mul_add(b.z, -(a.z * b.y)), a.z.mul_add(b.x, -(a.x * b.z)), a.x.mul_add(b.y, -(a.y * b.x)))
-}
-#[inline(always)]
-pub(crate) fn dot<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> S {
-    a.z.mul_add(b.z, a.y.mul_add(b.y, a.x * b.x))
-}
 /// `J^(-1/3)` from a parabola through J = 0.5, 1, 1.7, within 2% there. With `h = 1 - J y^3` the root is `y (1 - h)^(-1/3)`, whose series to the
 /// third order leaves `h^4/7`: two steps are exact there. They lead to the root for J between 0.3 and 2.5, beyond which an element is lost.
 #[inline(always)]

@@ -87,8 +87,8 @@ impl Description {
         }
         let wanted: Vec<_> = self.constants.iter().map(|constant| constant.name).collect();
         let (needed, group) = (self.needed, self.group);
-        let more = if count > needed { format!(", then {group} at a time") } else { String::new() };
-        let allowed = format!("the first {needed} are needed{more}: {}", wanted.join(", "));
+        let more = if count > needed { format!(" and then {group} at a time") } else { String::new() };
+        let allowed = format!("it needs the first {needed}{more} of {}", wanted.join(", "));
         Err(FemError::input(format!("constants of {}", self.name), count, allowed))
     }
 }

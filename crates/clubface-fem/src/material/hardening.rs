@@ -60,12 +60,12 @@ impl<R: Real> Hardening<R> {
     pub fn table(points: &[(R, R)], name: &str) -> Result<Self, FemError> {
         let of = format!("{name}.hardening");
         if !(1..=HARDENING_POINTS).contains(&points.len()) {
-            let allowed = format!("1 to {HARDENING_POINTS} points are allowed");
+            let allowed = format!("it must have 1 to {HARDENING_POINTS} points");
             return Err(FemError::input(of, format!("{} points", points.len()), allowed));
         }
         if points[0].0.re() != 0.0 || points.windows(2).any(|pair| pair[0].0.re() >= pair[1].0.re()) {
             let strains: Vec<_> = points.iter().map(|point| point.0.re().to_string()).collect();
-            let allowed = "plastic strains must begin at zero and increase";
+            let allowed = "plastic strains must begin at 0 and increase";
             return Err(FemError::input(of, strains.join(", "), allowed));
         }
         let mut law = Self::perfect(points[0].1);
@@ -111,7 +111,7 @@ impl<R: Real> Hardening<R> {
         for value in [least, self.gain.re(), self.rate.re()] {
             if !(value >= 0.0 && value.is_finite()) {
                 let allowed =
-                    "a metal that softens would fail where it yields first: the yield stress must not fall";
+                    "the yield stress must not fall with plastic strain, since a metal that softens would fail where it yields first";
                 return Err(FemError::input(format!("{name}.hardening"), value, allowed));
             }
         }

@@ -25,7 +25,6 @@ mod viscous;
 mod von_mises;
 
 pub use body::Material;
-pub(crate) use deformation::{cross, dot};
 pub use deformation::{Deformation, Kinematics};
 pub use description::{Card, Constant, Description};
 pub use family::{Entry, Family, Law, DERIVATIVES};
@@ -40,6 +39,7 @@ pub use plane_stress::{PlaneState, PlaneStress};
 pub use point::MaterialPoint;
 pub use stage::{PointEnergy, Points, StressStage};
 pub use state_variables::{eight_alike, Eight, Numbers, State, StateVariables, Update, Updates};
+pub(crate) use symmetric::{cross, dot};
 pub use symmetric::{times, Symmetric};
 pub use table::{build, entry, from_table, map_law, Number};
 pub use viscous::{Branches, Decay, Maxwell, MAX_TERMS};

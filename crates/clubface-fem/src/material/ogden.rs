@@ -121,12 +121,12 @@ impl Family for Ogden<()> {
         for (number, term) in constants.chunks_exact(2).enumerate() {
             let (mu, alpha, number) = (term[0], term[1], number + 1);
             if !(alpha != 0.0 && alpha.abs() <= EXPONENT) {
-                let allowed = format!("from -{EXPONENT} to {EXPONENT}, not zero, is allowed");
+                let allowed = format!("it must be from -{EXPONENT} to {EXPONENT} and not 0");
                 return Err(FemError::input(format!("alpha{number} of {name}"), alpha, allowed));
             }
             if !(mu * alpha > 0.0 && mu.is_finite()) {
                 let allowed =
-                    "it must have the sign of its alpha: otherwise rubber may soften until it runs away";
+                    "it must have the same sign as its alpha, otherwise the rubber may lose its stiffness";
                 return Err(FemError::input(format!("mu{number} of {name}"), format!("{mu} Pa"), allowed));
             }
         }

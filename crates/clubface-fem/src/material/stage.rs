@@ -110,7 +110,8 @@ impl<P: Pack, L: PointLaw<P>> StressStage<P> for Stage<P, L> {
         first: usize,
         strain: &mut P,
     ) {
-        P::outline(PlasticStrain { law: &self.law, state, block, first, strain });
+        // Asked for seldom, of single numbers: no features of the CPU are needed.
+        *strain = self.law.plastic_strain(&state.of(block, first).every_step);
     }
 }
 
@@ -180,21 +181,5 @@ impl<P: Pack, L: PointLaw<P>> Computation for Energy<'_, P, L> {
         let viscous = if self.stage.branching.count == 0 { P::zero() } else { work(&state) };
         let [strain, plastic] = self.stage.law.energy(self.c, &state.every_step);
         *self.energy = PointEnergy { strain, viscous, plastic };
-    }
-}
-
-struct PlasticStrain<'a, P: Pack, L> {
-    law: &'a L,
-    state: &'a mut StateVariables<P::Real>,
-    block: usize,
-    first: usize,
-    strain: &'a mut P,
-}
-
-impl<P: Pack, L: PointLaw<P>> Computation for PlasticStrain<'_, P, L> {
-    type Output = ();
-    #[inline(always)]
-    fn run(self) {
-        *self.strain = self.law.plastic_strain(&self.state.of(self.block, self.first).every_step);
     }
 }

@@ -1,6 +1,5 @@
 //! Symmetric tensors of the second order.
 
-use super::dot;
 use clubface_math::{Mat3, Scalar, Vec3};
 
 /// Six components of a symmetric tensor: xx, yy, zz, xy, xz, yz.
@@ -115,4 +114,13 @@ pub fn times<S: Scalar>(a: &Mat3<S>, b: &Symmetric<S>) -> Mat3<S> {
         Vec3::new(dot(s, x), dot(s, y), dot(s, z)),
         Vec3::new(dot(t, x), dot(t, y), dot(t, z)),
     )
+}
+
+#[inline(always)]
+pub(crate) fn cross<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
+    Vec3::new(a.y.mul_add(b.z, -(a.z * b.y)), a.z.mul_add(b.x, -(a.x * b.z)), a.x.mul_add(b.y, -(a.y * b.x)))
+}
+#[inline(always)]
+pub(crate) fn dot<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> S {
+    a.z.mul_add(b.z, a.y.mul_add(b.y, a.x * b.x))
 }

@@ -62,8 +62,7 @@ pub fn from_table<R: Number>(
     constants: &[R],
 ) -> Result<Arc<dyn Law<R>>, FemError> {
     let Some(entry) = table.iter().find(|entry| entry.description.name == name) else {
-        let known: Vec<_> = table.iter().map(|entry| entry.description.name).collect();
-        return Err(FemError::input("law", name, format!("known are {}", known.join(", "))));
+        return Err(FemError::unknown("law", name, table.iter().map(|entry| entry.description.name)));
     };
     entry.description.check_count(constants.len())?;
     let law = R::law(entry, constants);
@@ -89,20 +88,20 @@ impl<F: Family, R: Number> Law<R> for Built<F, R> {
         F::shear(&self.constants)
     }
     fn check(&self, name: &str) -> Result<(), FemError> {
+        let values: Vec<f64> = self.constants.iter().map(|value| value.re()).collect();
+        F::check(&values, name)?;
         let shear = self.shear().re();
         if !(shear > 0.0 && shear.is_finite()) {
             let allowed = "it must be above zero and finite";
             return Err(FemError::input(format!("shear modulus of {name}"), format!("{shear} Pa"), allowed));
         }
-        let values: Vec<f64> = self.constants.iter().map(|value| value.re()).collect();
-        F::check(&values, name)?;
         for (constant, value) in F::DESCRIPTION.constants.iter().zip(values) {
             let Constant { least, most, .. } = *constant;
             if !(least..=most).contains(&value) {
                 let unit = constant.unit();
                 let given = format!("{value} {unit}");
                 let allowed = format!("{least} to {most} {unit}");
-                let allowed = format!("{} is allowed", allowed.trim_end());
+                let allowed = format!("it must be {}", allowed.trim_end());
                 return Err(FemError::input(
                     format!("{} of {name}", constant.name),
                     given.trim_end(),

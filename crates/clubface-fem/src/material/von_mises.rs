@@ -156,46 +156,53 @@ impl<P: Pack> Inelastic<P> for VonMises<P> {
     }
 }
 
-const fn pressure(name: &'static str, meaning: &'static str, least: f64, most: f64) -> Constant {
-    Constant { name, dimension: "pressure", meaning, least, most }
+const fn constant(
+    name: &'static str,
+    dimension: &'static str,
+    least: f64,
+    most: f64,
+    meaning: &'static str,
+) -> Constant {
+    Constant { name, dimension, meaning, least, most }
 }
-const fn number(name: &'static str, meaning: &'static str, most: f64) -> Constant {
-    Constant { name, dimension: "dimensionless", meaning, least: 0.0, most }
-}
-const fn strain(name: &'static str) -> Constant {
-    number(name, "Plastic strain from which on a change of slope counts.", f64::MAX)
-}
-const fn slope(name: &'static str) -> Constant {
-    pressure(name, "Change of the slope of the yield stress, Pa.", f64::MIN, f64::MAX)
-}
+
+/// Names of the bends of hardening, in turn the plastic strain from which on it counts and the change of slope.
+const BENDS: [[&str; 2]; HARDENING_POINTS] = [
+    ["strain1", "slope1"],
+    ["strain2", "slope2"],
+    ["strain3", "slope3"],
+    ["strain4", "slope4"],
+    ["strain5", "slope5"],
+    ["strain6", "slope6"],
+    ["strain7", "slope7"],
+    ["strain8", "slope8"],
+];
+
+/// Constants: those of every metal, then of the bends.
+const CONSTANTS: [Constant; 4 + 2 * HARDENING_POINTS] = {
+    let rate = "Inverse of the plastic strain within which 63% of the gain are reached.";
+    let mut all = [constant("rate", "dimensionless", 0.0, f64::MAX, rate); 4 + 2 * HARDENING_POINTS];
+    all[0] = constant("shear", "pressure", 0.0, 1e13, "Shear modulus, Pa.");
+    all[1] = constant("yield", "pressure", 0.0, f64::MAX, "Yield stress in tension, Pa.");
+    all[2] = constant("gain", "pressure", 0.0, f64::MAX, "What hardening adds that saturates, Pa.");
+    let mut i = 0;
+    while i < HARDENING_POINTS {
+        let [strain, slope] = BENDS[i];
+        let begins = "Plastic strain from which on a change of slope counts.";
+        all[4 + 2 * i] = constant(strain, "dimensionless", 0.0, f64::MAX, begins);
+        let change = "Change of the slope of the yield stress, Pa.";
+        all[5 + 2 * i] = constant(slope, "pressure", f64::MIN, f64::MAX, change);
+        i += 1;
+    }
+    all
+};
 
 impl Family for VonMises<()> {
     const DESCRIPTION: Description = Description {
         name: "von-mises",
         summary: "metal, linear in logarithmic strain until it yields",
         source: "J. C. Simo, Comput. Methods Appl. Mech. Eng. 99, 1992",
-        constants: &[
-            pressure("shear", "Shear modulus, Pa.", 0.0, 1e13),
-            pressure("yield", "Yield stress in tension, Pa.", 0.0, f64::MAX),
-            pressure("gain", "What hardening adds that saturates, Pa.", 0.0, f64::MAX),
-            number("rate", "Inverse of the plastic strain within which 63% of it are reached.", f64::MAX),
-            strain("strain1"),
-            slope("slope1"),
-            strain("strain2"),
-            slope("slope2"),
-            strain("strain3"),
-            slope("slope3"),
-            strain("strain4"),
-            slope("slope4"),
-            strain("strain5"),
-            slope("slope5"),
-            strain("strain6"),
-            slope("slope6"),
-            strain("strain7"),
-            slope("slope7"),
-            strain("strain8"),
-            slope("slope8"),
-        ],
+        constants: &CONSTANTS,
         needed: 4,
         group: 2,
         listed: false,
@@ -217,5 +224,4 @@ impl Family for VonMises<()> {
     }
 }
 
-const _: () = assert!(4 + 2 * HARDENING_POINTS == <VonMises<()> as Family>::DESCRIPTION.constants.len());
 const _: () = assert!(PlasticState::<f64>::LENGTH == <VonMises<()> as Family>::DESCRIPTION.state.len());

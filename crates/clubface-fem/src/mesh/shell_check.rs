@@ -21,7 +21,7 @@ pub fn check_wall(name: &str, thickness: f64, place: &str) -> Result<(), FemErro
     if (WALLS.0..=WALLS.1).contains(&thickness) {
         return Ok(());
     }
-    Err(FemError::input(name, format!("{} mm{place}", thickness * 1e3), "0.2 to 20 mm is allowed"))
+    Err(FemError::input(name, format!("{} mm{place}", thickness * 1e3), "it must be 0.2 to 20 mm"))
 }
 
 impl<R: Real> ShellMesh<R> {
@@ -34,8 +34,8 @@ impl<R: Real> ShellMesh<R> {
         if least > CONVEXITY && least.is_finite() {
             return Ok(());
         }
-        let allowed = "its corners must go round once and make no angle of 180 degrees or more; \
-                       mend or refine the mesh there";
+        let allowed = "its corners must be in order and make angles below 180 degrees; \
+                       correct or refine the mesh there";
         Err(FemError::input(format!("element {element} of {part}"), "inverted or degenerate", allowed))
     }
 
@@ -55,7 +55,7 @@ impl<R: Real> ShellMesh<R> {
             return Ok(());
         }
         let value = format!("{size:.3} m across");
-        let allowed = "20 to 400 mm is allowed; is the unit of length right?";
+        let allowed = "it must be 20 to 400 mm; is the unit of length right?";
         Err(FemError::input("size of the head", value, allowed))
     }
 
@@ -69,11 +69,11 @@ impl<R: Real> ShellMesh<R> {
             for k in 0..4 {
                 let edge = (quad[k], quad[(k + 1) % 4]);
                 if let Some(other) = edges.insert(edge, element) {
+                    let name = format!("edge of elements {other} and {element}");
                     let allowed =
-                        "neighbours must run through their common side in opposite directions (all normals \
-                                   outwards), and no more than two may share it";
-                    let value = format!("elements {other} and {element}");
-                    return Err(FemError::input("side of two elements", value, allowed));
+                        "an edge belongs to two elements at most, which list its nodes in opposite order \
+                                   so that all normals point outwards";
+                    return Err(FemError::input(name, "used twice in the same direction", allowed));
                 }
             }
         }
@@ -105,8 +105,9 @@ impl<R: Real> ShellMesh<R> {
         let apart = (0..count).find(|&n| find(&mut root, n) != whole);
         apart.map_or(Ok(()), |n| {
             let Vec3 { x, y, z } = self.nodes[n] * 1e3;
-            let value = format!("node {n} at ({x:.1}, {y:.1}, {z:.1}) mm hangs on no other part");
-            Err(FemError::input("mesh of the head", value, "it must be in one piece: merge coincident nodes"))
+            let value =
+                format!("node {n} at ({x:.1}, {y:.1}, {z:.1}) mm, which is connected to no other part");
+            Err(FemError::input("mesh of the head", value, "it must be in one piece; merge coincident nodes"))
         })
     }
 }

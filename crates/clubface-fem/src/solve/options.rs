@@ -49,17 +49,21 @@ impl Options {
             return Err(FemError::input(
                 "duration",
                 format!("{} us", self.duration * 1e6),
-                "above 0, at most 100000 us is allowed",
+                "it must be above 0 and at most 100000 us",
             ));
         }
         if let Some(safety) = self.safety.filter(|safety| !(*safety > 0.0 && *safety <= 1.0)) {
-            return Err(FemError::input("safety", safety, "above 0, at most 1 (the stable step) is allowed"));
+            return Err(FemError::input(
+                "safety",
+                safety,
+                "it must be above 0 and at most 1 (the stable step)",
+            ));
         }
         if self.interval.is_nan() || self.interval <= 0.0 || self.energy_every == 0 {
-            return Err(FemError::input("interval", self.interval, "above 0 s is allowed"));
+            return Err(FemError::input("interval", format!("{} s", self.interval), "it must be above 0"));
         }
         if !(0.0..=1.0).contains(&self.bulk_viscosity) {
-            return Err(FemError::input("bulk_viscosity", self.bulk_viscosity, "0 to 1 is allowed"));
+            return Err(FemError::input("bulk_viscosity", self.bulk_viscosity, "it must be from 0 to 1"));
         }
         Ok(())
     }

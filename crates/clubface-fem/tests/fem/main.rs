@@ -3,6 +3,7 @@
 mod ball_on_plane;
 mod contact;
 mod meshes;
+mod messages;
 mod shells;
 mod solver;
 mod verification;

@@ -29,8 +29,8 @@ pub struct ContactSolver<S> {
     layer: Layer<S>,
 }
 
-/// Normal force (N) and drag (N s/m) at one contact point and their derivatives by penetration, by its rate, of the drag
-/// also by the normal force and by the squared sliding speed.
+/// Normal force (N) and drag (N s/m) at one contact point and their derivatives by penetration, by its rate, of the
+/// drag also by the normal force and by the squared sliding speed.
 #[derive(Clone, Copy, Debug)]
 struct Slopes<S> {
     force: S,
@@ -52,9 +52,9 @@ struct Layer<S> {
     compliance: S,
 }
 
-/// Friction is stiff (Caldwell and McPhee's tanh law: some 5e6 1/s). The rest of the contact force, the spring and damper of a layered
-/// ball and the approach that drives the penetration stand in the approximate Jacobian too, since a Rosenbrock-W
-/// method is the more accurate the less is left out; only slow rotations of the axes are.
+/// Friction is stiff (Caldwell and McPhee's tanh law: some 5e6 1/s). The rest of the contact force, the spring and
+/// damper of a layered ball and the approach that drives the penetration stand in the approximate Jacobian too, since a
+/// Rosenbrock-W method is the more accurate the less is left out; only slow rotations of the axes are.
 impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<S, L> {
     type Jacobian = ContactJacobian<S>;
     type Solver = ContactSolver<S>;

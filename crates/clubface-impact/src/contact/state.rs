@@ -27,8 +27,8 @@ pub const TWIST: usize = 19;
 /// Number of states of a layered ball.
 pub const LAYERED: usize = 22;
 /// The energy ledger, which recorded contacts carry behind their other states: work taken by the normal force, by
-/// friction and by the damper between cover and core, J. It acts on nothing and has no part in the size of a step, so that
-/// a recorded contact ends as any other.
+/// friction and by the damper between cover and core, J. It acts on nothing and has no part in the size of a step, so
+/// that a recorded contact ends as any other.
 pub const LEDGER: usize = 3;
 /// Number of states of a recorded ball in one piece.
 pub const RECORDED_SOLID: usize = SOLID + LEDGER;

@@ -2,9 +2,9 @@
 //!
 //! S. Ferguson, W. McNally and J. McPhee (2022, doi 10.5703/1288284317493) fitted the coefficients of drag, lift and
 //! spin decay to 1040 measured flights as functions of the spin parameter S = r omega / v alone:
-//! C_D = 0.1304 + 0.9287 S - 0.8259 S^2, C_L = 0.0504 + 1.2031 S - 1.1490 S^2, C_M = 0.01 S. There is no Reynolds number
-//! in them. They hold for S in 0.02-0.75; outside, S is held at the nearer end (and the flight says so), but lift
-//! fades to zero with the spin, since it must and the fit does not know it.
+//! C_D = 0.1304 + 0.9287 S - 0.8259 S^2, C_L = 0.0504 + 1.2031 S - 1.1490 S^2, C_M = 0.01 S. There is no Reynolds
+//! number in them. They hold for S in 0.02-0.75; outside, S is held at the nearer end (and the flight says so), but
+//! lift fades to zero with the spin, since it must and the fit does not know it.
 
 use clubface_math::{Mask, Scalar, Vec3};
 

@@ -36,9 +36,9 @@ impl FlightBatch<'_> {
         Ok(())
     }
 
-    /// Flies `rows` into `outputs`, one slice an output, each as long as `rows`, on the calling thread. Shots that cannot
-    /// be flown are NaN and returned with reasons. A shot does not depend on its neighbours, so rows may be shared out
-    /// among threads: one flies a [`CHUNK`](crate::batch::CHUNK) in a few milliseconds.
+    /// Flies `rows` into `outputs`, one slice an output, each as long as `rows`, on the calling thread. Shots that
+    /// cannot be flown are NaN and returned with reasons. A shot does not depend on its neighbours, so rows may be
+    /// shared out among threads: one flies a [`CHUNK`](crate::batch::CHUNK) in a few milliseconds.
     #[must_use]
     pub fn run(&self, rows: Range<usize>, mut outputs: Vec<&mut [f64]>) -> Vec<Reject> {
         dispatch(Flights { inputs: self.inputs, rows, outputs: &mut outputs })

@@ -167,8 +167,8 @@ fn replace<S: Lanes, const N: usize>(values: &mut [S; N], other: &[f64], lane_is
     }
 }
 
-/// What is known of the rows of a batch: the equipment that was last found good, since it hardly ever varies, and whether
-/// parameters that do not vary are good.
+/// What is known of the rows of a batch: the equipment that was last found good, since it hardly ever varies, and
+/// whether parameters that do not vary are good.
 struct Checks {
     equipment: Option<[f64; INPUT_COUNT]>,
     parameters: Option<Result<(), ImpactError>>,

@@ -1,4 +1,5 @@
-//! Adjusted impulse-momentum model of Danaei et al.: extra clubhead mass and a displaced ball CG (Caldwell and McPhee, section 2.1.1).
+//! Adjusted impulse-momentum model of Danaei et al.: extra clubhead mass and a displaced ball CG (Caldwell and McPhee,
+//! section 2.1.1).
 
 use super::impulse::{restitution, solve, Restitution};
 use crate::contact::Recorder;

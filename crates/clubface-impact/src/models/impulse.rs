@@ -1,10 +1,11 @@
-//! The impulse-momentum equations that four models share (Caldwell and McPhee, Eqs. 1-11), eliminated to one 3 x 3 solve.
+//! The impulse-momentum equations that four models share (Caldwell and McPhee, Eqs. 1-11), eliminated to one 3 x 3
+//! solve.
 
 use crate::first_touch::{FirstTouch, Motion};
 use clubface_math::{Mat3, Scalar, Vec3};
 
-/// Coefficient of restitution at a normal approach speed in m/s: `cor + cor_slope * speed`, and never below zero, where the ball would leave through
-/// the face.
+/// Coefficient of restitution at a normal approach speed in m/s: `cor + cor_slope * speed`, and never below zero, where
+/// the ball would leave through the face.
 #[inline(always)]
 pub fn restitution<S: Scalar>(cor: S, cor_slope: S, approach: S) -> S {
     // In this order NaN stays.
@@ -25,8 +26,8 @@ pub struct Restitution<S> {
 
 /// Both motions after an instantaneous impact at one point, face axes.
 ///
-/// `extra_mass` moves with the clubhead CG; `ball_offset` displaces the ball's CG in x'y'z' (Danaei et al., as in Caldwell and McPhee
-/// section 2.1.1).
+/// `extra_mass` moves with the clubhead CG; `ball_offset` displaces the ball's CG in x'y'z' (Danaei et al., as in
+/// Caldwell and McPhee section 2.1.1).
 #[inline(always)]
 pub fn solve<S: Scalar>(
     touch: &FirstTouch<S>,

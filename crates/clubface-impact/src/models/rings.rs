@@ -1,4 +1,5 @@
-//! Concentric rings (Caldwell and McPhee, section 2.2.2), after Maw, Barber and Fawcett (1976), with both tangential directions.
+//! Concentric rings (Caldwell and McPhee, section 2.2.2), after Maw, Barber and Fawcett (1976), with both tangential
+//! directions.
 
 use super::hertz;
 use crate::contact::{

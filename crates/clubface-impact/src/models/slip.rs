@@ -1,4 +1,5 @@
-//! Variable-slip impulse-momentum model: Cross and Dewhurst's tangential restitution in 3D (Caldwell and McPhee, section 2.1.2).
+//! Variable-slip impulse-momentum model: Cross and Dewhurst's tangential restitution in 3D (Caldwell and McPhee,
+//! section 2.1.2).
 
 use super::impulse::{restitution, solve, Restitution};
 use crate::contact::Recorder;

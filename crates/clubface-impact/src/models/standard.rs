@@ -1,4 +1,5 @@
-//! Standard impulse-momentum model: restitution along the normal, pure rolling along the face (Caldwell and McPhee, section 2.1).
+//! Standard impulse-momentum model: restitution along the normal, pure rolling along the face (Caldwell and McPhee,
+//! section 2.1).
 
 use super::impulse::{restitution, solve, Restitution};
 use crate::contact::Recorder;

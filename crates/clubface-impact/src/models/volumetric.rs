@@ -1,4 +1,5 @@
-//! Two-layer ball with a volumetric normal force (Caldwell and McPhee, section 2.2.1, Eqs. 12-13), after McNally, Gonthier and Brown.
+//! Two-layer ball with a volumetric normal force (Caldwell and McPhee, section 2.2.1, Eqs. 12-13), after McNally,
+//! Gonthier and Brown.
 
 use crate::contact::{run, ContactLaw, Core, Recorder, LAYERED, RECORDED_LAYERED};
 use crate::description::{Law, ModelInfo, ModelKind};

@@ -8,7 +8,8 @@ use proptest::test_runner::TestRunner;
 
 const TIGHT: Accuracy = Accuracy::Tolerance(1e-10);
 
-/// Largest differences over a sample: velocity and surface speed (spin times radius) over ball speed, and spin over spin.
+/// Largest differences over a sample: velocity and surface speed (spin times radius) over ball speed, and spin over
+/// spin.
 #[derive(Clone, Copy, Debug, Default)]
 struct Worst {
     launch: f64,

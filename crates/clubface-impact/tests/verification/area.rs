@@ -11,8 +11,8 @@ fn backspin(club: Club, friction: f64, eta: f64) -> f64 {
     hit(MODEL, &played(club), &changed(MODEL, published(MODEL, club), &values), TIGHT).at("backspin")
 }
 
-/// The area returns to zero, so while the ball slides throughout (mu = 0.02) the term has no net impulse; its lever R - d
-/// is the same when the area grows and shrinks. What the turning of the face leaves is below 0.1%.
+/// The area returns to zero, so while the ball slides throughout (mu = 0.02) the term has no net impulse; its lever R -
+/// d is the same when the area grows and shrinks. What the turning of the face leaves is below 0.1%.
 #[test]
 fn under_full_sliding_the_area_term_leaves_the_spin_alone() {
     for club in CLUBS {
@@ -24,7 +24,8 @@ fn under_full_sliding_the_area_term_leaves_the_spin_alone() {
     }
 }
 
-/// The term acts from first touch to separation and not beyond: the launch does not depend on where the last step ends. What is taken back has the length of that step, so that its change over it is of second order.
+/// The term acts from first touch to separation and not beyond: the launch does not depend on where the last step ends.
+/// What is taken back has the length of that step, so that its change over it is of second order.
 #[test]
 fn the_area_term_ends_with_the_contact() {
     for club in CLUBS {
@@ -41,8 +42,8 @@ fn the_area_term_ends_with_the_contact() {
     }
 }
 
-/// Once sliding stops the term does change the spin: 22% more for a drive at the published friction and eta = 1000, by an
-/// independent program (two digits).
+/// Once sliding stops the term does change the spin: 22% more for a drive at the published friction and eta = 1000, by
+/// an independent program (two digits).
 #[test]
 fn once_sliding_stops_the_area_term_changes_the_spin() {
     let change = backspin(Club::Driver, 0.0486, 1000.0) / backspin(Club::Driver, 0.0486, 0.0) - 1.0;

@@ -84,8 +84,8 @@ fn worst(
     worst
 }
 
-/// Off-centre and with every value away from zero, so that no derivative vanishes by symmetry. Parameters that stand at a
-/// bound are moved inside it.
+/// Off-centre and with every value away from zero, so that no derivative vanishes by symmetry. Parameters that stand at
+/// a bound are moved inside it.
 fn general(club: Club, hand: f64) -> Inputs {
     played(club).with(&[
         ("path", 0.05),

@@ -45,8 +45,8 @@ fn near(a: Vec3<f64>, b: Vec3<f64>, tolerance: f64) -> bool {
 }
 
 proptest! {
-    /// The squared distance (1e-3 m2 or less) is flat at its minimum, so a search cannot place the point better than the
-    /// root of its rounding: 1e-8 m along the face for 1e-14 m in the distance.
+    /// The squared distance (1e-3 m2 or less) is flat at its minimum, so a search cannot place the point better than
+    /// the root of its rounding: 1e-8 m along the face for 1e-14 m in the distance.
     #[test]
     fn the_nearest_point_is_the_nearest(face in curved(), p in place()) {
         let nearest = face.nearest(p);

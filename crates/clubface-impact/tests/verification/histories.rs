@@ -97,8 +97,8 @@ fn angular_momentum_is_kept_at_every_step() {
     });
 }
 
-/// Kinetic energy, energy between cover and core, and what normal force, friction and damper have taken. Of the 240 J of a
-/// drive 1e-8 at steps of 1e-10.
+/// Kinetic energy, energy between cover and core, and what normal force, friction and damper have taken. Of the 240 J
+/// of a drive 1e-8 at steps of 1e-10.
 #[test]
 fn energy_is_accounted_for_at_every_step() {
     each_history(|model, _, _, frames| {
@@ -132,8 +132,8 @@ fn the_kinetic_energy_is_that_of_both_bodies() {
     }
 }
 
-/// Without damping, on a flat face, the normal force stores (2/5) k x^2.5 (Hertz) or its volume's integral, and gives it
-/// all back.
+/// Without damping, on a flat face, the normal force stores (2/5) k x^2.5 (Hertz) or its volume's integral, and gives
+/// it all back.
 #[test]
 fn an_undamped_normal_force_stores_its_potential_and_returns_it() {
     let radius = 0.0213f64;
@@ -220,8 +220,9 @@ fn friction_opposes_sliding() {
     }
 }
 
-/// The impulse of the recorded forces is the momentum the ball has at the end. Trapezoids over some hundred steps of unequal
-/// length, corrected by the curvature h^3 F''/12 of the force: what is left is of the next order in h; seen: 2.5e-6.
+/// The impulse of the recorded forces is the momentum the ball has at the end. Trapezoids over some hundred steps of
+/// unequal length, corrected by the curvature h^3 F''/12 of the force: what is left is of the next order in h; seen:
+/// 2.5e-6.
 #[test]
 fn the_impulse_of_the_recorded_force_is_the_momentum_of_the_ball() {
     for model in contacts() {

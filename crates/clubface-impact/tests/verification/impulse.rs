@@ -1,4 +1,4 @@
-//! Impulse models against closed forms and the conditions they are made of (Caldwell and McPhee, Eqs. 1-11).
+//! Impulse models against closed forms and the conditions they are made of (P1, Eqs. 1-11).
 
 use crate::rigid::Rigid;
 use crate::shots::*;
@@ -46,7 +46,8 @@ fn a_central_impact_follows_penners_closed_form() {
     }
 }
 
-/// Where the slope takes more than the restitution at rest there is none left: the ball stays at the face, and no energy is made.
+/// Where the slope takes more than the restitution at rest there is none left: the ball stays at the face, and no
+/// energy is made.
 #[test]
 fn restitution_ends_at_zero() {
     let inputs = simple_head(0.04).with(&[("speed", 60.0)]);
@@ -105,7 +106,7 @@ proptest! {
         prop_assert!((restitution - 0.83).abs() < ROUNDING);
     }
 
-    /// Caldwell and McPhee, Eqs. 10 and 11: each component of the sliding velocity is reversed by its own slip ratio.
+    /// P1 Eqs. 10 and 11: each component of the sliding velocity is reversed by its own slip ratio.
     #[test]
     fn the_slip_model_keeps_the_slip_ratios_along_both_directions(
         (_, inputs) in any_delivery(), e_y in -1.0..1.0f64, e_z in -1.0..1.0f64
@@ -141,8 +142,8 @@ proptest! {
         }
     }
 
-    /// An impulse P at one point does the work P.(v_before + v_after)/2 of the relative velocity there. Energies of 300 J
-    /// are known to 1e-13 J or so.
+    /// An impulse P at one point does the work P.(v_before + v_after)/2 of the relative velocity there. Energies of 300
+    /// J are known to 1e-13 J or so.
     #[test]
     fn the_energy_lost_is_the_work_of_the_impulse((club, inputs) in any_delivery()) {
         for model in [STANDARD, ADJUSTED, SLIP] {
@@ -153,8 +154,8 @@ proptest! {
         }
     }
 
-    /// Rolling loses energy whatever the impact if 1 - e^2 exceeds the squared coupling of normal and sliding motion, which
-    /// depends on head and impact point alone: below 0.05 for real heads, so e may go to 0.97.
+    /// Rolling loses energy whatever the impact if 1 - e^2 exceeds the squared coupling of normal and sliding motion,
+    /// which depends on head and impact point alone: below 0.05 for real heads, so e may go to 0.97.
     #[test]
     fn rolling_off_centre_bounds_the_restitution_that_loses_energy((_, inputs) in any_delivery(), cor in 0.0..1.0f64) {
         let standard = STANDARD;

@@ -35,7 +35,8 @@ fn the_spin_of_p2_is_that_of_its_compression_factor() {
     assert!((spin_rpm(0.92) - 2047.0).abs() < 2.0, "{}", spin_rpm(0.92));
 }
 
-/// Roh and Lee's ball leaves with 5.15 m/s along the face and would spin with 2298 rpm if it rolled: v/R, three digits given.
+/// Roh and Lee's ball leaves with 5.15 m/s along the face and would spin with 2298 rpm if it rolled: v/R, three digits
+/// given.
 #[test]
 fn a_rolling_ball_spins_with_its_velocity_along_the_face_over_its_radius() {
     let left = 7.0 / 5.0 * 5.15 / (35.0 * 11.5f64.to_radians().sin());

@@ -9,8 +9,8 @@ use clubface_impact::{Accuracy, ImpactModel};
 use clubface_math::with_lanes;
 use proptest::prelude::*;
 
-/// Rounding is the same in every lane and each lane takes its own steps, so that more than the 1e-12 one could ask holds:
-/// the same bits.
+/// Rounding is the same in every lane and each lane takes its own steps, so that more than the 1e-12 one could ask
+/// holds: the same bits.
 fn assert_same(model: ImpactModel, shots: &[Inputs], parameters: &[f64], accuracy: Accuracy) {
     let alone: Vec<Outputs> = shots.iter().map(|shot| hit(model, shot, parameters, accuracy)).collect();
     for width in [4, 8] {

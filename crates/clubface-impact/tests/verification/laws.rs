@@ -12,8 +12,8 @@ use proptest::prelude::*;
 fn value(p: &Parameter, published: f64, place: f64) -> f64 {
     match p.name {
         "stiffness" | "shear_modulus" | "ring_modulus" => published * 2f64.powf(2.0 * place - 1.0),
-        // A restitution of the normal velocity alone makes up to 3e-4 of energy off-centre as it tends to 1 with rolling
-        // (Stronge, Impact Mechanics, 2000, section 3.3); up to 0.95 it never does.
+        // A restitution of the normal velocity alone makes up to 3e-4 of energy off-centre as it tends to 1 with
+        // rolling (Stronge, Impact Mechanics, 2000, section 3.3); up to 0.95 it never does.
         "cor" => 0.95 * place,
         // Half of the shots without, since laws depend on it.
         "area_damping" => p.upper * (2.0 * place - 1.0).max(0.0),

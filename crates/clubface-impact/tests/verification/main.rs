@@ -18,12 +18,13 @@ mod impulse;
 mod jorgensen;
 mod lanes;
 mod laws;
-mod linear_spring;
+
 mod linearized;
 mod normal_impact;
 mod one_dimension;
 mod overlap;
 mod published;
+mod quadratic_spring;
 mod rigid;
 mod rings;
 mod shots;

@@ -1,4 +1,4 @@
-//! Volume that a ball shares with the face (Caldwell and McPhee Figure 2) against integration and its limits.
+//! Volume that a ball shares with the face (P1 Figure 2) against integration and its limits.
 
 use clubface_impact::models::volumetric::overlap;
 use clubface_math::Dual;
@@ -45,7 +45,8 @@ proptest! {
         prop_assert!((overlap(depth, 1e-6, radius).0 / volume - 1.0).abs() < 1e-7);
     }
 
-    /// Moving the ball in by dx adds a layer over the circle: dV/dx is the area of overlap seen along the line of centres.
+    /// Moving the ball in by dx adds a layer over the circle: dV/dx is the area of overlap seen along the line of
+    /// centres.
     #[test]
     fn the_volume_grows_by_the_area_of_the_circle(depth in 1e-4..12e-3f64, curvature in 0.0..8.0f64) {
         let radius = 0.0213;

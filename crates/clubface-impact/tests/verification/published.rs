@@ -67,8 +67,9 @@ fn the_backspin_of_a_drive_is_that_of_an_independent_program() {
     assert!(within(soft, 4229.0, 0.01), "{soft}");
 }
 
-/// Caldwell and McPhee's displaced CG takes about 600 rpm off a drive; its volumetric set gives 37-40% less than standard and slip, and
-/// agrees with them when the damper between cover and core is ten times larger ("agrees": to 5%).
+/// Caldwell and McPhee's displaced CG takes about 600 rpm off a drive; its volumetric set gives 37-40% less than
+/// standard and slip, and agrees with them when the damper between cover and core is ten times larger ("agrees": to
+/// 5%).
 #[test]
 fn the_published_sets_have_the_spin_their_caveats_state() {
     let backspin = |model: ImpactModel| outcome(model, Club::Driver).at("backspin") / RPM;

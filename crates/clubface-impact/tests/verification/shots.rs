@@ -12,7 +12,7 @@ use proptest::prelude::*;
 pub use clubface_impact::registry::{ADJUSTED, AREA, JORGENSEN, RINGS, SLIP, STANDARD, VOLUMETRIC};
 
 clubface_impact::registry! {
-    LINEAR_SPRING => crate::linear_spring::LinearSpring;
+    QUADRATIC_SPRING => crate::quadratic_spring::QuadraticSpring;
 }
 
 /// The models of the library, and one that is not.
@@ -46,7 +46,7 @@ pub fn output(name: &str) -> usize {
     OUTPUTS.iter().position(|output| output.name == name).expect("an output")
 }
 
-/// One of Caldwell and McPhee's two clubs.
+/// One of the two clubs of Caldwell and McPhee (2023).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Club {
     Driver,
@@ -60,8 +60,8 @@ pub const RPM: f64 = std::f64::consts::PI / 30.0;
 /// Caldwell and McPhee's ball, Table 1.
 const BALL: [(&str, f64); 3] = [("ball_mass", 0.0459), ("ball_radius", 0.0213), ("ball_inertia", 83.36e-7)];
 
-/// Caldwell and McPhee's club (Table 1; the paper gives no outline) and ball, delivered square and level at its static loft with the
-/// clubhead speed of Caldwell and McPhee's drives or an iron's.
+/// Caldwell and McPhee's club (Table 1; the paper gives no outline) and ball, delivered square and level at its static
+/// loft with the clubhead speed of Caldwell and McPhee's drives or an iron's.
 pub fn shot(club: Club) -> Inputs {
     let deg = f64::to_radians;
     let values: [(&str, f64); 17] = match club {
@@ -107,8 +107,8 @@ pub fn shot(club: Club) -> Inputs {
     Inputs([0.0; INPUT_COUNT]).with(&values).with(&BALL).with(&[("hand", 1.0)])
 }
 
-/// A drive and an iron shot as they are hit: the drive of Caldwell and McPhee's speed, 2 deg up with 13 deg of dynamic loft, the iron 4
-/// deg down with 24 deg.
+/// A drive and an iron shot as they are hit: the drive of Caldwell and McPhee's speed, 2 deg up with 13 deg of dynamic
+/// loft, the iron 4 deg down with 24 deg.
 pub fn played(club: Club) -> Inputs {
     let (attack, loft) = match club {
         Club::Driver => (2.0, 13.0),
@@ -133,7 +133,8 @@ pub fn simple_head(depth: f64) -> Inputs {
     ])
 }
 
-/// Parameters of a model: those published for a club, else the defaults (Caldwell and McPhee, Tables 6-10, G divided by 100).
+/// Parameters of a model: those published for a club, else the defaults (Caldwell and McPhee (2023), Tables 6-10, G
+/// divided by 100).
 pub fn published(model: ImpactModel, club: Club) -> Vec<f64> {
     let values: &[(&str, [f64; 2])] = match model.info().name {
         "adjusted" => &[

@@ -27,8 +27,8 @@ fn aimed(inputs: &Inputs, angle: f64) -> Inputs {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
-    /// In face axes nothing changes but rounding. Impulses keep it (1e-11); the error control of a contact can turn it into
-    /// a step of slightly other length, whose effect is bounded by the error of the steps (1e-8 at 1e-9).
+    /// In face axes nothing changes but rounding. Impulses keep it (1e-11); the error control of a contact can turn it
+    /// into a step of slightly other length, whose effect is bounded by the error of the steps (1e-8 at 1e-9).
     #[test]
     fn aiming_to_the_right_turns_the_launch_to_the_right(
         (club, inputs) in any_delivery(), angle in -0.8..0.8f64
@@ -56,8 +56,8 @@ proptest! {
         }
     }
 
-    /// Path and face are world angles and change sign in the mirror; toe, lie and the rates follow the club. Bit for bit,
-    /// since the mirror image is computed as such.
+    /// Path and face are world angles and change sign in the mirror; toe, lie and the rates follow the club. Bit for
+    /// bit, since the mirror image is computed as such.
     #[test]
     fn a_left_hander_hits_the_mirror_image((club, inputs) in any_delivery()) {
         let mirrored = inputs.with(&[

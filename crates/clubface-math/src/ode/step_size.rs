@@ -61,10 +61,10 @@ impl<S: Scalar> Last<S> {
 
     /// Factor for the next step after one with this error, for an error estimate of order `order`.
     ///
-    /// Error^(-1/k) for order k, and for low orders, whose steps are many and alike, proportional and integral control (K.
-    /// Gustafsson, ACM TOMS 17, 1991, 533-554): about error^(-0.7/k) last^(0.4/k) after an accepted step, but no longer
-    /// step right after a rejected one. Powers come from square roots alone (1/4, 1/8 and 3/8 for order 3, 3/16 for
-    /// order 5), since a controller needs no exact exponent and lanes have no power.
+    /// Error^(-1/k) for order k, and for low orders, whose steps are many and alike, proportional and integral control
+    /// (K. Gustafsson, ACM TOMS 17, 1991, 533-554): about error^(-0.7/k) last^(0.4/k) after an accepted step, but no
+    /// longer step right after a rejected one. Powers come from square roots alone (1/4, 1/8 and 3/8 for order 3, 3/16
+    /// for order 5), since a controller needs no exact exponent and lanes have no power.
     #[inline(always)]
     pub(super) fn step_factor(&mut self, error: S, accepted: S::Mask, order: u32) -> S {
         let fourth = error.max(S::from_f64(1e-4)).sqrt().sqrt();

@@ -15,8 +15,8 @@ thread_local! {
     static WIDEST: Cell<usize> = const { Cell::new(usize::MAX) };
 }
 
-/// Runs a computation with at most `lanes` lanes in the kernels that it dispatches on its own thread: shows that results do
-/// not depend on the width of packs. WebAssembly has one width.
+/// Runs a computation with at most `lanes` lanes in the kernels that it dispatches on its own thread: shows that
+/// results do not depend on the width of packs. WebAssembly has one width.
 pub fn with_lanes<T>(lanes: usize, computation: impl FnOnce() -> T) -> T {
     let before = WIDEST.replace(lanes);
     let result = computation();
@@ -24,7 +24,8 @@ pub fn with_lanes<T>(lanes: usize, computation: impl FnOnce() -> T) -> T {
     result
 }
 
-/// Runs a kernel with four lanes (AVX2), two (simd128) or one: for numbers with derivatives, which need several registers each.
+/// Runs a kernel with four lanes (AVX2), two (simd128) or one: for numbers with derivatives, which need several
+/// registers each.
 pub fn dispatch_narrow<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
     if WIDEST.get() >= 4 && x86::has_four() {

@@ -1,7 +1,8 @@
 //! Packs: numbers that are computed side by side in one register. Shots of a batch, or elements of a mesh.
 //!
-//! A field on the nodes of a mesh is stored as one [`Row`] a node. A pack reads the rows of as many nodes as it has lanes and
-//! transposes them in registers, which costs less than the arithmetic it feeds; eight separate reads a component cost more.
+//! A field on the nodes of a mesh is stored as one [`Row`] a node. A pack reads the rows of as many nodes as it has
+//! lanes and transposes them in registers, which costs less than the arithmetic it feeds; eight separate reads a
+//! component cost more.
 
 mod dispatch;
 mod dual;

@@ -81,8 +81,8 @@ proptest! {
         }
     }
 
-    /// A central difference of step h errs by h^2 f'''/6 + eps f/h: 1e-9 at h = 1e-5 for derivatives of order one; third
-    /// derivatives up to 100 near the corners of the range make it 1e-7.
+    /// A central difference of step h errs by h^2 f'''/6 + eps f/h: 1e-9 at h = 1e-5 for derivatives of order one;
+    /// third derivatives up to 100 near the corners of the range make it 1e-7.
     #[test]
     fn first_derivatives_equal_central_differences(x in 0.4..2.9f64, y in 0.4..2.9f64) {
         prop_assume!((x - 1.5).hypot(y - 1.5) > 0.3 && (x * x + y * y - 0.25).abs() > 0.05);

@@ -49,14 +49,14 @@ impl<R: Real> ShellMaterial<R> {
         }
         if !(poisson > -1.0 && poisson < 0.5) {
             let name = format!("{name}.poisson");
-            return Err(FemError::input(name, poisson, "above -1 and below 0.5 is allowed"));
+            return Err(FemError::input(name, poisson, "it must be above -1 and below 0.5"));
         }
         if !(density > 0.0 && density < 3e4) {
             let name = format!("{name}.density");
             return Err(FemError::input(
                 name,
                 format!("{density} kg/m3"),
-                "above 0, below 30000 kg/m3 is allowed",
+                "it must be above 0 and below 30000 kg/m3",
             ));
         }
         self.hardening.as_ref().map_or(Ok(()), |hardening| hardening.check(name))

@@ -32,13 +32,17 @@ impl Rule {
         let (rule, least) = match name {
             "gauss" => (Self::Gauss(points), 2),
             "lobatto" => (Self::Lobatto(points), 3),
-            _ => return Err(FemError::input("rule", name, "known are gauss, lobatto")),
+            _ => return Err(FemError::unknown("rule", name, ["gauss", "lobatto"])),
         };
         if (least..=MAX_POINTS).contains(&points) {
             return Ok(rule);
         }
         // Fewer would not feel bending, or bend too stiffly.
-        Err(FemError::input("points", points, format!("{least} to {MAX_POINTS} are allowed for {name}")))
+        Err(FemError::input(
+            "points",
+            points,
+            format!("{name} takes {least} to {MAX_POINTS} points through the thickness"),
+        ))
     }
 
     /// Places from -1 to 1 and weights, whose sum is 2.

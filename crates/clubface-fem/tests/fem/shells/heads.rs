@@ -289,8 +289,8 @@ fn heads_that_cannot_be_are_refused() {
     };
     refused(|h| h.shells.thickness[7] = 0.0, "thickness of face");
     refused(|h| h.shells.quads[5].swap(1, 2), "inverted or degenerate");
-    refused(|h| h.shells.quads[5].reverse(), "side of two elements");
-    refused(|h| h.shells.quads.iter_mut().for_each(|quad| quad.reverse()), "looks away");
+    refused(|h| h.shells.quads[5].reverse(), "used twice in the same direction");
+    refused(|h| h.shells.quads.iter_mut().for_each(|quad| quad.reverse()), "turned away");
     refused(|h| h.shells.nodes.iter_mut().for_each(|p| *p = *p * 1e3), "size of the head");
     refused(|h| h.parts[1].material.elastic.poisson = 0.5, "crown.poisson");
     refused(|h| h.parts[2].material.elastic.young = -1.0, "sole.youngs");
@@ -306,6 +306,6 @@ fn heads_that_cannot_be_are_refused() {
                 }
             }
         },
-        "hangs on no other part",
+        "connected to no other part",
     );
 }

@@ -37,8 +37,8 @@ fn a_ball_dropped_without_spin_bounces_straight_up() {
     assert_eq!([velocity.x, velocity.z, spin.norm()], [0.0; 3]);
 }
 
-/// Penner's mu_c = 2 (v_t + r omega) / (7 (1 + e) v_n) parts sliding from rolling; beyond it v_t' = 5/7 v_t - 2/7 r omega with
-/// backspin omega, and the contact point is at rest.
+/// Penner's mu_c = 2 (v_t + r omega) / (7 (1 + e) v_n) parts sliding from rolling; beyond it v_t' = 5/7 v_t - 2/7 r
+/// omega with backspin omega, and the contact point is at rest.
 #[test]
 fn friction_above_the_critical_value_makes_the_ball_leave_rolling() {
     let (vt, vn, backspin) = (6.0, 8.0, 100.0);
@@ -56,7 +56,8 @@ fn friction_above_the_critical_value_makes_the_ball_leave_rolling() {
     assert_close(sliding_spin.z, backspin - lost * BALL.mass * BALL.radius / BALL.inertia, 1e-12);
 }
 
-/// On the tilted plane the ball that comes in at 18.6 m/s and 44.4 deg meets the plane at 44.4 - 15.4 deg from its normal.
+/// On the tilted plane the ball that comes in at 18.6 m/s and 44.4 deg meets the plane at 44.4 - 15.4 deg from its
+/// normal.
 #[test]
 fn soft_turf_turns_the_plane_back_towards_the_ball() {
     let angle = 44.4f64.to_radians();

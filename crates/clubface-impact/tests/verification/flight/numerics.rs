@@ -62,9 +62,9 @@ fn every_lane_gives_the_bits_of_its_shot_alone_whatever_its_neighbours() {
     }
 }
 
-/// Central differences of h = 1e-5 (of the range of launches, of the value elsewhere) have an error of order h^2 and, from
-/// steps of 1e-12, of order 1e-12 / h: 1e-6 of the derivative's natural size is safe. The shot bounces the same number of
-/// times on both sides.
+/// Central differences of h = 1e-5 (of the range of launches, of the value elsewhere) have an error of order h^2 and,
+/// from steps of 1e-12, of order 1e-12 / h: 1e-6 of the derivative's natural size is safe. The shot bounces the same
+/// number of times on both sides.
 #[test]
 fn derivatives_are_those_of_finite_differences() {
     let mut shot = launch(150.0, 12.0, 3500.0, 300.0);

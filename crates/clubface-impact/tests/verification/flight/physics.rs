@@ -108,7 +108,8 @@ fn backspin_lifts_and_positive_sidespin_curves_right() {
     assert_eq!(value(&launch(150.0, 12.0, 2500.0, 0.0), "side"), 0.0);
 }
 
-/// The load itself: drag against the motion, lift along spin x velocity, of the fit's size; and lift fades below the fit.
+/// The load itself: drag against the motion, lift along spin x velocity, of the fit's size; and lift fades below the
+/// fit.
 #[test]
 fn the_load_has_the_fits_size_and_lift_vanishes_with_the_spin() {
     let v = Vec3::new(50.0, 0.0, 0.0);

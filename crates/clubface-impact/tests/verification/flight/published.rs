@@ -21,9 +21,10 @@ const TOUR: [(&str, [f64; 6]); 12] = [
     ("pitching wedge", [104.0, 23.7, 9316.0, 32.0, 52.0, 142.0]),
 ];
 
-/// Found minus published: carry [%], height [yd], angle of descent [deg], as the model gives them at 25 C and sea level.
-/// The driver must be within 6 %. The rest is no claim of accuracy but what is so: averages of launches do not make an
-/// average carry, weather and ball are unknown, the fit itself misses carries by 2.5 m, and it descends too flat.
+/// Found minus published: carry [%], height [yd], angle of descent [deg], as the model gives them at 25 C and sea
+/// level. The driver must be within 6 %. The rest is no claim of accuracy but what is so: averages of launches do not
+/// make an average carry, weather and ball are unknown, the fit itself misses carries by 2.5 m, and it descends too
+/// flat.
 const DEVIATIONS: [[f64; 3]; 12] = [
     [3.6, -2.5, -3.1],
     [5.4, -0.2, -4.8],
@@ -64,8 +65,8 @@ fn carries_of_the_tour_averages_from_their_published_launch() {
     }
 }
 
-/// Dry air at 15 C and 101325 Pa has 1.2250 kg/m3 in the standard atmosphere (ISO 2533, ideal gas of 28.9644 g/mol); CIPM's
-/// air has 28.96546 g/mol and a compressibility of 0.99959, together 0.045 % more; water boils at 100 C.
+/// Dry air at 15 C and 101325 Pa has 1.2250 kg/m3 in the standard atmosphere (ISO 2533, ideal gas of 28.9644 g/mol);
+/// CIPM's air has 28.96546 g/mol and a compressibility of 0.99959, together 0.045 % more; water boils at 100 C.
 #[test]
 fn air_has_its_published_density() {
     assert!((density(288.15f64, 101_325.0, 0.0) / 1.2250 - 1.000_45).abs() < 5e-5);

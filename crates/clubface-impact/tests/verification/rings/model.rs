@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 const DEGREE: f64 = PI / 180.0;
 const MPH: f64 = 0.44704;
 const RPM: f64 = PI / 30.0;
-/// Caldwell and McPhee, Table 9, shear modulus over 100, ring modulus equal to it.
+/// P1 Table 9, shear modulus over 100, ring modulus equal to it.
 const DRIVER_SET: [f64; 5] = [5.58e7, 0.407, 6.50e-3, 0.360, 5.58e7];
 const IRON_SET: [f64; 5] = [5.74e7, 0.418, 11.5e-3, 0.519, 5.74e7];
 
@@ -22,13 +22,13 @@ struct Delivery {
     closure: f64,
 }
 
-/// Caldwell and McPhee's driver with its ball; `angles`: attack, path, loft, face.
+/// P1's driver with its ball; `angles`: attack, path, loft, face.
 fn driver(delivery: &Delivery) -> [f64; INPUT_COUNT] {
     let club = [0.204, 0.0408, 0.0114, 0.001, 2843e-7, 5679e-7, 4085e-7, -733e-7, 530.2e-7, 0.5e-7];
     shot(delivery, club, [9.8 * DEGREE, 0.305, 0.305, 0.12, 0.06])
 }
 
-/// Caldwell and McPhee's 7-iron with its ball.
+/// P1's 7-iron with its ball.
 fn iron(delivery: &Delivery) -> [f64; INPUT_COUNT] {
     let club = [0.264, 0.00361, 0.00485, 0.00112, 2752e-7, 2889e-7, 576.6e-7, -51e-7, -53e-7, -429e-7];
     shot(delivery, club, [30.5 * DEGREE, f64::INFINITY, f64::INFINITY, 0.08, 0.05])

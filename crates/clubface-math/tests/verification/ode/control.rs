@@ -41,7 +41,8 @@ fn amplification() -> f64 {
 
 /// A step's true error is below its estimate (local extrapolation), so the global error is at most the tolerance (of
 /// numbers up to 1 + 2.7) times the number of steps times the amplification; and it falls with the tolerance: no slower
-/// than its 0.8th power over four to six decades. Coarser ones are met in so few steps that the first, short ones count.
+/// than its 0.8th power over four to six decades. Coarser ones are met in so few steps that the first, short ones
+/// count.
 fn assert_error_follows_tolerance<M: Method<Curves, f64, 3>>(method: &M, tolerances: [f64; 3]) {
     let runs = tolerances.map(|tolerance| run(method, &control(tolerance)));
     for ((outcome, _, error), tolerance) in runs.iter().zip(tolerances) {

@@ -1,5 +1,5 @@
-//! A model that is not one of the library's: Hunt and Crossley's contact (1975) with a linear spring. One file and one line
-//! of a registry, as any other model, and every contract test runs over it.
+//! A model that is not one of the library's: Hunt and Crossley's contact (1975) with a quadratic spring. One file and
+//! one line of a registry, as any other model, and every contract test runs over it.
 
 use crate::shots::*;
 use clubface_impact::contact::{run, ContactLaw, Recorder, RECORDED_SOLID, SOLID};
@@ -12,31 +12,31 @@ use clubface_math::elementary::tanh_ratio;
 use clubface_math::{Dual, Scalar};
 
 parameters! {
-    /// Parameters of the linear spring.
-    LinearSpring {
-        stiffness ["N/m"] = 1.6e6 in 1e5 ..= 1e8, "stiffness k", "a drive of some half a millisecond";
+    /// Parameters of the quadratic spring.
+    QuadraticSpring {
+        stiffness ["N/m2"] = 1e9 in 1e8 ..= 1e11, "stiffness k", "a drive of some half a millisecond";
         damping ["s/m"] = 6.4e-3 in 0.0 ..= 0.03, "Hunt-Crossley damping d", "as the contact-area model";
         friction ["1"] = 0.3 in 0.0 ..= 2.0, "coefficient of friction", "golf balls on steel";
         transition_speed ["m/s"] = 0.9 in 0.01 ..= 5.0, "sliding speed of nearly full friction", "as the volumetric model";
     }
 }
 
-impl Describe for LinearSpring<()> {
-    type Over<S: Scalar> = LinearSpring<S>;
+impl Describe for QuadraticSpring<()> {
+    type Over<S: Scalar> = QuadraticSpring<S>;
     const INFO: ModelInfo = ModelInfo {
-        name: "linear_spring",
-        title: "Linear spring and damper",
+        name: "quadratic_spring",
+        title: "Quadratic spring and damper",
         kind: ModelKind::Contact,
-        summary: "Normal force k x (1 + d xdot) with smooth Coulomb friction.",
-        reference: "Hunt and Crossley (1975), exponent 1",
+        summary: "Normal force k x^2 (1 + d xdot) with smooth Coulomb friction.",
+        reference: "Hunt and Crossley (1975), exponent 2",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,
         lanes: true,
-        parameters: LinearSpring::PARAMETERS,
+        parameters: QuadraticSpring::PARAMETERS,
     };
 }
 
-impl<S: Scalar> ContactLaw<S> for LinearSpring<S> {
+impl<S: Scalar> ContactLaw<S> for QuadraticSpring<S> {
     const FAST_TOLERANCE: f64 = 2.4e-5;
 
     #[inline(always)]
@@ -47,7 +47,7 @@ impl<S: Scalar> ContactLaw<S> for LinearSpring<S> {
         _curvature: Dual<S, K>,
         _radius: S,
     ) -> Dual<S, K> {
-        (depth.scale(self.stiffness) * (rate.scale(self.damping) + 1.0)).max(Dual::zero())
+        ((depth * depth).scale(self.stiffness) * (rate.scale(self.damping) + 1.0)).max(Dual::zero())
     }
     #[inline(always)]
     fn drag<const K: usize>(
@@ -66,7 +66,7 @@ impl<S: Scalar> ContactLaw<S> for LinearSpring<S> {
     }
 }
 
-impl<S: Scalar> Model<S> for LinearSpring<S> {
+impl<S: Scalar> Model<S> for QuadraticSpring<S> {
     #[inline(always)]
     fn from_values(values: &[S]) -> Self {
         Self::from_slice(values)
@@ -90,17 +90,18 @@ impl<S: Scalar> Model<S> for LinearSpring<S> {
 #[test]
 fn contracts_are_tested_on_models_of_other_registries() {
     let names: Vec<_> = every_model().map(|model| model.info().name).collect();
-    assert!(names.contains(&"linear_spring") && names.contains(&"standard"), "{names:?}");
+    assert!(names.contains(&"quadratic_spring") && names.contains(&"standard"), "{names:?}");
 }
 
-/// Central, without spin: v dv/(1 + d v) = -(k/M) x dx from approach u to separation w, so that
+/// Central, without spin: v dv/(1 + d v) = -(k/M) x^2 dx from approach u to separation w, so that
 /// d u - ln(1 + d u) = -d w - ln(1 - d w). 1e-9 a step leaves 1e-7.
 #[test]
 fn a_central_impact_keeps_the_integral_of_its_motion() {
     let inputs = simple_head(0.04);
     for damping in [1e-3, 6.4e-3, 0.02] {
-        let parameters = changed(LINEAR_SPRING, LINEAR_SPRING.info().defaults(), &[("damping", damping)]);
-        let outputs = hit(LINEAR_SPRING, &inputs, &parameters, Accuracy::Tolerance(1e-9));
+        let parameters =
+            changed(QUADRATIC_SPRING, QUADRATIC_SPRING.info().defaults(), &[("damping", damping)]);
+        let outputs = hit(QUADRATIC_SPRING, &inputs, &parameters, Accuracy::Tolerance(1e-9));
         let before = damping * inputs.at("speed");
         let after = damping * (outputs.ball_velocity().x - outputs.club_velocity().x);
         let (lost, found) = (before - before.ln_1p(), -after - (-after).ln_1p());

@@ -1,0 +1,73 @@
+//! Cost of the kernels of solid elements, by element and law, in nanoseconds per element, beside a sum of what they computed.
+//!
+//! `cargo bench -p clubface-fem --bench kernels`: the least time of many, on one thread.
+
+#![allow(missing_docs)]
+
+use clubface_fem::element::{Element, Patch};
+use clubface_fem::material::{law_from_name, Hardening, Hencky, Material, Maxwell, MooneyRivlin, VonMises};
+use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
+use clubface_math::Row;
+use std::time::{Duration, Instant};
+
+/// Times that something is done.
+const TIMES: usize = 200;
+
+/// The least time of something over all elements, ns each.
+fn least(elements: usize, mut work: impl FnMut()) -> f64 {
+    let mut least = Duration::MAX;
+    for _ in 0..TIMES {
+        let start = Instant::now();
+        work();
+        least = least.min(start.elapsed());
+    }
+    least.as_secs_f64() * 1e9 / elements as f64
+}
+
+fn main() {
+    let mesh: SolidMesh = cubed_sphere(&[0.02], &Fineness { cube: 8, layers: vec![6] });
+    // Elements whose neighbours stand apart make no lattice.
+    let mut mixed = mesh.clone();
+    let count = mesh.elements.len();
+    for (place, element) in mixed.elements.iter_mut().enumerate() {
+        *element = mesh.elements[place * 211 % count];
+    }
+    let bend = |p: &clubface_math::Vec3<f64>| {
+        let stretch = 1.0 + 0.03 * (300.0 * p.y).sin();
+        Row([p.x * stretch, p.y + 0.05 * p.z, p.z * (1.0 + 3.0 * p.x), 0.0])
+    };
+    let positions: Vec<Row<f64>> = mesh.nodes.iter().map(bend).collect();
+    let still = vec![Row::zero(); positions.len()];
+    let rubber = MooneyRivlin { c10: 4e6, c01: 1e6 }.law();
+    let ogden = law_from_name("ogden", &[4e6, 3.5, -3e6, -2.0]).expect("the constants are allowed");
+    let metal = VonMises { shear: 1e7, hardening: Hardening::linear(2e5, 1e6) }.law();
+    let of = |law| Material { law, bulk: 5e8, maxwell: vec![], density: 1150.0 };
+    let branch = Maxwell { modulus: 0.3, time: 1e-4 };
+    let materials = [
+        ("Mooney-Rivlin", of(rubber.clone())),
+        ("Hencky", of(Hencky { shear: 1e7 }.law())),
+        ("Mooney-Rivlin, one branch", Material { maxwell: vec![branch], ..of(rubber.clone()) }),
+        ("Mooney-Rivlin, two branches", Material { maxwell: vec![branch; 2], ..of(rubber) }),
+        ("Ogden", of(ogden)),
+        ("von Mises", of(metal)),
+    ];
+    for (name, material) in &materials {
+        for (arrangement, element, mesh) in [
+            ("lattice", Element::OnePoint, &mesh),
+            ("any order", Element::OnePoint, &mixed),
+            ("eight points", Element::FullyIntegrated, &mesh),
+        ] {
+            let mut patches: Vec<Box<dyn Patch<f64>>> = element.patches(mesh, 0..count, material);
+            let forces = least(count, || {
+                patches.iter_mut().for_each(|patch| patch.assemble(&positions, &still, 1e-6));
+            });
+            let sum: f64 =
+                patches.iter().flat_map(|p| p.forces()).flat_map(|f| &f.0[..3]).map(|f| f.abs()).sum();
+            let mut energy = 0.0;
+            let energies = least(count, || {
+                energy = patches.iter_mut().map(|patch| patch.energy(&positions).total()).sum();
+            });
+            println!("{name}, {arrangement}: {forces:.1} ns, energies {energies:.1} ns; {sum:.17e} N, {energy:.17e} J");
+        }
+    }
+}

@@ -1,0 +1,60 @@
+// Runs what scripts/wasm_check.py asks for (JSON on stdin) in WebAssembly, and prints what came out (JSON on stdout).
+
+import { readFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+import { load } from "../crates/clubface-wasm/clubface.js";
+
+const asked = JSON.parse(readFileSync(0, "utf8"));
+const bytes = readFileSync(asked.module);
+let calls = 0;
+const core = await load(bytes, () => void (calls += 1));
+
+/** The least time of some runs, s, with the result. */
+function timed(run, times) {
+  let least = Infinity;
+  let result;
+  for (let i = 0; i < times; i += 1) {
+    const start = performance.now();
+    result = run();
+    least = Math.min(least, performance.now() - start);
+  }
+  return { ...result, outputs: result.outputs.map((column) => Array.from(column)), seconds: least / 1e3 };
+}
+
+const launches = {};
+for (const [model, parameters] of Object.entries(asked.models))
+  launches[model] = timed(() => core.launches(model, asked.inputs, parameters, asked.inputs[0].length), 3);
+const first = asked.inputs.map((column) => column[0]);
+const derivatives = {};
+for (const [model, parameters] of Object.entries(asked.models)) {
+  const { values, jacobian } = core.sensitivity(model, first, parameters);
+  derivatives[model] = [Array.from(values), jacobian.map((row) => Array.from(row))];
+}
+const flights = timed(() => core.flights(asked.flights, asked.flights[0].length), 3);
+
+/** What `core` says of something that it cannot compute. */
+const refusals = [
+  () => core.launches("no such model", asked.inputs, [], 1),
+  () => core.launches("standard", asked.inputs, asked.models.standard, asked.inputs[0].length, 1),
+].map((run) => {
+  try {
+    return String(run());
+  } catch (error) {
+    return error.message;
+  }
+});
+
+const reference = core.referenceCase();
+const seen = calls;
+let stopped;
+try {
+  (await load(bytes, (time) => time < 1e-4)).referenceCase();
+} catch (error) {
+  stopped = error.message;
+}
+process.stdout.write(
+  JSON.stringify({
+    description: core.description, launches, derivatives, flights, refusals, reference, seen, stopped,
+    size: bytes.length, compressed: gzipSync(bytes, { level: 9 }).length,
+  }),
+);

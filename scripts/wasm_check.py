@@ -1,0 +1,168 @@
+"""Compare the core in WebAssembly, run by Node, with the installed package: shots, flights, finite elements."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import clubface
+from clubface import _core
+
+SHOTS = 300
+TOLERANCES = {"rings": 1e-12}
+"""Largest relative difference of an output of a model, or of a derivative; 0 means the same bits.
+
+Every operation and elementary function is one algorithm on both sides, but for the logarithm and powers of the rings,
+which come from the C library of the machine and may differ in the last bit.
+"""
+SIMULATION = 1e-6
+"""The same of the finite elements.
+
+A CPU may fuse products and sums, WebAssembly does not, and an impact multiplies rounding.
+"""
+
+
+def _deliveries() -> list[list[float] | float]:
+    """Return columns of shots with the driver of Caldwell and McPhee (2023), some of which cannot be computed."""
+    random = np.random.default_rng(1)
+    driver = {
+        "club_mass": 0.204, "cg_x": 40.8e-3, "cg_y": 11.4e-3, "cg_z": 1e-3,
+        "ixx": 2843e-7, "iyy": 5679e-7, "izz": 4085e-7, "ixy": -733e-7, "ixz": 530.2e-7, "iyz": 0.5e-7,
+        "static_loft": math.radians(9.8), "bulge": 0.305, "roll": 0.305, "face_width": 0.105, "face_height": 0.055,
+        "ball_mass": 0.0459, "ball_radius": 0.0213, "ball_inertia": 83.36e-7,
+    }  # fmt: skip
+    ranges = {
+        "speed": (35.0, 55.0), "attack": (-0.1, 0.12), "path": (-0.14, 0.14), "loft": (0.1, 0.35),
+        "face": (-0.14, 0.14), "lie": (-0.14, 0.14), "toe": (-0.025, 0.025), "high": (-0.012, 0.012),
+        "closure": (-10.0, 60.0), "pitch_rate": (-20.0, 20.0), "lie_rate": (-20.0, 20.0),
+    }  # fmt: skip
+    columns: list[list[float] | float] = []
+    for entry in _core.inputs():
+        name = entry["name"]
+        if name in ranges:
+            values = random.uniform(*ranges[name], SHOTS)
+        elif name == "hand":
+            values = np.where(random.uniform(size=SHOTS) < 0.5, 1.0, -1.0)
+        else:
+            values = np.full(SHOTS, driver[name])
+        if name == "toe":
+            values[17] = 0.2
+        columns.append(values.tolist())
+    return columns
+
+
+def _launches_in_air(outputs: np.ndarray) -> list[list[float]]:
+    """Return columns of flights from the launches of a model."""
+    names = [entry["name"] for entry in _core.outputs()]
+    good = ~np.isnan(outputs[0])
+    columns = []
+    for entry in _core.flight_inputs():
+        if entry["name"] in names:
+            columns.append(outputs[names.index(entry["name"])][good].tolist())
+        else:
+            columns.append(np.full(int(good.sum()), entry["default"]).tolist())
+    return columns
+
+
+def _difference(here: np.ndarray, there: np.ndarray) -> float:
+    """Return the largest relative difference of outputs, infinite where one is missing."""
+    if (np.isnan(here) != np.isnan(there)).any():
+        return math.inf
+    here, there = np.nan_to_num(here), np.nan_to_num(there)
+    scale = np.abs(here).max(axis=1, keepdims=True)
+    return float((np.abs(here - there) / np.where(scale > 0.0, scale, 1.0)).max())
+
+
+def _as_json(value: Any) -> Any:
+    """Return a description as JSON has it: no tuples, and null for what is not a number."""
+    if isinstance(value, dict):
+        return {key: _as_json(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_as_json(item) for item in value]
+    return None if isinstance(value, float) and math.isnan(value) else value
+
+
+def _array(columns: list[list[float | None]]) -> np.ndarray:
+    return np.array([[math.nan if value is None else value for value in column] for column in columns])
+
+
+class Report:
+    """Lines printed, and whether all was well."""
+
+    def __init__(self) -> None:
+        self.failed = False
+
+    def line(self, what: str, good: bool, text: str) -> None:
+        """Print one line."""
+        self.failed |= not good
+        print(f"{'ok  ' if good else 'FAIL'} {what:<22} {text}")
+
+
+def main(module: str) -> int:
+    """Compare; return the exit status."""
+    names = ("models", "inputs", "outputs", "flight_inputs", "flight_outputs")
+    description = _as_json({name: getattr(_core, name)() for name in names})
+    models = {entry["name"]: [p["default"] for p in entry["parameters"]] for entry in _core.models()}
+    inputs = _deliveries()
+    native = {
+        name: _core.impact(name, [np.array(c) for c in inputs], parameters, SHOTS)
+        for name, parameters in models.items()
+    }
+    flights = _launches_in_air(native["standard"][0])
+    flown = _core.fly([np.array(column) for column in flights], len(flights[0]))
+    thrown = clubface.fem.reference()
+
+    asked = {"module": module, "inputs": inputs, "models": models, "flights": flights}
+    script = Path(__file__).with_name("wasm_check.mjs")
+    ran = subprocess.run(["node", script], input=json.dumps(asked), capture_output=True, text=True, check=False)
+    if ran.returncode != 0:
+        print(ran.stderr, file=sys.stderr)
+        return 1
+    found = json.loads(ran.stdout)
+
+    report = Report()
+    report.line("description", found["description"] == description, f"{len(models)} models")
+    for name, (outputs, rejects) in native.items():
+        there = found["launches"][name]
+        difference = _difference(np.asarray(outputs), _array(there["outputs"]))
+        same = [[r["row"], r["input"], r["message"]] for r in there["rejects"]] == [list(r) for r in rejects]
+        values, jacobian = _core.sensitivity(name, [column[0] for column in inputs], models[name])
+        by = found["derivatives"][name]
+        exact = [_difference(values[:, None], _array([by[0]]).T), _difference(jacobian, _array(by[1]))]
+        difference = max(difference, *exact)
+        text = f"largest difference {difference:.1e}, {there['seconds'] / SHOTS * 1e9:.0f} ns a shot"
+        report.line(name, same and difference <= TOLERANCES.get(name, 0.0), text)
+    difference = _difference(np.asarray(flown[0]), _array(found["flights"]["outputs"]))
+    seconds = found["flights"]["seconds"] / len(flights[0])
+    report.line("flight", difference == 0.0, f"largest difference {difference:.1e}, {seconds * 1e6:.1f} us a flight")
+    refusals = found["refusals"]
+    report.line("refusals", "no such model" in refusals[0] and "accuracy" in refusals[1], "; ".join(refusals))
+
+    reference = found["reference"]
+    pairs = {
+        "normal velocity": (thrown.normal_velocity, reference["velocity"][0], "m/s"),
+        "tangential velocity": (thrown.tangential_velocity, reference["velocity"][1], "m/s"),
+        "backspin": (thrown.backspin, reference["spin"][2], "rad/s"),
+        "peak force": (thrown.peak_force, reference["peak_force"], "N"),
+        "contact time": (thrown.contact_time, reference["contact_time"], "s"),
+    }
+    for name, (here, there, unit) in pairs.items():
+        difference = abs(there / here - 1.0)
+        report.line(name, difference <= SIMULATION, f"{here:.10g} {unit}, difference {difference:.1e}")
+    each = reference["wall"] * 1e9 / (reference["elements"] * reference["steps"])
+    speed = f"{each:.1f} ns an element and step, {reference['steps']} steps in {reference['wall']:.2f} s"
+    report.line("finite elements", reference["steps"] == thrown.steps, speed)
+    interrupted = "by request" in (found["stopped"] or "")
+    report.line("progress", found["seen"] > 100 and interrupted, f"{found['seen']} calls; {found['stopped']}")
+    print(f"     {'size':<22} {found['size'] / 1e3:.0f} kB, {found['compressed'] / 1e3:.0f} kB compressed by gzip")
+    return int(report.failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
