@@ -56,7 +56,7 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
     Parameters
     ----------
     found
-        A complete impact with a rigid head.
+        A complete impact with a head.
     model
         One of ``LAWS``.
 
