@@ -1,8 +1,10 @@
-//! Cost of the ball on a rigid plane (the reference case), in nanoseconds per element and step, beside the launch it computes.
+//! Cost of the ball on a rigid plane (the reference case), in nanoseconds per element and step, beside the launch it
+//! computes.
 //!
-//! `cargo bench -p clubface-fem --bench ball`: criterion's figures for some steps after the impact in which nothing rests, and a table with the least time
-//! of such steps during it and the least of some runs as anybody gets them, with records and ledger and the core at rest in every second step: that is
-//! what the machine does when nobody else uses it.
+//! `cargo bench -p clubface-fem --bench ball`: criterion's figures for some steps after the impact in which nothing
+//! rests, and a table with the least time of such steps during it and the least of some runs as anybody gets them,
+//! with records and ledger and the core at rest in every second step: that is what the machine does when nobody else
+//! uses it.
 
 #![allow(missing_docs)]
 

@@ -1,7 +1,8 @@
-//! Cost of P2's case as a whole, beside the launch it computes: P2's ball and head of shells, then the same struck by a rigid head.
+//! Cost of P2's case as a whole, beside the launch it computes: P2's ball and head of shells, then the same struck by
+//! a rigid head.
 //!
-//! `cargo bench -p clubface-fem --bench paper`: the least of some runs, which is what the machine does when nobody else uses it; what a step is made of;
-//! the memory the process has taken; and two runs side by side against one.
+//! `cargo bench -p clubface-fem --bench paper`: the least of some runs, which is what the machine does when nobody
+//! else uses it; what a step is made of; the memory the process has taken; and two runs side by side against one.
 
 #![allow(missing_docs)]
 

@@ -1,6 +1,8 @@
-//! Cost of a head of shells (P2's, struck on its face), in nanoseconds per element and step, beside the energies it computes.
+//! Cost of a head of shells (P2's, struck on its face), in nanoseconds per element and step, beside the energies it
+//! computes.
 //!
-//! `cargo bench -p clubface-fem --bench shells`: the least time of a step, nodes included, which is what the machine does when nobody else uses it.
+//! `cargo bench -p clubface-fem --bench shells`: the least time of a step, nodes included, which is what the machine
+//! does when nobody else uses it.
 
 #![allow(missing_docs)]
 

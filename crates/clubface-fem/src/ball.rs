@@ -31,7 +31,8 @@ pub struct BallConstruction<R> {
     pub cube: usize,
     /// Kind of elements.
     pub element: Element,
-    /// Mass of the ball, kg: the core gets the density that leads to it. Without it, the core has the density of its own material.
+    /// Mass of the ball, kg: the core gets the density that leads to it. Without it, the core has the density of its
+    /// own material.
     pub mass: Option<f64>,
 }
 

@@ -8,10 +8,12 @@ use std::sync::Arc;
 pub trait Executor: Send + Sync {
     /// Number of threads, the calling one included; at least 1.
     fn threads(&self) -> usize;
-    /// Calls `lead` on the calling thread. Meanwhile every other thread may call `help` once, with its number from 1 to below
-    /// [`Executor::threads`]; threads that are busy elsewhere need not. Returns when all of these calls have ended, also when `lead` panics.
+    /// Calls `lead` on the calling thread. Meanwhile every other thread may call `help` once, with its number from 1 to
+    /// below [`Executor::threads`]; threads that are busy elsewhere need not. Returns when all of these calls have
+    /// ended, also when `lead` panics.
     fn run(&self, lead: &mut dyn FnMut(), help: &(dyn Fn(usize) + Sync));
-    /// Leaves the processor to other threads for some microseconds. A thread that has waited in vain for a while calls it.
+    /// Leaves the processor to other threads for some microseconds. A thread that has waited in vain for a while calls
+    /// it.
     fn sleep(&self);
 }
 

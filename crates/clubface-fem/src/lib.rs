@@ -1,6 +1,7 @@
 //! Explicit finite elements for the impact of club and ball.
 //!
-//! SI units throughout. Everything is generic over the stored number, [`clubface_math::Real`]: `f64`, or `f64` with derivatives.
+//! SI units throughout. Everything is generic over the stored number, [`clubface_math::Real`]: `f64`, or `f64` with
+//! derivatives.
 
 pub mod ball;
 mod block;

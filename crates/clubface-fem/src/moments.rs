@@ -3,7 +3,8 @@
 use crate::block::BLOCK;
 use clubface_math::{Pack, PackKernel, Real, Row, Scalar, Vec3};
 
-/// What positions (m) and velocities (m/s) are counted from. Near those of the mass centre little is lost when moments about it follow.
+/// What positions (m) and velocities (m/s) are counted from. Near those of the mass centre little is lost when moments
+/// about it follow.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin<P> {
     /// Position, m.

@@ -1,4 +1,5 @@
-//! Derivatives of the launch with respect to everything that goes into an impact with a head: the same code runs on dual numbers.
+//! Derivatives of the launch with respect to everything that goes into an impact with a head: the same code runs on
+//! dual numbers.
 
 use crate::ball::{BallConstruction, BallPiece};
 use crate::cases::{ball_against_deformable_head, ball_against_rigid_head};
@@ -40,8 +41,8 @@ pub struct Sensitivity {
 }
 
 impl Setting {
-    /// Names of all variables: inputs that are differentiable, "friction", constants of the pieces such as "cover.shear", and those of parts of
-    /// a head such as "head.face.thickness", the mean over the part.
+    /// Names of all variables: inputs that are differentiable, "friction", constants of the pieces such as
+    /// "cover.shear", and those of parts of a head such as "head.face.thickness", the mean over the part.
     #[must_use]
     pub fn variables(&self) -> Vec<String> {
         let mut names = Vec::new();
@@ -75,13 +76,11 @@ impl Setting {
         Lifted { ball, head, touch: FirstTouch::of(&Shot::from_inputs(&inputs)), friction }
     }
 
-    /// Launch and its derivatives by some of [`Setting::variables`]; a run of the impact for every four of them. `observer` is called with
-    /// the number of the run and its progress, and stops everything by returning false.
+    /// Launch and its derivatives by some of [`Setting::variables`]; a run of the impact for every four of them.
+    /// `observer` is called with the number of the run and its progress, and stops everything by returning false.
     ///
     /// # Errors
     /// [`FemError`] of a setting that cannot run, of an unknown variable, or of a run that stopped early.
-    // Inlined so that this much code is made only where it is called.
-    #[inline]
     pub fn sensitivity(
         &self,
         variables: &[String],
@@ -123,7 +122,6 @@ struct Lifted<R> {
 }
 
 impl<R: Kernels> Lifted<R> {
-    #[inline]
     fn simulation(&self, environment: &Environment) -> Result<Simulation<R>, FemError> {
         match &self.head {
             Some(head) => {

@@ -11,8 +11,8 @@ use crate::solve::{springs_for_stable_step, Simulation, Structure};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_math::{Mat3, Row, Vec3};
 
-/// A ball at rest, met by the head of a shot, whose mass properties are those of this head; in face axes of first touch with the origin at the
-/// head's CG.
+/// A ball at rest, met by the head of a shot, whose mass properties are those of this head; in face axes of first touch
+/// with the origin at the head's CG.
 ///
 /// # Errors
 /// [`FemError::Input`] for a ball or a head that cannot be meshed, or a head that moves away from the ball.

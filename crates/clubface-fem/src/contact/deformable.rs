@@ -1,8 +1,10 @@
-//! Nodes of the ball against a face of shells or hexahedra, both sides deforming: penalty springs, and Coulomb friction that sticks.
+//! Nodes of the ball against a face of shells or hexahedra, both sides deforming: penalty springs, and Coulomb friction
+//! that sticks.
 //!
-//! The force on a ball node acts at that node on both sides: its opposite is distributed to the corners of the quadrilateral below by their
-//! bilinear weights, together with the moment of the distance between the middle surface and the node (as forces along the normal where nodes
-//! have no rotations), so that momentum and angular momentum balance to rounding.
+//! The force on a ball node acts at that node on both sides: its opposite is distributed to the corners of the
+//! quadrilateral below by their bilinear weights, together with the moment of the distance between the middle surface
+//! and the node (as forces along the normal where nodes have no rotations), so that momentum and angular momentum
+//! balance to rounding.
 
 use super::search_interval::SearchIntervals;
 use super::surface::{Projection, Surface};
@@ -173,7 +175,8 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
         self.surface.begin_step();
         let (on_ball, on_face) = self.forces.split_at_mut(balls);
         let (on_nodes, moments) = on_face.split_at_mut(count);
-        // Write only where something acts or has acted: all other forces stay in the caches of the workers that add them up.
+        // Write only where something acts or has acted: all other forces stay in the caches of the workers that add
+        // them up.
         for touching in self.touching.drain(..) {
             on_ball[touching as usize] = Row::zero();
             for corner in self.surface.quads[self.candidates[touching as usize].quad as usize] {
@@ -220,7 +223,8 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
                 continue;
             }
             self.passed_edge |= returned;
-            // Where nodes have no rotations, the surface has: the tip of its normal moves with the slope of the velocity along the normal.
+            // Where nodes have no rotations, the surface has: the tip of its normal moves with the slope of the
+            // velocity along the normal.
             let height = dot(arm, land.normal);
             let slopes = rotations.is_empty().then(|| self.surface.slopes(positions, &land));
             for (slope, &corner) in slopes.iter().flatten().zip(&corners) {

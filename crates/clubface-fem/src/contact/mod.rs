@@ -52,13 +52,15 @@ impl<R: Real> Default for Resultant<R> {
 pub trait Contact<R: Real>: Send {
     /// Nodes on which it may exert forces.
     fn nodes(&self) -> &[u32];
-    /// Part of the ball's undeformed surface that belongs to a node, m2, by its index in [`Contact::nodes`]; 0 for other nodes.
+    /// Part of the ball's undeformed surface that belongs to a node, m2, by its index in [`Contact::nodes`]; 0 for
+    /// other nodes.
     fn area(&self, _index: usize) -> f64 {
         0.0
     }
     /// Chooses the method that keeps nodes out of the other side.
     fn set_method(&mut self, method: ContactMethod);
-    /// Computes the forces for positions (m) at a step and velocities (m/s) half a step before it; moves its bodies on by `dt` seconds.
+    /// Computes the forces for positions (m) at a step and velocities (m/s) half a step before it; moves its bodies on
+    /// by `dt` seconds.
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64);
     /// Forces on [`Contact::nodes`], N.
     fn forces(&self) -> &[Row<R>];
@@ -66,10 +68,11 @@ pub trait Contact<R: Real>: Send {
     fn resultant(&self) -> Resultant<R>;
     /// Energies at the last step.
     fn energy(&self) -> ContactEnergy;
-    /// Signed distance of a point from the face (m, positive in front of it) and the face's unit normal, for the given positions of all nodes.
+    /// Signed distance of a point from the face (m, positive in front of it) and the face's unit normal, for the given
+    /// positions of all nodes.
     fn nearest(&self, positions: &[Row<R>], point: Vec3<R>) -> (R, Vec3<R>);
-    /// Whether the ball has reached round the edge of the face: nodes under load have passed the edge and lost the energy of their springs, or
-    /// have come back below the surface, where their springs act at once.
+    /// Whether the ball has reached round the edge of the face: nodes under load have passed the edge and lost the
+    /// energy of their springs, or have come back below the surface, where their springs act at once.
     fn passed_edge(&self) -> bool {
         false
     }

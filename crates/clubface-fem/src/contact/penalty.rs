@@ -1,5 +1,5 @@
-//! The contact law of one node: a damped penalty spring along the normal and Coulomb friction that sticks; optionally a Lagrange multiplier that
-//! takes the load over from the springs.
+//! The contact law of one node: a damped penalty spring along the normal and Coulomb friction that sticks; optionally a
+//! Lagrange multiplier that takes the load over from the springs.
 
 use super::{ContactEnergy, Resultant};
 use crate::error::FemError;
@@ -8,10 +8,11 @@ use clubface_math::{Real, Vec3};
 /// How contact springs follow from a node's mass and the time step.
 #[derive(Clone, Copy, Debug)]
 pub struct PenaltySprings {
-    /// Stiffness over mass over the square of the time step. A node of stiffness `k` and mass `m` alone is stable up to 4.
+    /// Stiffness over mass over the square of the time step. A node of stiffness `k` and mass `m` alone is stable up to
+    /// 4.
     pub stiffness: f64,
-    /// Damping over critical damping. Without damping, nodes that arrive at full speed, one circle after the other, would oscillate, and the force
-    /// with them.
+    /// Damping over critical damping. Without damping, nodes that arrive at full speed, one circle after the other,
+    /// would oscillate, and the force with them.
     pub damping: f64,
     /// The time step to which they refer, s; without one, that of the run.
     pub step: Option<f64>,
@@ -20,9 +21,10 @@ pub struct PenaltySprings {
 }
 
 impl Default for PenaltySprings {
-    /// About the stiffness with which the surface elements hold their nodes. With a stiffer spring the force oscillates with every circle of nodes
-    /// that arrives (peak of the reference case 3% higher at 0.25); a softer one delays the contact (at 0.05 its tangential force reverses 3%
-    /// later, and the peak is 3% lower). Half or twice the damping changes the peak by 0.3%.
+    /// About the stiffness with which the surface elements hold their nodes. With a stiffer spring the force oscillates
+    /// with every circle of nodes that arrives (peak of the reference case 3% higher at 0.25); a softer one delays the
+    /// contact (at 0.05 its tangential force reverses 3% later, and the peak is 3% lower). Half or twice the damping
+    /// changes the peak by 0.3%.
     fn default() -> Self {
         Self { stiffness: 0.127, damping: 0.4, step: None, multiplier: None }
     }
@@ -37,13 +39,14 @@ pub enum ContactMethod {
     /// Damped springs alone: nodes penetrate until the springs carry the load.
     #[default]
     Penalty,
-    /// Damped springs and, for every node, a multiplier that takes the load over from them, so that nodes come out again.
+    /// Damped springs and, for every node, a multiplier that takes the load over from them, so that nodes come out
+    /// again.
     AugmentedLagrange,
 }
 
 impl ContactMethod {
-    /// Time in which multipliers take over, s: a third of a contact. With 60 us the force of the reference case oscillates as nodes arrive (peak
-    /// 8% higher), and with 30 us its energy balance is off.
+    /// Time in which multipliers take over, s: a third of a contact. With 60 us the force of the reference case
+    /// oscillates as nodes arrive (peak 8% higher), and with 30 us its energy balance is off.
     const TIME_CONSTANT: f64 = 200e-6;
 
     /// Its name in files and options.
@@ -131,7 +134,8 @@ impl<R: Real> Penetration<R> {
         }
         let carried = state.multiplier.dot(self.normal).max(R::zero());
         let load = spring + carried;
-        // The damper is limited by the load: acting at once, it would make the launch jump where a node arrives one step sooner.
+        // The damper is limited by the load: acting at once, it would make the launch jump where a node arrives one
+        // step sooner.
         let pressing = (load + damper.min(load)).max(R::zero());
         energy.damping += ((pressing - spring) * closing).re() * dt;
         // Stick: the spring follows the node. Slip: it is shortened until it carries what friction allows.
@@ -164,8 +168,8 @@ impl<R: Real> Penetration<R> {
         force
     }
 
-    /// Moves a fraction of the load that the multiplier does not carry yet on to it: the load of the last step, from the acceleration of the node
-    /// under it.
+    /// Moves a fraction of the load that the multiplier does not carry yet on to it: the load of the last step, from
+    /// the acceleration of the node under it.
     #[inline(always)]
     fn update_multiplier(&self, fraction: f64, state: &mut NodeState<R>, dt: f64) {
         if let Some((force, velocity)) = state.last {

@@ -64,7 +64,8 @@ pub struct RigidContact<R, T> {
 }
 
 impl<R: Real, T: RigidSurface<R>> RigidContact<R, T> {
-    /// Contact of `nodes` with a coefficient of friction, given the masses of all nodes (kg) and the parts of the surface that belong to them (m2).
+    /// Contact of `nodes` with a coefficient of friction, given the masses of all nodes (kg) and the parts of the
+    /// surface that belong to them (m2).
     pub fn new(surface: T, coefficient: R, nodes: Vec<u32>, masses: &[R], areas: &[f64]) -> Self {
         let candidates: Vec<_> = nodes
             .iter()

@@ -29,7 +29,8 @@ impl SearchIntervals {
     pub fn skip(&mut self, node: usize, steps: u32) {
         self.remaining[node] = steps;
     }
-    /// Leaves a node out for as long as it cannot cross a gap (m) in steps of `dt` seconds, given the square of its speed relative to the other side.
+    /// Leaves a node out for as long as it cannot cross a gap (m) in steps of `dt` seconds, given the square of its
+    /// speed relative to the other side.
     #[inline(always)]
     pub fn skip_gap(&mut self, node: usize, gap: f64, speed_squared: f64, dt: f64) {
         self.largest_speed_squared = self.largest_speed_squared.max(speed_squared);

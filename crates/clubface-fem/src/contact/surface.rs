@@ -8,7 +8,8 @@ use clubface_math::{Real, Row, Vec3};
 const INSIDE: f64 = 1.0 + 1e-9;
 /// Most quadrilaterals that a search passes through.
 const LONGEST_SEARCH: usize = 64;
-/// Newton iterations in one quadrilateral: starting from the result of the last time step, the second is exact to rounding.
+/// Newton iterations in one quadrilateral: starting from the result of the last time step, the second is exact to
+/// rounding.
 const NEWTON_ITERATIONS: usize = 2;
 
 /// Reference coordinates of a quadrilateral's corners.
@@ -51,7 +52,8 @@ pub struct Surface<R> {
 }
 
 impl<R: Real> Surface<R> {
-    /// From quadrilaterals, counterclockwise seen from outside, with the thickness (m) of each, between nodes of the given rows.
+    /// From quadrilaterals, counterclockwise seen from outside, with the thickness (m) of each, between nodes of the
+    /// given rows.
     pub fn new(quads: Vec<[u32; 4]>, thickness: &[R], nodes: Vec<u32>) -> Self {
         let mut edges = std::collections::HashMap::new();
         for (q, quad) in quads.iter().enumerate() {
@@ -99,7 +101,8 @@ impl<R: Real> Surface<R> {
         self.step += 1;
     }
 
-    /// Position of a node, m. Read only where it is needed: most nodes are far from the ball, and in the cache of another core.
+    /// Position of a node, m. Read only where it is needed: most nodes are far from the ball, and in the cache of
+    /// another core.
     #[inline(always)]
     pub fn position(&self, rows: &[Row<R>], node: u32) -> Vec3<R> {
         rows[self.nodes[node as usize] as usize].vec()
@@ -152,7 +155,8 @@ impl<R: Real> Surface<R> {
         best.1
     }
 
-    /// Projection of a point, searched from a quadrilateral and reference coordinates in it; none if the point is beyond the surface's edge.
+    /// Projection of a point, searched from a quadrilateral and reference coordinates in it; none if the point is
+    /// beyond the surface's edge.
     pub fn projection(
         &mut self,
         rows: &[Row<R>],
@@ -221,7 +225,8 @@ impl<R: Real> Surface<R> {
         None
     }
 
-    /// Neighbour in whose direction a projection lies outside its quadrilateral, if it does: across the edge that is passed by more.
+    /// Neighbour in whose direction a projection lies outside its quadrilateral, if it does: across the edge that is
+    /// passed by more.
     fn neighbour_beyond(&self, projection: &Projection<R>) -> Option<u32> {
         let [xi, eta] = projection.at.map(clubface_math::Scalar::re);
         if xi.abs() <= INSIDE && eta.abs() <= INSIDE {

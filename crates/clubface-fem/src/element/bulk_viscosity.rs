@@ -1,5 +1,5 @@
-//! Linear bulk viscosity: a pressure against fast changes of volume, which damps what rings from element to element (Landshoff's of 1955, as
-//! described by Benson, Comput. Methods Appl. Mech. Eng. 99, 1992).
+//! Linear bulk viscosity: a pressure against fast changes of volume, which damps what rings from element to element
+//! (Landshoff's of 1955, as described by Benson, Comput. Methods Appl. Mech. Eng. 99, 1992).
 
 use crate::block::BLOCK;
 use crate::material::Material;
@@ -15,14 +15,16 @@ pub struct BulkViscosity<R> {
 }
 
 impl<R: Real> BulkViscosity<R> {
-    /// For blocks of undeformed elements of a material, whose mean `size` (m) a wave crosses: `coefficient` times density, speed of waves and size.
+    /// For blocks of undeformed elements of a material, whose mean `size` (m) a wave crosses: `coefficient` times
+    /// density, speed of waves and size.
     pub fn new(coefficient: f64, material: &Material<R>, size: f64, blocks: usize) -> Self {
         let stiffness = material.bulk + material.instantaneous_shear() * (4.0 / 3.0);
         let drag = (stiffness * material.density).sqrt() * (coefficient * size);
         Self { drag, ratios: vec![R::one(); blocks * BLOCK], work: vec![R::zero(); blocks * BLOCK] }
     }
 
-    /// The pressure (Pa, positive in tension) for the ratios of volumes in lanes `first..` of a block; a step of `dt` seconds has passed.
+    /// The pressure (Pa, positive in tension) for the ratios of volumes in lanes `first..` of a block; a step of `dt`
+    /// seconds has passed.
     #[inline(always)]
     pub fn pressure<P: Pack<Real = R>>(&mut self, block: usize, first: usize, ratio: P, dt: f64) -> P {
         let at = block * BLOCK + first;
@@ -56,10 +58,11 @@ impl<R: Real> Drag<'_, R> {
     }
 }
 
-/// The stable step of damped elements over that of free ones: `sqrt(1 + x^2) - x` for the share x of critical damping in their fastest vibration. In
-/// that of cubes, which breathe in turns, it is the square root of three times the coefficient.
+/// The stable step of damped elements over that of free ones: `sqrt(1 + x^2) - x` for the share x of critical damping
+/// in their fastest vibration. In that of cubes, which breathe in turns, it is the square root of three times the
+/// coefficient.
 #[must_use]
-pub fn stable_share(coefficient: f64) -> f64 {
+pub fn damped_step_ratio(coefficient: f64) -> f64 {
     let share = coefficient * 3.0_f64.sqrt();
     share.hypot(1.0) - share
 }

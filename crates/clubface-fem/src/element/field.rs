@@ -145,7 +145,8 @@ impl<R: Real> Field<'_, R> {
     pub unsafe fn load<P: Pack<Real = R>>(&mut self, k: usize, rows: &[Row<R>], nodes: &[u32]) {
         let Layout { plane, planes, stride, .. } = self.layout;
         assert!(k < planes && nodes.len() >= plane * planes + BLOCK);
-        // SAFETY: the last pack of a plane overruns by less than a block, into room that both the list and the field have.
+        // SAFETY: the last pack of a plane overruns by less than a block, into room that both the list and the field
+        // have.
         unsafe {
             let to = [self.at(k, 0), self.at(k, 1), self.at(k, 2)];
             for at in (0..plane).step_by(P::LANES) {

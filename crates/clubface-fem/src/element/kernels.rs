@@ -1,6 +1,7 @@
 //! The numbers that elements are compiled for: all kernels are made here, once, whoever calls them.
 //!
-//! Patches are generic over their numbers, and whoever made one of plain numbers would compile its kernels again. These functions are not generic.
+//! Patches are generic over their numbers, and whoever made one of plain numbers would compile its kernels again.
+//! These functions are not generic.
 
 use super::hex_full::{full_patches, FullPatch};
 use super::hex_one_point::{solid_patches, SolidPatch};
@@ -13,8 +14,9 @@ use std::ops::Range;
 
 /// A number that elements are made of.
 pub trait Kernels: Number {
-    /// Patches of some one-point elements of a mesh, of one material, in their undeformed shape. Where elements follow each other as in a lattice,
-    /// the patches are lattices, and those that differ by a rotation share their constants and follow each other.
+    /// Patches of some one-point elements of a mesh, of one material, in their undeformed shape. Where elements
+    /// follow each other as in a lattice, the patches are lattices, and those that differ by a rotation share their
+    /// constants and follow each other.
     fn hex_one_point(
         mesh: &SolidMesh<Self>,
         elements: Range<usize>,

@@ -13,7 +13,7 @@ mod patch;
 mod ratios;
 mod shell;
 
-pub use bulk_viscosity::stable_share;
+pub use bulk_viscosity::damped_step_ratio;
 pub use field::Scratch;
 pub use kernels::Kernels;
 pub use kind::Element;

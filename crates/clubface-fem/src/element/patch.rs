@@ -53,10 +53,11 @@ impl Energy {
 pub trait Patch<R: Real>: Send + Sync {
     /// Nodes the patch exerts forces on.
     fn nodes(&self) -> &[u32];
-    /// Computes the forces for the given positions (m) and velocities (m/s) of all nodes; state variables move on by `dt` seconds.
+    /// Computes the forces for the given positions (m) and velocities (m/s) of all nodes; state variables move on by
+    /// `dt` seconds.
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64);
-    /// Computes the forces after small displacements (m, or rad) to the given positions, the state variables left as they are. Elements whose
-    /// stress follows from positions alone need only those, in no time.
+    /// Computes the forces after small displacements (m, or rad) to the given positions, the state variables left as
+    /// they are. Elements whose stress follows from positions alone need only those, in no time.
     fn perturbed_forces(&mut self, positions: &[Row<R>], displacements: &[Row<R>]) {
         self.assemble(positions, displacements, 0.0);
     }
@@ -68,25 +69,29 @@ pub trait Patch<R: Real>: Send + Sync {
     fn volumes_valid(&self) -> bool {
         true
     }
-    /// Energies at the given positions, and the smallest and largest ratio of current to reference volume; the state stays as it is.
+    /// Energies at the given positions, and the smallest and largest ratio of current to reference volume; the state
+    /// stays as it is.
     fn energies(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64));
-    /// Gives the sink stress and strain of every element at the given positions, after a step as long as the last that has passed; the state stays as it is.
+    /// Gives the sink stress and strain of every element at the given positions, after a step as long as the last
+    /// that has passed; the state stays as it is.
     fn element_output(&mut self, positions: &[Row<R>], sink: &mut OutputSink<'_>);
     /// Energies at the given positions; the state stays as it is.
     fn energy(&mut self, positions: &[Row<R>]) -> Energy {
         self.energies(positions).0
     }
-    /// Gives its undeformed elements a linear bulk viscosity, if it has volumes: a pressure of `coefficient` times density, speed of waves, size and rate of volume.
+    /// Gives its undeformed elements a linear bulk viscosity, if it has volumes: a pressure of `coefficient` times
+    /// density, speed of waves, size and rate of volume.
     fn set_bulk_viscosity(&mut self, _coefficient: f64) {}
-    /// Takes charge of the motion of some nodes in [`Patch::step`], and returns their places in [`Patch::nodes`]. Given for each of them whether nothing but
-    /// this patch acts on it, and its inverse mass, 1/kg.
+    /// Takes charge of the motion of some nodes in [`Patch::step`], and returns their places in [`Patch::nodes`].
+    /// Given for each of them whether nothing but this patch acts on it, and its inverse mass, 1/kg.
     fn claim_interior_nodes(&mut self, _alone: &[bool], _inverse_masses: &[R]) -> Vec<u32> {
         vec![]
     }
     /// Takes the motion of interior nodes from the fields of all nodes, m and m/s.
     fn load_interior(&mut self, _positions: &[Row<R>], _velocities: &[Row<R>]) {}
-    /// As [`Patch::assemble`], with forces on the nodes that are not interior, in their order; the others move on by `dt` seconds, unseen in the
-    /// fields of all nodes. If asked for, reports energies at the positions from which they go on.
+    /// As [`Patch::assemble`], with forces on the nodes that are not interior, in their order; the others move on by
+    /// `dt` seconds, unseen in the fields of all nodes. If asked for, reports energies at the positions from which
+    /// they go on.
     fn step(
         &mut self,
         positions: &[Row<R>],

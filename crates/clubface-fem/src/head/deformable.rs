@@ -6,7 +6,8 @@ use crate::error::FemError;
 use crate::mesh::{mass_properties, MassProperties, ShellMasses};
 use clubface_math::{Real, Vec3};
 
-/// A head made of elements. Axes: x towards the target, y up, z to the toe, as the club is soled; the origin is the face centre.
+/// A head made of elements. Axes: x towards the target, y up, z to the toe, as the club is soled; the origin is the
+/// face centre.
 pub trait DeformableHead<R: Real> {
     /// Checks that the head can be simulated.
     ///
@@ -19,10 +20,11 @@ pub trait DeformableHead<R: Real> {
     fn nodes(&self) -> &[Vec3<f64>];
     /// Masses of the nodes; rotary inertias only if nodes have rotations.
     fn masses(&self) -> ShellMasses<R>;
-    /// Patches of elements with the names of their parts, for the positions of the nodes at first touch. Node 0 is row `first` of the structure;
-    /// the rows of rotations follow behind those of all positions.
+    /// Patches of elements with the names of their parts, for the positions of the nodes at first touch. Node 0 is row
+    /// `first` of the structure; the rows of rotations follow behind those of all positions.
     fn patches(&self, positions: &[Vec3<R>], first: u32) -> Vec<(String, Box<dyn Patch<R>>)>;
-    /// Quadrilaterals that the ball may touch, counterclockwise seen from outside, and their thickness, m. The surface lies half of it outside them.
+    /// Quadrilaterals that the ball may touch, counterclockwise seen from outside, and their thickness, m. The surface
+    /// lies half of it outside them.
     fn face(&self) -> (Vec<[u32; 4]>, Vec<R>);
 
     /// Grooves of the face.

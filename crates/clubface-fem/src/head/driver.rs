@@ -37,10 +37,10 @@ pub struct MeshedDriver<R> {
 }
 
 impl<R: Real> Driver<R> {
-    /// The head of Roh and Lee as far as they describe it: 210 g, loft 11.5 deg, 3264 shells, moment of inertia 1526 g cm2. They do not say about
-    /// which axis. About the vertical no head of a driver's size has so little, but about the axis from heel to toe drivers of that time
-    /// have, so this axis is assumed. The rest is chosen here: titanium, a shape of about 240 cm3, usual walls, and the mass centre on the
-    /// face normal through the face centre.
+    /// The head of Roh and Lee as far as they describe it: 210 g, loft 11.5 deg, 3264 shells, moment of inertia 1526 g
+    /// cm2. They do not say about which axis. About the vertical no head of a driver's size has so little, but about
+    /// the axis from heel to toe drivers of that time have, so this axis is assumed. The rest is chosen here: titanium,
+    /// a shape of about 240 cm3, usual walls, and the mass centre on the face normal through the face centre.
     #[must_use]
     pub fn roh_and_lee() -> Self {
         let shape = DriverShape {

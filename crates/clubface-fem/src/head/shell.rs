@@ -21,7 +21,8 @@ pub struct ShellPart<R> {
     pub face: bool,
 }
 
-/// A head of shells. Axes: x towards the target, y up, z to the toe, as the club is soled; the origin is the face centre.
+/// A head of shells. Axes: x towards the target, y up, z to the toe, as the club is soled; the origin is the face
+/// centre.
 #[derive(Clone, Debug)]
 pub struct ShellHead<R> {
     /// Middle surface.

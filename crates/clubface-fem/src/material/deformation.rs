@@ -72,8 +72,9 @@ impl<S: Scalar> Kinematics<S> {
     }
 }
 
-/// `J^(-1/3)` from a parabola through J = 0.5, 1, 1.7, within 2% there. With `h = 1 - J y^3` the root is `y (1 - h)^(-1/3)`, whose series to the
-/// third order leaves `h^4/7`: two steps are exact there. They lead to the root for J between 0.3 and 2.5, beyond which an element is lost.
+/// `J^(-1/3)` from a parabola through J = 0.5, 1, 1.7, within 2% there. With `h = 1 - J y^3` the root is
+/// `y (1 - h)^(-1/3)`, whose series to the third order leaves `h^4/7`: two steps are exact there. They lead to the
+/// root for J between 0.3 and 2.5, beyond which an element is lost.
 #[inline(always)]
 fn inverse_cube_root<S: Scalar>(j: S) -> S {
     let mut y = (j * 0.240_2 - 0.880_1).mul_add(j, S::from_f64(1.639_9));

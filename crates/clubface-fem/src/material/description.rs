@@ -30,10 +30,11 @@ impl Constant {
 
 /// A card of a keyword deck (LS-DYNA, OpenRadioss) that describes the law.
 ///
-/// A row lists fields by name, each separated by a blank: a constant of the law, `mu#` for all constants that are `mu` with a number, `mid` and
-/// `nv` for the number of the material and of its branches, `ro pr e bulk shear` for density, Poisson's ratio, Young's, bulk and shear modulus, `g0`
-/// for the shear modulus of fast deformation, `g beta` for shear modulus and inverse relaxation time of a branch, or a number; `2*shear` is a
-/// product, and `-` a blank field.
+/// A row lists fields by name, each separated by a blank: a constant of the law, `mu#` for all constants that are
+/// `mu` with a number, `mid` and `nv` for the number of the material and of its branches, `ro pr e bulk shear` for
+/// density, Poisson's ratio, Young's, bulk and shear modulus, `g0` for the shear modulus of fast deformation,
+/// `g beta` for shear modulus and inverse relaxation time of a branch, or a number; `2*shear` is a product, and `-` a
+/// blank field.
 #[derive(Clone, Copy, Debug)]
 pub struct Card {
     /// Keyword.

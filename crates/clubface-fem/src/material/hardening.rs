@@ -1,6 +1,8 @@
-//! How a metal hardens: its yield stress by the equivalent plastic strain p, `Y + sum of h max(0, p - at) + Q (1 - exp(-b p))`.
+//! How a metal hardens: its yield stress by the equivalent plastic strain p,
+//! `Y + sum of h max(0, p - at) + Q (1 - exp(-b p))`.
 //!
-//! The straight lines hold linear hardening and curves given as tables, the last part is Voce's saturation (J. Inst. Metals 74, 1948).
+//! The straight lines hold linear hardening and curves given as tables, the last part is Voce's saturation (J. Inst.
+//! Metals 74, 1948).
 
 use crate::error::FemError;
 use clubface_math::{Pack, Real, Scalar};
@@ -56,7 +58,8 @@ impl<R: Real> Hardening<R> {
     /// Straight lines between points: plastic strain, the first zero, and yield stress (Pa), constant behind the last.
     ///
     /// # Errors
-    /// [`FemError::Input`] for none or too many points, or strains that do not increase from zero; `name` is that of the metal.
+    /// [`FemError::Input`] for none or too many points, or strains that do not increase from zero; `name` is that of
+    /// the metal.
     pub fn table(points: &[(R, R)], name: &str) -> Result<Self, FemError> {
         let of = format!("{name}.hardening");
         if !(1..=HARDENING_POINTS).contains(&points.len()) {

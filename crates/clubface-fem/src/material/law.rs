@@ -1,8 +1,8 @@
 //! What the author of a law writes: its stress and its energy, over any scalar.
 //!
-//! Every law is for the change of shape alone; that of volume is common to all. A law of the first two invariants implements
-//! [`OfInvariants`], any other elastic one [`Isochoric`], one whose stress depends on what has happened before [`Inelastic`]. [`PointLaw`] is what
-//! the stages see of all three.
+//! Every law is for the change of shape alone; that of volume is common to all. A law of the first two invariants
+//! implements [`OfInvariants`], any other elastic one [`Isochoric`], one whose stress depends on what has happened
+//! before [`Inelastic`]. [`PointLaw`] is what the stages see of all three.
 
 use super::deformation::{Deformation, Kinematics};
 use super::state_variables::Numbers;

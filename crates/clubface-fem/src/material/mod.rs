@@ -1,7 +1,8 @@
 //! What solids are made of: a law for the change of shape, one file each, and one common law for the change of volume.
 //!
-//! Every law is an energy per unit reference volume, `W(C̄) + K/2 (J - 1)^2` with `C̄ = J^(-2/3) F^T F`, so that nearly incompressible
-//! rubber and compressible plastics are treated alike (Holzapfel, Nonlinear Solid Mechanics, 2000, section 6.4).
+//! Every law is an energy per unit reference volume, `W(C̄) + K/2 (J - 1)^2` with `C̄ = J^(-2/3) F^T F`, so that
+//! nearly incompressible rubber and compressible plastics are treated alike (Holzapfel, Nonlinear Solid Mechanics,
+//! 2000, section 6.4).
 
 mod body;
 mod deformation;

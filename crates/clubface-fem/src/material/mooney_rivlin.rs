@@ -1,4 +1,4 @@
-//! Rubber after Mooney (1940) and Rivlin (1948): `W = C10 (I1 - 3) + C01 (I2 - 3)`, the core of Tanaka's ball.
+//! Rubber after Mooney (1940) and Rivlin (1948): `W = C10 (I1 - 3) + C01 (I2 - 3)`, the core of Roh and Lee's ball.
 
 use super::{Card, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};
 use crate::constants;

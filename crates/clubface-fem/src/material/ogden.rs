@@ -1,8 +1,9 @@
-//! Rubber after Ogden (Proc. R. Soc. Lond. A 326, 1972): `W = sum of mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3)` over one to three terms,
-//! with the principal stretches l of the change of shape.
+//! Rubber after Ogden (Proc. R. Soc. Lond. A 326, 1972): `W = sum of mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3)`
+//! over one to three terms, with the principal stretches l of the change of shape.
 //!
-//! In this convention the shear modulus is half the sum of `mu alpha`; one term with alpha = 2 is the neo-Hookean solid of modulus mu, and a second
-//! with alpha = -2 makes it Mooney's and Rivlin's (`mu = 2 C10`, `mu = -2 C01`). Some programs write `2 mu / alpha^2` instead of `mu / alpha`.
+//! In this convention the shear modulus is half the sum of `mu alpha`; one term with alpha = 2 is the neo-Hookean
+//! solid of modulus mu, and a second with alpha = -2 makes it Mooney's and Rivlin's (`mu = 2 C10`, `mu = -2 C01`).
+//! Some programs write `2 mu / alpha^2` instead of `mu / alpha`.
 
 use super::stretch::{Function, Stretches};
 use super::{Card, Constant, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};

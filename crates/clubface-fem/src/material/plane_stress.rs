@@ -1,8 +1,10 @@
-//! Metal after von Mises in a thin wall: elastic until it yields, then flowing with its volume kept, free of stress across the wall.
+//! Metal after von Mises in a thin wall: elastic until it yields, then flowing with its volume kept, free of stress
+//! across the wall.
 //!
-//! A step is tried elastically; where that leaves the yield surface, it is brought back along the flow at its end. In plane stress the mean and the
-//! deviating parts of the stress shrink by factors of their own, and one equation for the amount of flow remains (Simo and Taylor, Int. J. Numer.
-//! Methods Eng. 22, 1986; de Souza Neto, Peric and Owen, Computational Methods for Plasticity, 2008, section 9.4).
+//! A step is tried elastically; where that leaves the yield surface, it is brought back along the flow at its end. In
+//! plane stress the mean and the deviating parts of the stress shrink by factors of their own, and one equation for
+//! the amount of flow remains (Simo and Taylor, Int. J. Numer. Methods Eng. 22, 1986; de Souza Neto, Peric and Owen,
+//! Computational Methods for Plasticity, 2008, section 9.4).
 
 use super::hardening::Hardening;
 use clubface_math::{Mask, Scalar};
@@ -44,8 +46,8 @@ impl<S: Scalar> PlaneStress<S> {
         self.young / (self.poisson + 1.0)
     }
 
-    /// Moves on by a strain increment (xx, yy, twice xy); returns the work that became heat, J/m3, which with the elastic energies before and after
-    /// makes up the mean stress times the strain.
+    /// Moves on by a strain increment (xx, yy, twice xy); returns the work that became heat, J/m3, which with the
+    /// elastic energies before and after makes up the mean stress times the strain.
     #[inline(always)]
     pub fn advance(&self, increment: &[S; 3], state: &mut PlaneState<S>) -> S {
         let twice_shear = self.twice_shear();
@@ -91,7 +93,8 @@ impl<S: Scalar> PlaneStress<S> {
         (amount * mean + 1.0, amount * self.twice_shear() + 1.0)
     }
 
-    /// The flow that leads to the yield surface, zero in lanes that stay inside, from the squares of the trial stresses.
+    /// The flow that leads to the yield surface, zero in lanes that stay inside, from the squares of the trial
+    /// stresses.
     #[inline(always)]
     fn flow(&self, mean: S, deviating: S, state: &PlaneState<S>, yields: S::Mask) -> Flow<S> {
         let zero = S::zero();

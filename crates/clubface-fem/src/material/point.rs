@@ -1,4 +1,5 @@
-//! A material at a single point, driven by its deformation gradient: what tests and other programs ask of it, by the stages that the elements use.
+//! A material at a single point, driven by its deformation gradient: what tests and other programs ask of it, by the
+//! stages that the elements use.
 
 use super::body::Material;
 use super::deformation::{Deformation, Kinematics};

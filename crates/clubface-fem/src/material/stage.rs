@@ -1,7 +1,8 @@
-//! Stress as a stage of the elements' loops: one call for a run of packs, through a table of functions that is chosen once a patch and step, so
-//! that the loops are compiled once for each kind of pack and not for each law.
+//! Stress as a stage of the elements' loops: one call for a run of packs, through a table of functions that is chosen
+//! once a patch and step, so that the loops are compiled once for each kind of pack and not for each law.
 //!
-//! Packs pass these calls by reference: the callers on both sides are compiled with features of the CPU that the call itself knows nothing of.
+//! Packs pass these calls by reference: the callers on both sides are compiled with features of the CPU that the call
+//! itself knows nothing of.
 
 use super::deformation::{Deformation, Kinematics};
 use super::law::PointLaw;

@@ -49,7 +49,8 @@ pub struct State<'a, R> {
     pub energy_only: Numbers<'a, R>,
 }
 
-/// State variables of blocks of eight points. What few steps need stands apart, so that the caches are full of what all steps do.
+/// State variables of blocks of eight points. What few steps need stands apart, so that the caches are full of what
+/// all steps do.
 #[derive(Clone, Debug)]
 pub struct StateVariables<R> {
     every_step: Vec<Eight<R>>,
@@ -97,8 +98,8 @@ impl<R: Real> StateVariables<R> {
     }
 }
 
-/// Steps after which the work on viscoelastic branches is added up: numbers that are seldom read leave their place in the caches to others. By default energies
-/// are recorded after a multiple of so many, and see all of the work.
+/// Steps after which the work on viscoelastic branches is added up: numbers that are seldom read leave their place in
+/// the caches to others. By default energies are recorded after a multiple of so many, and see all of the work.
 const WORK_PERIOD: usize = 4;
 
 /// A step of state variables.

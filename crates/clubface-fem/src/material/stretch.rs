@@ -1,9 +1,10 @@
-//! Logarithms and powers of stretches without principal axes, so that equal stretches need no special case and derivatives stay exact.
+//! Logarithms and powers of stretches without principal axes, so that equal stretches need no special case and
+//! derivatives stay exact.
 //!
-//! By the theorem of Cayley and Hamilton every function of a tensor is a combination of its first three powers: all that is computed here are
-//! the three factors, from the tensor's invariants. A square root has the invariants of its square to tell its own, which Newton's method finds,
-//! and with them it is a rational function of its square (Hoger and Carlson, Q. Appl. Math. 42, 1984). Roots bring the stretches near one, where
-//! series converge.
+//! By the theorem of Cayley and Hamilton every function of a tensor is a combination of its first three powers: all
+//! that is computed here are the three factors, from the tensor's invariants. A square root has the invariants of its
+//! square to tell its own, which Newton's method finds, and with them it is a rational function of its square (Hoger
+//! and Carlson, Q. Appl. Math. 42, 1984). Roots bring the stretches near one, where series converge.
 
 use clubface_math::{Computation, Scalar};
 
@@ -74,7 +75,8 @@ impl<S: Scalar> Ring<S> {
     }
 }
 
-/// Polynomial of a tensor with the given invariants, coefficients from the highest power down, as a combination of its first three powers.
+/// Polynomial of a tensor with the given invariants, coefficients from the highest power down, as a combination of
+/// its first three powers.
 #[inline(always)]
 fn polynomial<S: Scalar, const N: usize>(
     [first, second, third]: [S; 3],
@@ -147,7 +149,8 @@ impl<S: Scalar> Stretches<S> {
     #[inline(always)]
     fn series_of_logarithm(&self) -> Function<S> {
         let Ring { first: p, second: q } = self.fourth;
-        // With v the fourth root, z = (v - 1) (v + 1)^-1: log = 4 log v = 8 artanh z, a series of odd powers. Invariants of z, and of its square.
+        // With v the fourth root, z = (v - 1) (v + 1)^-1: log = 4 log v = 8 artanh z, a series of odd powers.
+        // Invariants of z, and of its square.
         let scale = (p + q + 2.0).recip();
         let (first, second) = ((q - p) * scale, (-(p + q) + 6.0) * scale);
         let odd = first * first;
@@ -214,7 +217,8 @@ impl<S: Scalar> Stretches<S> {
     }
 }
 
-// Functions of their own: every law has several of these computations, and takes minutes to compile with copies of them.
+// Functions of their own: every law has several of these computations, and takes minutes to compile with copies of
+// them.
 
 struct Roots<S> {
     whole: Ring<S>,

@@ -1,4 +1,5 @@
-//! The table of laws: how a law by name becomes one that computes, over every number that laws are compiled for and for all of its packs.
+//! The table of laws: how a law by name becomes one that computes, over every number that laws are compiled for and
+//! for all of its packs.
 
 use super::description::Constant;
 use super::family::{Entry, Family, Law, DERIVATIVES};

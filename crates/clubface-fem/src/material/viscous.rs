@@ -1,5 +1,6 @@
-//! Finite-strain viscoelasticity over any law of shape: Maxwell branches whose stress follows that of the law and relaxes
-//! (Simo, Comput. Methods Appl. Mech. Eng. 60, 1987; Simo and Hughes, Computational Inelasticity, section 10.3).
+//! Finite-strain viscoelasticity over any law of shape: Maxwell branches whose stress follows that of the law and
+//! relaxes (Simo, Comput. Methods Appl. Mech. Eng. 60, 1987; Simo and Hughes, Computational Inelasticity, section
+//! 10.3).
 
 use super::deformation::Kinematics;
 use super::state_variables::{Numbers, State};
@@ -44,7 +45,8 @@ pub struct Branches<'a, S> {
     pub add_work: bool,
 }
 
-/// What a point keeps for the energies only: `C̄` and the stress of all branches when their work was last added up, and the work.
+/// What a point keeps for the energies only: `C̄` and the stress of all branches when their work was last added up,
+/// and the work.
 const STRESS: usize = 6;
 const WORK: usize = 12;
 const ACCOUNT: usize = 13;
@@ -85,8 +87,9 @@ pub fn add_branches<P: Pack>(
 
 /// Stress of the branches at the end of a step; the state moves on.
 ///
-/// The convolution of Simo and Hughes (section 10.3), whose stress moves on by `h <- exp(-dt / time) h + half (S - S_last)`, with one variable in the place of two,
-/// the driving stress that the dashpot has come to: `h = half (S - H)`, after which `H` goes its way to `S`.
+/// The convolution of Simo and Hughes (section 10.3), whose stress moves on by
+/// `h <- exp(-dt / time) h + half (S - S_last)`, with one variable in the place of two, the driving stress that the
+/// dashpot has come to: `h = half (S - H)`, after which `H` goes its way to `S`.
 #[inline(always)]
 fn relax<P: Pack>(driving: &Symmetric<P>, decays: &[Decay<P>], state: &mut State<P::Real>) -> Symmetric<P> {
     // Spelt out, since no compiler unrolls so much by itself.

@@ -1,9 +1,11 @@
-//! Metal after von Mises at finite strain: elastic in logarithmic strain (after Hencky) until it yields, then flowing with its volume kept.
+//! Metal after von Mises at finite strain: elastic in logarithmic strain (after Hencky) until it yields, then flowing
+//! with its volume kept.
 //!
-//! The deformation is an elastic one after a plastic one. The state variables of the plastic one are its metric, the inverse of its right
-//! Cauchy-Green tensor, of determinant one. In logarithmic strain the return to the yield surface is that of small strains: the deviator shrinks
-//! by a factor (Weber and Anand, Comput. Methods Appl. Mech. Eng. 79, 1990; Simo, ibid. 99, 1992). The elastic left Cauchy-Green
-//! tensor has the invariants of `C̄` times the metric, and functions of it, pulled back to the undeformed shape, are combinations of the metric, of the metric
+//! The deformation is an elastic one after a plastic one. The state variables of the plastic one are its metric, the
+//! inverse of its right Cauchy-Green tensor, of determinant one. In logarithmic strain the return to the yield
+//! surface is that of small strains: the deviator shrinks by a factor (Weber and Anand, Comput. Methods Appl. Mech.
+//! Eng. 79, 1990; Simo, ibid. 99, 1992). The elastic left Cauchy-Green tensor has the invariants of `C̄` times the
+//! metric, and functions of it, pulled back to the undeformed shape, are combinations of the metric, of the metric
 //! around `C̄`, and of `C̄^-1`: neither rotations nor principal axes are needed.
 
 use super::hardening::{Hardening, HARDENING_POINTS};

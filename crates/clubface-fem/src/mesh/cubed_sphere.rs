@@ -48,7 +48,8 @@ pub fn cubed_sphere<R: Scalar>(radii: &[R], fineness: &Fineness) -> SolidMesh<R>
                     for u in 0..n {
                         let mut element = [0; CORNERS];
                         for corner in 0..CORNERS {
-                            // The third coordinate runs outward; on the low sides the first two are exchanged, to keep the map right-handed.
+                            // The third coordinate runs outward; on the low sides the first two are exchanged, to keep
+                            // the map right-handed.
                             let level = depth + layer + (corner >> 2);
                             let share = (layer + (corner >> 2)) as f64 / count as f64;
                             let at = on_side(side, u + (corner & 1), v + (corner >> 1 & 1), n);
@@ -117,7 +118,8 @@ fn inner(q: [f64; 3]) -> Vec3<f64> {
 /// Point of the unit sphere for a point of the cube's surface, equal angles apart.
 fn outer(q: [f64; 3]) -> Vec3<f64> {
     let p = q.map(|c| (c * std::f64::consts::FRAC_PI_4).tan());
-    // In the order of their size, so that sides differ by a rotation to the last bit: their elements then share their constants.
+    // In the order of their size, so that sides differ by a rotation to the last bit: their elements then share their
+    // constants.
     let mut squares = p.map(|c| c * c);
     squares.sort_by(f64::total_cmp);
     Vec3::from_f64(p) * (1.0 / squares.iter().sum::<f64>().sqrt())

@@ -1,8 +1,8 @@
 //! A hollow driver head of quadrilaterals: a closed surface, part of it the face with bulge, roll and loft.
 //!
-//! Axes as those of the ball at first touch: x towards the target, y up, z to the toe; the origin is the face centre, on the outside. The
-//! mesh is that of a box, wrapped round the body and smoothed, so that it has no triangles, no seams, and no corner in one plane with
-//! its neighbours.
+//! Axes as those of the ball at first touch: x towards the target, y up, z to the toe; the origin is the face centre,
+//! on the outside. The mesh is that of a box, wrapped round the body and smoothed, so that it has no triangles, no
+//! seams, and no corner in one plane with its neighbours.
 
 use super::driver_shape::{DriverFineness, DriverShape, DriverThickness, Region};
 use super::driver_surface::DriverSurface;

@@ -11,7 +11,8 @@ const OUTLINE: f64 = 2.5;
 const SECTION: f64 = 2.3;
 /// Fraction of the sum of pulls by which a node moves in a round of smoothing.
 const RELAXATION: f64 = 0.15;
-/// Convexity below which smoothing leaves a node where it is, unless it helps: well above the 0.02 below which a head is refused.
+/// Convexity below which smoothing leaves a node where it is, unless it helps: well above the 0.02 below which a head
+/// is refused.
 const FOLDED: f64 = 0.15;
 /// Rounds of smoothing.
 const SMOOTHING: usize = 150;
@@ -46,7 +47,8 @@ impl<'a> DriverSurface<'a> {
         let outline = outlined(d.x / back) + outlined(d.z / (0.5 * shape.width));
         (outline.powf(SECTION / OUTLINE) + (d.y / height).abs().powf(SECTION)).powf(-1.0 / SECTION)
     }
-    /// How far a point is in front of the face, along its normal at the centre: a torus, the roll arc revolved about an axis `bulge` behind.
+    /// How far a point is in front of the face, along its normal at the centre: a torus, the roll arc revolved about an
+    /// axis `bulge` behind.
     fn in_front(&self, p: Vec3<f64>) -> f64 {
         let DriverShape { bulge, roll, .. } = *self.shape;
         let height = p.dot(self.up);
@@ -61,8 +63,8 @@ impl<'a> DriverSurface<'a> {
         }
         let mut t = far;
         for _ in 0..8 {
-            // The face is nearly flat: the slope at its centre will do. With its own slope at every place this would be quicker, but run away
-            // where the face is as curved as the limits of shapes allow.
+            // The face is nearly flat: the slope at its centre will do. With its own slope at every place this would be
+            // quicker, but run away where the face is as curved as the limits of shapes allow.
             let next = (t - self.in_front(self.centre + d * t) / slope).clamp(0.0, far);
             if next == t {
                 break;
@@ -82,8 +84,8 @@ impl<'a> DriverSurface<'a> {
         self.centre + d * t
     }
 
-    /// Pulls sides and diagonals of all elements to one length each, as springs would, the nodes staying on the surface: the smallest
-    /// element governs the time step.
+    /// Pulls sides and diagonals of all elements to one length each, as springs would, the nodes staying on the
+    /// surface: the smallest element governs the time step.
     pub fn smooth(&self, nodes: &mut [Vec3<f64>], quads: &[[u32; 4]]) {
         let mut partners = vec![Vec::new(); nodes.len()];
         let mut around = vec![Vec::new(); nodes.len()];

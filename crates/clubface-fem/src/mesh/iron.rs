@@ -1,4 +1,5 @@
-//! A solid iron head of hexahedra: a blade behind a flat face, thick at the sole and the top line, thin in a cavity between.
+//! A solid iron head of hexahedra: a blade behind a flat face, thick at the sole and the top line, thin in a cavity
+//! between.
 //!
 //! Axes as those of all heads: x towards the target, y up, z to the toe; the origin is the face centre.
 
@@ -22,7 +23,8 @@ pub struct IronShape {
     pub sole: f64,
     /// Thickness of the top line.
     pub top: f64,
-    /// Height of the sole's and width of the top line's part of the blade, and of its ends, over the size of the blade: 0.5 leaves no cavity.
+    /// Height of the sole's and width of the top line's part of the blade, and of its ends, over the size of the blade:
+    /// 0.5 leaves no cavity.
     pub rim: f64,
     /// Radius of the corners of the outline.
     pub rounding: f64,
@@ -48,7 +50,8 @@ impl IronShape {
         [Vec3::new(c, s, 0.0), Vec3::new(-s, c, 0.0)]
     }
 
-    /// Place on the face for -1 to 1 from heel to toe and from sole to top line: along the face from its centre, up and to the toe.
+    /// Place on the face for -1 to 1 from heel to toe and from sole to top line: along the face from its centre, up and
+    /// to the toe.
     fn outline(&self, along: f64, across: f64) -> (f64, f64) {
         let height = |at: f64| self.heel_height + 0.5 * (at + 1.0) * (self.toe_height - self.heel_height);
         // Corners are rounded by drawing in the ends of the rows near sole and top line.

@@ -3,8 +3,9 @@
 use clubface_math::{Real, Vec3};
 use std::ops::Range;
 
-/// Least rotary inertia of a node over its mass and the element's area. In thin shells it replaces the section's own `t^2 / 12`, so that
-/// transverse shear does not govern the stable step (Hughes, Cohen and Haroun, Nucl. Eng. Des. 46, 1978).
+/// Least rotary inertia of a node over its mass and the element's area. In thin shells it replaces the section's own
+/// `t^2 / 12`, so that transverse shear does not govern the stable step (Hughes, Cohen and Haroun, Nucl. Eng. Des. 46,
+/// 1978).
 pub const ROTARY: f64 = 0.125;
 
 /// Quadrilaterals with thickness: the middle surface of a thin body.
@@ -18,8 +19,8 @@ pub struct ShellMesh<R> {
     pub thickness: Vec<R>,
 }
 
-/// How far a quadrilateral is from folding: the smallest of the triangles at its corners over half its area. This is 1 for a parallelogram and 0
-/// with an angle of 180 degrees.
+/// How far a quadrilateral is from folding: the smallest of the triangles at its corners over half its area. This is 1
+/// for a parallelogram and 0 with an angle of 180 degrees.
 pub(super) fn convexity([a, b, c, d]: [Vec3<f64>; 4]) -> f64 {
     let out = (c - a).cross(d - b);
     let corners = [(d, a, b), (a, b, c), (b, c, d), (c, d, a)];
@@ -48,7 +49,8 @@ impl<R: Real> ShellMesh<R> {
     pub fn area(&self, element: usize) -> f64 {
         self.area_vector(element).norm()
     }
-    /// Masses of the nodes, each with a quarter of the mass of its elements, given the density (kg/m3) of ranges of elements.
+    /// Masses of the nodes, each with a quarter of the mass of its elements, given the density (kg/m3) of ranges of
+    /// elements.
     pub fn masses(&self, densities: impl Iterator<Item = (Range<usize>, R)>) -> ShellMasses<R> {
         let mut masses = ShellMasses {
             translation: vec![R::zero(); self.nodes.len()],

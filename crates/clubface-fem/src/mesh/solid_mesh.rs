@@ -2,8 +2,9 @@
 
 use clubface_math::{Scalar, Vec3};
 
-/// Number of corners of a hexahedron. They are in binary order: bit 0 of a corner's number is the sign of its first reference coordinate, bit 1
-/// of the second, bit 2 of the third. The usual order (round the bottom, then round the top) exchanges corners 2 and 3, and 6 and 7.
+/// Number of corners of a hexahedron. They are in binary order: bit 0 of a corner's number is the sign of its first
+/// reference coordinate, bit 1 of the second, bit 2 of the third. The usual order (round the bottom, then round the
+/// top) exchanges corners 2 and 3, and 6 and 7.
 pub const CORNERS: usize = 8;
 
 /// Hexahedra, each belonging to a layer (the piece of the ball it is made of).

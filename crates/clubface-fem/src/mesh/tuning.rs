@@ -72,10 +72,12 @@ pub fn mass_properties(nodes: &[Vec3<f64>], masses: &[f64]) -> MassProperties {
 const SPREAD: f64 = 0.008;
 /// Rounds, each with the mass centre of the last one as the origin of the inertia.
 const ROUNDS: usize = 8;
-/// Weight of a wall of twice its thickness, or of the largest trim mass, against the errors: it decides what the equations leave open.
+/// Weight of a wall of twice its thickness, or of the largest trim mass, against the errors: it decides what the
+/// equations leave open.
 const REGULARISATION: f64 = 0.1;
 
-/// Tunes a head: `body` tells which elements may change their thickness, within the factors `scales`; `up` is the direction up the face.
+/// Tunes a head: `body` tells which elements may change their thickness, within the factors `scales`; `up` is the
+/// direction up the face.
 pub fn tune<R: Real>(
     mesh: &mut ShellMesh<R>,
     body: &[bool],
@@ -130,7 +132,8 @@ pub fn tune<R: Real>(
     Tuned { scale: x[1], trims: x[2..].to_vec(), added, reached: mass_properties(&mesh.nodes, &total(&x)) }
 }
 
-/// Rows of the least-squares problem, each with its coefficients and right side, scaled so that an error of 1 is a bad miss.
+/// Rows of the least-squares problem, each with its coefficients and right side, scaled so that an error of 1 is a bad
+/// miss.
 fn equations(
     nodes: &[Vec3<f64>],
     columns: &[Vec<f64>],
@@ -165,7 +168,8 @@ fn equations(
     rows
 }
 
-/// Least squares within bounds by an active set: values outside are put on their bounds, the farthest first, and freed when they pull inwards.
+/// Least squares within bounds by an active set: values outside are put on their bounds, the farthest first, and freed
+/// when they pull inwards.
 fn bounded_least_squares(rows: &[(Vec<f64>, f64)], bounds: &[(f64, f64)], x: &mut [f64]) {
     let n = x.len();
     let (mut square, mut right) = (vec![vec![0.0; n]; n], vec![0.0; n]);
@@ -201,7 +205,8 @@ fn bounded_least_squares(rows: &[(Vec<f64>, f64)], bounds: &[(f64, f64)], x: &mu
     }
 }
 
-/// Solves the rows and columns of the free values of a positive definite system, the others as they are, by Gaussian elimination.
+/// Solves the rows and columns of the free values of a positive definite system, the others as they are, by Gaussian
+/// elimination.
 fn solve_free(square: &[Vec<f64>], right: &[f64], free: &[bool], x: &mut [f64]) {
     let chosen: Vec<usize> = (0..x.len()).filter(|&i| free[i]).collect();
     let held = |i: usize| (0..x.len()).filter(|&j| !free[j]).map(|j| square[i][j] * x[j]).sum::<f64>();

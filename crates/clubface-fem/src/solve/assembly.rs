@@ -1,4 +1,5 @@
-//! The two stages of a step one by one, for callers who want to do something in between: assembly of forces, then motion of the nodes.
+//! The two stages of a step one by one, for callers who want to do something in between: assembly of forces, then
+//! motion of the nodes.
 
 use super::gather::{Fields, Forces};
 use super::schedule::{chunks_of, Schedule};
@@ -15,9 +16,11 @@ fn run(executor: &dyn Executor, schedule: &Schedule, task: &(dyn Fn(usize, usize
     WorkerPool::with(executor, |pool| pool.run(&Stage { task, schedule }));
 }
 
-// SAFETY of all that is shared: each patch, the contact and each chunk of nodes is one task, and a schedule has every task once.
+// SAFETY of all that is shared: each patch, the contact and each chunk of nodes is one task, and a schedule has every
+// task once.
 impl<R: Real> Structure<R> {
-    /// Brings positions and velocities up to date for interior nodes, whose motion their patches have kept since [`Structure::integrate`].
+    /// Brings positions and velocities up to date for interior nodes, whose motion their patches have kept since
+    /// [`Structure::integrate`].
     pub fn synchronise(&mut self) {
         if !std::mem::take(&mut self.interior_loaded) {
             return;
@@ -54,8 +57,8 @@ impl<R: Real> Structure<R> {
         });
     }
 
-    /// Moves the nodes by one step under the forces of the last [`Structure::assemble`]: velocities from half a step before the positions to half
-    /// a step after, then positions.
+    /// Moves the nodes by one step under the forces of the last [`Structure::assemble`]: velocities from half a step
+    /// before the positions to half a step after, then positions.
     pub fn advance(&mut self, contact: &dyn Contact<R>, dt: f64) {
         self.synchronise();
         let [all, _] = self.schedules();

@@ -10,8 +10,8 @@ use clubface_math::Real;
 const TOLERANCE: f64 = 0.01;
 
 impl Recorder {
-    /// Whether the ball has more energy than there was in all at the start. Then elements are failing, and it is time to find out which while
-    /// it can still be seen.
+    /// Whether the ball has more energy than there was in all at the start. Then elements are failing, and it is time
+    /// to find out which while it can still be seen.
     pub(super) fn ball_gains_energy<R>(&self, ball: &BallState<R>) -> bool {
         let all = self.records.energy.first().map_or(f64::INFINITY, EnergyRecord::total);
         ball.kinetic_energy > all * (1.0 + TOLERANCE) || ball.kinetic_energy.is_nan()
@@ -20,7 +20,8 @@ impl Recorder {
     /// Takes a step with a motion record and an energy record.
     ///
     /// # Errors
-    /// [`FemError::ElementLost`] where the volume of an element has left the range of its law, [`FemError::Energy`] where the balance is off.
+    /// [`FemError::ElementLost`] where the volume of an element has left the range of its law, [`FemError::Energy`]
+    /// where the balance is off.
     pub(super) fn step_with_balance<R: Real>(
         &mut self,
         simulation: &mut Simulation<R>,

@@ -1,4 +1,5 @@
-//! The second stage of a step: every node sums the forces on it, in an order that does not depend on threads, and moves.
+//! The second stage of a step: every node sums the forces on it, in an order that does not depend on threads, and
+//! moves.
 
 use clubface_math::{Pack, PackKernel, Real, Row, Scalar};
 
@@ -44,8 +45,9 @@ pub(super) struct GatherLists {
     pub(super) shared: Vec<GatherList>,
 }
 
-/// Gather lists of `count` nodes without those that `skip` names. `forces` gives for each patch, and the contact at the end, the nodes on which
-/// its forces act; `subcycled` tells which of them are subcycled. The first `patches` of them get lists of the nodes on which they alone act.
+/// Gather lists of `count` nodes without those that `skip` names. `forces` gives for each patch, and the contact at the
+/// end, the nodes on which its forces act; `subcycled` tells which of them are subcycled. The first `patches` of them
+/// get lists of the nodes on which they alone act.
 pub(super) fn gather_lists<'a>(
     count: usize,
     forces: impl Iterator<Item = &'a [u32]>,
@@ -59,8 +61,8 @@ pub(super) fn gather_lists<'a>(
             on_node[node as usize][usize::from(!subcycled(patch))].push((patch as u32, index as u32));
         }
     }
-    // Nodes that are subcycled come first, so that whole chunks of them have nothing to do. Then patch by patch: the worker that has computed the
-    // forces has them at hand.
+    // Nodes that are subcycled come first, so that whole chunks of them have nothing to do. Then patch by patch: the
+    // worker that has computed the forces has them at hand.
     let slow = |node: &usize| on_node[*node][1].is_empty() && !on_node[*node][0].is_empty();
     let first = |node: usize| on_node[node].iter().flatten().min().copied();
     let owner = |node: usize| first(node).map(|(patch, _)| patch);
@@ -114,8 +116,8 @@ impl GatherList {
     /// Moves the nodes by a step. In a `full` step the forces of subcycled patches act, for all of their steps at once.
     ///
     /// # Safety
-    /// The fields and all forces still exist and are those of the nodes and patches for which the list was made; nobody else uses these nodes of
-    /// the fields, or writes forces on them, at the same time.
+    /// The fields and all forces still exist and are those of the nodes and patches for which the list was made; nobody
+    /// else uses these nodes of the fields, or writes forces on them, at the same time.
     pub(super) unsafe fn advance<R: Real>(
         &self,
         fields: Fields<R>,

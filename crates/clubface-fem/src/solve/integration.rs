@@ -1,4 +1,5 @@
-//! Many steps at a time: workers stay together from step to step, and patches move their interior nodes as they compute the forces.
+//! Many steps at a time: workers stay together from step to step, and patches move their interior nodes as they compute
+//! the forces.
 
 use super::gather::{Fields, Forces};
 use super::schedule::chunks_of;
@@ -10,22 +11,22 @@ use crate::element::{Energy, Scratch, StepOutput};
 use crate::moments::{Moments, Nodes};
 use clubface_math::{Real, Row};
 
-/// Stages by their numbers: the first of the two of a full step, the first of the two of a step without subcycled patches, the one before all
-/// steps, and the one after them.
+/// Stages by their numbers: the first of the two of a full step, the first of the two of a step without subcycled
+/// patches, the one before all steps, and the one after them.
 const FULL: usize = 0;
 const WITHOUT_SUBCYCLED: usize = 2;
 const LOAD: usize = 4;
 const MEASURE: usize = 5;
 
-/// Called in every step after all forces have been computed, with the contact and the positions of all nodes but interior ones; returns whether to
-/// go on.
+/// Called in every step after all forces have been computed, with the contact and the positions of all nodes but
+/// interior ones; returns whether to go on.
 pub type StepObserver<'a, R> = dyn FnMut(&dyn Contact<R>, &[Row<R>]) -> bool + 'a;
 
 impl<R: Real> Structure<R> {
-    /// Takes at most `count` steps of `dt` seconds, and returns their number. The last step is the one in which `observer` returns false, or in
-    /// which the volume of an element leaves the range of its law. The result equals that of [`Structure::assemble`] and
-    /// [`Structure::advance`] in turn, bit for bit. Afterwards the motion of interior nodes is with their patches, until
-    /// [`Structure::synchronise`].
+    /// Takes at most `count` steps of `dt` seconds, and returns their number. The last step is the one in which
+    /// `observer` returns false, or in which the volume of an element leaves the range of its law. The result equals
+    /// that of [`Structure::assemble`] and [`Structure::advance`] in turn, bit for bit. Afterwards the motion of
+    /// interior nodes is with their patches, until [`Structure::synchronise`].
     pub fn integrate(
         &mut self,
         contact: &mut dyn Contact<R>,
@@ -36,8 +37,8 @@ impl<R: Real> Structure<R> {
         self.take_steps(contact, dt, count, observer, None)
     }
 
-    /// Takes one full step. Returns the energies of the elements (J) at the positions from which it starts, the smallest and largest volume ratio
-    /// of each patch, and the kinetic energy as of [`Structure::kinetic_energy`], J.
+    /// Takes one full step. Returns the energies of the elements (J) at the positions from which it starts, the
+    /// smallest and largest volume ratio of each patch, and the kinetic energy as of [`Structure::kinetic_energy`], J.
     pub fn step_with_energies(
         &mut self,
         contact: &mut dyn Contact<R>,
@@ -93,9 +94,10 @@ impl<R: Real> Structure<R> {
         let (boundary_nodes, masses) = (&self.boundary_nodes, &self.masses[..]);
         let (force_counts, outputs) = (&self.force_counts, outputs.map(SharedSlice::new));
         let step = R::from_f64(dt);
-        // SAFETY of all stages: each patch, the contact and each chunk of nodes is one task, and each worker has a scratch memory of its own. Stages
-        // of one kind read the fields and write forces, those of the other kind the other way round. Only nodes of one patch alone, which no
-        // other task reads, move as soon as the patch has computed its forces; interior nodes belong to their patch anyway.
+        // SAFETY of all stages: each patch, the contact and each chunk of nodes is one task, and each worker has a
+        // scratch memory of its own. Stages of one kind read the fields and write forces, those of the other kind the
+        // other way round. Only nodes of one patch alone, which no other task reads, move as soon as the patch has
+        // computed its forces; interior nodes belong to their patch anyway.
         let assemble = |task: usize, worker: usize| unsafe {
             let (positions, velocities) = fields.read();
             let rows = if task == patches.count {

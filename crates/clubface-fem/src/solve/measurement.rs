@@ -8,7 +8,8 @@ use clubface_math::{Real, Row};
 use std::ops::Range;
 
 impl<R: Real> Structure<R> {
-    /// Gives `sink` stress and strain of every element of the patches whose first node is in `nodes`, with its number in its mesh.
+    /// Gives `sink` stress and strain of every element of the patches whose first node is in `nodes`, with its number
+    /// in its mesh.
     pub fn element_output(&mut self, nodes: Range<usize>, sink: &mut OutputSink<'_>) {
         self.synchronise();
         for patch in self.patches.iter_mut().filter(|p| nodes.contains(&(p.nodes()[0] as usize))) {
@@ -16,8 +17,8 @@ impl<R: Real> Structure<R> {
         }
     }
 
-    /// The most strained element of a patch: its number in its mesh, and the square of the size of its strain. A strain that is not a number
-    /// counts as the largest.
+    /// The most strained element of a patch: its number in its mesh, and the square of the size of its strain. A strain
+    /// that is not a number counts as the largest.
     pub fn most_strained(&mut self, patch: usize) -> (usize, f64) {
         self.synchronise();
         let mut worst = (0, -1.0);
@@ -36,8 +37,8 @@ impl<R: Real> Structure<R> {
         self.energies().0
     }
 
-    /// Lets every call of [`Structure::integrate`] end with the moments of these nodes, so that [`Structure::body_motion`] of them needs no
-    /// synchronisation.
+    /// Lets every call of [`Structure::integrate`] end with the moments of these nodes, so that
+    /// [`Structure::body_motion`] of them needs no synchronisation.
     pub(super) fn track_moments(&mut self, nodes: Range<usize>) {
         self.synchronise();
         self.tracked = nodes;
@@ -73,8 +74,8 @@ impl<R: Real> Structure<R> {
         self.origin_at(node.unwrap_or(0))
     }
 
-    /// Kinetic energy, J, from the velocities before a step and those now, after it. This is the kinetic energy that central differences
-    /// conserve together with the potential energy at the positions in between.
+    /// Kinetic energy, J, from the velocities before a step and those now, after it. This is the kinetic energy that
+    /// central differences conserve together with the potential energy at the positions in between.
     pub fn kinetic_energy(&self, before: &[Row<R>]) -> f64 {
         (0..self.masses.len()).map(|node| self.kinetic_energy_of(node, before)).sum()
     }

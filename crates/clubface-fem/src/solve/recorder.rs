@@ -7,7 +7,8 @@ use super::{Options, Simulation, Structure};
 use crate::contact::Contact;
 use clubface_math::{Real, Vec3};
 
-/// Time after the last contact at which a run until separation ends, s: long enough to be sure that the ball does not come back.
+/// Time after the last contact at which a run until separation ends, s: long enough to be sure that the ball does not
+/// come back.
 const TIME_AFTER_CONTACT: f64 = 30e-6;
 
 /// The ball at some step.

@@ -24,7 +24,8 @@ pub struct ContactRecord {
 pub struct MotionRecord {
     /// Time since first touch, s.
     pub time: f64,
-    /// Velocity of the ball's mass centre along the normal, up the face and to the toe, relative to the head at first touch, m/s.
+    /// Velocity of the ball's mass centre along the normal, up the face and to the toe, relative to the head at first
+    /// touch, m/s.
     pub velocity: [f64; 3],
     /// Angular velocity of the rigid rotation that fits the ball's velocities best, about the same axes, rad/s.
     pub spin: [f64; 3],
@@ -152,7 +153,8 @@ impl Records {
         }
     }
 
-    /// When the impulse along the face is greatest: there the force changes its sign for good, however it oscillates before.
+    /// When the impulse along the face is greatest: there the force changes its sign for good, however it oscillates
+    /// before.
     fn reversal_time(&self) -> f64 {
         let (mut impulse, mut best, mut at) = (0.0, 0.0, None);
         for (i, pair) in self.contact.windows(2).enumerate() {

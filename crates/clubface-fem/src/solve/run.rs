@@ -11,8 +11,8 @@ use clubface_math::Real;
 /// What a run has found.
 #[derive(Clone, Debug)]
 pub struct SimulationResult<R> {
-    /// Ball after the impact: velocity of the mass centre, and angular momentum over the inertia of the undeformed ball, which its vibration does
-    /// not change.
+    /// Ball after the impact: velocity of the mass centre, and angular momentum over the inertia of the undeformed
+    /// ball, which its vibration does not change.
     pub ball: Motion<R>,
     /// Head after the impact.
     pub head: Motion<R>,

@@ -12,14 +12,15 @@ const CONTACT_COST: usize = 8;
 pub type Schedule = Vec<Vec<usize>>;
 
 impl<R: Real> Structure<R> {
-    /// Schedules of a full step, and of a substep that leaves out the subcycled patches. Tasks are the patches by their numbers, and the contact
-    /// under the number after the last. A worker has the same patches in both.
+    /// Schedules of a full step, and of a substep that leaves out the subcycled patches. Tasks are the patches by their
+    /// numbers, and the contact under the number after the last. A worker has the same patches in both.
     pub(super) fn schedules(&self) -> [Schedule; 2] {
         let (count, workers) = (self.patches.len(), WorkerPool::size(&*self.executor));
         let costs: Vec<usize> = self.patches.iter().map(|patch| patch.cost()).collect();
         let (subcycled, mut others): (Vec<usize>, Vec<usize>) =
             (0..count).partition(|&patch| self.subcycled[patch]);
-        // The contact comes first: it is one task, however long it takes. Patches keep their order: those of a piece have constants in common.
+        // The contact comes first: it is one task, however long it takes. Patches keep their order: those of a piece
+        // have constants in common.
         others.insert(0, count);
         let cost = |task: usize| costs.get(task).copied().unwrap_or(CONTACT_COST * self.contact_nodes.len());
         let others = balanced(&others, cost, workers);
@@ -28,7 +29,8 @@ impl<R: Real> Structure<R> {
     }
 }
 
-/// Chunks of nodes by worker: each worker has those of its own patches. Chunks whose nodes are all subcycled only where `subcycled` is true.
+/// Chunks of nodes by worker: each worker has those of its own patches. Chunks whose nodes are all subcycled only where
+/// `subcycled` is true.
 pub(super) fn chunks_of(schedule: &Schedule, chunks: &[GatherList], subcycled: bool) -> Schedule {
     let of = |tasks: &Vec<usize>| {
         let own = |&chunk: &usize| {

@@ -32,7 +32,8 @@ pub struct Simulation<R> {
 }
 
 impl<R: Real> Simulation<R> {
-    /// Checks that every element has a volume for which its law holds, given the smallest and largest volume ratio of each patch.
+    /// Checks that every element has a volume for which its law holds, given the smallest and largest volume ratio of
+    /// each patch.
     ///
     /// # Errors
     /// [`FemError::ElementLost`] at the given time, us.

@@ -54,7 +54,8 @@ impl<R: Real> Snapshot<'_, R> {
         })
     }
 
-    /// The whole simulation, with the positions and velocities of all nodes up to date. This takes as long as a few steps.
+    /// The whole simulation, with the positions and velocities of all nodes up to date. This takes as long as a few
+    /// steps.
     pub fn synchronised(&mut self) -> &mut Simulation<R> {
         self.simulation.structure.synchronise();
         self.simulation

@@ -9,7 +9,8 @@ use clubface_math::{Real, Row};
 /// Largest displacement of a stiffness probe, m: small beside any element, large beside the rounding of positions.
 const DISPLACEMENT: f64 = 1e-8;
 
-/// The step (s) rounded down to one of 64 in every factor of two: cases that hardly differ then have the same step, and results that differ smoothly.
+/// The step (s) rounded down to one of 64 in every factor of two: cases that hardly differ then have the same step, and
+/// results that differ smoothly.
 pub(super) fn rounded(step: f64) -> f64 {
     ((step.log2() * 64.0).floor() / 64.0).exp2()
 }
@@ -23,9 +24,10 @@ pub fn springs_for_stable_step(stable: f64) -> PenaltySprings {
 impl<R: Real> Structure<R> {
     /// The stable step, s: two over the highest angular frequency of the structure in its current state.
     ///
-    /// The frequency comes from Lanczos' method on the forces of small displacements (Golub and Van Loan, Matrix Computations, section
-    /// 10.1). Its largest value approaches the true one from below; the residual is added to it, which puts it on the safe side once
-    /// the highest mode has been found. Positions and state variables stay as they are.
+    /// The frequency comes from Lanczos' method on the forces of small displacements (Golub and Van Loan, Matrix
+    /// Computations, section 10.1). Its largest value approaches the true one from below; the residual is added to it,
+    /// which puts it on the safe side once the highest mode has been found. Positions and state variables stay as they
+    /// are.
     pub fn stable_step(&mut self, iterations: usize) -> f64 {
         self.stable_step_of(&vec![true; self.patches.len()], iterations)
     }
@@ -122,8 +124,8 @@ fn normalise(field: &mut [Row<f64>], norm: f64) -> f64 {
     most.into_iter().fold(0.0, f64::max)
 }
 
-/// Largest eigenvalue of a symmetric tridiagonal matrix, plus its residual: the last number beside the diagonal, which belongs to the next row,
-/// times the last component of the eigenvector.
+/// Largest eigenvalue of a symmetric tridiagonal matrix, plus its residual: the last number beside the diagonal, which
+/// belongs to the next row, times the last component of the eigenvector.
 #[must_use]
 pub fn largest_eigenvalue(diagonal: &[f64], beside: &[f64]) -> f64 {
     let n = diagonal.len();

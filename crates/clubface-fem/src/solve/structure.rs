@@ -1,7 +1,7 @@
 //! Nodes, the patches of elements between them, and where the forces on each node are found.
 //!
-//! Every step has two stages: patches and contact compute forces from positions, each into an array of its own; then every node sums the forces
-//! on it and moves.
+//! Every step has two stages: patches and contact compute forces from positions, each into an array of its own; then
+//! every node sums the forces on it and moves.
 
 use super::gather::{gather_lists, GatherList, PERIOD};
 use crate::element::{Patch, Scratch};
@@ -23,8 +23,8 @@ pub struct Structure<R> {
     pub translations: usize,
     pub(super) inverse_masses: Vec<R>,
     pub(super) patches: Vec<Box<dyn Patch<R>>>,
-    /// Where to find the forces on all nodes; on those of one patch alone, by patch; and on those of several. The last two leave out interior
-    /// nodes, which their patches move.
+    /// Where to find the forces on all nodes; on those of one patch alone, by patch; and on those of several. The last
+    /// two leave out interior nodes, which their patches move.
     pub(super) all_nodes: Vec<GatherList>,
     pub(super) patch_nodes: Vec<GatherList>,
     pub(super) shared_nodes: Vec<GatherList>,
@@ -37,7 +37,8 @@ pub struct Structure<R> {
     pub(super) interior: Vec<bool>,
     /// The other nodes by patch, each under the first patch that has it; at the end those of no patch.
     pub(super) boundary_nodes: Vec<Vec<u32>>,
-    /// Whether the motion of interior nodes is with their patches, and the positions and velocities above are out of date for them.
+    /// Whether the motion of interior nodes is with their patches, and the positions and velocities above are out of
+    /// date for them.
     pub(super) interior_loaded: bool,
     /// Nodes whose moments every call of [`Structure::integrate`] ends with, their origin, and the moments by patch.
     pub(super) tracked: Range<usize>,
@@ -52,8 +53,8 @@ pub struct Structure<R> {
 }
 
 impl<R: Real> Structure<R> {
-    /// Nodes at rest with the given masses, and patches between them. `contact_nodes` are those on which a contact will act. The threads of the
-    /// environment do the work.
+    /// Nodes at rest with the given masses, and patches between them. `contact_nodes` are those on which a contact will
+    /// act. The threads of the environment do the work.
     pub fn new(
         positions: Vec<Row<R>>,
         masses: Vec<R>,
@@ -109,18 +110,18 @@ impl<R: Real> Structure<R> {
         structure
     }
 
-    /// Subcycles some patches: their forces are computed in every second step only and act for two steps at once, as impulses (Tuckerman, Berne
-    /// and Martyna, J. Chem. Phys. 97, 1992), and nodes on which nothing else acts move only then. Momentum and angular momentum stay exact. Two
-    /// steps must be well below the stable step of these patches, and their neighbours must have no vibration whose half period is as short as
-    /// two steps.
+    /// Subcycles some patches: their forces are computed in every second step only and act for two steps at once, as
+    /// impulses (Tuckerman, Berne and Martyna, J. Chem. Phys. 97, 1992), and nodes on which nothing else acts move only
+    /// then. Momentum and angular momentum stay exact. Two steps must be well below the stable step of these patches,
+    /// and their neighbours must have no vibration whose half period is as short as two steps.
     pub fn subcycle(&mut self, subcycled: Vec<bool>) {
         assert_eq!(subcycled.len(), self.patches.len());
         (self.subcycled, self.skip_subcycled) = (subcycled, false);
         self.build_gather_lists();
     }
 
-    /// Gives undeformed solid elements a linear bulk viscosity: a pressure of `coefficient` times density, wave speed, size and the rate at
-    /// which the logarithm of the volume changes.
+    /// Gives undeformed solid elements a linear bulk viscosity: a pressure of `coefficient` times density, wave speed,
+    /// size and the rate at which the logarithm of the volume changes.
     pub fn set_bulk_viscosity(&mut self, coefficient: f64) {
         for patch in &mut self.patches {
             patch.set_bulk_viscosity(coefficient);

@@ -2,21 +2,23 @@
 
 use super::stable_step::rounded;
 use super::{Options, Simulation};
-use crate::element::stable_share;
+use crate::element::damped_step_ratio;
 use clubface_math::Real;
 use std::collections::HashSet;
 
-/// Time step over the stable step of the undeformed ball, whose elements an impact squeezes: with subcycling, and without.
+/// Time step over the stable step of the undeformed ball, whose elements an impact squeezes: with subcycling, and
+/// without.
 const BALL_SAFETY: [f64; 2] = [0.75, 0.9];
 /// Largest time step over the stable step of the undeformed structure as a whole: heads hardly deform.
 const LARGEST_SAFETY: f64 = 0.95;
-/// Largest time between the impulses of subcycled patches, over the stable step of the ball. Impulses make a vibration grow when they come as often
-/// as it passes through zero: from 1.41 on, half a period of central differences, the fastest vibrations of the cover do. These hardly reach
-/// the core through [`LAYERS`]: with 1.6 the energy balance of balls from soft to stiff is as good as without subcycling, but the force ripples
-/// by up to a hundredth of its peak; with 1.8 some runs fail.
+/// Largest time between the impulses of subcycled patches, over the stable step of the ball. Impulses make a vibration
+/// grow when they come as often as it passes through zero: from 1.41 on, half a period of central differences, the
+/// fastest vibrations of the cover do. These hardly reach the core through [`LAYERS`]: with 1.6 the energy balance of
+/// balls from soft to stiff is as good as without subcycling, but the force ripples by up to a hundredth of its peak;
+/// with 1.8 some runs fail.
 const RESONANCE: f64 = 1.5;
-/// Fewest layers of elements around subcycled ones. A single layer swings as a whole, core included: with 1.3 the energy balance of one run was off
-/// by 0.4%.
+/// Fewest layers of elements around subcycled ones. A single layer swings as a whole, core included: with 1.3 the
+/// energy balance of one run was off by 0.4%.
 const LAYERS: usize = 2;
 /// Allowance for rounding.
 const SLACK: f64 = 1.0 + 1e-9;
@@ -34,7 +36,8 @@ pub(super) struct StepSize {
 impl<R: Real> Simulation<R> {
     /// Chooses the time step, and the patches to subcycle.
     pub(super) fn choose_step(&mut self, options: &Options) -> StepSize {
-        // A rigid head needs no steps of its own. A deformable one is coupled to the ball by the contact alone, which is stable with the ball's step.
+        // A rigid head needs no steps of its own. A deformable one is coupled to the ball by the contact alone, which
+        // is stable with the ball's step.
         let of_head: Vec<bool> =
             self.parts.iter().enumerate().map(|(patch, _)| !self.is_of_ball(patch)).collect();
         let stable = if of_head.contains(&true) {
@@ -43,7 +46,7 @@ impl<R: Real> Simulation<R> {
             self.ball_stable_step
         };
         let usual = BALL_SAFETY.map(|safety| (self.ball_stable_step / stable * safety).min(LARGEST_SAFETY));
-        let factor = stable_share(options.bulk_viscosity);
+        let factor = damped_step_ratio(options.bulk_viscosity);
         let mut with_safety = |safety: f64| {
             let dt = rounded(stable * safety * factor);
             let period = if self.choose_subcycled(dt, safety * factor) { 2 } else { 1 };
@@ -60,8 +63,8 @@ impl<R: Real> Simulation<R> {
         }
     }
 
-    /// Subcycles pieces of the ball, from the inside, if the step (s) is short enough for them; returns whether there are any. The outermost piece is
-    /// never subcycled: the force on the face would come and go with its impulses.
+    /// Subcycles pieces of the ball, from the inside, if the step (s) is short enough for them; returns whether there
+    /// are any. The outermost piece is never subcycled: the force on the face would come and go with its impulses.
     fn choose_subcycled(&mut self, dt: f64, safety: f64) -> bool {
         let duration = 2.0 * dt;
         let parts = &self.parts;
@@ -90,7 +93,8 @@ impl<R: Real> Simulation<R> {
         (self.structure.patches[patch].nodes()[0] as usize) < self.ball_nodes
     }
 
-    /// Layers of elements in the patches `outside`, which have as many nodes on every surface as on the one that they share with those `inside`.
+    /// Layers of elements in the patches `outside`, which have as many nodes on every surface as on the one that they
+    /// share with those `inside`.
     fn layers(&self, inside: &[usize], outside: &[usize]) -> usize {
         let nodes = |list: &[usize]| -> HashSet<u32> {
             list.iter().flat_map(|&patch| self.structure.patches[patch].nodes()).copied().collect()

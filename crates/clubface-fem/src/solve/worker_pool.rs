@@ -1,8 +1,9 @@
 //! Threads that go through the stages of a time loop together.
 //!
-//! A step takes about a tenth of a millisecond and has two stages of tasks. That is too short to put threads to sleep in between, so workers stay
-//! awake from stage to stage. Each has a queue of its own with the same tasks every time, whose data its caches keep; a worker that has
-//! waited for a while claims tasks of the others. The leader needs nobody: workers for which the machine has no time just do not take part.
+//! A step takes about a tenth of a millisecond and has two stages of tasks. That is too short to put threads to sleep
+//! in between, so workers stay awake from stage to stage. Each has a queue of its own with the same tasks every time,
+//! whose data its caches keep; a worker that has waited for a while claims tasks of the others. The leader needs
+//! nobody: workers for which the machine has no time just do not take part.
 
 use crate::environment::Executor;
 use std::cell::Cell;
@@ -10,8 +11,8 @@ use std::sync::atomic::{AtomicBool, AtomicPtr, AtomicU32, AtomicU64, AtomicUsize
 
 /// Spins before a waiting worker goes to sleep, some 0.1 ms: the one it waits for may need its core.
 const SPINS_BEFORE_SLEEP: usize = 2500;
-/// Spins before a waiting worker claims tasks that others have not begun: they are held up, by other programs or by their tasks. Not at once,
-/// since data that moves from core to core takes longer.
+/// Spins before a waiting worker claims tasks that others have not begun: they are held up, by other programs or by
+/// their tasks. Not at once, since data that moves from core to core takes longer.
 const SPINS_BEFORE_STEALING: usize = 150;
 /// Stage number that tells workers to leave.
 const SHUTDOWN: u32 = u32::MAX;
@@ -56,7 +57,8 @@ impl WorkerPool<'_> {
         unsafe { CURRENT.get().as_ref() }.map_or_else(|| executor.threads(), |pool| pool.queues.len())
     }
 
-    /// Calls `lead` while the threads of `executor` are ready for the stages it runs. Calls within it, of this function, get the same pool.
+    /// Calls `lead` while the threads of `executor` are ready for the stages it runs. Calls within it, of this
+    /// function, get the same pool.
     pub fn with<T>(executor: &dyn Executor, lead: impl FnOnce(&WorkerPool<'_>) -> T) -> T {
         // SAFETY: `Shutdown` clears the pointer before the pool is gone.
         if let Some(pool) = unsafe { CURRENT.get().as_ref() } {

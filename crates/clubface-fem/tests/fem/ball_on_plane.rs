@@ -61,7 +61,8 @@ fn derivatives_are_those_of_the_same_run() {
         // The arithmetic is the same, but for products that are fused in one and not in the other.
         assert!((value - dual.value).abs() < 1e-9 * value.abs().max(1.0), "{value} {}", dual.value);
     }
-    // Central difference over 1e-5 of the modulus: rounding of the run (1e-12) over 1e-5, and nodes that touch the plane a step sooner, within 1e-4.
+    // Central difference over 1e-5 of the modulus: rounding of the run (1e-12) over 1e-5, and nodes that touch the
+    // plane a step sooner, within 1e-4.
     let change = 4e6 * 1e-5;
     let (less, more) = (fly(35.0, 4e6 - change, 200), fly(35.0, 4e6 + change, 200));
     let difference = (more[0] - less[0]) / (2.0 * change);

@@ -30,7 +30,8 @@ fn force_begins_at_zero_at_any_speed_and_never_pulls() {
         assert!((pressing(gap, 60.0) / spring - 2.0).abs() < 1e-12);
         assert!(pressing(gap, -60.0) == 0.0);
     }
-    // Slowly, all of the damper acts: twice the closing speed, twice as much, but for the rounding of a hundredth of the sum.
+    // Slowly, all of the damper acts: twice the closing speed, twice as much, but for the rounding of a hundredth of
+    // the sum.
     let damper = |closing: f64| pressing(-1e-5, closing) - pressing(-1e-5, 0.0);
     assert!((damper(0.2) / damper(0.1) - 2.0).abs() < 1e-9);
 }

@@ -31,7 +31,8 @@ impl Body {
         self.plastic_strain.extend(all.iter().map(|output| output.plastic_strain as f32));
     }
 
-    /// Flat arrays: stress (Pa) and strain by frame, element, side and component (xx, yy, zz, xy, xz, yz); `plastic_strain` by frame and element.
+    /// Flat arrays: stress (Pa) and strain by frame, element, side and component (xx, yy, zz, xy, xz, yz);
+    /// `plastic_strain` by frame and element.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
         dict.set_item("stress", PyArray1::from_slice(py, &self.stress))?;

@@ -70,8 +70,8 @@ pub fn fem_driver(py: Python<'_>, driver: DriverValues) -> PyResult<Bound<'_, Py
     Ok(dict)
 }
 
-/// The mesh of a parametric iron: {nodes, elements: 8 an element in binary order, face}. `shape`: loft, length, height at heel and toe, thickness of
-/// face, sole and top line, rim, rounding.
+/// The mesh of a parametric iron: {nodes, elements: 8 an element in binary order, face}. `shape`: loft, length, height
+/// at heel and toe, thickness of face, sole and top line, rim, rounding.
 #[pyfunction]
 pub fn fem_iron(py: Python<'_>, shape: [f64; 9], elements: [usize; 3]) -> PyResult<Bound<'_, PyDict>> {
     let [loft, length, heel_height, toe_height, face, sole, top, rim, rounding] = shape;

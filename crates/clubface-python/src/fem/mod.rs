@@ -25,8 +25,9 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use run::{on_threads, options_of, pool_of, run_simulation, to_dict};
 
-/// The laws that files choose by name: [{name, summary, source, constants, dimensions, meanings, bounds: (least, most), each one a constant, needed: how many
-/// of them, group: how many more at a time, cards: [{keyword, branches: fewest and most, names, rows, branch}]}, ...].
+/// The laws that files choose by name: [{name, summary, source, constants, dimensions, meanings, bounds: (least, most),
+/// each one a constant, needed: how many of them, group: how many more at a time, cards: [{keyword, branches: fewest
+/// and most, names, rows, branch}]}, ...].
 #[pyfunction]
 pub fn fem_laws(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     let list = PyList::empty(py);
@@ -89,8 +90,8 @@ pub fn fem_ball<'py>(py: Python<'py>, ball: BallValues) -> PyResult<Bound<'py, P
     Ok(dict)
 }
 
-/// The mesh of a ball about the origin, its pole of first contact along -x: {nodes: (n, 3), elements: (m, 8) in the order round the bottom, then
-/// round the top, piece: (m,), density: one a piece}.
+/// The mesh of a ball about the origin, its pole of first contact along -x: {nodes: (n, 3), elements: (m, 8) in the
+/// order round the bottom, then round the top, piece: (m,), density: one a piece}.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn fem_mesh<'py>(py: Python<'py>, ball: BallValues) -> PyResult<Bound<'py, PyDict>> {
@@ -130,7 +131,8 @@ pub fn fem_plane<'py>(
     to_dict(py, &simulation, &result, None)
 }
 
-/// A shot with a rigid head; `inputs` in the order of `inputs()`. Mass, radius and inertia of the ball come from the mesh.
+/// A shot with a rigid head; `inputs` in the order of `inputs()`. Mass, radius and inertia of the ball come from the
+/// mesh.
 #[pyfunction]
 #[pyo3(signature = (ball, inputs, friction, run, progress=None))]
 #[allow(clippy::needless_pass_by_value)]
@@ -200,8 +202,9 @@ pub fn fem_variables(
     Ok(setting_of(&ball, head.as_ref(), &inputs, 0.0)?.variables())
 }
 
-/// Launch of a shot with a head of shells, or else the rigid one of the inputs, and its derivatives by some variables: (outputs, array of outputs by variables). `progress` is called with
-/// the run (one for every four variables), simulated time and duration.
+/// Launch of a shot with a head of shells, or else the rigid one of the inputs, and its derivatives by some variables:
+/// (outputs, array of outputs by variables). `progress` is called with the run (one for every four variables),
+/// simulated time and duration.
 #[pyfunction]
 #[pyo3(signature = (ball, head, inputs, friction, run, variables, progress=None))]
 #[allow(clippy::needless_pass_by_value, clippy::too_many_arguments)]

@@ -30,7 +30,8 @@ pub(super) fn pool_of(run: &RunValues) -> PyResult<rayon::ThreadPool> {
         .map_err(|e| PyValueError::new_err(("threads", "", e.to_string())))
 }
 
-/// Does some work on the threads of a pool that calls Python now and then. Python's state of the thread is created once, not for every call.
+/// Does some work on the threads of a pool that calls Python now and then. Python's state of the thread is created
+/// once, not for every call.
 pub(super) fn on_threads<T: Send>(pool: &rayon::ThreadPool, work: impl FnOnce() -> T + Send) -> T {
     pool.install(|| Python::attach(|py| py.detach(work)))
 }
@@ -46,8 +47,8 @@ pub(super) struct RunResult {
     failed: bool,
 }
 
-/// A node of the ball in contact: its position along the face relative to the mass centre (m), the forces on it (N), and the part of the
-/// undeformed surface that belongs to it (m2).
+/// A node of the ball in contact: its position along the face relative to the mass centre (m), the forces on it (N),
+/// and the part of the undeformed surface that belongs to it (m2).
 struct ContactPoint {
     time: f64,
     up: f64,

@@ -11,7 +11,8 @@ use std::collections::HashMap;
 /// Some fully integrated hexahedra of one material, in blocks of eight.
 pub struct FullPatch<R> {
     pub(super) material: Material<R>,
-    /// Nodes of the elements, then once more those of the copies that fill up the last block: nobody reads the forces on these.
+    /// Nodes of the elements, then once more those of the copies that fill up the last block: nobody reads the forces
+    /// on these.
     pub(super) nodes: Vec<u32>,
     pub(super) real_nodes: usize,
     /// Places in `nodes`, by block, corner and lane.

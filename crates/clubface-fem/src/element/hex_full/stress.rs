@@ -1,4 +1,5 @@
-//! Stress at the eight points of packs of elements, without that of the change of volume, which is felt by the element as a whole.
+//! Stress at the eight points of packs of elements, without that of the change of volume, which is felt by the
+//! element as a whole.
 
 use super::element::{Hexahedron, Point, POINTS};
 use crate::material::{Deformation, Points, StateVariables, StressStage, Symmetric};
@@ -43,7 +44,8 @@ impl<P: Pack> ElementPoints<P> {
             self.volume += constants.volume;
         }
     }
-    /// Computes the stresses of elements whose state variables begin with `block`; they move on by the step of the stage.
+    /// Computes the stresses of elements whose state variables begin with `block`; they move on by the step of the
+    /// stage.
     #[inline(always)]
     pub fn compute(
         &mut self,

@@ -1,9 +1,11 @@
-//! Rows, columns and layers of elements: whether a list of elements makes a lattice, and the order of its nodes and packs.
+//! Rows, columns and layers of elements: whether a list of elements makes a lattice, and the order of its nodes and
+//! packs.
 
 use crate::block::BLOCK;
 use crate::mesh::CORNERS;
 
-/// Number of elements, from the first one on, that make rows, columns and layers, element after element in the order of the corners.
+/// Number of elements, from the first one on, that make rows, columns and layers, element after element in the order
+/// of the corners.
 pub fn shape(elements: &[[u32; CORNERS]]) -> [usize; 3] {
     let joined = |a: usize, b: usize, bit: usize| {
         (0..CORNERS)
@@ -35,8 +37,9 @@ pub fn shape(elements: &[[u32; CORNERS]]) -> [usize; 3] {
 /// Most lanes of a quad, which a row's end does not cut in two: rows of a multiple of them leave no lane empty.
 pub const QUAD: usize = 4;
 
-/// Lanes that follow each other before the last node of a row is left out: the elements of a row, if they fill whole quads. Otherwise all lanes of a layer:
-/// the last node of a row makes an element with the first of the next, which does not exist.
+/// Lanes that follow each other before the last node of a row is left out: the elements of a row, if they fill whole
+/// quads. Otherwise all lanes of a layer: the last node of a row makes an element with the first of the next, which
+/// does not exist.
 pub fn unbroken(shape: [usize; 3]) -> usize {
     let [ni, nj, _] = shape;
     if ni.is_multiple_of(QUAD) {
@@ -46,8 +49,8 @@ pub fn unbroken(shape: [usize; 3]) -> usize {
     }
 }
 
-/// Nodes of a lattice of elements, given by their corners, row by row and plane by plane; and the element in every lane of the blocks, column by column up
-/// through the layers.
+/// Nodes of a lattice of elements, given by their corners, row by row and plane by plane; and the element in every
+/// lane of the blocks, column by column up through the layers.
 pub fn order(shape: [usize; 3], elements: &[[u32; CORNERS]]) -> (Vec<u32>, Vec<Option<usize>>) {
     let [ni, nj, nk] = shape;
     let mut nodes = Vec::new();

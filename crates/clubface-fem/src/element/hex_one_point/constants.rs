@@ -7,8 +7,8 @@ use clubface_math::{Mat3, Pack, Real, Scalar, Vec3};
 /// Constants an element keeps.
 pub const CONSTANTS: usize = 32;
 
-/// Where they stand: `J^-1 / 8` (rows of base vectors, upper triangle), the negative of each hourglass shape in base vectors, what a pattern adds
-/// to each base vector in the mean gradient, stiffnesses of the patterns, volume.
+/// Where they stand: `J^-1 / 8` (rows of base vectors, upper triangle), the negative of each hourglass shape in base
+/// vectors, what a pattern adds to each base vector in the mean gradient, stiffnesses of the patterns, volume.
 const SKEW: usize = 6;
 const MEAN: usize = 18;
 /// Numbers that tell the shape: those above, of which the first have a unit, 1/m.
@@ -47,9 +47,10 @@ pub fn constants<R: Scalar>(corners: &[Vec3<R>; CORNERS], shear: R) -> [R; CONST
         let [a, b, d] = base_vectors(corners, signs(point).map(|s| s * at));
         stored[VOLUME] += a.dot(b.cross(d));
     }
-    // Hourglass stiffness: with edges l and e = 4/l^2, a pattern across two edges has mu V/48 e along either of them, and along the third a quarter of
-    // that with the sum of both. One for all directions must be neither of the stiffest, which would lock a thin element that bends, nor of the
-    // softest: its period is the mean of theirs. Eight corners a sum: a quarter of it is the edge.
+    // Hourglass stiffness: with edges l and e = 4/l^2, a pattern across two edges has mu V/48 e along either of them,
+    // and along the third a quarter of that with the sum of both. One for all directions must be neither of the
+    // stiffest, which would lock a thin element that bends, nor of the softest: its period is the mean of theirs.
+    // Eight corners a sum: a quarter of it is the edge.
     let e = [a, b, c].map(|base| base.norm_squared().recip() * 64.0);
     let scale = shear * stored[VOLUME] * (-1.0 / 48.0);
     for i in 0..3 {
@@ -60,8 +61,8 @@ pub fn constants<R: Scalar>(corners: &[Vec3<R>; CORNERS], shear: R) -> [R; CONST
         stored[STIFFNESS + i] = scale * (period * period).recip();
     }
     stored[STIFFNESS + 3] = scale * 0.25 * (e[0] * e[1] * e[2]).powf(1.0 / 3.0);
-    // The volume is 8 [a.(b x c) + (a.(m_ab x m_ac) + b.(m_bc x m_ab) + c.(m_ac x m_bc)) / 3] with a, b, c and the modes m an eighth of these
-    // sums; the mean gradient is its derivative over it. The twist has no part in it.
+    // The volume is 8 [a.(b x c) + (a.(m_ab x m_ac) + b.(m_bc x m_ab) + c.(m_ac x m_bc)) / 3] with a, b, c and the
+    // modes m an eighth of these sums; the mean gradient is its derivative over it. The twist has no part in it.
     let [bc, ac, ab, _] = PATTERNS.map(|mode| modes[mode]);
     let slopes = [ab.cross(b) + c.cross(ac), bc.cross(c) + a.cross(ab), b.cross(bc) + ac.cross(a)];
     let scale = (stored[VOLUME] * (3.0 * 64.0)).recip();
@@ -95,7 +96,8 @@ impl<'a, P: Pack> Constants<'a, P> {
     #[inline(always)]
     fn load(&self, which: usize) -> P {
         debug_assert!(which < CONSTANTS);
-        // SAFETY: `which` is below CONSTANTS for what an element has, three base vectors and four patterns, and `new` has checked the lanes.
+        // SAFETY: `which` is below CONSTANTS for what an element has, three base vectors and four patterns, and `new`
+        // has checked the lanes.
         unsafe { P::read(self.block.as_ptr().add(which * BLOCK + self.first)) }
     }
     /// Part of a base vector in the negative of an hourglass shape.
@@ -123,13 +125,15 @@ impl<'a, P: Pack> Constants<'a, P> {
 /// Constants of the elements of a block.
 pub type Block<R> = Aligned<[R; CONSTANTS * BLOCK]>;
 
-/// How far constants may differ that are the same but for the rounding of positions: those of a ball half a metre from the origin have lost 5e-17 m, of edges
-/// of a tenth of a millimetre, and differences of differences lose a hundred times that.
+/// How far constants may differ that are the same but for the rounding of positions: those of a ball half a metre
+/// from the origin have lost 5e-17 m, of edges of a tenth of a millimetre, and differences of differences lose a
+/// hundred times that.
 const ROUNDING: f64 = 1e-10;
 
 /// Whether constants and their derivatives are the same to rounding.
 pub fn alike<R: Real>(a: &[Block<R>], b: &[Block<R>]) -> bool {
-    // Beside the largest of its kind: values and derivatives of a constant are kinds of their own. Those of the inverse Jacobian are of one kind.
+    // Beside the largest of its kind: values and derivatives of a constant are kinds of their own. Those of the
+    // inverse Jacobian are of one kind.
     let count = numbers(&R::zero()).count();
     let kind = |at: usize| if at < SKEW * BLOCK { 0 } else { at / BLOCK * count };
     let mut largest = vec![0.0_f64; CONSTANTS * count];

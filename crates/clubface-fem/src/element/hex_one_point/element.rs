@@ -1,14 +1,15 @@
 //! The eight-node hexahedron with one integration point, in total Lagrangian form, with physical hourglass control.
 //!
-//! Positions are taken apart into eight modes by sums and differences: one of translation, three of uniform deformation (the base vectors
-//! at the centre), four of bending (hourglass), to which one point is blind (Flanagan and Belytschko, Int. J. Numer. Methods Eng. 17,
-//! 1981). What the base vectors leave of these, the patterns, are held by springs of one stiffness each, whatever the direction: their energy knows no
-//! rotation. The stiffness is made of those that a rectangular, incompressible block of the element's size has in bending, shear and torsion, without
-//! bulk stiffness (after Belytschko and Bindeman, Comput. Methods Appl. Mech. Eng. 105, 1993).
+//! Positions are taken apart into eight modes by sums and differences: one of translation, three of uniform
+//! deformation (the base vectors at the centre), four of bending (hourglass), to which one point is blind (Flanagan
+//! and Belytschko, Int. J. Numer. Methods Eng. 17, 1981). What the base vectors leave of these, the patterns, are
+//! held by springs of one stiffness each, whatever the direction: their energy knows no rotation. The stiffness is
+//! made of those that a rectangular, incompressible block of the element's size has in bending, shear and torsion,
+//! without bulk stiffness (after Belytschko and Bindeman, Comput. Methods Appl. Mech. Eng. 105, 1993).
 //!
-//! The materials are isotropic, so each element may look at its undeformed shape from a frame of its own: one in which the first base
-//! vector lies along x and the second in the xy plane. Its Jacobian is then triangular (six numbers instead of nine), and elements that
-//! differ by a rotation share their constants.
+//! The materials are isotropic, so each element may look at its undeformed shape from a frame of its own: one in
+//! which the first base vector lies along x and the second in the xy plane. Its Jacobian is then triangular (six
+//! numbers instead of nine), and elements that differ by a rotation share their constants.
 
 use super::constants::Constants;
 use super::side::{empty, Face, Sums};
@@ -49,7 +50,8 @@ impl<P: Pack> Component<P> {
         Self { bases, patterns }
     }
 
-    /// Forces, N, on the sides below (added to those given) and above, of the hourglass patterns and of a stress as of [`on_bases`].
+    /// Forces, N, on the sides below (added to those given) and above, of the hourglass patterns and of a stress as
+    /// of [`on_bases`].
     #[inline(always)]
     pub fn forces(
         &self,
@@ -65,7 +67,8 @@ impl<P: Pack> Component<P> {
         for which in 0..4 {
             on_patterns[which] = self.patterns[which] * constants.stiffness(which);
         }
-        // What acts on base vectors acts on the patterns in their means, and what acts on patterns on the base vectors they were freed of.
+        // What acts on base vectors acts on the patterns in their means, and what acts on patterns on the base
+        // vectors they were freed of.
         for i in 0..3 {
             for which in 0..3 {
                 on_patterns[which] = constants.mean(which, i).mul_add(on_bases[i], on_patterns[which]);
@@ -146,8 +149,8 @@ impl<P: Pack> Hexahedron<P> {
     }
 }
 
-/// A second Piola-Kirchhoff stress (Pa, times minus the volume) seen from the base vectors, `G^T S G` where the gradient is their matrix times `G^T`: the
-/// force on each is the sum of all with these factors, N/m.
+/// A second Piola-Kirchhoff stress (Pa, times minus the volume) seen from the base vectors, `G^T S G` where the
+/// gradient is their matrix times `G^T`: the force on each is the sum of all with these factors, N/m.
 #[inline(always)]
 pub fn on_bases<P: Pack>(constants: &Constants<P>, second: &Symmetric<P>) -> Symmetric<P> {
     let ([rx, ry, rz], [sy, sz], tz) = constants.inverse();

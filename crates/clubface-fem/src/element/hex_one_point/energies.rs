@@ -16,7 +16,8 @@ pub struct Energies<'a, R> {
     pub patch: &'a mut SolidPatch<R>,
     /// Positions of all nodes, m.
     pub positions: &'a [Row<R>],
-    /// Whether the positions are those that the last forces were made at, which a lattice that moves its interior nodes has at hand.
+    /// Whether the positions are those that the last forces were made at, which a lattice that moves its interior
+    /// nodes has at hand.
     pub loaded: bool,
 }
 

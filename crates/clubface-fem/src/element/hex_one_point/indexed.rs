@@ -19,8 +19,8 @@ pub struct Indexed<R> {
 }
 
 impl<R: Real> Indexed<R> {
-    /// From elements by their corners; also the nodes, and the element in every lane of the blocks. The last block is filled up with lanes
-    /// without an element.
+    /// From elements by their corners; also the nodes, and the element in every lane of the blocks. The last block is
+    /// filled up with lanes without an element.
     pub fn new(elements: &[[u32; CORNERS]]) -> (Self, Vec<u32>, Vec<Option<usize>>) {
         let mut nodes = Vec::new();
         let mut place = HashMap::new();
@@ -57,7 +57,8 @@ impl<R: Real> Indexed<R> {
     fn sides<P: Pack<Real = R>>(&self, block: usize, first: usize) -> (Face<P>, Face<P>) {
         let mut x = [Vec3::zero(); CORNERS];
         for corner in 0..CORNERS {
-            // SAFETY: `new` makes every entry a place in the list of nodes, as long as `positions`; a block holds eight lanes.
+            // SAFETY: `new` makes every entry a place in the list of nodes, as long as `positions`; a block holds
+            // eight lanes.
             x[corner] = unsafe { P::gather(&self.positions, &self.corners[block][corner * BLOCK + first..]) };
         }
         (side([x[0], x[1], x[2], x[3]]), side([x[4], x[5], x[6], x[7]]))

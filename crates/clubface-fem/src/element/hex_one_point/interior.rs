@@ -1,5 +1,5 @@
-//! Interior nodes of a lattice, on which nothing else acts: the lattice moves them itself, where their positions and forces are at hand, and
-//! the fields of all nodes do not follow until they are stored there.
+//! Interior nodes of a lattice, on which nothing else acts: the lattice moves them itself, where their positions and
+//! forces are at hand, and the fields of all nodes do not follow until they are stored there.
 
 use crate::element::field::{Field, Layout, Storage};
 use crate::moments::{Moments, Origin};
@@ -10,7 +10,8 @@ pub struct Interior<R> {
     layout: Layout,
     /// Nodes inside: places, and where the first component stands in a field.
     inside: Vec<(u32, u32)>,
-    /// The others in the planes between the first and the last: places, and where the first component stands in a field.
+    /// The others in the planes between the first and the last: places, and where the first component stands in a
+    /// field.
     boundary: Vec<(u32, u32)>,
     /// Of all nodes.
     positions: Storage<R>,
@@ -21,8 +22,8 @@ pub struct Interior<R> {
 }
 
 impl<R: Real> Interior<R> {
-    /// For a lattice of nodes, given for each node whether nothing but the lattice acts on it, and its inverse mass (1/kg). None if something
-    /// acts on a node inside, or nothing is inside.
+    /// For a lattice of nodes, given for each node whether nothing but the lattice acts on it, and its inverse mass
+    /// (1/kg). None if something acts on a node inside, or nothing is inside.
     pub fn new(layout: Layout, alone: &[bool], inverse_masses: &[R]) -> Option<Self> {
         let Layout { row, plane, planes, stride } = layout;
         let between = |place: usize, count: usize| place > 0 && place + 1 < count;
@@ -81,7 +82,8 @@ impl<R: Real> Interior<R> {
         }
     }
 
-    /// Positions of all nodes, those not inside from the rows of all nodes. `nodes` is longer than the list of the lattice by a block.
+    /// Positions of all nodes, those not inside from the rows of all nodes. `nodes` is longer than the list of the
+    /// lattice by a block.
     ///
     /// # Safety
     /// The nodes exist.
@@ -110,7 +112,8 @@ impl<R: Real> Interior<R> {
         self.positions.field(self.layout)
     }
 
-    /// Writes the forces on the nodes that are not inside, one after the other in the order of all. There is room for all nodes and a block.
+    /// Writes the forces on the nodes that are not inside, one after the other in the order of all. There is room for
+    /// all nodes and a block.
     #[inline(always)]
     pub fn store_boundary<P: Pack<Real = R>>(&self, forces: &mut Field<R>, rows: &mut [Row<R>]) {
         let Layout { plane, planes, .. } = self.layout;
@@ -144,7 +147,8 @@ impl<R: Real> PackKernel<R> for Advance<'_, R> {
         let (mut x, mut v) = (positions.field(*layout), velocities.field(*layout));
         let step = P::splat(self.step);
         for k in 1..planes - 1 {
-            // Whole rows, whose ends have neither velocity nor inverse mass; a pack may overrun into the last row, which has none either.
+            // Whole rows, whose ends have neither velocity nor inverse mass; a pack may overrun into the last row,
+            // which has none either.
             for at in (row..plane - row).step_by(P::LANES) {
                 // SAFETY: a whole block follows within the stride.
                 unsafe {

@@ -1,8 +1,9 @@
 //! Elements in rows, columns and layers: neighbours share what they read and write.
 //!
-//! Positions and forces stand component by component in the order of the lattice, so that the corners of consecutive elements are
-//! consecutive numbers. Where rows do not fill whole packs, the last node of one makes an element with the first of the next, which exists only to keep
-//! the packs full: it has no volume. Each pack of elements walks up through the layers and carries the side it shares with the next one along.
+//! Positions and forces stand component by component in the order of the lattice, so that the corners of consecutive
+//! elements are consecutive numbers. Where rows do not fill whole packs, the last node of one makes an element with
+//! the first of the next, which exists only to keep the packs full: it has no volume. Each pack of elements walks up
+//! through the layers and carries the side it shares with the next one along.
 
 use super::arrangement::order;
 use super::constants::{Block, Constants};
@@ -38,7 +39,8 @@ impl<R: Real> Lattice<R> {
         assert!(nk <= DEPTH);
         let (nodes, lanes) = order(shape, elements);
         let row = ni + 1;
-        // The last pack reads as far as the corner after the next row, and one that begins in the last row but one overruns by less than a block.
+        // The last pack reads as far as the corner after the next row, and one that begins in the last row but one
+        // overruns by less than a block.
         let last = Places::new(shape).at(lanes.len() / nk - 1);
         let stride = (last + row + 2).max(row * nj + BLOCK).next_multiple_of(BLOCK);
         let layout = Layout { row, plane: row * (nj + 1), planes: nk + 1, stride };
@@ -57,9 +59,9 @@ impl<R: Real> Lattice<R> {
         &self.rows[..self.rows.len() - BLOCK]
     }
 
-    /// Forces of all elements for the positions of their nodes, a list longer than it need be by a block. If the lattice is `moving` its
-    /// interior nodes, the forces on these stay in the scratch for [`Lattice::advance`], and only those on the others are written. Returns whether the laws hold
-    /// for all volumes.
+    /// Forces of all elements for the positions of their nodes, a list longer than it need be by a block. If the
+    /// lattice is `moving` its interior nodes, the forces on these stay in the scratch for [`Lattice::advance`], and
+    /// only those on the others are written. Returns whether the laws hold for all volumes.
     ///
     /// # Safety
     /// The nodes exist.
@@ -157,9 +159,10 @@ impl<R: Real> Lattice<R> {
 
 /// Forces of a lattice of elements of the given shape, and whether the laws hold for all volumes.
 ///
-/// Each pack of elements goes up through some layers in several loops: patterns, deformation, stress, forces. One loop would be a long chain of
-/// operations, which wait for each other and for more registers than there are. Patterns and forces go component by component, since the numbers of one
-/// fit the registers: constants are loaded thrice, but nothing else is put aside.
+/// Each pack of elements goes up through some layers in several loops: patterns, deformation, stress, forces. One
+/// loop would be a long chain of operations, which wait for each other and for more registers than there are.
+/// Patterns and forces go component by component, since the numbers of one fit the registers: constants are loaded
+/// thrice, but nothing else is put aside.
 ///
 /// # Safety
 /// The fields are those of the lattice.
@@ -202,7 +205,8 @@ unsafe fn walk<P: Pack>(
                     }
                 }
                 for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
-                    // The loops from here to the forces compute more than they load: time to fetch what the next ones need.
+                    // The loops from here to the forces compute more than they load: time to fetch what the next ones
+                    // need.
                     if first == 0 {
                         prefetch(block, RUN);
                     }

@@ -13,8 +13,8 @@ use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, Real, Row};
 use std::sync::Arc;
 
-/// Elements a patch: enough to hide the cost of starting on it, few enough that its nodes stay in the fast caches. It does not depend on the
-/// number of threads, so neither do the sums.
+/// Elements a patch: enough to hide the cost of starting on it, few enough that its nodes stay in the fast caches. It
+/// does not depend on the number of threads, so neither do the sums.
 pub const PATCH: usize = 864;
 
 /// Layers a patch of a lattice has, if the lattice has as many.
@@ -43,8 +43,9 @@ pub struct SolidPatch<R> {
     pub(super) numbers: Vec<Option<u32>>,
 }
 
-/// Patches of some elements of a mesh, of one material, in their undeformed shape. Where elements follow each other as in a lattice, the patches are
-/// lattices, and those that differ by a rotation share their constants and follow each other.
+/// Patches of some elements of a mesh, of one material, in their undeformed shape. Where elements follow each other
+/// as in a lattice, the patches are lattices, and those that differ by a rotation share their constants and follow
+/// each other.
 pub fn solid_patches<R: Real>(
     mesh: &SolidMesh<R>,
     elements: std::ops::Range<usize>,

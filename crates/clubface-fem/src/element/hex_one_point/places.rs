@@ -74,8 +74,9 @@ pub unsafe fn face<P: Pack>(positions: &mut Field<P::Real>, k: usize, at: &Quads
     unsafe { [side(positions, k, 0, at), side(positions, k, 1, at), side(positions, k, 2, at)] }
 }
 
-/// Adds a component of the forces to one side of a pack of elements. Every number is written first from the row before it, then added to from its own row; what
-/// belongs to the node after the last lane waits in `carry` for the next pack, or is given to the last node of the row.
+/// Adds a component of the forces to one side of a pack of elements. Every number is written first from the row
+/// before it, then added to from its own row; what belongs to the node after the last lane waits in `carry` for the
+/// next pack, or is given to the last node of the row.
 ///
 /// # Safety
 /// As for [`side`].

@@ -2,8 +2,8 @@
 
 use clubface_math::Scalar;
 
-/// Four corners of one side along the third reference coordinate, a number each, as sums and differences: sum, along the first coordinate,
-/// along the second, along both.
+/// Four corners of one side along the third reference coordinate, a number each, as sums and differences: sum, along
+/// the first coordinate, along the second, along both.
 pub type Sums<P> = [P; 4];
 
 /// Positions of such a side, or forces on it, by component. Neighbours across the side share it.

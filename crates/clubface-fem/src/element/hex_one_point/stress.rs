@@ -1,5 +1,5 @@
-//! Stress at the integration points of packs of elements, however the elements find their nodes: the pressure here, the change of shape by the
-//! stage of the material.
+//! Stress at the integration points of packs of elements, however the elements find their nodes: the pressure here,
+//! the change of shape by the stage of the material.
 
 use crate::element::bulk_viscosity::Drag;
 use crate::element::ratios::Ratios;
@@ -52,7 +52,8 @@ impl<P: Pack> Run<P> {
 }
 
 impl<P: Pack> Stress<'_, P> {
-    /// Stresses of the first `count` packs of a run, which are lanes `first..` of the blocks from `block` on; state variables move on by a step.
+    /// Stresses of the first `count` packs of a run, which are lanes `first..` of the blocks from `block` on; state
+    /// variables move on by a step.
     #[inline(always)]
     pub fn compute(&mut self, run: &mut Run<P>, count: usize, block: usize, first: usize) {
         let Run { deformations, weights, pressures, stresses } = run;

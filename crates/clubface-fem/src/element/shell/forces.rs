@@ -18,7 +18,8 @@ fn scatter<P: Pack>(
     values: &[Vec3<P>; CORNERS],
 ) {
     for corner in 0..CORNERS {
-        // SAFETY: `ShellPatch::new` makes every entry a place in the first half of `nodes`; all callers pass that many rows.
+        // SAFETY: `ShellPatch::new` makes every entry a place in the first half of `nodes`; all callers pass that
+        // many rows.
         unsafe { P::scatter_add(rows, &corners[corner * BLOCK + first..], values[corner]) };
     }
 }

@@ -15,7 +15,8 @@ pub struct ShellMaterial<R> {
     pub density: R,
     /// When and how it yields; none for a metal that stays elastic.
     pub hardening: Option<Hardening<R>>,
-    /// Points through the thickness; none for an elastic metal whose resultants are enough, which gives the same in less time.
+    /// Points through the thickness; none for an elastic metal whose resultants are enough, which gives the same in
+    /// less time.
     pub points: Option<Rule>,
 }
 

@@ -1,8 +1,8 @@
 //! Patches of four-node shells of one material: their data.
 //!
-//! A shell's node has a second row in the structure, for its rotation: its mass is the rotary inertia, its velocity the angular velocity, its
-//! position the rotation vector summed up, which nothing reads. Stresses, or their resultants, are kept in the frame of the element and grow
-//! by the strain of every step.
+//! A shell's node has a second row in the structure, for its rotation: its mass is the rotary inertia, its velocity
+//! the angular velocity, its position the rotation vector summed up, which nothing reads. Stresses, or their
+//! resultants, are kept in the frame of the element and grow by the strain of every step.
 
 use super::layers::Layers;
 use super::material::ShellMaterial;
@@ -15,8 +15,9 @@ use crate::mesh::ShellMesh;
 use clubface_math::{Pack, Real, Row, Vec3};
 use std::collections::HashMap;
 
-/// Most shells a patch: few enough that many threads share them, many enough that most nodes lie inside, where a patch moves them with its forces still
-/// in the fast caches. As for solids, it does not depend on the number of threads.
+/// Most shells a patch: few enough that many threads share them, many enough that most nodes lie inside, where a
+/// patch moves them with its forces still in the fast caches. As for solids, it does not depend on the number of
+/// threads.
 pub const SHELL_PATCH: usize = 544;
 
 /// Where the nodes of a shell mesh stand among the rows of a structure.

@@ -1,4 +1,5 @@
-//! Points through the thickness of a shell: rules for integrals from -1 to 1 (Abramowitz and Stegun, sections 25.4.29 and 25.4.32).
+//! Points through the thickness of a shell: rules for integrals from -1 to 1 (Abramowitz and Stegun, sections 25.4.29
+//! and 25.4.32).
 
 use crate::error::FemError;
 

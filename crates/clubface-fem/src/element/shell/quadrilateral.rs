@@ -1,24 +1,26 @@
 //! The four-node shell with one point in its plane: velocities to strain rates, stresses to forces.
 //!
-//! The element of Belytschko and Tsay (Int. J. Numer. Methods Eng. 19, 1983) in a frame that goes with it, taken apart into four modes of the
-//! reference square: translation, the two uniform gradients, and the bilinear (hourglass) mode. Three things are better than in the original:
+//! The element of Belytschko and Tsay (Int. J. Numer. Methods Eng. 19, 1983) in a frame that goes with it, taken
+//! apart into four modes of the reference square: translation, the two uniform gradients, and the bilinear
+//! (hourglass) mode. Three things are better than in the original:
 //!
-//! * a warped element is the flat one through its middle, to whose corners the nodes are tied by rigid links along its normal (as in
-//!   MacNeal's QUAD4), which couples membrane and bending as the corrections of Belytschko, Wong and Chiang (Comput. Methods Appl.
-//!   Mech. Eng. 96, 1992) do, and keeps moments in balance;
-//! * transverse shear is taken along the edges, as in the element of Bathe and Dvorkin (Int. J. Numer. Methods Eng. 21, 1985): no locking,
-//!   and no resistance to pure twist;
-//! * the hourglass modes get the stiffness that a rectangle has in them (membrane: in-plane bending; rotations: as the fully integrated
-//!   plate; shear: the difference between opposite edges), so there is no coefficient to choose.
+//! * a warped element is the flat one through its middle, to whose corners the nodes are tied by rigid links along
+//!   its normal (as in MacNeal's QUAD4), which couples membrane and bending as the corrections of Belytschko, Wong
+//!   and Chiang (Comput. Methods Appl. Mech. Eng. 96, 1992) do, and keeps moments in balance;
+//! * transverse shear is taken along the edges, as in the element of Bathe and Dvorkin (Int. J. Numer. Methods Eng.
+//!   21, 1985): no locking, and no resistance to pure twist;
+//! * the hourglass modes get the stiffness that a rectangle has in them (membrane: in-plane bending; rotations: as
+//!   the fully integrated plate; shear: the difference between opposite edges), so there is no coefficient to choose.
 //!
-//! Membrane strain increments are differences of squared lengths, and the others are exact to the second order in the rotation of a step, so
-//! that rigid motion makes no stress.
+//! Membrane strain increments are differences of squared lengths, and the others are exact to the second order in the
+//! rotation of a step, so that rigid motion makes no stress.
 
 use super::modes::{inner, less, plus, turned, Flat, Modes, CORNERS};
 use crate::material::{cross, dot, Symmetric};
 use clubface_math::{Mat3, Pack, Vec3};
 
-/// Stabilised modes: the hourglass modes (membrane along both axes, rotation along both, shear along both pairs of edges), and drilling.
+/// Stabilised modes: the hourglass modes (membrane along both axes, rotation along both, shear along both pairs of
+/// edges), and drilling.
 pub const HOURGLASS: usize = 7;
 
 /// Strain increments of a step.

@@ -25,7 +25,8 @@ impl<'a, P: Pack> Response<'a, P> {
             Self::Points(Layers::new(points, material))
         }
     }
-    /// Membrane forces and bending moments over width after a strain increment, for the area of the elements; the state variables move on.
+    /// Membrane forces and bending moments over width after a strain increment, for the area of the elements; the
+    /// state variables move on.
     #[inline(always)]
     pub fn respond(
         &self,

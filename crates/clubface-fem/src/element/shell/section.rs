@@ -56,7 +56,8 @@ impl<P: Scalar> Section<P> {
         Self { elastic, plate, shear, thickness, moment }
     }
 
-    /// Stiffness of the stabilised modes of an element with the given area and ratio of sides (across over along, and its inverse).
+    /// Stiffness of the stabilised modes of an element with the given area and ratio of sides (across over along, and
+    /// its inverse).
     #[inline(always)]
     pub fn hourglass(&self, area: P, (across, along): (P, P)) -> [P; HOURGLASS] {
         let membrane = self.elastic.young * self.thickness * (4.0 / 3.0);

@@ -23,8 +23,9 @@ fn elastic(young: f64, poisson: f64) -> ShellMaterial<f64> {
     ShellMaterial::elastic(Isotropic { young, poisson }, 1.0)
 }
 
-/// A cylinder pinched by two forces at mid length, its ends held round by diaphragms: an eighth of it, `n` by `n` elements. Displacement under the force
-/// over the series solution 1.8248e-5 (Belytschko et al., Comput. Methods Appl. Mech. Eng. 51, 1985, after Flügge).
+/// A cylinder pinched by two forces at mid length, its ends held round by diaphragms: an eighth of it, `n` by `n`
+/// elements. Displacement under the force over the series solution 1.8248e-5 (Belytschko et al., Comput. Methods Appl.
+/// Mech. Eng. 51, 1985, after Flügge).
 fn pinched_cylinder(n: usize) -> f64 {
     let (radius, half, young, force): (f64, f64, f64, f64) = (300.0, 300.0, 3e6, 1.0);
     // From the side (z = 0) to the force (y = 0), and from the middle (x = 0) to the end.
@@ -67,8 +68,8 @@ fn pinched_cylinder_with_diaphragms() {
     assert!((fine - 1.0).abs() < 0.02 && (fine - 1.0).abs() < 0.4 * (coarse - 1.0).abs(), "{coarse} {fine}");
 }
 
-/// A beam twisted by a quarter of a turn, clamped at one end and loaded at the other along an axis: displacement there (MacNeal and Harder, Finite
-/// Elem. Anal. Des. 1, 1985, table 3; inches and pounds).
+/// A beam twisted by a quarter of a turn, clamped at one end and loaded at the other along an axis: displacement there
+/// (MacNeal and Harder, Finite Elem. Anal. Des. 1, 1985, table 3; inches and pounds).
 fn twisted_beam(across: usize, axis: usize) -> f64 {
     let (length, width, along) = (12.0, 1.1, 6 * across);
     let mesh = surface([along, across], 0.32, |a, b| {

@@ -4,7 +4,8 @@ use clubface_fem::head::{DeformableHead, ShellHead};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::shot::{Shot, INPUTS};
 
-/// A head delivered at 35 m/s and its loft, `toe` metres from the face centre, turning about the vertical at `closure` (rad/s).
+/// A head delivered at 35 m/s and its loft, `toe` metres from the face centre, turning about the vertical at `closure`
+/// (rad/s).
 pub fn delivered(head: &ShellHead<f64>, toe: f64, closure: f64) -> FirstTouch<f64> {
     let is = head.mass_properties();
     let ([x, y, z], at) = (is.inertia.rows, is.centre * -1.0);

@@ -98,7 +98,8 @@ fn a_core_that_rests_in_every_second_step_changes_nothing() {
 
 #[test]
 fn a_core_under_one_layer_of_cover_stays_awake() {
-    // It would make the layer swing more and more: energies would be off by 1% before the ball leaves. A tenth of that is the error of the steps.
+    // It would make the layer swing more and more: energies would be off by 1% before the ball leaves. A tenth of that
+    // is the error of the steps.
     let options = Options { safety: Some(0.75), ..Options::default() };
     let mut impact = thrown(1);
     let found = impact.run(&options, &mut |_| true).expect("the options are valid");
@@ -123,7 +124,8 @@ fn the_force_does_not_come_and_go_with_the_steps() {
     let found = impact.run(&options, &mut |_| true).expect("the options are valid");
     let forces: Vec<f64> = found.records.contact.iter().map(|frame| frame.normal).collect();
     let most = forces.iter().copied().fold(0.0, f64::max);
-    // What changes its sign from step to step, over some steps: 0.9% as nodes of so coarse a ball arrive, 2.4% with a ball that rests as a whole.
+    // What changes its sign from step to step, over some steps: 0.9% as nodes of so coarse a ball arrive, 2.4% with a
+    // ball that rests as a whole.
     let zigzags = forces.windows(9).map(|some| {
         let signed =
             some.windows(2)
@@ -162,7 +164,8 @@ fn rest_keeps_momenta_and_the_bits_of_any_number_of_threads() {
     for threads in [1, 2, 3] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         let (mut impact, dt) = case();
-        // In parts, the second of which begins with a step in which the core rests, and the last with nodes that have been settled.
+        // In parts, the second of which begins with a step in which the core rests, and the last with nodes that have
+        // been settled.
         for count in [STEPS / 4 - 1, STEPS / 4 + 1, STEPS / 2] {
             let Simulation { structure, contact, .. } = &mut impact;
             if count == STEPS / 2 {
@@ -263,8 +266,8 @@ fn a_stiff_head_is_rigid() {
         ball_against_rigid_head(&ball, &touch, 0.3, &Environment::native()).expect("the case is valid"),
     );
     let apart = |a: Vec3<f64>, b: Vec3<f64>| (a - b).norm();
-    // A fiftieth of the give of a titanium face is left, and the face is a polyhedron of 3 mm sides, which is off by 4 micrometres and
-    // 0.3 degrees; the ball's nodes are 5 mm apart.
+    // A fiftieth of the give of a titanium face is left, and the face is a polyhedron of 3 mm sides, which is off by 4
+    // micrometres and 0.3 degrees; the ball's nodes are 5 mm apart.
     assert!(
         apart(shells.0.velocity, rigid.0.velocity) < 0.01 * rigid.0.velocity.norm(),
         "{shells:?} {rigid:?}"

@@ -31,14 +31,15 @@ fn rigid_motion_makes_no_force() {
         patch.assemble(&rows(&now), &velocities, dt);
         before = now;
     }
-    // Over the force of strain one. A rotation by `angle` a step leaves shear of angle^3 / 6, in 500 steps 7e-13; rounding of the
-    // velocities adds as much.
+    // Over the force of strain one. A rotation by `angle` a step leaves shear of angle^3 / 6, in 500 steps 7e-13;
+    // rounding of the velocities adds as much.
     let (force, moment) = largest(&*patch, count, |_| true);
     let scale = YOUNG * 2e-3 * 5e-3;
     assert!(force < 1e-10 * scale && moment < 1e-10 * scale * 5e-3, "{force} N, {moment} N m");
 }
 
-/// Forces on inner nodes over those on the edge, for a displacement (and rotation) given by position, and the strain energy.
+/// Forces on inner nodes over those on the edge, for a displacement (and rotation) given by position, and the strain
+/// energy.
 fn patch_test(field: impl Fn(Vec3<f64>) -> (Vec3<f64>, Vec3<f64>)) -> (f64, f64, f64) {
     let (n, mesh) = (5, plate(5, 0.02, 1.5e-3, 0.25));
     let count = mesh.nodes.len();
@@ -124,7 +125,8 @@ fn forces_do_the_work_that_becomes_energy() {
 
 #[test]
 fn packs_of_every_width_agree() {
-    // Resultants, and points of a metal that yields, over steps of half a per cent of strain. Widths differ in what the CPU fuses alone.
+    // Resultants, and points of a metal that yields, over steps of half a per cent of strain. Widths differ in what the
+    // CPU fuses alone.
     let mut mesh = plate(5, 0.02, 2e-3, 0.2);
     let mut bumps = random();
     mesh.nodes.iter_mut().for_each(|node| node.z = 1e-3 * bumps());

@@ -14,8 +14,9 @@ enum Edge {
     Clamped,
 }
 
-/// First circular frequency of a plate of `n` by `n` elements, rad/s, over that of thin plates with `omega a^2 sqrt(rho t / D) = coefficient`. It starts
-/// with velocities along the product of a shape along both sides, given with its slope for places from 0 to 1.
+/// First circular frequency of a plate of `n` by `n` elements, rad/s, over that of thin plates with `omega a^2 sqrt(rho
+/// t / D) = coefficient`. It starts with velocities along the product of a shape along both sides, given with its slope
+/// for places from 0 to 1.
 fn frequency(n: usize, edge: Edge, coefficient: f64, shape: fn(f64) -> (f64, f64)) -> f64 {
     let mesh = plate(n, SIDE, THICKNESS, 0.0);
     let count = mesh.nodes.len();

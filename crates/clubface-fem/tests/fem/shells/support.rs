@@ -16,7 +16,8 @@ pub fn titanium() -> ShellMaterial<f64> {
     ShellMaterial::elastic(Isotropic { young: YOUNG, poisson: POISSON }, DENSITY)
 }
 
-/// A square plate of `n` by `n` elements in the plane of x and y, its inner nodes moved off the grid by up to `skew` of an element.
+/// A square plate of `n` by `n` elements in the plane of x and y, its inner nodes moved off the grid by up to `skew` of
+/// an element.
 pub fn plate(n: usize, side: f64, thickness: f64, skew: f64) -> ShellMesh<f64> {
     let step = side / n as f64;
     let mut nodes = Vec::new();
@@ -163,8 +164,8 @@ impl Body {
         }
     }
 
-    /// Comes to rest under its loads; `frequency` (rad/s) is near that of the slowest motion. Returns the work of the loads over twice the elastic
-    /// energy, less one: the error of equilibrium.
+    /// Comes to rest under its loads; `frequency` (rad/s) is near that of the slowest motion. Returns the work of the
+    /// loads over twice the elastic energy, less one: the error of equilibrium.
     pub fn settle(&mut self, frequency: f64, periods: f64) -> f64 {
         let before = self.structure.positions.clone();
         for _ in 0..(periods * std::f64::consts::TAU / (frequency * self.dt)) as usize {

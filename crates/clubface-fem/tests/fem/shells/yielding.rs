@@ -9,8 +9,8 @@ const YIELD: f64 = 800e6;
 const THICKNESS: f64 = 2e-3;
 const SIDE: f64 = 0.01;
 
-/// An incompressible metal: its strains across are half of those along it, elastic or not, so that a strip in uniform curvature is free of
-/// stress across in every layer.
+/// An incompressible metal: its strains across are half of those along it, elastic or not, so that a strip in uniform
+/// curvature is free of stress across in every layer.
 fn incompressible(hardening: Hardening<f64>) -> ShellMaterial<f64> {
     ShellMaterial::elastic(Isotropic { young: YOUNG, poisson: 0.5 }, DENSITY).yielding(hardening)
 }
@@ -69,8 +69,8 @@ impl Strip {
 
 #[test]
 fn stress_of_the_surfaces_and_its_axes() {
-    // Uniaxial stress E (strain +- half the thickness times the curvature); with the corners turned the tensors turn along. Lobatto's outermost
-    // points are on the surfaces.
+    // Uniaxial stress E (strain +- half the thickness times the curvature); with the corners turned the tensors turn
+    // along. Lobatto's outermost points are on the surfaces.
     let elastic = ShellMaterial::elastic(Isotropic { young: YOUNG, poisson: 0.5 }, DENSITY);
     let (sine, cosine) = 0.7_f64.sin_cos();
     let turn =
@@ -87,7 +87,8 @@ fn stress_of_the_surfaces_and_its_axes() {
             let strain = 1e-4 + bent;
             let along = |v: [f64; 3]| Symmetric([v[0], v[1], v[2], 0.0, 0.0, 0.0]).seen_through(&turn).0;
             let close = |found: [f64; 6], exact: [f64; 6], size: f64| {
-                // A strain increment is the change of squared lengths over the last one, off by a share of its own size.
+                // A strain increment is the change of squared lengths over the last one, off by a share of its own
+                // size.
                 let most = found.iter().zip(exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
                 assert!(most < 3e-4 * size, "{found:?} {exact:?}");
             };
@@ -100,7 +101,8 @@ fn stress_of_the_surfaces_and_its_axes() {
 
 #[test]
 fn tension_loading_unloading_and_back() {
-    // Linear hardening: a bilinear curve, E and E H / (E + H); after unloading it yields where it left off, and as far on the other side.
+    // Linear hardening: a bilinear curve, E and E H / (E + H); after unloading it yields where it left off, and as far
+    // on the other side.
     let modulus = 10e9;
     let mut strip = Strip::new(incompressible(Hardening::linear(YIELD, modulus)));
     let tangent = YOUNG * modulus / (YOUNG + modulus);
@@ -136,7 +138,8 @@ fn tension_loading_unloading_and_back() {
 
 #[test]
 fn bending_moment_of_a_strip_that_yields() {
-    // Perfectly plastic: M = M_y (3/2 - (k_y/k)^2 / 2) beyond the curvature k_y of first yield (Lubliner, Plasticity Theory, 1990, section 4.4).
+    // Perfectly plastic: M = M_y (3/2 - (k_y/k)^2 / 2) beyond the curvature k_y of first yield (Lubliner, Plasticity
+    // Theory, 1990, section 4.4).
     let (moment, curvature) = (YIELD * THICKNESS * THICKNESS / 6.0, 2.0 * YIELD / (YOUNG * THICKNESS));
     let errors = [(Rule::Gauss(5), 0.06), (Rule::Lobatto(5), 0.09), (Rule::Gauss(31), 2e-3)];
     for (rule, allowed) in errors {
@@ -249,7 +252,8 @@ fn struck(material: &ShellMaterial<f64>, steps: usize) -> (Vec<Row<f64>>, [f64; 
 #[test]
 fn energy_of_a_struck_plate_closes() {
     let (_, [first, last], plastic) = struck(&titanium().yielding(Hardening::linear(YIELD, 1e9)), 400);
-    // Stresses turn with the elements, whose areas change by strains of 1%: as much of the elastic energy is not accounted for.
+    // Stresses turn with the elements, whose areas change by strains of 1%: as much of the elastic energy is not
+    // accounted for.
     assert!((last / first - 1.0).abs() < 5e-3, "{first} J, then {last} J");
     assert!(plastic > 0.1 * first, "{plastic} J of {first} J");
 }

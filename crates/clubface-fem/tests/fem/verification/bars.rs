@@ -32,7 +32,8 @@ fn period_of_a_free_bar() {
 
 #[test]
 fn a_bar_strikes_a_wall() {
-    // The wall feels rho c v A until the wave returns from the far end, 2 L / c later, and the bar leaves with the opposite velocity.
+    // The wall feels rho c v A until the wave returns from the far end, 2 L / c later, and the bar leaves with the
+    // opposite velocity.
     let mesh = block([80, 2, 2], [LENGTH, WIDTH, WIDTH]);
     let touching: Vec<u32> =
         (0..mesh.nodes.len() as u32).filter(|&n| mesh.nodes[n as usize].x == 0.0).collect();
@@ -61,8 +62,8 @@ fn a_bar_strikes_a_wall() {
     let velocity = bar.body_motion(0..mesh.nodes.len()).velocity.x;
     // The front is spread over a few elements and rings; the mean over most of the plateau does not care.
     assert!((mean / expected - 1.0).abs() < 5e-3, "{mean} {expected}");
-    // The springs of the contact, a quarter of node mass over step squared, give the front a rise of its own: its time constant is
-    // rho c A over their stiffness, by which every part of the impulse is late.
+    // The springs of the contact, a quarter of node mass over step squared, give the front a rise of its own: its time
+    // constant is rho c A over their stiffness, by which every part of the impulse is late.
     let mass = DENSITY * WIDTH * WIDTH * LENGTH / 160.0;
     let late = DENSITY * SPEED * WIDTH * WIDTH * dt * dt / (SPRING.stiffness * mass);
     assert!((2.0 * (lasted - late) / returns - 1.0).abs() < 1e-2, "{lasted} {late} {returns}");

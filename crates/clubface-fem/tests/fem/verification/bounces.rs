@@ -1,4 +1,5 @@
-//! Balls on a rigid plane: Hertz's contact, the limits of friction, and the reference case of three independent solvers.
+//! Balls on a rigid plane: Hertz's contact, the limits of friction, and the reference case of three independent
+//! solvers.
 
 use super::support::{elastic, masses, outside, patches, rows, SPRING};
 use super::thrown::{bounce, Bounce};
@@ -12,8 +13,9 @@ use clubface_math::Vec3;
 
 const RADIUS: f64 = 0.02;
 
-/// A ball on the plane x = 0, its elements `finer` times smaller at the point of contact than on average: a conformal map of the ball onto
-/// itself (Ahlfors, Moebius Transformations in Several Dimensions, 1981), which keeps their shapes.
+/// A ball on the plane x = 0, its elements `finer` times smaller at the point of contact than on average: a conformal
+/// map of the ball onto itself (Ahlfors, Moebius Transformations in Several Dimensions, 1981), which keeps their
+/// shapes.
 fn ball(cube: usize, layers: usize, finer: f64) -> SolidMesh {
     let mut mesh = cubed_sphere(&[1.0], &Fineness { cube, layers: vec![layers] });
     let a = Vec3::new((finer - 1.0) / (finer + 1.0), 0.0, 0.0);
@@ -45,8 +47,9 @@ fn drop(
     bounce(&mut body, &surface, &areas, friction, velocity, duration, SPRING)
 }
 
-/// Peak force and time of contact over those of Hertz (1882), for a largest indentation of 0.2% of the radius. His bodies are half-spaces: a ball is stiffer
-/// by some multiple of the radius of contact over its own, and presses several percent harder where it is dented by 2%.
+/// Peak force and time of contact over those of Hertz (1882), for a largest indentation of 0.2% of the radius. His
+/// bodies are half-spaces: a ball is stiffer by some multiple of the radius of contact over its own, and presses
+/// several percent harder where it is dented by 2%.
 fn hertz(cube: usize) -> [f64; 2] {
     let (young, poisson, density) = (1e9, 0.3, 1000.0);
     let mesh = ball(cube, cube / 2, 20.0);
@@ -133,7 +136,8 @@ fn reference(element: Element) {
         1e-3,
         PenaltySprings::default(),
     );
-    // As spin the angular momentum over the inertia, free of vibration: that of the whole meshed ball, two thirds of the polar moment.
+    // As spin the angular momentum over the inertia, free of vibration: that of the whole meshed ball, two thirds of
+    // the polar moment.
     let centre = Vec3::new(0.0214, 0.0, 0.0);
     let inertia: f64 =
         mesh.nodes.iter().zip(&inertias).map(|(x, m)| m * (*x - centre).norm_squared() / 1.5).sum();
@@ -144,7 +148,8 @@ fn reference(element: Element) {
             "{element:?}, {name}: {value}, expected {expected} within {share}"
         );
     };
-    // Means of the first two solvers, which model what we do; each differs from the mean by less than a tenth of these tolerances.
+    // Means of the first two solvers, which model what we do; each differs from the mean by less than a tenth of these
+    // tolerances.
     close("normal velocity", found.velocity.x, 32.07, 0.01);
     close("tangential velocity", found.velocity.y, 5.82, 0.01);
     close("spin", spin, 1218.0, 0.06);

@@ -1,4 +1,5 @@
-//! Bulk viscosity: breathing that dies away as that of a damped oscillator does, and work that is what the pressure does.
+//! Bulk viscosity: breathing that dies away as that of a damped oscillator does, and work that is what the pressure
+//! does.
 
 use super::support::{block, elastic, rows, step, structure, Free, ELEMENTS};
 use clubface_fem::material::Material;
@@ -23,8 +24,8 @@ fn a_cube_breathes_as_a_damped_oscillator() {
         let material = rubber();
         let mut cube = structure(element, &block([1; 3], [EDGE; 3]), &material, &[]);
         cube.set_bulk_viscosity(COEFFICIENT);
-        // With x = (1 + s) X and an eighth of the mass m at each corner, 3/4 of the edge squared from the centre, the energies are
-        // 1/2 K (3 s)^2 V and 1/2 m 3/4 a^2 (ds/dt)^2, and the pressure does 3 ds/dt V of work a second.
+        // With x = (1 + s) X and an eighth of the mass m at each corner, 3/4 of the edge squared from the centre, the
+        // energies are 1/2 K (3 s)^2 V and 1/2 m 3/4 a^2 (ds/dt)^2, and the pressure does 3 ds/dt V of work a second.
         let inertia = 0.75 * material.density * EDGE * EDGE;
         let decay = 9.0 * drag(&material) / (2.0 * inertia);
         let frequency = (9.0 * material.bulk / inertia - decay * decay).sqrt();
@@ -43,7 +44,8 @@ fn a_cube_breathes_as_a_damped_oscillator() {
             step(&mut cube, &mut Free, whole / f64::from(count));
         }
         let after = energy(&cube);
-        // Velocities are half a step early, of 667 a period; the pressure too: half a per cent of the exponent, which is 4.
+        // Velocities are half a step early, of 667 a period; the pressure too: half a per cent of the exponent, which
+        // is 4.
         let expected = (-2.0 * decay * whole).exp();
         assert!(
             (after / before - expected).abs() < 0.02 * expected,

@@ -27,7 +27,8 @@ fn energy(patches: &mut [Box<dyn clubface_fem::element::Patch<f64>>], positions:
 
 #[test]
 fn patch_test() {
-    // A linear deformation of a distorted mesh is a state of uniform stress: no force on inner nodes, and the energy of a block.
+    // A linear deformation of a distorted mesh is a state of uniform stress: no force on inner nodes, and the energy of
+    // a block.
     let mesh = distorted_cube(EDGE, 0.2);
     let volume: f64 = (0..mesh.elements.len()).map(|e| mesh.volume(e)).sum();
     for (element, material) in cases() {

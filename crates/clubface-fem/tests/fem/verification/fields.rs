@@ -35,8 +35,8 @@ fn apart(a: &[f64; 6], b: &[f64; 6]) -> f64 {
 
 #[test]
 fn stress_is_that_of_the_forces() {
-    // In a uniform deformation the stress times the volume is the sum of place times force, whatever the law and what it remembers: the second
-    // of two steps, of different directions.
+    // In a uniform deformation the stress times the volume is the sum of place times force, whatever the law and what
+    // it remembers: the second of two steps, of different directions.
     let mesh = distorted_cube(EDGE, 0.2);
     let volume: f64 = (0..mesh.elements.len()).map(|e| mesh.volume(e)).sum();
     for element in ELEMENTS {

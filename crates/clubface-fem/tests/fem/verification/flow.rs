@@ -36,7 +36,8 @@ fn stretch(a: f64, b: f64, c: f64) -> Mat3<f64> {
 
 #[test]
 fn tension_loading_unloading_and_back() {
-    // Volume kept: tau = 3 mu times the elastic part of the logarithmic strain e, and the yield stress grows with the plastic part.
+    // Volume kept: tau = 3 mu times the elastic part of the logarithmic strain e, and the yield stress grows with the
+    // plastic part.
     let modulus = 2e9;
     let law = metal(Hardening::linear(YIELD, modulus));
     let mut state = PlasticState::start();
@@ -55,7 +56,8 @@ fn tension_loading_unloading_and_back() {
     };
     let slope = 3.0 * SHEAR;
     let tangent = slope * modulus / (slope + modulus);
-    // The flow of a step has the direction of its end, which here never changes: exact in any number of steps, but for rounding.
+    // The flow of a step has the direction of its end, which here never changes: exact in any number of steps, but for
+    // rounding.
     let close = |found: f64, exact: f64| assert!((found - exact).abs() < 1e-9 * YIELD, "{found} {exact}");
     let first = YIELD / slope;
     close(go(&mut state, 0.9 * first, 3), 0.9 * YIELD);
@@ -149,7 +151,8 @@ fn work_is_stored_or_becomes_heat() {
 
 #[test]
 fn small_strains_agree_with_plane_stress_of_shells() {
-    // A wall free of stress across it: what strain across does is found by bisection, and the two kinds of return agree.
+    // A wall free of stress across it: what strain across does is found by bisection, and the two kinds of return
+    // agree.
     use clubface_fem::material::{PlaneState, PlaneStress};
     let poisson = (3.0 * BULK - 2.0 * SHEAR) / (2.0 * (3.0 * BULK + SHEAR));
     let hardening = Hardening::linear(YIELD, 2e9);

@@ -1,4 +1,5 @@
-//! Friction of a rigid sphere: sliding limited by the coefficient, sticking on the springs of the contact, and rolling at last.
+//! Friction of a rigid sphere: sliding limited by the coefficient, sticking on the springs of the contact, and rolling
+//! at last.
 
 use super::support::{rows, SPRING};
 use clubface_fem::contact::{Contact, RigidContact, RigidSurface, TANGENTIAL_STIFFNESS};
@@ -73,7 +74,8 @@ fn sliding_takes_the_friction_of_the_normal_impulse() {
 
 #[test]
 fn sticking_swings_on_the_tangential_spring() {
-    // Half a swing across the face, w = sqrt(k/m); along it the point of contact swings with w sqrt(7/2 of the ratio of the stiffnesses).
+    // Half a swing across the face, w = sqrt(k/m); along it the point of contact swings with w sqrt(7/2 of the ratio of
+    // the stiffnesses).
     let (fall, along) = (5.0, 1.0);
     let (_, after) = meet(100.0, Vec3::new(-fall, along, 0.0), 0.0, 1000);
     let swing = (std::f64::consts::PI * (3.5 * TANGENTIAL_STIFFNESS).sqrt()).cos();

@@ -33,8 +33,8 @@ fn the_profile_is_that_of_the_dimensions() {
     }
 }
 
-/// Force on a node 0.1 mm behind the lands of a skewed face in the plane x = 0, at a height, and all forces, with their moment. The node
-/// slides at 1 m/s if there is friction.
+/// Force on a node 0.1 mm behind the lands of a skewed face in the plane x = 0, at a height, and all forces, with their
+/// moment. The node slides at 1 m/s if there is friction.
 fn pressed(height: f64, friction: f64, depth: f64) -> (Vec3<f64>, Vec3<f64>, Vec3<f64>) {
     let corners = [[-0.01, -0.012], [0.012, -0.01], [0.01, 0.011], [-0.012, 0.01]];
     // Seen from +x: z to the left, y up.

@@ -87,7 +87,8 @@ fn twisting_mode() {
     }
 }
 
-/// Displacement along the radius and along it across, and their derivatives by r, of a pressure or a shear wave of order 2.
+/// Displacement along the radius and along it across, and their derivatives by r, of a pressure or a shear wave of
+/// order 2.
 fn waves(k: f64, r: f64) -> [[f64; 4]; 2] {
     let x = k * r;
     let [_, j, slope] = bessel(x);

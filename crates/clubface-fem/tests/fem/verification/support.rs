@@ -162,8 +162,8 @@ pub fn step(structure: &mut Structure<f64>, contact: &mut dyn Contact<f64>, dt: 
     structure.advance(contact, dt);
 }
 
-/// Period of a free vibration that starts with velocities along `mode`: from the first to the last change of sign, over three periods, of
-/// the momentum along it. `about` is the period expected, s.
+/// Period of a free vibration that starts with velocities along `mode`: from the first to the last change of sign, over
+/// three periods, of the momentum along it. `about` is the period expected, s.
 pub fn period(structure: &mut Structure<f64>, mode: &[Vec3<f64>], about: f64) -> f64 {
     let dt = structure.stable_step(60) * 0.8;
     for (v, m) in structure.velocities.iter_mut().zip(mode) {

@@ -25,8 +25,8 @@ pub struct Bounce {
     pub steps: usize,
 }
 
-/// Throws a body at a plane: `surface` its outer nodes with their areas (m2), friction, velocity (m/s), duration (s), contact
-/// springs.
+/// Throws a body at a plane: `surface` its outer nodes with their areas (m2), friction, velocity (m/s), duration (s),
+/// contact springs.
 pub fn bounce(
     body: &mut Structure<f64>,
     surface: &[u32],

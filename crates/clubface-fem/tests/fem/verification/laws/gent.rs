@@ -1,5 +1,5 @@
-//! Rubber whose chains end, `W = -mu/2 Jm ln(1 - (I1 - 3) / Jm)`: a law that stands here and not in the crate, to show that a law is one file and
-//! one line of a table.
+//! Rubber whose chains end, `W = -mu/2 Jm ln(1 - (I1 - 3) / Jm)`: a law that stands here and not in the crate, to
+//! show that a law is one file and one line of a table.
 
 use clubface_fem::constants;
 use clubface_fem::material::{Card, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};

@@ -1,5 +1,6 @@
-//! Contracts of the laws of the table: stress is the derivative of energy, knows no rotation, has the moduli it claims, and gives no work away; the
-//! same in every kind of number and of packs. A law that is added to the table is tested here with no other line.
+//! Contracts of the laws of the table: stress is the derivative of energy, knows no rotation, has the moduli it
+//! claims, and gives no work away; the same in every kind of number and of packs. A law that is added to the table is
+//! tested here with no other line.
 
 mod gent;
 
@@ -79,7 +80,8 @@ fn deformations() -> Vec<Mat3<f64>> {
 
 #[test]
 fn stress_is_the_derivative_of_energy() {
-    // Exact derivatives on both sides: only rounding is left, and what four Newton steps leave of the cube root (1e-12).
+    // Exact derivatives on both sides: only rounding is left, and what four Newton steps leave of the cube root
+    // (1e-12).
     for (name, material) in elastic::<Derived>() {
         for f in deformations() {
             for chosen in [0..4, 4..8, 8..9] {
@@ -101,7 +103,8 @@ fn stress_is_the_derivative_of_energy() {
 
 #[test]
 fn derivatives_of_stress_are_its_differences() {
-    // Central differences over 1e-6 of a component: their own error is 1e-12 of third derivatives, rounding over the step 1e-9.
+    // Central differences over 1e-6 of a component: their own error is 1e-12 of third derivatives, rounding over the
+    // step 1e-9.
     for (name, material) in elastic::<Derived>() {
         let plain = material_of(&material);
         for f in &deformations()[..20] {
@@ -168,7 +171,8 @@ fn small_strains_meet_the_moduli() {
     }
 }
 
-/// Largest difference of the first Piola-Kirchhoff stresses and of the energies of two laws, over the shear modulus of 10 MPa.
+/// Largest difference of the first Piola-Kirchhoff stresses and of the energies of two laws, over the shear modulus
+/// of 10 MPa.
 fn apart(a: Arc<dyn Law<f64>>, b: Arc<dyn Law<f64>>) -> f64 {
     let (a, b) = (material(a), material(b));
     let mut most = 0.0_f64;
@@ -198,8 +202,8 @@ fn gent_with_endless_chains_is_neo_hookean() {
     assert!(found < 1e-5, "{found}");
 }
 
-/// Force over the undeformed section (Pa) of a bar of incompressible rubber in tension: that along it, less the pressure that keeps
-/// its sides free.
+/// Force over the undeformed section (Pa) of a bar of incompressible rubber in tension: that along it, less the
+/// pressure that keeps its sides free.
 fn tension(law: &Arc<dyn Law<f64>>, stretch: f64) -> f64 {
     let material = Material { law: Arc::clone(law), bulk: 1e9, maxwell: vec![], density: 1e3 };
     let across = stretch.powf(-0.5);
@@ -215,8 +219,8 @@ fn tension(law: &Arc<dyn Law<f64>>, stretch: f64) -> f64 {
 
 #[test]
 fn tension_of_ogdens_rubber() {
-    // Ogden's constants for Treloar's vulcanised rubber, and the closed form of its tension (Proc. R. Soc. Lond. A 326, 1972):
-    // sum of mu (l^(alpha - 1) - l^(-alpha/2 - 1)).
+    // Ogden's constants for Treloar's vulcanised rubber, and the closed form of its tension (Proc. R. Soc. Lond. A
+    // 326, 1972): sum of mu (l^(alpha - 1) - l^(-alpha/2 - 1)).
     let terms = [(0.63e6, 1.3), (1.2e3, 5.0), (-10e3, -2.0)];
     let law = named("ogden", terms.map(|(mu, alpha)| [mu, alpha]).as_flattened());
     for stretch in [0.5, 0.8, 1.0, 1.12, 2.0, 3.58, 5.0, 7.0] {
@@ -294,8 +298,8 @@ fn nothing_acts_at_rest() {
 
 #[test]
 fn a_closed_path_gives_no_work() {
-    // The work is summed by the trapezoidal rule in steps of 1/2000 of the path, whose error is 1e-6 of the energies that come and go; what does not
-    // come back is accounted for as viscous work or heat.
+    // The work is summed by the trapezoidal rule in steps of 1/2000 of the path, whose error is 1e-6 of the energies
+    // that come and go; what does not come back is accounted for as viscous work or heat.
     let swings: Vec<Mat3<f64>> = {
         let mut random = Random(5);
         (0..3).map(|_| random.gradient(0.25) + Mat3::diagonal(-1.0)).collect()
