@@ -15,6 +15,7 @@ mod shell;
 
 pub use bulk_viscosity::damped_step_ratio;
 pub use field::Scratch;
+pub use hex_one_point::constant_sets;
 pub use kernels::Kernels;
 pub use kind::Element;
 pub use output::{ElementOutput, OutputSink};

@@ -19,7 +19,7 @@ mod plane_stress;
 mod point;
 mod stage;
 mod state_variables;
-pub(crate) mod stretch;
+pub mod stretch;
 mod symmetric;
 mod table;
 mod viscous;

@@ -270,7 +270,3 @@ impl<S: Scalar> Computation for WholeFactors<'_, S> {
         whole.of_root(root, &root.of_root(fourth, &self.function.0))
     }
 }
-
-#[cfg(test)]
-#[path = "stretch_tests.rs"]
-mod tests;

@@ -2,8 +2,11 @@
 
 mod ball_on_plane;
 mod contact;
+mod materials;
 mod meshes;
 mod messages;
+mod quadrature;
+mod shared_constants;
 mod shells;
 mod solver;
 mod verification;

@@ -11,6 +11,7 @@ use crate::element::patch::parts;
 use crate::material::{Material, StateVariables, Updates};
 use crate::mesh::{SolidMesh, CORNERS};
 use clubface_math::{Pack, Real, Row};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Elements a patch: enough to hide the cost of starting on it, few enough that its nodes stay in the fast caches. It
@@ -43,12 +44,19 @@ pub struct SolidPatch<R> {
     pub(super) numbers: Vec<Option<u32>>,
 }
 
+/// For each patch of some elements, the address of its constants. Patches with the same address share them.
+#[must_use]
+pub fn constant_sets(mesh: &SolidMesh<f64>, elements: Range<usize>, material: &Material<f64>) -> Vec<usize> {
+    let patches = solid_patches(mesh, elements, material);
+    patches.iter().map(|patch| patch.constants.as_ptr() as usize).collect()
+}
+
 /// Patches of some elements of a mesh, of one material, in their undeformed shape. Where elements follow each other
 /// as in a lattice, the patches are lattices, and those that differ by a rotation share their constants and follow
 /// each other.
 pub fn solid_patches<R: Real>(
     mesh: &SolidMesh<R>,
-    elements: std::ops::Range<usize>,
+    elements: Range<usize>,
     material: &Material<R>,
 ) -> Vec<SolidPatch<R>> {
     let mut patches: Vec<SolidPatch<R>> = Vec::new();

@@ -1,7 +1,7 @@
 //! Functions of tensors against those of their principal values.
 
-use super::Stretches;
-use crate::material::Symmetric;
+use clubface_fem::material::stretch::Stretches;
+use clubface_fem::material::Symmetric;
 
 /// A function of the tensor of determinant one that has two given stretches, about oblique axes.
 fn tensor(first: f64, second: f64, function: fn(f64) -> f64) -> Symmetric<f64> {

@@ -1,0 +1,4 @@
+//! Parts of material laws.
+
+mod hardening;
+mod stretch;
