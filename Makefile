@@ -84,7 +84,7 @@ benchmark-identification: build ## identify every model on the benchmark shots: 
 benchmark-identification-speed: dev ## time of Caldwell and McPhee's whole identification of the volumetric driver, and its cost
 	$(PYTHON) benchmarks/identification_speed.py
 
-fem-figures: dev ## the figures of docs/finite-elements.md, computed again; some three minutes
+fem-figures: dev ## the figures of docs/finite-elements, computed again; some three minutes
 	$(PYTHON) benchmarks/fem_figures.py
 
 identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats

@@ -1,4 +1,4 @@
-"""The figures that docs/finite-elements.md states, computed again; with names of sections, theirs alone."""
+"""The figures of the pages in docs/finite-elements, computed again; with names of sections, theirs alone."""
 
 import math
 import sys

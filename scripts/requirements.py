@@ -1,4 +1,4 @@
-"""Print the requirements of some extras of pyproject.toml, one a line, so that pip installs them while the core compiles.
+"""Print the requirements of some extras of pyproject.toml, one a line: pip installs them while the core compiles.
 
 ``python scripts/requirements.py cli plots`` prints those of the package itself and of the extras named.
 """

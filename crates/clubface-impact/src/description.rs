@@ -105,6 +105,12 @@ impl ModelInfo {
     }
 }
 
+/// Parameters over one kind of number.
+pub trait FromValues<S> {
+    /// From values in the order of [`ModelInfo::parameters`].
+    fn from_values(values: &[S]) -> Self;
+}
+
 /// Declares the parameters of a model: a struct of scalars, its table, and how to read it from a slice.
 #[macro_export]
 macro_rules! parameters {
@@ -128,10 +134,9 @@ macro_rules! parameters {
                 source: $source,
             },)+];
         }
-        impl<S: clubface_math::Scalar> $name<S> {
-            /// From values in the order of the table.
+        impl<S: Copy> $crate::description::FromValues<S> for $name<S> {
             #[inline(always)]
-            pub fn from_slice(values: &[S]) -> Self {
+            fn from_values(values: &[S]) -> Self {
                 let [$($field),+] = *values else {
                     unreachable!("the registry checks the number of parameters")
                 };

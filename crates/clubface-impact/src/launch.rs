@@ -32,42 +32,40 @@ pub struct Output {
     pub meaning: &'static str,
 }
 
-const fn output(name: &'static str, unit: &'static str, meaning: &'static str) -> Output {
-    Output { name, unit, meaning }
+macro_rules! outputs {
+    ($($name:ident [$unit:literal], $meaning:literal;)+) => {
+        [$(Output { name: stringify!($name), unit: $unit, meaning: $meaning }),+]
+    };
 }
 
 /// Number of outputs.
 pub const OUTPUT_COUNT: usize = 22;
 
 /// All outputs, in the order of [`Launch::outputs`].
-pub const OUTPUTS: [Output; OUTPUT_COUNT] = [
-    output("ball_speed", "m/s", "speed of the ball"),
-    output("smash", "1", "smash factor: ball speed over clubhead speed"),
-    output("launch", "rad", "launch angle above horizontal"),
-    output("azimuth", "rad", "launch direction, right of target is positive"),
-    output(
-        "backspin",
-        "rad/s",
-        "angular velocity about the horizontal axis right of the launch direction: lifts",
-    ),
-    output("sidespin", "rad/s", "minus the vertical angular velocity: curves right"),
-    output("total_spin", "rad/s", "magnitude of the angular velocity"),
-    output("spin_axis", "rad", "spin axis tilt atan2(sidespin, backspin): right is positive"),
-    output("velocity_x", "m/s", "ball velocity to the target"),
-    output("velocity_y", "m/s", "ball velocity upwards"),
-    output("velocity_z", "m/s", "ball velocity to the right"),
-    output("spin_x", "rad/s", "ball angular velocity about x"),
-    output("spin_y", "rad/s", "ball angular velocity about y"),
-    output("spin_z", "rad/s", "ball angular velocity about z"),
-    output("club_velocity_x", "m/s", "clubhead velocity to the target after impact"),
-    output("club_velocity_y", "m/s", "clubhead velocity upwards after impact"),
-    output("club_velocity_z", "m/s", "clubhead velocity to the right after impact"),
-    output("club_spin_x", "rad/s", "clubhead angular velocity about x after impact"),
-    output("club_spin_y", "rad/s", "clubhead angular velocity about y after impact"),
-    output("club_spin_z", "rad/s", "clubhead angular velocity about z after impact"),
-    output("contact_time", "s", "time from first touch to separation"),
-    output("peak_force", "N", "largest normal force"),
-];
+pub const OUTPUTS: [Output; OUTPUT_COUNT] = outputs! {
+    ball_speed ["m/s"], "speed of the ball";
+    smash ["1"], "smash factor: ball speed over clubhead speed";
+    launch ["rad"], "launch angle above horizontal";
+    azimuth ["rad"], "launch direction, right of target is positive";
+    backspin ["rad/s"], "angular velocity about the horizontal axis right of the launch direction: lifts";
+    sidespin ["rad/s"], "minus the vertical angular velocity: curves right";
+    total_spin ["rad/s"], "magnitude of the angular velocity";
+    spin_axis ["rad"], "spin axis tilt atan2(sidespin, backspin): right is positive";
+    velocity_x ["m/s"], "ball velocity to the target";
+    velocity_y ["m/s"], "ball velocity upwards";
+    velocity_z ["m/s"], "ball velocity to the right";
+    spin_x ["rad/s"], "ball angular velocity about x";
+    spin_y ["rad/s"], "ball angular velocity about y";
+    spin_z ["rad/s"], "ball angular velocity about z";
+    club_velocity_x ["m/s"], "clubhead velocity to the target after impact";
+    club_velocity_y ["m/s"], "clubhead velocity upwards after impact";
+    club_velocity_z ["m/s"], "clubhead velocity to the right after impact";
+    club_spin_x ["rad/s"], "clubhead angular velocity about x after impact";
+    club_spin_y ["rad/s"], "clubhead angular velocity about y after impact";
+    club_spin_z ["rad/s"], "clubhead angular velocity about z after impact";
+    contact_time ["s"], "time from first touch to separation";
+    peak_force ["N"], "largest normal force";
+};
 
 impl<S: Scalar> Launch<S> {
     /// Values in the order of [`OUTPUTS`].

@@ -1,7 +1,7 @@
 //! What every impact model is: one generic function from first touch to launch.
 
 use crate::contact::Recorder;
-use crate::description::ModelInfo;
+use crate::description::{FromValues, ModelInfo};
 use crate::first_touch::FirstTouch;
 use crate::impact::{Accuracy, Impact};
 use clubface_math::Scalar;
@@ -15,9 +15,7 @@ pub trait Describe: 'static {
 }
 
 /// A model with its parameters over a scalar.
-pub trait Model<S: Scalar>: Sized {
-    /// From parameter values in the order of [`ModelInfo::parameters`].
-    fn from_values(values: &[S]) -> Self;
+pub trait Model<S: Scalar>: FromValues<S> {
     /// From first touch to launch; a contact model shows every step to the recorder.
     fn impact<R: Recorder<S>>(
         &self,

@@ -20,14 +20,16 @@ pub struct Input {
     pub differentiable: bool,
 }
 
-const fn input(
-    name: &'static str,
-    group: &'static str,
-    unit: &'static str,
-    meaning: &'static str,
-    differentiable: bool,
-) -> Input {
-    Input { name, group, unit, meaning, differentiable }
+macro_rules! inputs {
+    ($($group:literal $name:ident [$unit:literal] $differentiable:literal, $meaning:literal;)+) => {
+        [$(Input {
+            name: stringify!($name),
+            group: $group,
+            unit: $unit,
+            meaning: $meaning,
+            differentiable: $differentiable,
+        }),+]
+    };
 }
 
 /// Number of inputs that describe the delivery: the first ones.
@@ -37,74 +39,39 @@ pub const DELIVERY_COUNT: usize = 11;
 pub const INPUT_COUNT: usize = 30;
 
 /// All inputs, in the order of the columns of a batch.
-pub const INPUTS: [Input; INPUT_COUNT] = [
-    input("speed", "delivery", "m/s", "speed of the clubhead CG", true),
-    input("attack", "delivery", "rad", "attack angle: clubhead CG moving up is positive", true),
-    input("path", "delivery", "rad", "club path: clubhead CG moving right of target is positive", true),
-    input("loft", "delivery", "rad", "dynamic loft: face normal at the face centre above horizontal", true),
-    input("face", "delivery", "rad", "face angle: face normal pointing right of target is positive", true),
-    input(
-        "lie",
-        "delivery",
-        "rad",
-        "lie tilt about the horizontal axis to the target: toe up is positive",
-        true,
-    ),
-    input(
-        "toe",
-        "delivery",
-        "m",
-        "impact offset towards the toe, in the plane tangent at the face centre",
-        true,
-    ),
-    input(
-        "high",
-        "delivery",
-        "m",
-        "impact offset towards the crown, in the plane tangent at the face centre",
-        true,
-    ),
-    input("closure", "delivery", "rad/s", "closure rate about the world vertical: closing is positive", true),
-    input(
-        "pitch_rate",
-        "delivery",
-        "rad/s",
-        "rate of loft about the horizontal to the right: increasing is positive",
-        true,
-    ),
-    input(
-        "lie_rate",
-        "delivery",
-        "rad/s",
-        "rate of lie about the horizontal to the target: toe up is positive",
-        true,
-    ),
-    input("club_mass", "club", "kg", "mass of the clubhead", true),
-    input("cg_x", "club", "m", "CG to face centre, along x (to the target) at static loft", true),
-    input("cg_y", "club", "m", "CG to face centre, along y (up) at static loft", true),
-    input("cg_z", "club", "m", "CG to face centre, along z (to the toe) at static loft", true),
-    input("ixx", "club", "kg m2", "inertia about the CG at static loft, element xx", true),
-    input("iyy", "club", "kg m2", "inertia about the CG at static loft, element yy", true),
-    input("izz", "club", "kg m2", "inertia about the CG at static loft, element zz", true),
-    input("ixy", "club", "kg m2", "inertia about the CG at static loft, element xy", true),
-    input("ixz", "club", "kg m2", "inertia about the CG at static loft, element xz", true),
-    input("iyz", "club", "kg m2", "inertia about the CG at static loft, element yz", true),
-    input("static_loft", "club", "rad", "loft of the club", true),
-    input("bulge", "club", "m", "horizontal radius of the face, infinite if flat", true),
-    input("roll", "club", "m", "vertical radius of the face, infinite if flat", true),
-    input(
-        "face_width",
-        "club",
-        "m",
-        "width of the face outline, heel to toe, centred on the face centre",
-        false,
-    ),
-    input("face_height", "club", "m", "height of the face outline, centred on the face centre", false),
-    input("hand", "club", "1", "1 for a right-handed club, -1 for its mirror image", false),
-    input("ball_mass", "ball", "kg", "mass of the ball", true),
-    input("ball_radius", "ball", "m", "radius of the ball", true),
-    input("ball_inertia", "ball", "kg m2", "moment of inertia of the ball about any diameter", true),
-];
+pub const INPUTS: [Input; INPUT_COUNT] = inputs! {
+    "delivery" speed ["m/s"] true, "speed of the clubhead CG";
+    "delivery" attack ["rad"] true, "attack angle: clubhead CG moving up is positive";
+    "delivery" path ["rad"] true, "club path: clubhead CG moving right of target is positive";
+    "delivery" loft ["rad"] true, "dynamic loft: face normal at the face centre above horizontal";
+    "delivery" face ["rad"] true, "face angle: face normal pointing right of target is positive";
+    "delivery" lie ["rad"] true, "lie tilt about the horizontal axis to the target: toe up is positive";
+    "delivery" toe ["m"] true, "impact offset towards the toe, in the plane tangent at the face centre";
+    "delivery" high ["m"] true, "impact offset towards the crown, in the plane tangent at the face centre";
+    "delivery" closure ["rad/s"] true, "closure rate about the world vertical: closing is positive";
+    "delivery" pitch_rate ["rad/s"] true,
+        "rate of loft about the horizontal to the right: increasing is positive";
+    "delivery" lie_rate ["rad/s"] true, "rate of lie about the horizontal to the target: toe up is positive";
+    "club" club_mass ["kg"] true, "mass of the clubhead";
+    "club" cg_x ["m"] true, "CG to face centre, along x (to the target) at static loft";
+    "club" cg_y ["m"] true, "CG to face centre, along y (up) at static loft";
+    "club" cg_z ["m"] true, "CG to face centre, along z (to the toe) at static loft";
+    "club" ixx ["kg m2"] true, "inertia about the CG at static loft, element xx";
+    "club" iyy ["kg m2"] true, "inertia about the CG at static loft, element yy";
+    "club" izz ["kg m2"] true, "inertia about the CG at static loft, element zz";
+    "club" ixy ["kg m2"] true, "inertia about the CG at static loft, element xy";
+    "club" ixz ["kg m2"] true, "inertia about the CG at static loft, element xz";
+    "club" iyz ["kg m2"] true, "inertia about the CG at static loft, element yz";
+    "club" static_loft ["rad"] true, "loft of the club";
+    "club" bulge ["m"] true, "horizontal radius of the face, infinite if flat";
+    "club" roll ["m"] true, "vertical radius of the face, infinite if flat";
+    "club" face_width ["m"] false, "width of the face outline, heel to toe, centred on the face centre";
+    "club" face_height ["m"] false, "height of the face outline, centred on the face centre";
+    "club" hand ["1"] false, "1 for a right-handed club, -1 for its mirror image";
+    "ball" ball_mass ["kg"] true, "mass of the ball";
+    "ball" ball_radius ["m"] true, "radius of the ball";
+    "ball" ball_inertia ["kg m2"] true, "moment of inertia of the ball about any diameter";
+};
 
 /// A club, a ball and how they meet.
 #[derive(Clone, Copy, Debug)]

@@ -93,10 +93,10 @@ def _options(arguments: Sequence[str]) -> dict[str, str]:
     """Return the options of the command that ``arguments`` name, as they are typed, by the names of their values."""
     command: Any = typer.main.get_command(app)
     for word in arguments:
-        if not isinstance(command, TyperGroup) or (found := command.get_command(None, word)) is None:
+        if not isinstance(command, TyperGroup) or (found := command.get_command(typer.Context(command), word)) is None:
             break
         command = found
-    return {each.name: max(each.opts, key=len) for each in command.params if each.opts[0].startswith("-")}
+    return {str(each.name): max(each.opts, key=len) for each in command.params if each.opts[0].startswith("-")}
 
 
 def run(arguments: Sequence[str]) -> int:

@@ -1,8 +1,8 @@
 """Explicit finite elements: a meshed ball against a rigid plane or a clubhead, from first touch to launch.
 
 A :class:`Ball` is made of pieces, each of a :class:`Material`; :func:`ball` reads one by name or from TOML.
-:func:`strike` hits it with a club, :func:`throw` throws it at a rigid plane; both give an :class:`Impact` with forces,
-motion, energies and the figures of Roh and Lee ("Analysis of golf ball spin mechanism at impact by FEM").
+:func:`strike` hits it with a club and :func:`throw` throws it at a rigid plane. Both return an :class:`Impact` with
+forces, motion, energies and the figures of Roh and Lee ("Analysis of golf ball spin mechanism at impact by FEM").
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The finite elements as one more impact model: the same shots in, the same launch out."""
+"""The finite elements as an impact model: shots in, launches out, as for every other model."""
 
 from __future__ import annotations
 

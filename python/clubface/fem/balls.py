@@ -1,4 +1,4 @@
-"""Balls made of pieces: from TOML, from code or built in, checked."""
+"""Balls made of pieces: from TOML, from code or built in, with checks."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ class Piece:
     Attributes
     ----------
     name
-        For tables and messages.
+        Its name in tables and messages.
     material
-        What it is made of.
+        Its material.
     layers
-        Element layers through it; for the core, between the cube inside and its surface.
+        Number of element layers through it; for the core, between the inner cube and the surface of the core.
     thickness
-        [m]; None for the core, which fills what the layers leave.
+        Thickness [m]; None for the core, which fills what the layers leave.
     """
 
     name: str
@@ -57,24 +57,24 @@ class Piece:
 
 @dataclass(frozen=True, kw_only=True)
 class Ball:
-    """A ball for finite elements, SI.
+    """A ball for finite elements, in SI units.
 
     Attributes
     ----------
     name
-        What it is called in tables.
+        Its name in tables.
     diameter
-        [m].
+        Diameter [m].
     pieces
-        From the core outwards.
+        The pieces, from the core outwards.
     mass
-        [kg]: the core takes the density that gives it; None leaves the core its own.
+        Mass [kg]; the core takes the density that gives it. With None the core keeps the density of its material.
     element
-        "one-point" (hourglass control) or "full" (eight points of integration, one pressure).
+        "one-point" (with hourglass control) or "full" (eight integration points, one pressure).
     cube
-        Elements along an edge of the cube inside the core, even; the sphere has 6 cube^2 elements around.
+        Number of elements along an edge of the cube inside the core, even. The sphere has 6 cube^2 elements around it.
     description
-        One sentence, or more where it was fitted to something.
+        One sentence, or more if the ball was fitted to something.
     """
 
     name: str
@@ -190,7 +190,7 @@ class Ball:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Ball:
-        """Read a ball from a TOML file; every error carries file and line."""
+        """Read a ball from a TOML file; every error names file and line."""
         return from_document(Document.read(path))
 
 

@@ -1,4 +1,4 @@
-"""Cases: what meets what and how, in one TOML file, so that a run can be repeated and varied."""
+"""Cases: ball, head, delivery and settings in one TOML file, so that a run can be repeated and varied."""
 
 from __future__ import annotations
 
@@ -33,24 +33,24 @@ PLANE_KEYS = ("speed", "angle")
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """One case.
+    """A case: which ball meets which head, how, and with which settings.
 
     Attributes
     ----------
     name, description
-        What it is called in tables.
+        Name and description for tables.
     ball
         The ball.
     head
-        "plane" (rigid, at rest), "rigid" (the head of ``club``) or "meshed".
+        "plane" (rigid and at rest), "rigid" (the head of ``club``) or "meshed".
     club
-        The club or the meshed head, if there is a head.
+        For a head: a club, or a meshed head.
     delivery
-        That of the head, as of :func:`clubface.impact`; for a plane, ``speed`` and ``angle`` of the ball.
+        Delivery of the head, as for :func:`clubface.impact`; for a plane, ``speed`` and ``angle`` of the ball.
     friction
-        Coefficient of friction.
+        Coefficient of Coulomb friction.
     settings
-        How the run is made.
+        How to run the case.
     """
 
     name: str
@@ -107,7 +107,7 @@ class Case:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Case:
-        """Read a case from a TOML file; balls and clubs it names by path are looked for beside it."""
+        """Read a case from a TOML file; balls and clubs that it names by path are looked for beside it."""
         return from_document(Document.read(path), Path(os.fspath(path)).parent)
 
 

@@ -1,4 +1,4 @@
-"""What the compiled core computes by finite elements, with errors in its words and Ctrl-C at any time."""
+"""Calls of the compiled core of the finite elements, with its errors translated and Ctrl-C at any time."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ Progress = Callable[[float, float], object]
 
 
 def core_call(function: Callable[..., Any], *arguments: Any, progress: Progress | None = None) -> dict[str, Any]:
-    """Run the core beside the main thread, so that Ctrl-C ends the impact there and then, with what it has."""
+    """Call the core in a second thread, so that Ctrl-C ends the impact at once and keeps what it has."""
     stop = threading.Event()
 
     def watch(time: float, whole: float) -> None:
@@ -88,14 +88,14 @@ def core_call(function: Callable[..., Any], *arguments: Any, progress: Progress 
 
 
 def beside(function: Callable[..., Any], *arguments: Any) -> Any:
-    """Call the core beside the main thread, so that Ctrl-C ends the wait, not the making of what it answers."""
+    """Call the core in a second thread; Ctrl-C ends the wait, but the core completes its result."""
     with told(), ThreadPoolExecutor(1) as pool:
         return pool.submit(function, *arguments).result()
 
 
 @contextmanager
 def told() -> Iterator[None]:
-    """Turn what the core says about an input, ``ValueError(name, value, allowed)``, into an :class:`InputError`."""
+    """Turn an error of the core about an input, ``ValueError(name, value, allowed)``, into an :class:`InputError`."""
     try:
         yield
     except ValueError as error:

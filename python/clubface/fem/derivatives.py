@@ -1,4 +1,4 @@
-"""Exact derivatives of a finite element launch, by running the same code on numbers with derivatives."""
+"""Exact derivatives of a finite element launch: the same code runs on numbers with derivatives."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ VARIABLES_A_RUN = 4
 
 
 class Derivatives(NamedTuple):
-    """Launch of one impact and its derivatives.
+    """The launch of one impact and its derivatives.
 
     Attributes
     ----------
     values
-        Launch quantities by name [SI]; contact time and peak force, which have no derivatives, are NaN.
+        Launch quantities by name [SI]. Contact time and peak force have no derivatives and are NaN.
     variables
         Names of the variables.
     jacobian
-        Derivatives [SI], launch quantities by variables.
+        Derivatives [SI], shape (launch quantities, variables).
     """
 
     values: dict[str, float]
@@ -55,12 +55,13 @@ class Derivatives(NamedTuple):
 def variables(
     club: str | os.PathLike[str] | Club | ShellHead, *, which: str | os.PathLike[str] | Ball = "reference"
 ) -> list[str]:
-    """Return what a launch can be differentiated by: delivery, club, friction, constants of the pieces of a ball.
+    """Return the variables of a launch's derivatives: delivery, club, friction, and constants of the ball.
 
-    A piece has its outer "radius" (thicker cover: smaller "core.radius"), its elastic constants as in its file (its
-    Poisson's ratio stays), "poisson", "bulk" (its elastic constants stay), "density", and "maxwell.0.modulus",
-    "maxwell.0.time" and so on. A part of a head of shells has its mean "thickness", as in "head.face.thickness",
-    "youngs", "poisson" and "density"; its mesh stays, and its club is no variable.
+    A piece of the ball has its outer "radius" (a smaller "core.radius" means a thicker cover), the elastic constants of
+    its file (Poisson's ratio stays the same), "poisson" and "bulk" (the elastic constants stay the same), "density",
+    and "maxwell.0.modulus", "maxwell.0.time" and so on. A part of a head of shells has its mean "thickness", as in
+    "head.face.thickness", and "youngs", "poisson" and "density". The mesh of such a head stays as it is, and its club
+    is no variable.
     """
     made, head, rigid = ball(which), *_head_of(club)
     found = core.fem_variables(made.values(), head, inputs_of(one_shot(rigid, {"speed": 1.0}, made)))
@@ -105,11 +106,11 @@ def sensitivity(
     Parameters
     ----------
     club, delivery, **values, which, friction, settings
-        As for :func:`strike`; left out, the settings end the run soon after the last touch.
+        As for :func:`strike`. If left out, the settings end the run soon after the last touch.
     by
-        Names of variables, see :func:`variables`; every four of them take one run.
+        Names of variables, see :func:`variables`. Every four of them take one run.
     progress
-        Called with the runs done, in parts, and the runs in all.
+        Called with the number of runs done, in fractions, and the number of runs.
     """
     from clubface.simulation.inputs import as_values
 

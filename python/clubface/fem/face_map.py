@@ -1,4 +1,4 @@
-"""Restitution and characteristic time over the face of a meshed head, a point a core."""
+"""Restitution and characteristic time over the face of a meshed head, one point on each core."""
 
 from __future__ import annotations
 
@@ -34,34 +34,35 @@ def face_map(
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> list[dict[str, Any]]:
-    """Measure a head at points of its face.
+    """Simulate restitution and characteristic time of a head at points of its face.
 
     Parameters
     ----------
     which
-        The head, as of :func:`clubface.fem.head`.
+        The head, as for :func:`clubface.fem.head`.
     toes, highs
-        Offsets from the face centre [m].
+        Distances of the points from the face centre [m], towards the toe and upwards.
     with_ball
-        The ball of the test of restitution.
+        The ball for the restitution.
     output
-        A CSV file: each point is added as it ends, and points found there are not measured again.
+        A CSV file. Each point is added as soon as it is finished, and points found in the file are not computed again.
     workers
-        Points at a time, each on one core, the last ones on those that are left; left out, as many as there are cores.
+        Number of points at a time, each on one core; the last points share the cores that are left. If left out: one
+        for each core.
     progress
-        Called with the points done and the points in all.
+        Called with the number of points done and the number of points.
 
     Returns
     -------
     list
-        One mapping of ``COLUMNS`` a point, each point once, in the order of ``highs``, then ``toes``: what
-        :func:`clubface.fem.head_tests.restitution` and :func:`clubface.fem.head_tests.characteristic_time` find there.
-        Where a run failed both are NaN, and ``stopped`` tells why.
+        One mapping of ``COLUMNS`` for each point, in the order of ``highs``, then ``toes``: the results of
+        :func:`clubface.fem.head_tests.restitution` and :func:`clubface.fem.head_tests.characteristic_time`. If a run
+        failed, both are NaN, and ``stopped`` says why.
 
     Raises
     ------
     ShotError
-        A point outside the face.
+        A point lies outside the face.
     """
     workers_of(workers)
     made, struck = head(which), ball(with_ball)

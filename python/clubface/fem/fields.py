@@ -14,23 +14,23 @@ COMPONENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
 
 @dataclass(frozen=True)
 class ElementFields:
-    """What the elements of a body feel.
+    """Stress and strain in the elements of a body.
 
     Attributes
     ----------
     stress
-        Cauchy stress [Pa], frames by elements by :data:`COMPONENTS`; of shells frames by elements by side (outer,
-        inner) by components. In the axes of the frames.
+        Cauchy stress [Pa], shape (frames, elements, components) with :data:`COMPONENTS`; for shells (frames, elements,
+        sides, components), the outer side first. In the axes of the frames.
     strain
-        Logarithmic strain in the same shape (shear not doubled); of shells the elastic part alone.
+        Logarithmic strain in the same shape (shear is not doubled); for shells only the elastic part.
     plastic_strain
-        Equivalent plastic strain, frames by elements; of shells the largest through the thickness.
+        Equivalent plastic strain, shape (frames, elements); for shells the largest one through the thickness.
 
     Notes
     -----
-    One-point hexahedra tell the values at their centre, fully integrated ones the average of their points. Shells tell
-    those of their surfaces, or of the outermost points if they have points through the thickness, without
-    transverse shear. Numbers have single precision.
+    One-point hexahedra give the values at their centre, and fully integrated ones the average of their points. Shells
+    give the values of their surfaces, or of the outermost points if they have points through the thickness, without
+    transverse shear. The numbers have single precision.
     """
 
     stress: NDArray[Any]
@@ -48,12 +48,12 @@ class ElementFields:
 
     @property
     def pressure(self) -> NDArray[Any]:
-        """Minus the mean stress [Pa], positive where it compresses."""
+        """Minus the mean stress [Pa]; positive in compression."""
         return -self.stress[..., :3].mean(axis=-1)
 
     @property
     def von_mises(self) -> NDArray[Any]:
-        """Von Mises' equivalent stress [Pa]."""
+        """Equivalent stress of von Mises [Pa]."""
         import numpy as np
 
         xx, yy, zz, xy, xz, yz = np.moveaxis(self.stress, -1, 0)

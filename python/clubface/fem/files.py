@@ -1,4 +1,4 @@
-"""What runs leave on disk: figures as JSON, histories as CSV, pictures."""
+"""Files of a run: figures as JSON, histories as CSV, and pictures."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from clubface.support.folders import prepared_folder
 
 
 def document(found: Impact) -> dict[str, Any]:
-    """Return figures and launch in the order of the table, and what they are of; SI."""
+    """Return figures and launch in the order of the table, and the inputs to which they belong, in SI units."""
     figures = {name: getattr(found, name) for name in FIGURES}
     rebound = {} if found.launch else {"normal_velocity": found.normal_velocity, "backspin": found.backspin}
     ran = {"elements": found.elements, "stopped": found.stopped or "", "provenance": found.provenance}
@@ -23,14 +23,14 @@ def document(found: Impact) -> dict[str, Any]:
 
 
 def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool = False) -> list[Path]:
-    """Write figures, histories and pictures of one impact, also of one that stopped early.
+    """Write figures, histories and pictures of one impact, even of one that stopped early.
 
     Parameters
     ----------
     found
         The run.
     folder
-        Made where it does not exist.
+        Made if it does not exist.
     animation
         Whether to write the moving section, which needs frames.
 
@@ -60,7 +60,7 @@ def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool 
 
 
 def write_paper(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
-    """Write a run, and Roh and Lee's Figs. 3 to 7 redrawn."""
+    """Write a run, and figures 3 to 7 of Roh and Lee drawn from it."""
     from clubface import plots
     from clubface.fem.figures import impact as pictures
 
@@ -73,7 +73,7 @@ def write_paper(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
 def write_sweep(
     rows: Sequence[Mapping[str, Any]], folder: str | os.PathLike[str], *, published: bool = False
 ) -> list[Path]:
-    """Draw a sweep (Roh and Lee, Fig. 8), if wanted with Roh and Lee's numbers."""
+    """Draw a sweep as figure 8 of Roh and Lee, with or without their numbers."""
     from clubface import plots
     from clubface.fem.figures import impact as pictures
 

@@ -1,4 +1,4 @@
-"""What testers measure on a head: coefficient of restitution and characteristic time."""
+"""The tests of a head: coefficient of restitution and characteristic time."""
 
 from __future__ import annotations
 
@@ -42,31 +42,31 @@ def restitution(
     Parameters
     ----------
     head
-        A head of shells; a rigid club shows what the ball alone loses.
+        A head of shells. A rigid club shows what the ball alone loses.
     which
         The ball.
     speed
-        Speed of approach [m/s], at the level of the face centre.
+        Speed of approach [m/s]; the face normal at the face centre is level.
     toe, high
-        Where the ball is struck [m]; unless either is given, in front of the CG, as the rules had it.
+        Where the ball is struck [m]. If neither is given: in front of the CG, as the rules had it.
     friction
-        Coefficient of friction.
+        Coefficient of Coulomb friction.
     threads
-        How many threads compute; 0 for all cores.
+        Number of threads; 0 for all cores.
     progress
         Called with simulated time and duration [s].
 
     Returns
     -------
     float
-        How fast ball and head part along the normal of first touch, over how fast they met; of the head, as a rigid
-        body, where it was touched. Struck in front of its CG it is e = v (M + m) / (M V) - 1, for a ball that leaves
-        with v and a head of mass M that comes with V.
+        The speed at which ball and head part along the normal of first touch, divided by the speed at which they met.
+        The speed of the head is that of a rigid body where it was touched. For a blow in front of the CG this is e = v
+        (M + m) / (M V) - 1, for a ball of mass m that leaves with v and a head of mass M that arrives with V.
 
     Raises
     ------
     RunError
-        A run that failed.
+        The run failed.
     """
     import numpy as np
 
@@ -103,30 +103,30 @@ def characteristic_time(
     threads: int = 0,
     progress: Progress | None = None,
 ) -> float:
-    """Return the characteristic time of a head [s]: how long a small steel sphere takes to be thrown back by the face.
+    """Return the characteristic time of a head [s]: how long the face takes to throw back a small steel sphere.
 
-    The time is that between 5% and 95% of the change of the sphere's speed. The rules allow 239 us with a tolerance of
-    18 us, measured with a pendulum of their own on a club that is held by its shaft, and extrapolated to where local
-    indentation takes no time; this is a sphere of 227 g on a free head, so it compares designs and is no test of
+    It is the time between 5% and 95% of the change of the sphere's speed. The rules allow 239 us with a tolerance of 18
+    us. They measure it with a special pendulum on a club that is held by its shaft, and extrapolate it to where local
+    indentation takes no time. Here a sphere of 227 g strikes a free head. The result compares designs and is no test of
     conformity.
 
     Parameters
     ----------
     head
-        The head, as of :func:`clubface.fem.head`.
+        The head, as for :func:`clubface.fem.head`.
     speed
         Speed of the sphere [m/s].
     toe, high
         Where it strikes [m].
     threads
-        How many threads compute; 0 for all cores.
+        Number of threads; 0 for all cores.
     progress
         Called with simulated time and duration [s].
 
     Raises
     ------
     RunError
-        A run that failed.
+        The run failed.
     """
     approach = units.parse(speed, "speed", name="speed")
     found = strike(
@@ -153,7 +153,7 @@ def _check_complete(found: Impact) -> None:
 
 
 def striker() -> Ball:
-    """Return the steel sphere, so fine that the time on a driver is within 1% of that of one twice as fine."""
+    """Return the steel sphere; a mesh twice as fine would change the time on a driver by less than 1%."""
     steel = Material.linear(200e9, 0.3, density=7850.0)
     return Ball(
         name="steel sphere", diameter=STRIKER_DIAMETER, pieces=(Piece(name="steel", material=steel, layers=4),), cube=8

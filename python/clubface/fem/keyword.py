@@ -1,4 +1,4 @@
-"""A case as a keyword deck in LS-DYNA's format, which OpenRadioss reads too, so that other solvers can check ours."""
+"""A case as a keyword deck in the format of LS-DYNA, which OpenRadioss reads too, to compare with other programs."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ HEADER = (
 
 
 def write(case: Case, path: str | os.PathLike[str]) -> Path:
-    """Write the deck of a case.
+    """Write the keyword deck of a case.
 
     Parameters
     ----------
     case
         Any case; its ball is meshed as clubface meshes it.
     path
-        The file, ``.k`` by custom.
+        The file, by custom with the ending ``.k``.
 
     Returns
     -------
@@ -57,7 +57,7 @@ def write(case: Case, path: str | os.PathLike[str]) -> Path:
     Raises
     ------
     InputError
-        A case that cannot be run, such as a head that moves away from the ball.
+        The case cannot be run, for example because the head moves away from the ball.
     """
     deck = Cards()
     deck.lines.append("*KEYWORD")

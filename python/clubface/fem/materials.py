@@ -1,4 +1,4 @@
-"""What the pieces of a ball are made of: an elastic law, how much it resists a change of volume, and how it creeps."""
+"""Materials of the pieces of a ball: an elastic law, the resistance to a change of volume, and viscoelasticity."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ class Law(NamedTuple):
     Attributes
     ----------
     name
-        As in files.
+        Its name in files.
     constants
-        The names of its constants, each with its dimension as of :mod:`clubface.units`.
+        The names of its constants, each with its dimension as in :mod:`clubface.units`.
     needed
-        How many of them must be given, from the first; the others come in groups of as many.
+        How many constants must be given, counted from the first; the others come in groups of the same number.
     summary
-        One line.
+        One line about it.
     """
 
     name: str
@@ -34,7 +34,7 @@ class Law(NamedTuple):
     summary: str
 
     def given(self, constants: Mapping[str, Any]) -> dict[str, float]:
-        """Return constants in the order of the core, SI, checked; text may carry units."""
+        """Return the constants [SI] in the order of the core, with checks; they may be text with units."""
         for name in constants:
             if name not in self.constants:
                 raise UnknownNameError(f"constant of {self.name}", name, self.constants)
@@ -61,12 +61,12 @@ def laws() -> Mapping[str, Law]:
 
 @dataclass(frozen=True)
 class Maxwell:
-    """One viscoelastic branch over the elastic law.
+    """One viscoelastic branch beside the elastic law.
 
     Attributes
     ----------
     modulus
-        Its shear modulus over that of the elastic law.
+        Its shear modulus divided by that of the elastic law.
     time
         The time in which its stress falls to 1/e [s], or text with a unit.
     """
@@ -91,18 +91,18 @@ _POISSON = "-0.9 to 0.4999; a material of 0.5 cannot change its volume, which ex
 
 @dataclass(frozen=True, kw_only=True)
 class Material:
-    """A material of finite strain.
+    """A material for finite strain.
 
     Attributes
     ----------
     law
-        The name of an elastic law, see :func:`laws`; "linear" is also given by ``youngs``.
+        The name of an elastic law, see :func:`laws`. "linear" may also be given by ``youngs``.
     constants
-        Its constants by name [Pa; exponents are plain numbers].
+        The constants of the law by name [Pa; exponents are plain numbers].
     poisson
-        Poisson's ratio at small strain, below 0.5: sets the bulk modulus.
+        Poisson's ratio at small strain, below 0.5; it sets the bulk modulus.
     density
-        [kg/m3]; None for a core that takes what the mass of the ball leaves.
+        Density [kg/m3]; None for a core that takes what the mass of the ball leaves.
     maxwell
         Viscoelastic branches.
     """
@@ -166,7 +166,7 @@ class Material:
 
     @classmethod
     def linear(cls, youngs: Any, poisson: Any, density: Any = None, maxwell: Sequence[Maxwell] = ()) -> Material:
-        """Return a material linear in logarithmic strain, from Young's modulus and Poisson's ratio."""
+        """Return a material that is linear in logarithmic strain, from Young's modulus and Poisson's ratio."""
         modulus = units.parse(youngs, "pressure", name="youngs")
         ratio = units.parse(poisson, units.DIMENSIONLESS, name="poisson")
         if not modulus > 0.0:

@@ -1,4 +1,4 @@
-"""The case of Roh and Lee, "Analysis of golf ball spin mechanism at impact by FEM": their figures beside ours."""
+"""The case of Roh and Lee, "Analysis of golf ball spin mechanism at impact by FEM", and its table of figures."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ SPEED, LOFT, RADIUS = (
 
 
 def paper(which: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> Impact:
-    """Run Roh and Lee's case, or a variation of it."""
+    """Run the case of Roh and Lee, or a variation of it."""
     chosen = case(which)
     if chosen.head == PLANE:
         raise InputError("case", chosen.name, "a case with a head; for a throw at a plane use clubface fem run")
@@ -35,7 +35,7 @@ def paper(which: str | os.PathLike[str] | Case = "paper", progress: Progress | N
 
 
 def table(found: Impact) -> dict[str, float]:
-    """Return Roh and Lee's figures as computed, under the keys of ``PUBLISHED``."""
+    """Return the computed values of Roh and Lee's figures, under the keys of ``PUBLISHED``."""
     launch = found.launch
     return {
         "ball_speed_mps": launch["ball_speed"],
@@ -62,9 +62,10 @@ SPIN_FACTOR = _rolling_factor(units.to_si(PUBLISHED["spin_rpm"], "rpm"), RADIUS,
 
 
 def spin_factor(found: Impact) -> float:
-    """Return the compression factor that the backspin means by Eq. (6) of Roh and Lee: the ball rolls off the face.
+    """Return the compression factor that follows from the backspin by equation 6 of Roh and Lee.
 
-    They derive their f from the forces instead, Eqs. (9) and (11). NaN for a blow without velocity along the face.
+    In that equation the ball rolls off the face. Roh and Lee derive their f from the forces instead, by equations 9 and
+    11. NaN for a blow without velocity along the face.
     """
     approach = sum(found.relative_velocity()[:1, 1])
     if not approach > 0.0:
@@ -73,7 +74,7 @@ def spin_factor(found: Impact) -> float:
 
 
 def document(found: Impact) -> dict[str, Any]:
-    """Return everything ``clubface fem paper --json`` prints."""
+    """Return the document that ``clubface fem paper --json`` prints."""
     return {
         **table(found),
         "energy_error": found.energy_error,

@@ -1,4 +1,4 @@
-"""A finite element impact in the terms of the reduced models: stiffness, damping, and how far forces agree then."""
+"""A finite element impact in terms of the simple models: equivalent stiffness and damping, and forces."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ ACCURACY = 1e-6
 
 
 class Equivalent(NamedTuple):
-    """A reduced model with the stiffness and damping of a finite element impact.
+    """A simple model with the stiffness and damping of a finite element impact.
 
     Attributes
     ----------
     model
-        Its name.
+        Name of the model.
     parameters
         The two parameters found; the others are the published ones.
     time
-        Times at which forces are compared [s].
+        Times at which the forces are compared [s].
     force, reference
-        Normal force of the reduced model and of the finite elements, the mean over a tenth of the contact [N].
+        Normal force of the simple model and of the finite elements [N], averaged over a tenth of the contact.
     error
-        Root mean square of their difference over the contact, over the peak.
+        Root mean square of their difference over the contact, divided by the peak.
     contact_time, reference_contact_time
-        [s].
+        Contact times of both [s].
     """
 
     model: str
@@ -49,9 +49,9 @@ class Equivalent(NamedTuple):
 
 
 def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
-    """Return a reduced model that gives the ball speed and the peak force of a finite element impact.
+    """Return a simple model that has the ball speed and the peak force of a finite element impact.
 
-    Two figures fix stiffness and damping; the course of the force and its duration are then predictions.
+    These two figures determine stiffness and damping. The course of the force and its duration are then predictions.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
     Raises
     ------
     InputError
-        An impact with a plane, or one that ended early; a model without such parameters.
+        The impact was with a plane or ended early, or the model has no such parameters.
     """
     import numpy as np
 

@@ -28,14 +28,14 @@ def reference(
     settings: Settings | None = None,
     progress: Progress | None = None,
 ) -> Impact:
-    """Throw Roh and Lee's ball at a rigid plane, 35 m/s at 11.5 deg from the normal, for 1000 us.
+    """Throw the ball of Roh and Lee at a rigid plane, at 35 m/s and 11.5 deg from the normal, for 1000 us.
 
     Parameters
     ----------
     which
         The ball: a name, a TOML file or a :class:`Ball`.
     friction
-        Coulomb's coefficient.
+        Coefficient of Coulomb friction.
     refine
         How many times finer the mesh is along every edge.
     element

@@ -1,4 +1,4 @@
-"""What an impact of finite elements gives: figures, histories, energies."""
+"""Result of a finite element impact: figures, histories and energies."""
 
 from __future__ import annotations
 
@@ -37,60 +37,62 @@ FIGURES = (
 
 
 class Impact:
-    """One impact, SI.
+    """One impact, in SI units.
 
     Attributes
     ----------
     peak_force, peak_force_time
-        Largest normal force [N], and when [s].
+        Largest normal force [N], and its time [s].
     contact_time
-        Time of the last touch [s]; NaN, as are ``f_prime`` and ``f``, where the records end with the ball on the face.
-        The other figures are then those so far.
+        Time of the last touch [s]. It is NaN if the records end with the ball on the face, and so are ``f_prime`` and
+        ``f``. The other figures are then those up to the end of the records.
     tangential_max, tangential_min, reversal_time
-        Extremes of the force along the face [N], positive where it makes backspin, and when it turns negative [s].
+        Largest and smallest force along the face [N], positive where it makes backspin, and the time at which it turns
+        negative [s].
     spin_max
-        Largest backspin on the way [rad/s].
+        Largest backspin during the impact [rad/s].
     contraction, contraction_time
-        Greatest loss of the distance from mass centre to face over the radius, and when [s].
+        Greatest loss of the distance from mass centre to face, divided by the radius, and its time [s].
     f_prime, f
-        Roh and Lee's compression factors, Eqs. (9) and (11).
+        Compression factors of Roh and Lee, equations 9 and 11.
     energy_error
-        Largest error of the energy balance over the initial kinetic energy, in the records of ``energy``. A run that
-        stops because energies are off keeps the records before, so that ``stopped`` tells a larger error.
+        Largest error of the energy balance in the records of ``energy``, divided by the initial kinetic energy. A run
+        that stops because of its energy balance keeps the records before that; ``stopped`` then gives the larger error.
     steps, step, wall
-        Steps taken, their length [s], time of the loop [s].
+        Number of steps, their length [s], and the time of the computation [s].
     stopped
-        Why there is no launch: a run that failed or was ``interrupted``, or is ``unfinished``, its ball still on the
-        face at its end; or None.
+        Why there is no launch: the run failed, was ``interrupted``, or is ``unfinished`` with the ball still on the
+        face. None if there is a launch.
     over_edge
         Whether the ball reached round the edge of a meshed face, where contact ends: crown and sole are not touched.
     contact
         Arrays over the steps: time, normal, tangential, toe [N], area [m2].
     motion
-        Arrays over the records: time, velocity and spin along the normal, up the face and to the toe, radius (from mass
-        centre to face) [m].
+        Arrays over the records: time, velocity and spin along the normal, up the face and towards the toe, and radius
+        (from mass centre to face) [m].
     energy
         Arrays over fewer records [J]: kinetic, strain, hourglass, viscous, plastic, contact, friction, damping.
     patch
         Arrays over the nodes of the ball in contact at the records: time, up and toe (from the mass centre, along the
-        face of first touch [m]), normal and tangential force [N], area (their share of the undeformed surface [m2]).
+        face of first touch [m]), normal and tangential force [N], and area (the part of the undeformed surface that
+        belongs to the node [m2]).
     frame_times, frames
-        Times [s] and positions [m] of the ball's nodes in the deformed shapes that were asked for, in face axes of
-        first touch (those of the plane) with the origin at the clubhead's CG then (where the ball first touches the
-        plane).
+        Times [s] and node positions [m] of the deformed shapes of the ball that were asked for. They are in face axes
+        of first touch (those of the plane), with the origin at the clubhead's CG at that time (where the ball first
+        touches the plane).
     head_frames
         The same for the nodes of a meshed head.
     fields, head_fields
-        Stress and strain in the elements of the ball, and of a meshed head, at ``frame_times`` in the axes of
+        Stress and strain in the elements of the ball and of a meshed head, at ``frame_times``, in the axes of
         ``frames`` (:class:`ElementFields`); None unless the settings asked for them.
     axes
-        Normal, up the face and to the toe at the point of first touch, a row each, in face axes.
+        Directions at the point of first touch, one in each row, in face axes: normal, up the face, towards the toe.
     attitude
-        Rotation from face axes to the world's.
+        Rotation from face axes to world axes.
     frame_velocity
-        Velocity of the clubhead at first touch along ``axes`` [m/s], to which ``motion`` is relative.
+        Velocity of the clubhead at first touch along ``axes`` [m/s]; ``motion`` is relative to it.
     ball, friction, settings, given, head
-        What went in; ``head`` is None unless it is meshed.
+        The inputs; ``head`` is None unless it is meshed.
     """
 
     peak_force: float
@@ -153,19 +155,20 @@ class Impact:
 
     @property
     def equipment(self) -> tuple[Club, RigidBall] | None:
-        """The club and the ball as reduced models see them; None for a plane."""
+        """The club and the ball as the simple models see them; None for a plane."""
         return None if self._shots is None else (self._shots.club, self._shots.ball)
 
     @property
     def last_touch(self) -> float:
-        """Time of the last touch in the records [s], also where the ball has not left yet; 0 without any."""
+        """Time of the last touch in the records [s], even if the ball has not left yet; 0 if there is no touch."""
         return float(self.contact["time"][self.contact["normal"] > 0.0][-1:].sum())
 
     @property
     def provenance(self) -> dict[str, Any]:
-        """The ball with its materials and as meshed, what it met, the delivery, the settings and the version; SI.
+        """The inputs in SI units: ball with its materials and mesh, head or plane, delivery, settings, and the version.
 
-        A density of 0 is that of a core which gives the ball its mass: its "core_density".
+        A density of 0 belongs to a core whose density follows from the mass of the ball; "core_density" is that
+        density.
         """
         met: dict[str, Any] = {"name": "plane"} if self._shots is None else {"name": self._shots.club.name}
         if self.head is not None:
@@ -210,7 +213,7 @@ class Impact:
 
     @property
     def launch(self) -> dict[str, float]:
-        """Launch quantities in world axes [SI], as of the reduced models; empty for a ball thrown at a plane."""
+        """Launch quantities in world axes [SI], as those of the other models; empty for a ball thrown at a plane."""
         if self._launch is None:
             return {}
         from clubface.simulation.quantities import outputs
@@ -218,10 +221,11 @@ class Impact:
         return dict(zip(outputs(), map(float, self._launch), strict=True))
 
     def relative_velocity(self) -> NDArray[Any]:
-        """Return the velocity of the ball relative to the CG of the clubhead, or to the plane, over the records [m/s].
+        """Return the velocity of the ball relative to the CG of the head, or to the plane [m/s], shape (records, 3).
 
-        Records by three: along the normal, up the face (the tangential velocity of Roh and Lee) and to the toe of first
-        touch. The clubhead's follows from the ball's, as their momentum stays.
+        The components are along the normal of first touch, up the face (the tangential velocity of Roh and Lee) and
+        towards the toe. The velocity of the clubhead follows from that of the ball, because their momentum is
+        conserved.
         """
         velocity = self.motion["velocity"]
         if self.equipment is None:
@@ -230,15 +234,15 @@ class Impact:
         return velocity + ball.mass / club.mass * (velocity - velocity[:1])
 
     def world_velocity(self) -> NDArray[Any]:
-        """Return the velocity of the ball over the records in world axes [m/s], records by three."""
+        """Return the velocity of the ball in world axes [m/s], shape (records, 3)."""
         along = self.motion["velocity"] + self.frame_velocity
         return along @ self.axes @ self.attitude.T
 
     def world_positions(self, shapes: NDArray[Any] | None = None) -> NDArray[Any]:
-        """Return the nodes of deformed shapes, left out those of the ball, in world axes [m], shapes by nodes by three.
+        """Return the nodes of deformed shapes, by default of the ball, in world axes [m], shape (shapes, nodes, 3).
 
-        The origin is the clubhead's CG of first touch, or the point of a plane where the ball first touches it. For a
-        left-handed club it is the mirror image of what it plays.
+        The origin is the clubhead's CG at first touch, or the point of a plane where the ball first touches it. For a
+        left-handed club the result is the mirror image of the impact.
         """
         return (self.frames if shapes is None else shapes) @ self.attitude.T
 

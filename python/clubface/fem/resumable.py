@@ -1,4 +1,4 @@
-"""Tables that grow row by row while something is computed, so that nothing done is lost and it can go on."""
+"""Tables that grow row by row during a computation, so that an interruption loses nothing."""
 
 from __future__ import annotations
 

@@ -29,9 +29,9 @@ if TYPE_CHECKING:
 def simulate(
     function: Callable[..., Any], *arguments: Any, how: Settings, progress: Progress | None = None
 ) -> tuple[dict[str, Any], Settings]:
-    """Run the core, again with shorter steps as long as elements fail and the settings leave the step open.
+    """Run the core; if elements fail and the settings leave the step open, run it again with shorter steps.
 
-    Returns what was found, and the settings it was found with.
+    Returns the result, and the settings with which it was found.
     """
     found: dict[str, Any] = {}
     for safety in how.safeties():
@@ -57,13 +57,13 @@ def throw(
     which
         A built-in ball of finite elements, the path of a TOML file, or a :class:`Ball`.
     speed
-        [m/s], or text with a unit.
+        Speed [m/s], or text with a unit.
     angle
-        Between the velocity and the plane's normal [rad].
+        Angle between the velocity and the normal of the plane [rad], or text with a unit.
     friction
-        Coulomb's coefficient.
+        Coefficient of Coulomb friction.
     settings
-        How to run.
+        How to run the impact.
     progress
         Called with simulated time and duration [s].
     """
@@ -94,14 +94,14 @@ def strike(
     progress: Progress | None = None,
     **values: Any,
 ) -> Impact:
-    """Hit a ball with a head: that of a club, rigid, or a meshed one.
+    """Hit a ball with a head: the rigid head of a club, or a meshed head.
 
     Parameters
     ----------
     club
-        A club as of :func:`clubface.impact`, or a meshed head (:func:`clubface.fem.head`).
+        A club as for :func:`clubface.impact`, or a meshed head (:func:`clubface.fem.head`).
     delivery, **values
-        As for :func:`clubface.impact`, for one shot.
+        The delivery, as for :func:`clubface.impact`, for one shot.
     which, friction, settings, progress
         As for :func:`throw`.
     """
@@ -147,7 +147,7 @@ def inputs_of(hit: Shots) -> list[float]:
 
 
 def rigid_ball(made: Ball) -> RigidBall:
-    """Return the ball as the reduced models see it: mass, radius and inertia of the mesh."""
+    """Return the ball as the simple models see it: mass, radius and inertia of the mesh."""
     found = made.properties()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuleWarning)

@@ -1,4 +1,4 @@
-"""How to run the finite elements: time, steps, contact, what to keep."""
+"""Settings of the finite elements: time, steps, contact, and what to keep."""
 
 from __future__ import annotations
 
@@ -18,33 +18,33 @@ SAFETIES = (None, 0.65, 0.55)
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """How to run.
+    """How to run a finite element impact.
 
     Attributes
     ----------
     duration
         Simulated time [s].
     safety
-        Time step over the stable step of the undeformed bodies. Left out, it is 0.75 of the ball's (0.9 where no piece
-        of the ball can rest in every second step), and at most 0.95 of the head's; hard impacts squeeze elements, which
-        then need shorter steps, so that a run whose elements fail is done again with 0.65, and then with 0.55. Those of
-        a result tell what it was.
+        Time step divided by the stable step of the undeformed bodies. If left out, it is 0.75 of the ball's stable step
+        (0.9 if no piece of the ball can be subcycled) and at most 0.95 of the head's. Hard impacts squeeze elements,
+        which then need shorter steps; a run whose elements fail is therefore repeated with 0.65, and then with 0.55.
+        The settings of a result hold the value that was used.
     interval
         Time between the records of motion [s]; contact is recorded at every step.
     until_separation
-        Whether to end soon after the last touch, be it before or after ``duration`` (0.1 s at most).
+        Whether to end soon after the last touch, whether that is before or after ``duration`` (0.1 s at most).
     contact
-        How nodes are kept out of the face: "penalty", springs that give way by what they carry, or
-        "augmented-lagrange", springs with multipliers that take the load over from them.
+        How nodes are kept out of the face: "penalty" uses springs, which give way in proportion to their load;
+        "augmented-lagrange" adds multipliers that take over the load from the springs.
     bulk_viscosity
-        Pressure against fast changes of volume in solid elements, over density, speed of waves, size of the element and
-        rate of the volume: 0.06 is usual in other codes; 0 for none.
+        Coefficient of a pressure against fast changes of volume in solid elements: this pressure divided by density,
+        wave speed, element size and rate of the volume. 0.06 is usual in other programs; 0 for none.
     frames
         Number of deformed shapes to keep, evenly over ``duration``.
     fields
         Whether to keep stress and strain of every element with the deformed shapes.
     threads
-        0 for all cores; the result does not depend on it.
+        Number of threads, 0 for all cores. The result does not depend on it.
     """
 
     duration: float = 1e-3
@@ -79,11 +79,11 @@ class Settings:
                 raise InputError(name, getattr(self, name), "true or false")
 
     def values(self) -> dict[str, Any]:
-        """Return what the core takes."""
+        """Return the settings as the core takes them."""
         return {name: getattr(self, name) for name in self.__dataclass_fields__}
 
     def safeties(self) -> tuple[float | None, ...]:
-        """Return the safety, or those to be tried in turn where none is asked for."""
+        """Return the safety, or the values to try in turn if none is given."""
         return SAFETIES if self.safety is None else (self.safety,)
 
 

@@ -1,4 +1,4 @@
-"""Runs side by side, one a core, that Ctrl-C ends."""
+"""Several runs at a time, one on each core, which Ctrl-C ends."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ def workers_of(asked: int | None) -> int:
 def side_by_side(
     points: Iterable[P], run: Callable[[P, Progress, int], R], ended: Callable[[P, R], object], *, workers: int | None
 ) -> None:
-    """Run something at each of some points.
+    """Run a function at each of some points, several at a time.
 
     Parameters
     ----------
     points
         The points.
     run
-        Called in other threads with a point, what its run is to call as it proceeds, and how many threads it may use:
-        one, but those that are left for the last points, if these are too few for all workers.
+        Called in other threads with a point, a function to call as its run proceeds, and the number of threads it may
+        use. That is one, except for the last points if there are fewer of them than workers.
     ended
-        Called in this thread with every point whose run has ended, and what came out.
+        Called in this thread with every point whose run has ended, and its result.
     workers
-        Runs at a time; left out, as many as there are cores.
+        Number of runs at a time; if left out, one for each core.
     """
     count, open_ = workers_of(workers), list(points)
     last = len(open_) % count

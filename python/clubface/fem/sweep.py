@@ -1,4 +1,4 @@
-"""Sweeps: one case over a grid of speeds and lofts, a run a core, resumable."""
+"""Sweeps: one case over a grid of speeds and lofts, one run on each core, resumable."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ MOST = 10_000
 
 
 def grid(text: str, dimension: str, name: str) -> list[float]:
-    """Return the values [SI] of "first:last:step", or of values with commas, in m/s, degrees or mm."""
+    """Return the values [SI] of "first:last:step", or of values separated by commas, in m/s, degrees or mm."""
     unit = {"speed": "m/s", "angle": "deg", "length": "mm"}[dimension]
     try:
         if ":" in text:
@@ -59,18 +59,19 @@ def sweep(
     which
         A :class:`Case`, the name of a built-in one, or the path of a TOML file.
     speeds, lofts
-        [m/s], [rad].
+        Clubhead speeds [m/s] and lofts [rad].
     output
-        A CSV file: each run is added as it ends, and runs found there are not repeated.
+        A CSV file. Each run is added as soon as it is finished, and runs found in the file are not repeated.
     workers
-        Runs at a time, each on one core, the last ones on those that are left; left out, as many as there are cores.
+        Number of runs at a time, each on one core; the last runs share the cores that are left. If left out: one for
+        each core.
     progress
-        Called with the runs done and the runs in all.
+        Called with the number of runs done and the number of runs.
 
     Returns
     -------
     list
-        One mapping of ``COLUMNS`` a run, in the order of speeds, then lofts.
+        One mapping of ``COLUMNS`` for each run, in the order of speeds, then lofts.
     """
     base = case(which)
     workers_of(workers)

@@ -19,21 +19,22 @@ PARAVIEW = [0, 1, 2, 3, 5, 4]
 def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> list[Path]:
     """Write every kept shape as a VTU file, and a collection of them with their times.
 
-    Axes are the world's (x to the target, y up, z to the right), with the origin at the clubhead's CG of first touch;
-    for a ball thrown at a plane x is the plane's normal. Lengths are in m, times in s. Points carry ``displacement``
-    from the shape at first touch, cells ``piece``: 0 for the core and on, then the parts of a meshed head, those
-    of shells as quadrilaterals with their ``thickness`` [m] (0 for hexahedra). A run with fields adds to the cells
-    ``stress`` [Pa] and ``strain`` (components xx, yy, zz, xy, yz, xz), ``pressure``, ``von_mises`` [Pa] and
-    ``plastic_strain``, those of shells on the outer side; ``von_mises_inner`` is that of the inner side.
+    The axes are those of the world (x towards the target, y up, z to the right), with the origin at the clubhead's CG
+    at first touch; for a ball thrown at a plane, x is the normal of the plane. Lengths are in m and times in s. Points
+    carry ``displacement`` from the shape at first touch. Cells carry ``piece``: 0 for the core, then the other pieces
+    of the ball, then the parts of a meshed head; shells are quadrilaterals with their ``thickness`` [m] (0 for
+    hexahedra). With fields, cells also carry ``stress`` [Pa] and ``strain`` (components xx, yy, zz, xy, yz, xz),
+    ``pressure``, ``von_mises`` [Pa] and ``plastic_strain``. Those of shells belong to the outer side;
+    ``von_mises_inner`` belongs to the inner side.
 
     Parameters
     ----------
     found
         A run with frames.
     folder
-        Must exist.
+        An existing folder.
     name
-        Of the files: ``<name>-0000.vtu`` and on, ``<name>.pvd``.
+        Start of the file names: ``<name>-0000.vtu`` and so on, and ``<name>.pvd``.
 
     Returns
     -------
@@ -43,7 +44,7 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
     Raises
     ------
     InputError
-        A run that kept no shapes.
+        The run kept no shapes.
     """
     import meshio
     import numpy as np

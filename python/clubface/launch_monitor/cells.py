@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from clubface.errors import UnitError
 from clubface.tables.cells import NUMBER, is_missing, number, without_thousands
-from clubface.units import unit
+from clubface.tables.spelling import bracketed, plain, unit_symbol
 
 NOT_MEASURED = 1e30
 """A number beyond this stands for no measurement: some programs write the largest number they can."""
@@ -48,15 +46,6 @@ SIDES: Mapping[str, Mapping[str, Side]] = {
 MIRRORED = tuple(name for name, words in SIDES.items() if words is _ACROSS)
 """Quantities across the target line: told in terms of the club, a left-hander's change their sign."""
 
-_UNITS = {
-    "yards": "yd", "yds": "yd", "yd": "yd", "feet": "ft", "inches": "in", "inch": "in", "meters": "m", "metres": "m",
-    "meter": "m", "metre": "m", "deg/sec": "deg/s", "degrees/s": "deg/s", "dps": "deg/s", "°/sec": "deg/s",
-    "degs": "deg", "grad": "deg", "graden": "deg", "grados": "deg", "km/u": "km/h", "km/hr": "km/h", "kmph": "km/h",
-    "u/min": "rpm", "1/min": "rpm", "tpm": "rpm", "omw/min": "rpm", "sek": "s", "sec.": "s",
-}  # fmt: skip
-"""Further spellings of units in the files of launch monitors."""
-
-_BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 _WORDS = "|".join(sorted({re.sub(" ", "[ -]", each) for words in SIDES.values() for each in words}, key=len)[::-1])
 _TWO_SIDES = re.compile(rf"(?:^|\s)({_WORDS})([-+])\s*/\s*({_WORDS})([-+])$", re.IGNORECASE)
 _PLAIN = re.compile(r"-?\d{1,15}(\.\d{0,20})?", re.ASCII)
@@ -88,36 +77,19 @@ class Heading(NamedTuple):
     bare: str
 
 
-def plain(text: str) -> str:
-    """Return the words of a text in lower case, without punctuation."""
-    return " ".join(re.findall(r"\w+", unicodedata.normalize("NFC", text).casefold()))
-
-
 def heading(text: str) -> Heading:
     """Return the parts of a heading such as ``Push/Pull (deg L-/R+)``."""
-    found = _BRACKETS.search(text)
-    if not found:
+    before, inner = bracketed(text)
+    if inner is None:
         return Heading(plain(text), None, None, plain(text))
-    inner, positive = found[1].strip(), None
+    positive = None
     sides = _TWO_SIDES.search(inner)
     if sides:
         inner = inner[: sides.start()].strip()
         positive = plain(sides[1] if sides[2] == "+" else sides[3])
-    bare = plain(text[: found.start()])
+    bare = plain(before)
     is_unit = not inner or unit_symbol(inner) is not None
     return Heading(bare if is_unit else plain(text), inner if inner and is_unit else None, positive, bare)
-
-
-def unit_symbol(text: str) -> str | None:
-    """Return the symbol of the unit that a monitor writes as ``text``, or None for an unknown one."""
-    spelled = text.strip().strip("[]()").strip()
-    for each in (spelled, spelled.lower(), _UNITS.get(spelled.lower(), "")):
-        try:
-            if each:
-                return unit(each).symbol
-        except UnitError:
-            continue
-    return None
 
 
 class Reading(NamedTuple):

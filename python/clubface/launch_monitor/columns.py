@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from clubface.errors import FileError
-from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, heading, plain, unit_symbol
+from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, heading
 from clubface.launch_monitor.formats import Format, side_of
 from clubface.tables.headings import listed, shot_words
+from clubface.tables.spelling import plain, unit_symbol
 from clubface.units import symbols, unit
 
 _WORD = re.compile(r"[^\W\d_]|[°%]")

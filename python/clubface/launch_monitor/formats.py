@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from clubface.launch_monitor.cells import MIRRORED, SIDES, Side, plain
+from clubface.launch_monitor.cells import MIRRORED, SIDES, Side
+from clubface.tables.spelling import plain
 
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
 POINTS = {

@@ -27,10 +27,11 @@ import os
 from typing import Any, NamedTuple
 
 from clubface.errors import UnitError, UnknownNameError
-from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, plain
+from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES
 from clubface.launch_monitor.formats import CG, CONTACT, FACE, UNKNOWN, Field, Format
 from clubface.support.strict_toml import Document
 from clubface.tables.headings import HAND, shot_words
+from clubface.tables.spelling import plain
 from clubface.units import DIMENSIONLESS, unit
 
 KEYS = ("name", "delimiter", "decimal", "club", "hand", "speed_at", "face_at", "columns")

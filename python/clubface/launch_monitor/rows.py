@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isclose, nan
 
-from clubface.launch_monitor.cells import MIRRORED, NOT_MEASURED, WORLD, CellError, heading, plain, reading
+from clubface.launch_monitor.cells import MIRRORED, NOT_MEASURED, WORLD, CellError, heading, reading
 from clubface.launch_monitor.columns import Columns, Used, columns_of, is_units_row
 from clubface.launch_monitor.formats import Format
 from clubface.recorded.shots import RejectedRow
@@ -15,6 +15,7 @@ from clubface.simulation.quantities import inputs
 from clubface.tables.cells import hand_of, shortened
 from clubface.tables.csv_rows import Row
 from clubface.tables.rows import Reject
+from clubface.tables.spelling import plain
 from clubface.units import to_si
 
 SUMMARIES = frozenset(

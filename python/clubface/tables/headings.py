@@ -7,8 +7,9 @@ from functools import cache
 from typing import NamedTuple
 
 from clubface import units
-from clubface.errors import FileError, UnitError
+from clubface.errors import FileError
 from clubface.simulation.quantities import flight_outputs, input_dimensions, inputs, outputs
+from clubface.tables.spelling import bracketed, plain, unit_symbol
 
 SYNONYMS = {
     "speed": ("club_speed", "clubhead_speed", "club_head_speed", "head_speed"),
@@ -169,29 +170,26 @@ def listed(headings: Sequence[str]) -> str:
 
 
 def _split(heading: str, path: str, line: int | None, words: Vocabulary) -> tuple[str, str | None]:
-    """Return the name in lower case and the unit of a heading."""
-    text = "_".join(heading.replace("-", "_").split()) if "[" not in heading and "(" not in heading else heading
-    known = words.names
-    unknown: object = None
-    for spelled in (text, text.lower()):
-        try:
-            name, unit = units.parse_column_name(spelled, known)
-        except UnitError as error:
-            unknown = error.value
-            continue
-        if plain_name(name) in known:
-            return plain_name(name), unit
-    name = plain_name(text.partition("[")[0].partition("(")[0])
-    if unknown is not None and name in known:
-        allowed = " or ".join(units.symbols(words.dimensions[known[name]]))
-        message = f"the column {heading!r} is in the unknown unit {unknown!r}; it must be in {allowed}"
+    """Return the name in lower case and the unit of a heading: ``club_speed_mph``, ``Club speed [mph]``."""
+    before, told = bracketed(heading)
+    name = plain_name(before)
+    if told is None:
+        for spelled in (before, before.lower()):
+            short, unit = units.parse_column_name("_".join(spelled.replace("-", "_").split()), words.names)
+            if plain_name(short) in words.names:
+                return plain_name(short), unit
+        return name, None
+    unit = unit_symbol(told)
+    if told and unit is None and name in words.names:
+        allowed = " or ".join(units.symbols(words.dimensions[words.names[name]]))
+        message = f"the column {heading!r} is in the unknown unit {told!r}; it must be in {allowed}"
         raise FileError(path, line, message, heading)
-    return plain_name(text) if unknown is None else name, None
+    return name, unit
 
 
 def plain_name(name: str) -> str:
     """Return a heading in lower case with underscores between its words."""
-    return "_".join(name.strip().lower().replace("-", "_").split()).strip("_")
+    return plain(name).replace(" ", "_").strip("_")
 
 
 def _near(name: str, known: Collection[str]) -> str | None:

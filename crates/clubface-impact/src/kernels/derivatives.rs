@@ -3,11 +3,12 @@
 use super::run::{Run, MOST_PARAMETERS};
 use crate::check::{check, check_approach, check_parameters, unseparated};
 use crate::contact::Unrecorded;
+use crate::description::FromValues;
 use crate::error::ImpactError;
 use crate::first_touch::FirstTouch;
 use crate::impact::{Accuracy, Impact};
 use crate::launch::OUTPUT_COUNT;
-use crate::model::{Describe, Model};
+use crate::model::Describe;
 use crate::shot::INPUT_COUNT;
 use clubface_math::{dispatch, Computation, Dual, Kernel, Lanes, Mask, Scalar};
 use core::marker::PhantomData;

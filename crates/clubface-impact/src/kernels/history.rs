@@ -3,11 +3,12 @@
 use super::run::Run;
 use crate::check::{check, check_approach, check_parameters, unseparated};
 use crate::contact::History;
+use crate::description::FromValues;
 use crate::error::ImpactError;
 use crate::first_touch::FirstTouch;
 use crate::impact::Accuracy;
 use crate::launch::OUTPUT_COUNT;
-use crate::model::{Describe, Model};
+use crate::model::Describe;
 use crate::shot::INPUT_COUNT;
 use clubface_math::Computation;
 

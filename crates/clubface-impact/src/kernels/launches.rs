@@ -7,11 +7,11 @@ use crate::check::{
 };
 use crate::columns::{gather, Column, Reject, Shots, MOST_LANES};
 use crate::contact::Unrecorded;
-use crate::description::ModelInfo;
+use crate::description::{FromValues, ModelInfo};
 use crate::error::ImpactError;
 use crate::first_touch::FirstTouch;
 use crate::impact::Impact;
-use crate::model::{Describe, Model};
+use crate::model::Describe;
 use crate::shot::{DELIVERY_COUNT, INPUT_COUNT};
 use clubface_math::{dispatch, Computation, Kernel, Lanes, Mask, Scalar};
 use core::marker::PhantomData;

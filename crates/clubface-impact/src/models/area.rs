@@ -79,10 +79,6 @@ impl<S: Scalar> ContactLaw<S> for Area<S> {
 
 impl<S: Scalar> Model<S> for Area<S> {
     #[inline(always)]
-    fn from_values(values: &[S]) -> Self {
-        Self::from_slice(values)
-    }
-    #[inline(always)]
     fn impact<R: Recorder<S>>(
         &self,
         touch: &FirstTouch<S>,

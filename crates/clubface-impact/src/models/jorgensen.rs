@@ -45,10 +45,6 @@ pub fn compression_factor(radius_ratio: f64) -> f64 {
 
 impl<S: Scalar> Model<S> for Jorgensen<S> {
     #[inline(always)]
-    fn from_values(values: &[S]) -> Self {
-        Self::from_slice(values)
-    }
-    #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
         let x = touch.normal;
         let normal = restitution(self.cor, self.cor_slope, touch.approach());

@@ -149,11 +149,6 @@ fn normal_mobility<S: Scalar>(touch: &FirstTouch<S>) -> S {
 
 impl<S: Scalar> Model<S> for Rings<S> {
     #[inline(always)]
-    fn from_values(values: &[S]) -> Self {
-        Self::from_slice(values)
-    }
-
-    #[inline(always)]
     fn impact<R: Recorder<S>>(
         &self,
         touch: &FirstTouch<S>,

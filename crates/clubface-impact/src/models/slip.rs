@@ -41,10 +41,6 @@ impl Describe for Slip<()> {
 
 impl<S: Scalar> Model<S> for Slip<S> {
     #[inline(always)]
-    fn from_values(values: &[S]) -> Self {
-        Self::from_slice(values)
-    }
-    #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
         let normal = restitution(self.cor, self.cor_slope, touch.approach());
         let sliding = Restitution { normal, up: self.slip_y, toe: self.slip_z };

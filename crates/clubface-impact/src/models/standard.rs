@@ -37,10 +37,6 @@ impl Describe for Standard<()> {
 
 impl<S: Scalar> Model<S> for Standard<S> {
     #[inline(always)]
-    fn from_values(values: &[S]) -> Self {
-        Self::from_slice(values)
-    }
-    #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
         let normal = restitution(self.cor, self.cor_slope, touch.approach());
         let rolling = Restitution { normal, up: S::zero(), toe: S::zero() };

@@ -106,10 +106,6 @@ impl<S: Scalar> ContactLaw<S> for Volumetric<S> {
 
 impl<S: Scalar> Model<S> for Volumetric<S> {
     #[inline(always)]
-    fn from_values(values: &[S]) -> Self {
-        Self::from_slice(values)
-    }
-    #[inline(always)]
     fn impact<R: Recorder<S>>(
         &self,
         touch: &FirstTouch<S>,

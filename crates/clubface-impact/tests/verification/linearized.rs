@@ -3,9 +3,8 @@
 use clubface_impact::contact::{
     initial, Contact, ContactLaw, BALL_SPIN, CLUB_SPIN, POSITION, SOLID, VELOCITY,
 };
-use clubface_impact::description::Parameter;
+use clubface_impact::description::{FromValues, Parameter};
 use clubface_impact::first_touch::FirstTouch;
-use clubface_impact::model::Model;
 use clubface_impact::models::area::Area;
 use clubface_impact::models::volumetric::Volumetric;
 use clubface_impact::shot::INPUT_COUNT;

@@ -68,10 +68,6 @@ impl<S: Scalar> ContactLaw<S> for QuadraticSpring<S> {
 
 impl<S: Scalar> Model<S> for QuadraticSpring<S> {
     #[inline(always)]
-    fn from_values(values: &[S]) -> Self {
-        Self::from_slice(values)
-    }
-    #[inline(always)]
     fn impact<R: Recorder<S>>(
         &self,
         touch: &FirstTouch<S>,

@@ -30,28 +30,29 @@ _LIMITS = {
 
 @dataclass(frozen=True, kw_only=True)
 class DriverHead:
-    """A driver head as designed, each value text with a unit or SI.
+    """The design of a driver head; each value is text with a unit or an SI number.
 
     Attributes
     ----------
     name, description
-        For tables.
+        Name and description for tables.
     shape
-        "loft"; "bulge" and "roll", radii of the face; "width" from heel to toe, "depth" from face to back, "crown"
-        above and "sole" below the face centre, "rounding" between face and body.
+        "loft"; "bulge" and "roll", the radii of the face; "width" from heel to toe, "depth" from face to back, "crown"
+        above and "sole" below the face centre; "rounding" between face and body.
     thickness
         "face_centre", "face_edge", "crown", "sole", "skirt".
     target
-        "mass" and, if wanted, "cg_x", "cg_y", "cg_z" (from the CG to the face centre), "cg_above" (of the CG above
-        the face normal at the face centre), "ixx", "iyy", "izz" about the CG.
+        "mass", and where wanted "cg_x", "cg_y", "cg_z" (from the CG to the face centre), "cg_above" (height of the CG
+        above the face normal at the face centre), and "ixx", "iyy", "izz" about the CG.
     metal
         The metal of all parts.
     trims
         Places where mass may be added, by name: (x, y, z, most).
     scales
-        Limits of the factor on the thickness of crown, sole and skirt by which the mass is met; the face stays.
+        Limits of the factor on the thickness of crown, sole and skirt by which the mass is met; the face stays as it
+        is.
     elements
-        Numbers of elements from heel to toe, from sole to crown, from face to back.
+        Numbers of elements from heel to toe, from sole to crown, and from face to back.
     """
 
     name: str
@@ -88,7 +89,7 @@ class DriverHead:
             object.__setattr__(self, key, value)
 
     def mesh(self) -> ShellHead:
-        """Mesh the head and bring it to its targets as nearly as walls and trim masses allow."""
+        """Return the meshed head, brought as near to its targets as walls and trim masses allow."""
         from clubface.fem.core import beside
 
         target = self.target

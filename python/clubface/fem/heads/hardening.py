@@ -16,18 +16,18 @@ MAX_POINTS = 8
 
 @dataclass(frozen=True, kw_only=True)
 class Hardening:
-    """How the yield stress grows with the plastic strain p: by ``modulus p + gain (1 - exp(-rate p))``, or by a table.
+    """Increase of the yield stress with the plastic strain p: ``modulus p + gain (1 - exp(-rate p))``; or a table.
 
     Attributes
     ----------
     modulus
         Modulus of linear hardening [Pa].
     gain
-        What Voce's saturating hardening adds in the end [Pa].
+        Final gain of Voce's saturating hardening [Pa].
     rate
-        Rate of its saturation: 63% of the gain are reached at a plastic strain of 1 / rate.
+        Rate of saturation: 63% of the gain is reached at a plastic strain of 1 / rate.
     table
-        Points of plastic strain, the first 0, and yield stress [Pa], joined by straight lines and constant behind the
+        Points of plastic strain, the first 0, and yield stress [Pa], joined by straight lines and constant after the
         last; or none.
     """
 
@@ -54,7 +54,7 @@ class Hardening:
 
     @classmethod
     def of(cls, given: Any) -> Hardening:
-        """Return hardening from a modulus, from names and values, or from the points of a table."""
+        """Return the hardening given by a modulus, by names and values, or by the points of a table."""
         if isinstance(given, Hardening):
             return given
         if isinstance(given, Mapping):

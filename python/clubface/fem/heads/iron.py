@@ -29,26 +29,27 @@ GROOVES = {"width": (1e-4, 0.02), "depth": (0.0, 2e-3), "pitch": (1e-3, 0.05), "
 
 @dataclass(frozen=True, kw_only=True)
 class IronHead:
-    """An iron head as designed, each value text with a unit or SI.
+    """The design of an iron head; each value is text with a unit or an SI number.
 
     Attributes
     ----------
     name, description
-        For tables.
+        Name and description for tables.
     shape
         "loft"; "length" of the blade; "heel_height" and "toe_height" of the face; thickness of "face", "sole" and "top"
-        line; "rim", how much of the blade's height and half length is that thick, 0.05 to 0.5 (0.5: no cavity);
-        "rounding" of the outline's corners.
+        line; "rim", the fraction of the blade's height and half length that is as thick, 0.05 to 0.5 (0.5: no cavity);
+        "rounding" of the corners of the outline.
     metal
-        Left out, a stainless steel.
+        The metal; if left out, a stainless steel.
     masses
-        Added masses, such as the hosel's, by name: (x, y, z, mass), the place from the face centre.
+        Added masses, such as that of the hosel, by name: (x, y, z, mass), the place counted from the face centre.
     grooves
-        None for a plain face; else "width" of the grooves from edge to edge, "depth" (less than the blade is thick),
-        "pitch" from the middle of one to that of the next, and "wall", the width of each side wall. They run from heel
-        to toe with a land through the face centre, are felt by the contact and are no part of the mesh.
+        None for a plain face; otherwise "width" of the grooves from edge to edge, "depth" (less than the thickness of
+        the blade), "pitch" from the middle of one groove to that of the next, and "wall", the width of each side wall.
+        They run from heel to toe, with a land through the face centre. They act in the contact and are no part of the
+        mesh.
     elements
-        From heel to toe, from sole to top line, through the blade.
+        Numbers of elements from heel to toe, from sole to top line, and through the blade.
     element
         "one-point" or "full".
     """

@@ -1,4 +1,4 @@
-"""Files of meshes, read through meshio: what is wrong with them in one sentence, and the groups of their elements."""
+"""Mesh files, read through meshio: the groups of their elements, and one sentence for what is wrong with a file."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ def read_mesh(path: str) -> Any:
     Raises
     ------
     FileError
-        No file, or one that meshio cannot read; what its readers print then is left out, or part of the message.
+        There is no such file, or meshio cannot read it. What the readers of meshio print is left out, or part of the
+        message.
     """
     import meshio
 

@@ -1,4 +1,4 @@
-"""What all meshed heads are: something with a mass, an inertia and a face."""
+"""The common interface of all meshed heads: mass, inertia and a face."""
 
 from __future__ import annotations
 
@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 
 class MeshedHead(ABC):
-    """A head of elements, SI. Axes as of :class:`clubface.Club`; the origin is the face centre, on the outside."""
+    """A head of elements, in SI units.
+
+    The axes are those of :class:`clubface.Club`; the origin is the face centre, on the outside.
+    """
 
     name: str
     description: str
@@ -42,7 +45,7 @@ class MeshedHead(ABC):
 
     @cached_property
     def club(self) -> Club:
-        """The same head as a rigid one: mass, CG and inertia of the mesh, for any model."""
+        """The same head as a rigid club, with mass, CG and inertia of the mesh, for any model."""
         import numpy as np
 
         found = beside(core.fem_head_properties, self.values())

@@ -1,4 +1,4 @@
-"""What heads are made of."""
+"""Metals of heads: elastic, or with a yield stress and hardening."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MAX_POINTS = 31
 
 @dataclass(frozen=True, kw_only=True)
 class Metal:
-    """A metal, elastic until it yields; left out, the usual titanium alloy Ti-6Al-4V, elastic.
+    """A metal, elastic until it yields. By default it is the usual titanium alloy Ti-6Al-4V, elastic.
 
     Attributes
     ----------
@@ -28,17 +28,17 @@ class Metal:
     poisson
         Poisson's ratio.
     density
-        [kg/m3].
+        Density [kg/m3].
     yield_stress
         Stress in tension at which it yields [Pa], ``yield`` in files; None for a metal that stays elastic.
     hardening
-        What the yield stress gains: a modulus [Pa], a :class:`Hardening`, or a table of plastic strain and yield stress
-        [Pa], whose first point is where it yields; None for a metal that does not harden.
+        Increase of the yield stress: a modulus [Pa], a :class:`Hardening`, or a table of plastic strain and yield
+        stress [Pa] whose first point is where it yields; None for a metal that does not harden.
     points
-        Points through the thickness of shells; None for five in a metal that yields, none (stress resultants, which are
-        as good) in an elastic one.
+        Points through the thickness of shells. None means five in a metal that yields, and none in an elastic one, for
+        which stress resultants are as accurate.
     rule
-        Where they lie: "gauss" or "lobatto" (with points on both surfaces).
+        Where the points lie: "gauss", or "lobatto" with points on both surfaces.
     """
 
     youngs: float = 114e9
@@ -94,14 +94,14 @@ class Metal:
         return list(zip(strains, self.flow_stress(strains), strict=True))
 
     def flow_stress(self, strains: Sequence[float]) -> list[float]:
-        """Return the stresses [Pa] at which a metal that yields flows at plastic strains."""
+        """Return the stresses [Pa] at which a yielding metal flows, at the given plastic strains."""
         metal = self.plastic()
         if metal is None:
             raise InputError("yield", None, "give it: without it this metal stays elastic")
         return core.fem_yield_stress(metal, list(strains))
 
     def plastic(self) -> dict[str, Any] | None:
-        """Return what the core takes of yield and hardening; None for an elastic metal."""
+        """Return yield and hardening as the core takes them; None for an elastic metal."""
         if self.yield_stress is None:
             return None
         hardening = self.hardening or Hardening()

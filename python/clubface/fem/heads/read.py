@@ -38,7 +38,7 @@ def head_names() -> tuple[str, ...]:
 
 
 def head(which: str | os.PathLike[str] | MeshedHead | Design) -> MeshedHead:
-    """Return a meshed head: by built-in name, from a TOML file, or from its design."""
+    """Return a meshed head: by its built-in name, from a TOML file, or from its design."""
     if isinstance(which, MeshedHead):
         return which
     if isinstance(which, DriverHead | IronHead | MeshHead):
@@ -51,7 +51,7 @@ def head(which: str | os.PathLike[str] | MeshedHead | Design) -> MeshedHead:
 
 
 def from_toml(path: str | os.PathLike[str]) -> Design:
-    """Read the design of a head from a TOML file; a mesh it names by path is looked for beside it."""
+    """Read the design of a head from a TOML file; a mesh that it names by path is looked for beside it."""
     return _design(Document.read(path), Path(os.fspath(path)).parent)
 
 

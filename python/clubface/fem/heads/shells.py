@@ -15,16 +15,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Part:
-    """Shells of one name, which follow each other.
+    """Consecutive shells with one name.
 
     Attributes
     ----------
     name
-        Such as "crown".
+        Its name, such as "crown".
     elements
-        How many.
+        Number of shells.
     metal
-        What they are made of.
+        The metal.
     face
         Whether the ball may touch them.
     """
@@ -37,30 +37,32 @@ class Part:
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ShellHead(MeshedHead):
-    """A head of four-node shells, SI. Axes as of :class:`clubface.Club`; the origin is the face centre, on the outside.
+    """A head of four-node shells, in SI units.
+
+    The axes are those of :class:`clubface.Club`; the origin is the face centre, on the outside.
 
     Attributes
     ----------
     name, description
-        For tables.
+        Name and description for tables.
     nodes
         Nodes of the middle surface [m], shape (n, 3).
     quads
-        Nodes of each element, counterclockwise seen from outside, shape (m, 4).
+        Nodes of each element, counterclockwise as seen from outside, shape (m, 4).
     thickness
         Thickness of each element [m].
     parts
-        In the order of their elements.
+        The parts, in the order of their elements.
     added
         Mass added to each node [kg].
     loft
         Elevation of the face normal at the face centre [rad].
     bulge, roll
-        Radii of the face [m]; they say where the ball is placed, the mesh is what it touches.
+        Radii of the face [m]. They say where the ball is placed; the ball touches the mesh.
     report
-        How the head came about, such as trim masses [kg] by name.
+        What the head took to meet its targets, such as trim masses [kg] by name.
     asked
-        What it was to reach, under the names of the targets of :class:`DriverHead`, SI; what bounds do not allow is
+        The targets, under the names of :class:`DriverHead`, in SI units. A target that the bounds do not allow is
         missed.
     """
 
@@ -84,7 +86,7 @@ class ShellHead(MeshedHead):
 
     @property
     def reached(self) -> dict[str, float]:
-        """What the head has of what it may be asked for, under the names of the targets of :class:`DriverHead`, SI."""
+        """The values that the head has, under the names of the targets of :class:`DriverHead`, in SI units."""
         names = ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz")
         return {**{name: float(getattr(self.club, name)) for name in names}, "cg_above": self.cg_above}
 

@@ -25,15 +25,15 @@ class SolidHead(MeshedHead):
     Attributes
     ----------
     name, description
-        For tables.
+        Name and description for tables.
     nodes
-        [m], shape (n, 3).
+        Nodes [m], shape (n, 3).
     hexahedra
         Nodes of each element, round the bottom, then round the top, shape (m, 8).
     face
-        Quadrilaterals that the ball may touch, counterclockwise seen from outside, shape (k, 4).
+        Quadrilaterals that the ball may touch, counterclockwise as seen from outside, shape (k, 4).
     metal
-        What it is made of.
+        The metal.
     added
         Mass added to each node [kg].
     loft
@@ -43,7 +43,7 @@ class SolidHead(MeshedHead):
     element
         "one-point" or "full".
     report
-        How the head came about: added masses [kg] by name.
+        Added masses [kg] by name.
     """
 
     name: str

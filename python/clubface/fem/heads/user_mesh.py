@@ -1,4 +1,4 @@
-"""A head from one's own mesh of quadrilaterals, through meshio: thickness and metal by group."""
+"""A head from your own mesh of quadrilaterals, read through meshio: thickness and metal by group."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ class Group:
     Attributes
     ----------
     name
-        As in the file: a physical group or cell set; or the number of a group.
+        Its name in the file: a physical group or cell set, or the number of a group.
     thickness
-        [m].
+        Thickness [m].
     metal
-        What they are made of.
+        The metal.
     face
         Whether the ball may touch them.
     """
@@ -58,27 +58,26 @@ class Group:
 class MeshHead:
     """A head whose middle surface is a mesh in a file.
 
-    Axes of the file: x towards the target, y up, z to the toe, as the club is soled.
+    The axes of the file are x towards the target, y up and z towards the toe, with the club soled.
 
     Attributes
     ----------
     name, description
-        What it is called in tables.
+        Name and description for tables.
     file
-        A file with quadrilaterals in any format that meshio reads.
+        A file with quadrilaterals in any format of meshio.
     groups
-        What the groups are; every quadrilateral belongs to one of them.
+        The groups; every quadrilateral belongs to one of them.
     loft
         Elevation of the face normal at the face centre [rad].
     unit
         Unit of the lengths in the file, such as "mm".
     face_centre
-        Its place in the file, numbers in that unit or text with its own: where the outer side of the face has its
-        centre.
+        Place of the face centre in the file, on the outer side of the face: numbers in that unit, or text with units.
     bulge, roll
         Radii of the face [m], or "flat".
     masses
-        Added masses by name: (x, y, z, mass), the place from the face centre.
+        Added masses by name: (x, y, z, mass), the place counted from the face centre.
     """
 
     name: str
@@ -112,14 +111,14 @@ class MeshHead:
             raise InputError("groups", [group.name for group in self.groups], "groups, at least one with face = true")
 
     def mesh(self) -> ShellHead:
-        """Read the file.
+        """Read the file and return the head.
 
         Raises
         ------
         FileError
-            A file that cannot be read, without quadrilaterals, or with some that belong to no group.
+            The file cannot be read, has no quadrilaterals, or has some that belong to no group.
         InputError
-            A unit that makes no head of the mesh, or a face centre that is not on the face.
+            The mesh is no head in the given unit, or the face centre is not on the face.
         """
         import numpy as np
 
