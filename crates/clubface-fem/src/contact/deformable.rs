@@ -12,7 +12,6 @@ use super::{
     Contact, ContactEnergy, ContactMethod, Grooves, NodeState, PenaltySprings, Penetration, Resultant,
 };
 use crate::material::{cross, dot};
-use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
 
 /// Steps for which a node beyond the edge is left out of the search.
@@ -277,9 +276,6 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
     }
     fn passed_edge(&self) -> bool {
         self.passed_edge
-    }
-    fn head_motion(&self) -> Option<Motion<R>> {
-        None
     }
 }
 

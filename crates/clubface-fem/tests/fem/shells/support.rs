@@ -1,11 +1,10 @@
 //! Plates of shells, and what the checks do with them.
 
-use clubface_fem::contact::{Contact, ContactEnergy, ContactMethod, Resultant};
+use clubface_fem::contact::Contact;
 use clubface_fem::element::{Isotropic, Kernels, Patch, ShellMaterial, ShellRows, SHELL_PATCH};
 use clubface_fem::environment::Environment;
 use clubface_fem::mesh::ShellMesh;
 use clubface_fem::solve::Structure;
-use clubface_impact::first_touch::Motion;
 use clubface_math::{Row, Vec3};
 
 pub const YOUNG: f64 = 114e9;
@@ -91,22 +90,12 @@ impl Contact<f64> for Loads {
     fn nodes(&self) -> &[u32] {
         &self.nodes
     }
-    fn set_method(&mut self, _: ContactMethod) {}
     fn assemble(&mut self, _: &[Row<f64>], _: &[Row<f64>], _: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &self.forces
     }
-    fn resultant(&self) -> Resultant<f64> {
-        Resultant { force: Vec3::zero(), normal: 0.0, area: 0.0 }
-    }
-    fn energy(&self) -> ContactEnergy {
-        ContactEnergy::default()
-    }
     fn nearest(&self, _: &[Row<f64>], _: Vec3<f64>) -> (f64, Vec3<f64>) {
         (0.0, Vec3::zero())
-    }
-    fn head_motion(&self) -> Option<Motion<f64>> {
-        None
     }
 }
 
