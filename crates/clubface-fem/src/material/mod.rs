@@ -38,7 +38,7 @@ pub use neo_hookean::NeoHookean;
 pub use ogden::{Ogden, OGDEN_TERMS};
 pub use plane_stress::{PlaneState, PlaneStress};
 pub use point::MaterialPoint;
-pub use stage::{PointEnergy, Points, StressStage};
+pub use stage::{EnergyPoints, PointEnergy, Points, StressStage};
 pub use state_variables::{eight_alike, Eight, Numbers, State, StateVariables, Update, Updates};
 pub(crate) use symmetric::{cross, dot};
 pub use symmetric::{times, Symmetric};
