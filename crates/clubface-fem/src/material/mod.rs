@@ -42,6 +42,6 @@ pub use stage::{EnergyPoints, PointEnergy, Points, StressStage};
 pub use state_variables::{eight_alike, Eight, Numbers, State, StateVariables, Update, Updates};
 pub(crate) use symmetric::{cross, dot};
 pub use symmetric::{times, Symmetric};
-pub use table::{build, entry, from_table, map_law, Number};
+pub use table::{build, entry, entry_from_name, from_table, map_law, Number};
 pub use viscous::{Branches, Decay, Maxwell, MAX_TERMS};
 pub use von_mises::{PlasticState, VonMises};
