@@ -110,7 +110,7 @@ def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
     figure = Figure(figsize=(WIDTH, 2.0 * size + 1.05), layout="constrained")
     panels = figure.subplots(2, count, sharex=True, sharey=True, squeeze=False)
     drawn = np.isin(patch["time"], chosen)
-    extent = 1.1e3 * max(abs(patch["up"][drawn]).max(), abs(patch["toe"][drawn]).max())
+    extent = units.from_si(1.1 * max(abs(patch[key][drawn]).max() for key in ("up", "toe")), "mm")
     dots = (size * 72.0 * 0.055) ** 2
     for row, (key, map_, label) in enumerate(
         (
