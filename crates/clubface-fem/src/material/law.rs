@@ -131,7 +131,7 @@ pub struct WithState<L>(pub L);
 impl<P: Pack, L: Inelastic<P> + 'static> PointLaw<P> for WithState<L> {
     #[inline(always)]
     fn update(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> Symmetric<P> {
-        self.0.update(c, &mut state.of(lane).every_step)
+        self.0.update(c, &mut state.every_step(lane))
     }
     #[inline(always)]
     fn second_piola(
@@ -147,10 +147,10 @@ impl<P: Pack, L: Inelastic<P> + 'static> PointLaw<P> for WithState<L> {
     }
     #[inline(always)]
     fn energy(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> [P; 2] {
-        self.0.energy(c, &state.of(lane).every_step)
+        self.0.energy(c, &state.every_step(lane))
     }
     #[inline(always)]
     fn plastic_strain(&self, state: &mut StateVariables<P::Real>, lane: usize) -> P {
-        self.0.plastic_strain(&state.of(lane).every_step)
+        self.0.plastic_strain(&state.every_step(lane))
     }
 }

@@ -157,7 +157,7 @@ impl<P: Pack, L: PointLaw<P>> Computation for BranchedStress<'_, '_, P, L> {
             let at = *lane + i * *step;
             let kinematics = Kinematics::of(deformations[i]);
             let elastic = law.update(&kinematics.c, state, at);
-            let stress = add_branches(&kinematics, elastic, &branches, &mut state.of(at));
+            let stress = add_branches(&kinematics, elastic, &branches, state, at);
             stresses[i] = kinematics.second_piola(&stress, pressures[i], weights[i]);
         }
     }
@@ -176,7 +176,7 @@ impl<P: Pack, L: PointLaw<P>> Computation for Energy<'_, '_, P, L> {
         for i in 0..c.len() {
             let at = *lane + i * *step;
             let [strain, plastic] = law.energy(&c[i], state, at);
-            let viscous = if branching.count == 0 { P::zero() } else { work(&state.of(at)) };
+            let viscous = if branching.count == 0 { P::zero() } else { work(state, at) };
             energies[i] = PointEnergy { strain, viscous, plastic };
         }
     }

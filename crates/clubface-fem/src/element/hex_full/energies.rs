@@ -1,8 +1,7 @@
 //! Energies of a patch of fully integrated hexahedra.
 
-use super::element::POINTS;
+use super::element::{Point, POINTS};
 use super::patch::FullPatch;
-use super::stress::ElementPoints;
 use crate::block::BLOCK;
 use crate::element::patch::Energy;
 use crate::material::{EnergyPoints, Kinematics, PointEnergy, Symmetric};
@@ -21,7 +20,7 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
         let patch = self.patch;
         let stage = patch.material.stage::<P>(patch.updates.preview());
         let bulk = P::splat(patch.material.bulk);
-        let mut points = ElementPoints::empty();
+        let mut volumes = [P::zero(); POINTS];
         let mut c = [Symmetric::diagonal(P::one()); POINTS];
         let mut energies = [PointEnergy::zero(); POINTS];
         let mut energy = Energy::default();
@@ -30,10 +29,16 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let lanes = P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first));
                 let element = patch.gather::<P>(block, first);
-                points.set(&element, &patch.constants[block], first);
-                let [mut strain, mut viscous, mut plastic] = [P::zero(); 3];
+                let [mut strain, mut viscous, mut plastic, mut volume] = [P::zero(); 4];
                 for point in 0..POINTS {
-                    c[point] = Kinematics::of(points.deformations[point]).c;
+                    let constants = Point::<P>::load(&patch.constants[block], first, point);
+                    let at = Kinematics::new(element.gradient(point, &constants));
+                    (c[point], volumes[point]) = (at.c, constants.volume);
+                    volume += constants.volume;
+                    for lane in 0..lanes {
+                        ratios.0 = ratios.0.min(at.deformation.volume.lane(lane));
+                        ratios.1 = ratios.1.max(at.deformation.volume.lane(lane));
+                    }
                 }
                 stage.energy(&mut EnergyPoints {
                     lane: block * POINTS * BLOCK + first,
@@ -43,18 +48,14 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
                     energies: &mut energies,
                 });
                 for point in 0..POINTS {
-                    strain += energies[point].strain * points.volumes[point];
-                    viscous += energies[point].viscous * points.volumes[point];
-                    plastic += energies[point].plastic * points.volumes[point];
-                    for lane in 0..lanes {
-                        ratios.0 = ratios.0.min(points.deformations[point].volume.lane(lane));
-                        ratios.1 = ratios.1.max(points.deformations[point].volume.lane(lane));
-                    }
+                    strain += energies[point].strain * volumes[point];
+                    viscous += energies[point].viscous * volumes[point];
+                    plastic += energies[point].plastic * volumes[point];
                 }
-                let dilation = element.volume() / points.volume - 1.0;
-                strain += bulk * dilation * dilation * points.volume * 0.5;
+                let dilation = element.volume() / volume - 1.0;
+                strain += bulk * dilation * dilation * volume * 0.5;
                 if let Some(viscosity) = &patch.viscosity {
-                    viscous += viscosity.work::<P>(block * BLOCK + first) * points.volume;
+                    viscous += viscosity.work::<P>(block * BLOCK + first) * volume;
                 }
                 for lane in 0..lanes {
                     energy.strain += strain.lane(lane);

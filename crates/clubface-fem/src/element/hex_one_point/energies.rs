@@ -1,6 +1,6 @@
 //! Energies of a patch of one-point hexahedra.
 
-use super::constants::{Block, Constants};
+use super::constants::Constants;
 use super::element::Hexahedron;
 use super::patch::SolidPatch;
 use super::stress::RUN;
@@ -36,6 +36,10 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
             viscosity: viscosity.as_ref(),
             energies: [P::zero(); 4],
             ratios: Ratios::new(),
+            count: 0,
+            lane: 0,
+            c: [Symmetric::diagonal(P::one()); RUN],
+            volumes: [(P::zero(), P::one()); RUN],
         };
         // SAFETY: the caller has checked the nodes.
         unsafe { arrangement.visit(self.positions, nodes, constants, self.loaded, &mut sum) };
@@ -56,6 +60,11 @@ struct EnergySum<'a, P: Pack> {
     energies: [P; 4],
     /// Smallest and largest ratio of current to reference volume, by lane.
     ratios: Ratios<P>,
+    /// The run: packs so far, first lane, `C̄`, reference volume and ratio of volumes.
+    count: usize,
+    lane: usize,
+    c: [Symmetric<P>; RUN],
+    volumes: [(P, P); RUN],
 }
 
 impl<P: Pack> EnergySum<'_, P> {
@@ -70,28 +79,31 @@ impl<P: Pack> EnergySum<'_, P> {
 
 impl<P: Pack> Visitor<P> for EnergySum<'_, P> {
     #[inline(always)]
-    fn visit(&mut self, lane: usize, step: usize, constants: &[Block<P::Real>], elements: &[Hexahedron<P>]) {
-        let mut ratios = [P::one(); RUN];
-        let mut c = [Symmetric::diagonal(P::one()); RUN];
-        let mut energies = [PointEnergy::zero(); RUN];
-        let count = elements.len();
-        for i in 0..count {
-            let kinematics =
-                Kinematics::new(elements[i].gradient(&Constants::at(constants, lane + i * step)));
-            (ratios[i], c[i]) = (kinematics.deformation.volume, kinematics.c);
-            self.ratios = self.ratios.and(ratios[i]);
+    fn visit(&mut self, lane: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
+        let kinematics = Kinematics::new(element.gradient(constants));
+        let ratio = kinematics.deformation.volume;
+        if self.count == 0 {
+            self.lane = lane;
         }
-        let (c, energies) = (&c[..count], &mut energies[..count]);
+        self.c[self.count] = kinematics.c;
+        // Lanes without an element have no volume and no stiffness, and keep their shape.
+        self.volumes[self.count] = (constants.volume(), ratio);
+        self.count += 1;
+        self.energies[1] += element.hourglass_energy(constants);
+        self.ratios = self.ratios.and(ratio);
+    }
+    #[inline(always)]
+    fn end_run(&mut self, step: usize) {
+        let (lane, count) = (self.lane, std::mem::take(&mut self.count));
+        let mut energies = [PointEnergy::zero(); RUN];
+        let (c, energies) = (&self.c[..count], &mut energies[..count]);
         self.stage.energy(&mut EnergyPoints { lane, step, state: self.state, c, energies });
         for i in 0..count {
-            let (at, found) = (lane + i * step, energies[i]);
-            let constants = Constants::at(constants, at);
-            let (reference, dilation) = (constants.volume(), ratios[i] - 1.0);
+            let (found, (reference, ratio)) = (energies[i], self.volumes[i]);
+            let dilation = ratio - 1.0;
             let strain = found.strain + self.bulk * dilation * dilation * 0.5;
-            let damped = self.viscosity.map_or(P::zero(), |viscosity| viscosity.work(at));
-            // Lanes without an element have no volume and no stiffness, and keep their shape.
+            let damped = self.viscosity.map_or(P::zero(), |viscosity| viscosity.work(lane + i * step));
             self.energies[0] += strain * reference;
-            self.energies[1] += elements[i].hourglass_energy(&constants);
             self.energies[2] += (found.viscous + damped) * reference;
             self.energies[3] += found.plastic * reference;
         }

@@ -121,13 +121,13 @@ impl<R: Real> Indexed<R> {
         visitor: &mut W,
     ) {
         self.load(positions, nodes);
-        let mut elements = [Hexahedron::<P>::zero(); RUN];
         for (start, count) in self.runs::<P>() {
             for i in 0..count {
                 let lane = start + i * P::LANES;
-                elements[i] = self.element(lane, &Constants::at(constants, lane));
+                let constants = Constants::at(constants, lane);
+                visitor.visit(lane, &constants, &self.element(lane, &constants));
             }
-            visitor.visit(start, P::LANES, constants, &elements[..count]);
+            visitor.end_run(P::LANES);
         }
     }
 }

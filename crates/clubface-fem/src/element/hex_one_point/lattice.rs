@@ -140,21 +140,19 @@ impl<R: Real> Lattice<R> {
             }
             field
         };
-        let mut elements = [Hexahedron::<P>::zero(); RUN];
         for (column, blocks) in constants.chunks_exact(nk).enumerate() {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = places.quads::<P>(column * BLOCK + first);
-                for start in (0..nk).step_by(RUN) {
-                    let run = &blocks[start..(start + RUN).min(nk)];
-                    for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
-                        let k = start + layer;
-                        // SAFETY: `at` is within the columns.
-                        let (low, high) =
-                            unsafe { (face::<P>(&mut field, k, &at), face(&mut field, k + 1, &at)) };
-                        *element = Hexahedron::new(&Constants::new(&block.0, first), &low, &high);
+                for (k, block) in blocks.iter().enumerate() {
+                    // SAFETY: `at` is within the columns.
+                    let (low, high) =
+                        unsafe { (face::<P>(&mut field, k, &at), face::<P>(&mut field, k + 1, &at)) };
+                    let constants = Constants::new(&block.0, first);
+                    let lane = (column * nk + k) * BLOCK + first;
+                    visitor.visit(lane, &constants, &Hexahedron::new(&constants, &low, &high));
+                    if (k + 1).is_multiple_of(RUN) || k + 1 == nk {
+                        visitor.end_run(BLOCK);
                     }
-                    let lane = (column * nk + start) * BLOCK + first;
-                    visitor.visit(lane, BLOCK, constants, &elements[..run.len()]);
                 }
             }
         }

@@ -1,13 +1,13 @@
 //! Stress and strain in the elements of a patch of one-point hexahedra.
 
-use super::constants::{Block, Constants};
+use super::constants::Constants;
 use super::element::Hexahedron;
 use super::patch::SolidPatch;
 use super::visitor::Visitor;
 use crate::block::BLOCK;
 use crate::element::output::{logarithmic, ElementOutput, OutputSink};
 use crate::material::{Kinematics, Points, StateVariables, StressStage, Symmetric};
-use clubface_math::{Mat3, Pack, PackKernel, Real, Row};
+use clubface_math::{Pack, PackKernel, Real, Row};
 
 /// Gives stress and strain of every element.
 pub struct Output<'a, 'b, R> {
@@ -46,18 +46,8 @@ struct OutputOf<'a, 'b, P: Pack> {
 
 impl<P: Pack> Visitor<P> for OutputOf<'_, '_, P> {
     #[inline(always)]
-    fn visit(&mut self, lane: usize, step: usize, constants: &[Block<P::Real>], elements: &[Hexahedron<P>]) {
-        for (i, element) in elements.iter().enumerate() {
-            let at = lane + i * step;
-            self.give(at, &element.gradient(&Constants::at(constants, at)));
-        }
-    }
-}
-
-impl<P: Pack> OutputOf<'_, '_, P> {
-    /// Gives the output of a pack of elements from a lane on, by their gradients.
-    #[inline(always)]
-    fn give(&mut self, lane: usize, f: &Mat3<P>) {
+    fn visit(&mut self, lane: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
+        let f = &element.gradient(constants);
         let at = Kinematics::new(*f);
         // A copy: output changes nothing.
         let (block, first) = (lane / BLOCK, lane % BLOCK);
