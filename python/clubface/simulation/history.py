@@ -17,7 +17,7 @@ from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import as_values, equipment, parameter_set, shot_error, shots, single
 from clubface.simulation.launch import Launch
-from clubface.simulation.quantities import Quantity, convert
+from clubface.simulation.quantities import Quantity, in_unit
 from clubface.simulation.results import Series
 from clubface.simulation.run_options import tolerance
 
@@ -145,7 +145,7 @@ class History(Series):
         if name not in self.quantities:
             raise UnknownNameError("quantity", name, self.quantities)
         value = self._arrays[name]
-        return value if unit is None else convert(value, self.quantities[name], unit)
+        return value if unit is None else in_unit(value, self.quantities[name], unit)
 
     def __repr__(self) -> str:
         return (

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from clubface import units
 from clubface.errors import ShotError, UnknownNameError
-from clubface.simulation.quantities import Quantity, convert
+from clubface.simulation.quantities import Quantity, in_unit
 
 if TYPE_CHECKING:
     import pandas
@@ -118,7 +118,7 @@ class Result:
         if name not in self.quantities():
             raise UnknownNameError("quantity", name, self.quantities())
         value = getattr(self, name)
-        return value if unit is None else convert(value, self.quantities()[name], unit)
+        return value if unit is None else in_unit(value, self.quantities()[name], unit)
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return one row a shot: the inputs given as arrays, then every quantity, SI.
