@@ -6,13 +6,12 @@
 
 #![allow(missing_docs)]
 
-use clubface_fem::contact::{Contact, ContactEnergy, ContactMethod, Resultant};
+use clubface_fem::contact::Contact;
 use clubface_fem::element::{Patch, Rule, ShellMaterial};
 use clubface_fem::environment::Environment;
 use clubface_fem::head::{DeformableHead, Driver, ShellHead};
 use clubface_fem::material::Hardening;
 use clubface_fem::solve::Structure;
-use clubface_impact::first_touch::Motion;
 use clubface_math::{Row, Vec3};
 use std::time::{Duration, Instant};
 
@@ -29,22 +28,12 @@ impl Contact<f64> for Free {
     fn nodes(&self) -> &[u32] {
         &[]
     }
-    fn set_method(&mut self, _: ContactMethod) {}
     fn assemble(&mut self, _: &[Row<f64>], _: &[Row<f64>], _: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &[]
     }
-    fn resultant(&self) -> Resultant<f64> {
-        Resultant::default()
-    }
-    fn energy(&self) -> ContactEnergy {
-        ContactEnergy::default()
-    }
     fn nearest(&self, _: &[Row<f64>], _: Vec3<f64>) -> (f64, Vec3<f64>) {
         (0.0, Vec3::zero())
-    }
-    fn head_motion(&self) -> Option<Motion<f64>> {
-        None
     }
 }
 

@@ -16,12 +16,18 @@ use core::ops::Range;
 #[derive(Clone, Copy)]
 pub struct ImpactModel(&'static Kernels);
 
+type Launches = fn(&Shots, Range<usize>, &mut [&mut [f64]]) -> Vec<Reject>;
+type Derivatives = fn(&Differentiated, &mut [f64]) -> Result<[f64; OUTPUT_COUNT], ImpactError>;
+type Histories = fn(&[f64; INPUT_COUNT], &[f64], Accuracy) -> Result<Recorded, ImpactError>;
+/// A history and the outputs.
+type Recorded = (History, [f64; OUTPUT_COUNT]);
+
 /// The description of a model and its kernels, compiled in the crate that holds the registry.
 pub struct Kernels {
     info: ModelInfo,
-    launches: fn(&Shots, Range<usize>, &mut [&mut [f64]]) -> Vec<Reject>,
-    derivatives: fn(&Differentiated, &mut [f64]) -> Result<[f64; OUTPUT_COUNT], ImpactError>,
-    history: fn(&[f64; INPUT_COUNT], &[f64], Accuracy) -> Result<(History, [f64; OUTPUT_COUNT]), ImpactError>,
+    launches: Launches,
+    derivatives: Derivatives,
+    history: Histories,
 }
 
 impl Kernels {
@@ -75,7 +81,7 @@ impl ImpactModel {
         inputs: &[f64; INPUT_COUNT],
         parameters: &[f64],
         accuracy: Accuracy,
-    ) -> Result<(History, [f64; OUTPUT_COUNT]), ImpactError> {
+    ) -> Result<Recorded, ImpactError> {
         let info = self.info();
         if info.kind == ModelKind::Impulse {
             let message =

@@ -94,7 +94,7 @@ class Ball(Described):
     @classmethod
     def builtin(cls, name: str) -> Self:
         """Return a ball that comes with the package, such as ``"conforming"``."""
-        return cls.from_toml(builtin_path("ball", name, ball_names()))
+        return cls.from_toml(builtin_path("ball", name, "balls"))
 
     @staticmethod
     def template(name: str = "my-ball") -> str:

@@ -195,7 +195,7 @@ class Club(Described):
     @classmethod
     def builtin(cls, name: str) -> Self:
         """Return a club that comes with the package, such as ``"driver"``."""
-        return cls.from_toml(builtin_path("club", name, CLUB_NAMES))
+        return cls.from_toml(builtin_path("club", name, "clubs", CLUB_NAMES))
 
     @staticmethod
     def template(name: str = "my-club") -> str:

@@ -11,8 +11,8 @@ use crate::solve::{springs_for_stable_step, Simulation, Structure};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_math::{Mat3, Row, Vec3};
 
-/// A ball at rest, met by the head of a shot, whose mass properties are those of this head; in face axes of first touch
-/// with the origin at the head's CG.
+/// A ball at rest that is hit by the head of a shot, whose mass properties are those of this head; in face axes of
+/// first touch with the origin at the head's CG.
 ///
 /// # Errors
 /// [`FemError::Input`] for a ball or a head that cannot be meshed, or a head that moves away from the ball.
@@ -41,9 +41,9 @@ pub fn ball_against_deformable_head<R: Kernels>(
     let along = |p: &Vec3<f64>| Vec3::from_f64(frame.map(|axis| p.dot(axis))) + touch.lever;
     let positioned: Vec<Vec3<R>> = head.nodes().iter().map(along).collect();
     let mut velocities = vec![Row::zero(); balls];
-    for &place in &positioned {
-        positions.push(Row::from_vec(place));
-        velocities.push(Row::from_vec(touch.club_velocity + touch.club_spin.cross(place)));
+    for &position in &positioned {
+        positions.push(Row::from_vec(position));
+        velocities.push(Row::from_vec(touch.club_velocity + touch.club_spin.cross(position)));
     }
     let of_head = head.masses();
     let turning = of_head.rotation.len();
@@ -62,7 +62,7 @@ pub fn ball_against_deformable_head<R: Kernels>(
         rotations: (turning > 0).then_some(count as u32),
         masses: &masses,
         grooves: head.grooves().map(|grooves| {
-            let heights = head.nodes().iter().map(|place| place.dot(frame[1]));
+            let heights = head.nodes().iter().map(|node| node.dot(frame[1]));
             (grooves, std::iter::repeat_n(0.0, balls).chain(heights).collect())
         }),
     };

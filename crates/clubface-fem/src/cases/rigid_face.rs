@@ -32,7 +32,7 @@ pub fn ball_against_plane<R: Kernels>(
     Ok(simulation)
 }
 
-/// A ball at rest, met by a rigid head, in face axes of first touch with the origin at the head's CG.
+/// A ball at rest that is hit by a rigid head, in face axes of first touch with the origin at the head's CG.
 ///
 /// # Errors
 /// [`FemError::Input`] for a ball that cannot be meshed, or a head that moves away from it.

@@ -12,7 +12,6 @@ use super::{
     Contact, ContactEnergy, ContactMethod, Grooves, NodeState, PenaltySprings, Penetration, Resultant,
 };
 use crate::material::{cross, dot};
-use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
 
 /// Steps for which a node beyond the edge is left out of the search.
@@ -195,7 +194,7 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
             let node = self.nodes[index];
             let x = positions[node as usize].vec();
             let Some(projection) = self.surface.projection(positions, x, candidate.quad, candidate.at) else {
-                self.passed_edge |= candidate.state.touches();
+                self.passed_edge |= candidate.state.in_contact();
                 (candidate.state, candidate.beyond) = (NodeState::free(), true);
                 self.intervals.skip(index, BEYOND);
                 continue;
@@ -277,9 +276,6 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
     }
     fn passed_edge(&self) -> bool {
         self.passed_edge
-    }
-    fn head_motion(&self) -> Option<Motion<R>> {
-        None
     }
 }
 

@@ -34,7 +34,7 @@ impl Grooves {
         }
     }
 
-    /// Checks that the nodes of a ball, this far apart (m), can feel the grooves.
+    /// Checks that the nodes of a ball, at this distance from each other (m), are close enough to resolve the grooves.
     ///
     /// # Errors
     /// [`FemError::Input`] for a mesh that is too coarse.

@@ -57,17 +57,21 @@ pub trait Contact<R: Real>: Send {
     fn area(&self, _index: usize) -> f64 {
         0.0
     }
-    /// Chooses the method that keeps nodes out of the other side.
-    fn set_method(&mut self, method: ContactMethod);
+    /// Chooses the method that keeps nodes out of the other side, if the contact has any.
+    fn set_method(&mut self, _method: ContactMethod) {}
     /// Computes the forces for positions (m) at a step and velocities (m/s) half a step before it; moves its bodies on
     /// by `dt` seconds.
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64);
     /// Forces on [`Contact::nodes`], N.
     fn forces(&self) -> &[Row<R>];
     /// Sum of the forces of the last step.
-    fn resultant(&self) -> Resultant<R>;
+    fn resultant(&self) -> Resultant<R> {
+        Resultant::default()
+    }
     /// Energies at the last step.
-    fn energy(&self) -> ContactEnergy;
+    fn energy(&self) -> ContactEnergy {
+        ContactEnergy::default()
+    }
     /// Signed distance of a point from the face (m, positive in front of it) and the face's unit normal, for the given
     /// positions of all nodes.
     fn nearest(&self, positions: &[Row<R>], point: Vec3<R>) -> (R, Vec3<R>);
@@ -77,5 +81,7 @@ pub trait Contact<R: Real>: Send {
         false
     }
     /// Motion of a rigid head; none if the head is made of nodes.
-    fn head_motion(&self) -> Option<Motion<R>>;
+    fn head_motion(&self) -> Option<Motion<R>> {
+        None
+    }
 }

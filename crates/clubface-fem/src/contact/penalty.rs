@@ -93,7 +93,7 @@ impl<R: Real> NodeState<R> {
     }
     /// Whether it was in contact in the last step.
     #[must_use]
-    pub fn touches(&self) -> bool {
+    pub fn in_contact(&self) -> bool {
         self.last.is_some()
     }
 }

@@ -32,7 +32,7 @@ pub struct Projection<R> {
 
 /// The outer side of some shells, half their thickness outside their nodes.
 pub struct Surface<R> {
-    /// Corners of the quadrilaterals, places among its nodes.
+    /// Corners of the quadrilaterals, as indices of its nodes.
     pub quads: Vec<[u32; 4]>,
     /// Neighbour across each edge (corner to next corner), or `u32::MAX`.
     neighbours: Vec<[u32; 4]>,

@@ -70,20 +70,14 @@ impl<R: Real> StateVariables<R> {
     pub fn is_empty(&self) -> bool {
         self.every_step.is_empty()
     }
-    /// Those of the points of a pack, which begins with the point `first` of a block.
+    /// Those of the points of a pack, which begins with a lane, counted over all blocks.
     #[inline(always)]
-    pub fn of(&mut self, block: usize, first: usize) -> State<'_, R> {
+    pub fn of(&mut self, lane: usize) -> State<'_, R> {
         let [every_step, energy_only] = self.counts;
-        State {
-            every_step: Numbers::new(
-                &mut self.every_step[block * every_step..(block + 1) * every_step],
-                first,
-            ),
-            energy_only: Numbers::new(
-                &mut self.energy_only[block * energy_only..(block + 1) * energy_only],
-                first,
-            ),
-        }
+        let (block, first) = (lane / BLOCK, lane % BLOCK);
+        let variables = &mut self.every_step[block * every_step..(block + 1) * every_step];
+        let accounts = &mut self.energy_only[block * energy_only..(block + 1) * energy_only];
+        State { every_step: Numbers::new(variables, first), energy_only: Numbers::new(accounts, first) }
     }
     /// A copy of some blocks, to try what comes of a step.
     #[must_use]

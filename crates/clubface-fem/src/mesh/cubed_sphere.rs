@@ -51,12 +51,12 @@ pub fn cubed_sphere<R: Scalar>(radii: &[R], fineness: &Fineness) -> SolidMesh<R>
                             // The third coordinate runs outward; on the low sides the first two are exchanged, to keep
                             // the map right-handed.
                             let level = depth + layer + (corner >> 2);
-                            let share = (layer + (corner >> 2)) as f64 / count as f64;
+                            let fraction = (layer + (corner >> 2)) as f64 / count as f64;
                             let at = on_side(side, u + (corner & 1), v + (corner >> 1 & 1), n);
                             element[corner] = builder.node(at, level, |q| {
                                 let start =
                                     from.map_or_else(|| scaled(inner(q), core), |r| scaled(outer(q), r));
-                                start * R::from_f64(1.0 - share) + scaled(outer(q), radius * share)
+                                start * R::from_f64(1.0 - fraction) + scaled(outer(q), radius * fraction)
                             });
                         }
                         mesh.elements.push(element);
@@ -111,8 +111,8 @@ fn inner(q: [f64; 3]) -> Vec3<f64> {
     }
     let flat = Vec3::from_f64(q) * CUBE;
     let round = outer(q.map(|c| c / t)) * (CUBE * t * 1.25);
-    let share = SWELL * t;
-    flat * (1.0 - share) + round * share
+    let fraction = SWELL * t;
+    flat * (1.0 - fraction) + round * fraction
 }
 
 /// Point of the unit sphere for a point of the cube's surface, equal angles apart.

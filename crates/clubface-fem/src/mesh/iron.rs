@@ -66,9 +66,9 @@ impl IronShape {
     fn thickness(&self, along: f64, across: f64) -> f64 {
         let rim = 2.0 * self.rim;
         // From 1 at an edge to 0 at the end of the rim.
-        let share = |at: f64| smooth(1.0 - (1.0 - at) / rim);
-        let top = self.face + (self.top - self.face) * share(across).max(share(along.abs()));
-        let sole = share(-across);
+        let fraction = |at: f64| smooth(1.0 - (1.0 - at) / rim);
+        let top = self.face + (self.top - self.face) * fraction(across).max(fraction(along.abs()));
+        let sole = fraction(-across);
         top + (self.sole - top) * sole
     }
 
@@ -116,7 +116,7 @@ impl IronShape {
 }
 
 /// From 0 to 1 with level ends.
-fn smooth(share: f64) -> f64 {
-    let s = share.clamp(0.0, 1.0);
+fn smooth(fraction: f64) -> f64 {
+    let s = fraction.clamp(0.0, 1.0);
     s * s * (3.0 - 2.0 * s)
 }

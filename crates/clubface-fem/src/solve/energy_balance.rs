@@ -1,4 +1,4 @@
-//! The energy balance of a run: what tells that its results can be trusted.
+//! The energy balance of a run, which shows whether its results can be trusted.
 
 use super::recorder::{BallState, Recorder};
 use super::records::EnergyRecord;

@@ -163,11 +163,11 @@ fn groups_of<const N: usize>(values: &PyReadonlyArray1<'_, u32>) -> PyResult<Vec
 }
 
 fn one_mesh(fits: bool) -> PyResult<()> {
-    let told = || PyValueError::new_err(("mesh of the head", "", "arrays of one mesh are needed"));
+    let error = || PyValueError::new_err(("mesh of the head", "", "its arrays must belong to one mesh"));
     if fits {
         Ok(())
     } else {
-        Err(told())
+        Err(error())
     }
 }
 

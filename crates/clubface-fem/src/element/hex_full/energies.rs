@@ -5,7 +5,7 @@ use super::patch::FullPatch;
 use super::stress::ElementPoints;
 use crate::block::BLOCK;
 use crate::element::patch::Energy;
-use crate::material::{Kinematics, PointEnergy};
+use crate::material::{EnergyPoints, Kinematics, PointEnergy, Symmetric};
 use clubface_math::{Pack, PackKernel, Real};
 
 /// Adds up energies.
@@ -22,6 +22,8 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
         let stage = patch.material.stage::<P>(patch.updates.preview());
         let bulk = P::splat(patch.material.bulk);
         let mut points = ElementPoints::empty();
+        let mut c = [Symmetric::diagonal(P::one()); POINTS];
+        let mut energies = [PointEnergy::zero(); POINTS];
         let mut energy = Energy::default();
         let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
         for block in 0..patch.corners.len() {
@@ -31,13 +33,19 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
                 points.set(&element, &patch.constants[block], first);
                 let [mut strain, mut viscous, mut plastic] = [P::zero(); 3];
                 for point in 0..POINTS {
-                    let c = Kinematics::of(points.deformations[point]).c;
-                    let nothing = P::zero();
-                    let mut found = PointEnergy { strain: nothing, viscous: nothing, plastic: nothing };
-                    stage.energy(&c, &mut patch.state, block * POINTS + point, first, &mut found);
-                    strain += found.strain * points.volumes[point];
-                    viscous += found.viscous * points.volumes[point];
-                    plastic += found.plastic * points.volumes[point];
+                    c[point] = Kinematics::of(points.deformations[point]).c;
+                }
+                stage.energy(&mut EnergyPoints {
+                    lane: block * POINTS * BLOCK + first,
+                    step: BLOCK,
+                    state: &mut patch.state,
+                    c: &c,
+                    energies: &mut energies,
+                });
+                for point in 0..POINTS {
+                    strain += energies[point].strain * points.volumes[point];
+                    viscous += energies[point].viscous * points.volumes[point];
+                    plastic += energies[point].plastic * points.volumes[point];
                     for lane in 0..lanes {
                         ratios.0 = ratios.0.min(points.deformations[point].volume.lane(lane));
                         ratios.1 = ratios.1.max(points.deformations[point].volume.lane(lane));
@@ -46,7 +54,7 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
                 let dilation = element.volume() / points.volume - 1.0;
                 strain += bulk * dilation * dilation * points.volume * 0.5;
                 if let Some(viscosity) = &patch.viscosity {
-                    viscous += viscosity.work::<P>(block, first) * points.volume;
+                    viscous += viscosity.work::<P>(block * BLOCK + first) * points.volume;
                 }
                 for lane in 0..lanes {
                     energy.strain += strain.lane(lane);

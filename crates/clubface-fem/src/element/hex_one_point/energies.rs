@@ -1,13 +1,14 @@
 //! Energies of a patch of one-point hexahedra.
 
-use super::constants::Constants;
+use super::constants::{Block, Constants};
 use super::element::Hexahedron;
 use super::patch::SolidPatch;
+use super::stress::RUN;
 use super::visitor::Visitor;
 use crate::element::bulk_viscosity::BulkViscosity;
 use crate::element::patch::Energy;
 use crate::element::ratios::Ratios;
-use crate::material::{Kinematics, PointEnergy, StateVariables, StressStage};
+use crate::material::{EnergyPoints, Kinematics, PointEnergy, StateVariables, StressStage, Symmetric};
 use clubface_math::{Pack, PackKernel, Real, Row};
 
 /// Adds up energies.
@@ -69,20 +70,30 @@ impl<P: Pack> EnergySum<'_, P> {
 
 impl<P: Pack> Visitor<P> for EnergySum<'_, P> {
     #[inline(always)]
-    fn visit(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
-        let kinematics = Kinematics::new(element.gradient(constants));
-        let (reference, ratio) = (constants.volume(), kinematics.deformation.volume);
-        let dilation = ratio - 1.0;
-        let nothing = P::zero();
-        let mut found = PointEnergy { strain: nothing, viscous: nothing, plastic: nothing };
-        self.stage.energy(&kinematics.c, self.state, block, first, &mut found);
-        let strain = found.strain + self.bulk * dilation * dilation * 0.5;
-        let damped = self.viscosity.map_or(nothing, |viscosity| viscosity.work(block, first));
-        // Lanes without an element have no volume and no stiffness, and keep their shape.
-        self.energies[0] += strain * reference;
-        self.energies[1] += element.hourglass_energy(constants);
-        self.energies[2] += (found.viscous + damped) * reference;
-        self.energies[3] += found.plastic * reference;
-        self.ratios = self.ratios.and(ratio);
+    fn visit(&mut self, lane: usize, step: usize, constants: &[Block<P::Real>], elements: &[Hexahedron<P>]) {
+        let mut ratios = [P::one(); RUN];
+        let mut c = [Symmetric::diagonal(P::one()); RUN];
+        let mut energies = [PointEnergy::zero(); RUN];
+        let count = elements.len();
+        for i in 0..count {
+            let kinematics =
+                Kinematics::new(elements[i].gradient(&Constants::at(constants, lane + i * step)));
+            (ratios[i], c[i]) = (kinematics.deformation.volume, kinematics.c);
+            self.ratios = self.ratios.and(ratios[i]);
+        }
+        let (c, energies) = (&c[..count], &mut energies[..count]);
+        self.stage.energy(&mut EnergyPoints { lane, step, state: self.state, c, energies });
+        for i in 0..count {
+            let (at, found) = (lane + i * step, energies[i]);
+            let constants = Constants::at(constants, at);
+            let (reference, dilation) = (constants.volume(), ratios[i] - 1.0);
+            let strain = found.strain + self.bulk * dilation * dilation * 0.5;
+            let damped = self.viscosity.map_or(P::zero(), |viscosity| viscosity.work(at));
+            // Lanes without an element have no volume and no stiffness, and keep their shape.
+            self.energies[0] += strain * reference;
+            self.energies[1] += elements[i].hourglass_energy(&constants);
+            self.energies[2] += (found.viscous + damped) * reference;
+            self.energies[3] += found.plastic * reference;
+        }
     }
 }

@@ -140,17 +140,21 @@ impl<R: Real> Lattice<R> {
             }
             field
         };
-        for column in 0..constants.len() / nk {
+        let mut elements = [Hexahedron::<P>::zero(); RUN];
+        for (column, blocks) in constants.chunks_exact(nk).enumerate() {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = places.quads::<P>(column * BLOCK + first);
-                for layer in 0..nk {
-                    // SAFETY: `at` is within the columns.
-                    let (low, high) =
-                        unsafe { (face::<P>(&mut field, layer, &at), face(&mut field, layer + 1, &at)) };
-                    let block = column * nk + layer;
-                    let constants = Constants::new(&constants[block].0, first);
-                    let element = Hexahedron::new(&constants, &low, &high);
-                    visitor.visit(block, first, &constants, &element);
+                for start in (0..nk).step_by(RUN) {
+                    let run = &blocks[start..(start + RUN).min(nk)];
+                    for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
+                        let k = start + layer;
+                        // SAFETY: `at` is within the columns.
+                        let (low, high) =
+                            unsafe { (face::<P>(&mut field, k, &at), face(&mut field, k + 1, &at)) };
+                        *element = Hexahedron::new(&Constants::new(&block.0, first), &low, &high);
+                    }
+                    let lane = (column * nk + start) * BLOCK + first;
+                    visitor.visit(lane, BLOCK, constants, &elements[..run.len()]);
                 }
             }
         }
@@ -213,7 +217,7 @@ unsafe fn walk<P: Pack>(
                     let constants = Constants::new(&block.0, first);
                     points.set(layer, element.gradient(&constants), constants.volume());
                 }
-                stress.compute(&mut points, run.len(), column * nk + start, first);
+                stress.compute(&mut points, run.len(), (column * nk + start) * BLOCK + first, BLOCK);
                 for (block, stress) in run.iter().zip(&mut points.stresses) {
                     *stress = on_bases(&Constants::new(&block.0, first), stress);
                 }

@@ -1,11 +1,12 @@
 //! What visits packs of elements, one after the other, however the elements find their nodes.
 
-use super::constants::Constants;
+use super::constants::Block;
 use super::element::Hexahedron;
 use clubface_math::Pack;
 
 /// A visitor of elements.
 pub trait Visitor<P: Pack> {
-    /// Visits lanes `first..` of a block.
-    fn visit(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>);
+    /// Visits some packs: the first begins with a lane, counted over all blocks, the next ones `step` lanes further. At
+    /// most [`super::stress::RUN`].
+    fn visit(&mut self, lane: usize, step: usize, constants: &[Block<P::Real>], elements: &[Hexahedron<P>]);
 }

@@ -56,7 +56,7 @@ fn pinched_cylinder(n: usize) -> f64 {
     let loads = Loads::new(&[(top, Vec3::new(0.0, 0.0, -0.25 * force))]);
     let mut body = Body::new(&mesh, &elastic(young, 0.3), (0..=n).flat_map(held), loads);
     // The slowest motion: about 0.12 c / R.
-    let error = body.settle(0.12 * young.sqrt() / radius, 1.5);
+    let error = body.relax(0.12 * young.sqrt() / radius, 1.5);
     assert!(error.abs() < 1e-4, "not at rest: {error}");
     -body.moved(&mesh, top, 2) / 1.8248e-5
 }
@@ -86,7 +86,7 @@ fn twisted_beam(across: usize, axis: usize) -> f64 {
     let loads: Vec<_> = (0..=across).map(|j| (node(along, j), Vec3::from_f64(force) * share(j))).collect();
     let mut body = Body::new(&mesh, &elastic(29e6, 0.22), held, Loads::new(&loads));
     // The slowest motion of the straight beam: 3.5 c t / (sqrt(12) L^2).
-    let error = body.settle(2.26e-3 * 29e6_f64.sqrt(), 3.0);
+    let error = body.relax(2.26e-3 * 29e6_f64.sqrt(), 3.0);
     assert!(error.abs() < 1e-4, "not at rest: {error}");
     body.moved(&mesh, node(along, across / 2), axis)
 }

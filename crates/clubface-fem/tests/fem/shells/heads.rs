@@ -75,7 +75,7 @@ fn a_core_that_rests_in_every_second_step_changes_nothing() {
     let mut alone = struck();
     // Of one piece, none of the ball is inside.
     alone.parts.fill("ball".into());
-    // The last two on both sides of the longest step at which the core may rest.
+    // The last two on both sides of the longest step at which the core may be subcycled.
     let pairs = [[(struck(), 0.75), (alone, 0.75)], [(thrown(2), 0.75), (thrown(2), 0.76)]];
     for pair in pairs {
         let [with, without] = pair.map(|(mut impact, safety)| {
@@ -110,7 +110,7 @@ fn a_core_under_one_layer_of_cover_stays_awake() {
 
 #[test]
 fn the_force_does_not_come_and_go_with_the_steps() {
-    // The head's shells are so small beside the ball's elements that all of the ball could bear to rest.
+    // The head's shells are so small beside the ball's elements that all of the ball could be subcycled.
     let head = Driver::roh_and_lee().mesh().expect("the head is valid").head;
     let mut impact = ball_against_deformable_head(
         &head,
@@ -138,7 +138,7 @@ fn the_force_does_not_come_and_go_with_the_steps() {
 }
 
 #[test]
-fn rest_keeps_momenta_and_the_bits_of_any_number_of_threads() {
+fn subcycling_keeps_momenta_and_the_bits_of_any_number_of_threads() {
     const STEPS: usize = 400;
     let case = || {
         let mut impact = struck();

@@ -1,11 +1,10 @@
 //! Plates of shells, and what the checks do with them.
 
-use clubface_fem::contact::{Contact, ContactEnergy, ContactMethod, Resultant};
+use clubface_fem::contact::Contact;
 use clubface_fem::element::{Isotropic, Kernels, Patch, ShellMaterial, ShellRows, SHELL_PATCH};
 use clubface_fem::environment::Environment;
 use clubface_fem::mesh::ShellMesh;
 use clubface_fem::solve::Structure;
-use clubface_impact::first_touch::Motion;
 use clubface_math::{Row, Vec3};
 
 pub const YOUNG: f64 = 114e9;
@@ -91,22 +90,12 @@ impl Contact<f64> for Loads {
     fn nodes(&self) -> &[u32] {
         &self.nodes
     }
-    fn set_method(&mut self, _: ContactMethod) {}
     fn assemble(&mut self, _: &[Row<f64>], _: &[Row<f64>], _: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &self.forces
     }
-    fn resultant(&self) -> Resultant<f64> {
-        Resultant { force: Vec3::zero(), normal: 0.0, area: 0.0 }
-    }
-    fn energy(&self) -> ContactEnergy {
-        ContactEnergy::default()
-    }
     fn nearest(&self, _: &[Row<f64>], _: Vec3<f64>) -> (f64, Vec3<f64>) {
         (0.0, Vec3::zero())
-    }
-    fn head_motion(&self) -> Option<Motion<f64>> {
-        None
     }
 }
 
@@ -166,7 +155,7 @@ impl Body {
 
     /// Comes to rest under its loads; `frequency` (rad/s) is near that of the slowest motion. Returns the work of the
     /// loads over twice the elastic energy, less one: the error of equilibrium.
-    pub fn settle(&mut self, frequency: f64, periods: f64) -> f64 {
+    pub fn relax(&mut self, frequency: f64, periods: f64) -> f64 {
         let before = self.structure.positions.clone();
         for _ in 0..(periods * std::f64::consts::TAU / (frequency * self.dt)) as usize {
             self.step(2.0 * frequency);

@@ -81,12 +81,12 @@ fn forces_are_derivatives_of_energy() {
         let size = 1e-5 * EDGE;
         for node in 0..mesh.nodes.len() {
             let direction = random.vector();
-            let rest = moved[node];
-            moved[node] = rest + direction * size;
+            let undeformed = moved[node];
+            moved[node] = undeformed + direction * size;
             let after = energy(&mut patches, &rows(&moved)).total();
-            moved[node] = rest + direction * -size;
+            moved[node] = undeformed + direction * -size;
             let before = energy(&mut patches, &rows(&moved)).total();
-            moved[node] = rest;
+            moved[node] = undeformed;
             let slope = (before - after) / (2.0 * size);
             assert!((slope - forces[node].dot(direction)).abs() < 1e-7 * largest(&forces));
         }
@@ -122,11 +122,11 @@ fn packs_of_every_width_agree() {
 }
 
 #[test]
-fn a_march_ends_with_the_step_in_which_an_element_leaves_its_law() {
+fn integration_ends_with_the_step_in_which_an_element_leaves_its_law() {
     // A lattice of cubes, and a list of elements without order; of the outermost element one side is moved.
     for ([ni, nj, nk], kind) in ELEMENTS.into_iter().flat_map(|kind| [([4, 4, 3], kind), ([2, 2, 2], kind)]) {
         let mesh = block([ni, nj, nk], [EDGE; 3]);
-        for (share, within) in
+        for (ratio, within) in
             [(1.0, true), (0.35, true), (0.25, false), (-0.2, false), (2.4, true), (2.6, false)]
         {
             let mut body = structure(kind, &mesh, &elastic(350e6, 0.4, 950.0), &[]);
@@ -134,10 +134,10 @@ fn a_march_ends_with_the_step_in_which_an_element_leaves_its_law() {
             let dt = 1e-6 * body.stable_step(40);
             let edge = EDGE / ni as f64;
             for x in body.positions.iter_mut().filter(|x| x.0[0] > EDGE - 0.5 * edge) {
-                x.0[0] += (share - 1.0) * edge;
+                x.0[0] += (ratio - 1.0) * edge;
             }
             let steps = body.integrate(&mut Free, dt, 5, &mut |_, _| true);
-            assert_eq!(steps, if within { 5 } else { 1 }, "{kind:?} {ni} {share}");
+            assert_eq!(steps, if within { 5 } else { 1 }, "{kind:?} {ni} {ratio}");
         }
     }
 }

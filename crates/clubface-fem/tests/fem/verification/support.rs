@@ -1,12 +1,11 @@
 //! Bodies of one material, and what the checks measure on them.
 
-use clubface_fem::contact::{Contact, ContactEnergy, ContactMethod, PenaltySprings, Resultant};
+use clubface_fem::contact::{Contact, PenaltySprings};
 use clubface_fem::element::{Element, Patch};
 use clubface_fem::environment::Environment;
 use clubface_fem::material::{Hencky, Material};
 use clubface_fem::mesh::{SolidMesh, CORNERS};
 use clubface_fem::solve::Structure;
-use clubface_impact::first_touch::Motion;
 use clubface_math::{Mat3, Row, Vec3};
 
 /// Every kind of solid element.
@@ -138,22 +137,12 @@ impl Contact<f64> for Free {
     fn nodes(&self) -> &[u32] {
         &[]
     }
-    fn set_method(&mut self, _: ContactMethod) {}
     fn assemble(&mut self, _positions: &[Row<f64>], _velocities: &[Row<f64>], _dt: f64) {}
     fn forces(&self) -> &[Row<f64>] {
         &[]
     }
-    fn resultant(&self) -> Resultant<f64> {
-        Resultant { force: Vec3::zero(), normal: 0.0, area: 0.0 }
-    }
-    fn energy(&self) -> ContactEnergy {
-        ContactEnergy::default()
-    }
     fn nearest(&self, _: &[Row<f64>], _point: Vec3<f64>) -> (f64, Vec3<f64>) {
         (f64::INFINITY, Vec3::new(1.0, 0.0, 0.0))
-    }
-    fn head_motion(&self) -> Option<Motion<f64>> {
-        None
     }
 }
 
