@@ -66,7 +66,7 @@ def test_a_hard_impact_is_run_again_with_shorter_steps():
     # Elements that are squeezed thin need shorter steps than those of the undeformed ball.
     hard = throw_case(until_separation=True).replace(speed=80.0)
     found, short, long = hard.run(), *(hard.replace(settings={"safety": share}).run() for share in (0.65, 0.9))
-    assert "a smaller `safety` helps" in long.stopped
+    assert "choose a smaller `safety`" in long.stopped
     assert long.settings.safety == 0.9
     assert found.stopped is None
     assert found.settings.safety == 0.65

@@ -97,7 +97,7 @@ def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
     found = fem.sensitivity("driver", by="speed", **hit)
     # The same operations, but on numbers with derivatives.
     assert found.values["ball_speed"] == pytest.approx(run.launch["ball_speed"], rel=1e-9)
-    with pytest.raises(ShotError, match="a smaller `safety` helps"):
+    with pytest.raises(ShotError, match="choose a smaller `safety`"):
         fem.sensitivity("driver", by="speed", **hit | {"settings": replace(SETTINGS, safety=0.9)})
 
 

@@ -98,11 +98,6 @@ impl<F: Family, R: Number> Law<R> for Built<F, R> {
     fn check(&self, name: &str) -> Result<(), FemError> {
         let values: Vec<f64> = self.constants.iter().map(|value| value.re()).collect();
         F::check(&values, name)?;
-        let shear = self.shear().re();
-        if !(shear > 0.0 && shear.is_finite()) {
-            let allowed = "it must be above zero and finite";
-            return Err(FemError::input(format!("shear modulus of {name}"), format!("{shear} Pa"), allowed));
-        }
         for (constant, value) in F::DESCRIPTION.constants.iter().zip(values) {
             let (least, most, unit) = (constant.least, constant.most, constant.unit());
             if !(least..=most).contains(&value) {
@@ -114,6 +109,11 @@ impl<F: Family, R: Number> Law<R> for Built<F, R> {
                 };
                 return Err(FemError::input(format!("{} of {name}", constant.name), written(value), allowed));
             }
+        }
+        let shear = self.shear().re();
+        if !(shear > 0.0 && shear.is_finite()) {
+            let allowed = "it must be above zero and finite";
+            return Err(FemError::input(format!("shear modulus of {name}"), format!("{shear} Pa"), allowed));
         }
         Ok(())
     }
