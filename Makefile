@@ -62,6 +62,7 @@ docs: dev ## the documentation as web pages in docs/_build
 	@echo "docs/_build/index.html"
 
 wasm-check: build ## the core in WebAssembly: built, run in Node, compared with the package
+	@command -v node >/dev/null || { echo "wasm-check needs Node 20 or newer" >&2; exit 1; }
 	rustup target add wasm32-unknown-unknown
 	cargo build --release --locked --package clubface-wasm --target wasm32-unknown-unknown
 	$(PYTHON) scripts/wasm_check.py target/wasm32-unknown-unknown/release/clubface_wasm.wasm

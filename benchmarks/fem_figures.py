@@ -61,7 +61,7 @@ def the_reference() -> None:
 
 def thin_middle() -> fem.MeshedHead:
     """Return Roh and Lee's head with a face thinner in the middle than at its edge."""
-    design = from_toml(builtin_path("fem_head", "paper", fem.head_names()))
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
     assert isinstance(design, fem.DriverHead)
     walls = {**design.thickness, "face_centre": 1.6e-3, "face_edge": 2.1e-3}
     return fem.head(replace(design, thickness=walls))

@@ -19,6 +19,7 @@ extensions = [
     "core_tables",
     "findings_tables",
     "findings_tour",
+    "published_tables",
 ]
 exclude_patterns = ["_build"]
 html_theme = "furo"

@@ -28,7 +28,7 @@ A CPU may fuse products and sums, WebAssembly does not, and an impact multiplies
 """
 
 
-def _deliveries() -> list[list[float] | float]:
+def _deliveries() -> list[list[float]]:
     """Return columns of shots with the driver of Caldwell and McPhee (2023), some of which cannot be computed."""
     random = np.random.default_rng(1)
     driver = {
@@ -42,7 +42,7 @@ def _deliveries() -> list[list[float] | float]:
         "face": (-0.14, 0.14), "lie": (-0.14, 0.14), "toe": (-0.025, 0.025), "high": (-0.012, 0.012),
         "closure": (-10.0, 60.0), "pitch_rate": (-20.0, 20.0), "lie_rate": (-20.0, 20.0),
     }  # fmt: skip
-    columns: list[list[float] | float] = []
+    columns: list[list[float]] = []
     for entry in _core.inputs():
         name = entry["name"]
         if name in ranges:

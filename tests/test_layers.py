@@ -10,9 +10,9 @@ import clubface
 ROOT = Path(clubface.__file__).parent
 
 ROOMS = (
-    "errors", "support", "units", "equipment", "simulation", "plots", "tables", "recorded", "launch_monitor",
-    "measured", "prediction", "tour", "benchmark_data", "evaluation", "identification", "inference", "fem",
-    "motion_capture", "findings", "cli", "__main__",
+    "errors", "support", "units", "measurements", "equipment", "simulation", "plots", "tables", "recorded",
+    "launch_monitor", "measured", "prediction", "tour", "benchmark_data", "evaluation", "identification", "inference",
+    "fem", "motion_capture", "findings", "cli", "__main__",
 )  # fmt: skip
 """From the ground up. The package itself, which names what is public in all of them, stands above."""
 

@@ -18,6 +18,19 @@ def test_importing_the_package_loads_neither_numpy_nor_anything_slow():
     assert result.stdout.strip() == "[]"
 
 
+HEAVY = {"numpy", "pandas", "xarray", "scipy", "matplotlib", "pyarrow", "pymoo", "meshio", "ezc3d", "rich", "typer"}
+
+
+def test_a_reduced_model_needs_numpy_alone():
+    code = (
+        "import sys, clubface; launch = clubface.impact('driver', speed='113 mph');"
+        "clubface.fly(launch);"
+        f"print(sorted({HEAVY} & set(sys.modules)), 'clubface.fem' in sys.modules)"
+    )
+    result = subprocess.run([sys.executable, "-W", "ignore", "-c", code], capture_output=True, text=True, check=True)
+    assert result.stdout.strip() == "['numpy'] False"
+
+
 def test_no_module_hides_a_public_function_of_its_package():
     """Importing a module sets it as an attribute of its package, in place of a function of that name."""
     root = Path(clubface.__file__).parent

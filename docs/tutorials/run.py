@@ -91,6 +91,12 @@ def _python(code: str, names: dict[str, Any], page: Path, line: int) -> str:
 
 def update(page: Path, folder: Path) -> None:
     """Write the outputs into the page, and the pictures it shows and makes into docs/figures."""
+    import matplotlib as mpl
+
+    # The same picture is then the same file.
+    os.environ["SOURCE_DATE_EPOCH"] = "0"
+    mpl.use("agg")
+    mpl.rcParams["svg.hashsalt"] = "clubface"
     printed = iter([each.printed for each in run(page, folder)])
 
     def filled(block: re.Match[str]) -> str:

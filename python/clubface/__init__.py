@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from clubface import errors as errors
     from clubface import fem as fem
     from clubface import launch_monitor as launch_monitor
+    from clubface import measurements as measurements
     from clubface import units as units
     from clubface.equipment.balls import Ball as Ball
     from clubface.equipment.balls import ball as ball
@@ -63,7 +64,7 @@ _HOME = {
 }
 """The module in which each public name is defined."""
 
-_MODULES = ("benchmark_data", "errors", "fem", "launch_monitor", "motion_capture", "units")
+_MODULES = ("benchmark_data", "errors", "fem", "launch_monitor", "measurements", "motion_capture", "units")
 
 MODULES["fem"] = "clubface.fem.backend"
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from clubface.equipment.balls import Ball, ball, ball_names
-from clubface.equipment.clubs import CLUB_NAMES, CLUB_QUANTITIES, club
+from clubface.equipment.clubs import CLUB_NAMES, CLUB_PROPERTIES, club
 from clubface.errors import RuleWarning
 from clubface.simulation.impact import impact
 from clubface.support import shipped, warning
@@ -68,7 +68,7 @@ def test_there_is_a_club_for_every_row_of_the_tour_averages():
 
 @pytest.mark.parametrize("name", CLUB_NAMES)
 def test_every_value_of_a_built_in_club_has_a_source(name):
-    assert set(club(name).sources) == set(CLUB_QUANTITIES) - {"cor"}
+    assert set(club(name).sources) == set(CLUB_PROPERTIES) - {"cor"}
 
 
 @pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from clubface import units
 from clubface.equipment.balls import Ball, ball
-from clubface.equipment.clubs import CLUB_QUANTITIES, Club, club
+from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club
 from clubface.equipment.mass_properties import principal_moments
 from clubface.errors import FileError, ImplausibleWarning, InputError, RuleWarning, UnitError, UnknownNameError
 from clubface.support import warning
@@ -41,7 +41,7 @@ def clubs(draw):
         face_width=draw(st.floats(1e-3, 0.3)), face_height=draw(st.floats(1e-3, 0.3)),
         hand=draw(st.sampled_from([1, -1])), parameters=draw(st.sampled_from(["driver", "7-iron"])),
         cor=draw(st.none() | st.floats(0.0, 0.8)), description=draw(text),
-        sources=draw(st.dictionaries(st.sampled_from(sorted(CLUB_QUANTITIES)), text)),
+        sources=draw(st.dictionaries(st.sampled_from(sorted(CLUB_PROPERTIES)), text)),
     )  # fmt: skip
 
 
@@ -94,7 +94,7 @@ def _toml(value):
     return str(value)
 
 
-KEYS = st.sampled_from([*CLUB_QUANTITIES, "name", "kind", "hand", "parameters", "description", "sources", "extra"])
+KEYS = st.sampled_from([*CLUB_PROPERTIES, "name", "kind", "hand", "parameters", "description", "sources", "extra"])
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")

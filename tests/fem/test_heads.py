@@ -19,7 +19,7 @@ from fem_runs import coarse, coarse_head, coarse_shells, shells_case
 def test_the_head_of_the_paper_is_as_the_paper_says():
     with warnings.catch_warnings():
         warnings.simplefilter("error", TargetWarning)
-        head = from_toml(builtin_path("fem_head", "paper", fem.head_names())).mesh()
+        head = from_toml(builtin_path("head", "paper", "fem_heads")).mesh()
     club = head.club
     assert head.elements == 3264
     assert club.mass == pytest.approx(0.210, rel=1e-5)
@@ -35,7 +35,7 @@ def test_the_head_of_the_paper_is_as_the_paper_says():
 
 
 def test_targets_that_cannot_be_met_stand_beside_what_was_reached():
-    design = from_toml(builtin_path("fem_head", "paper", fem.head_names()))
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
     wide = replace(design, name="wide", elements=(14, 8, 10), target={**design.target, "izz": "15260 g cm2"})
     with pytest.warns(TargetWarning, match=r"wide: mass .* g instead of 210 g, .*izz 2\d{3}\S* g cm2 instead of 15260"):
         heavy = wide.mesh()
@@ -95,7 +95,7 @@ def test_restitution_of_a_rigid_head_is_that_of_the_ball():
 
 
 def test_a_thinner_face_springs_more_and_holds_the_striker_longer():
-    design = from_toml(builtin_path("fem_head", "paper", fem.head_names()))
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
     assert isinstance(design, fem.DriverHead)
     thin, thick = (
         replace(design, elements=(14, 8, 10), thickness={**design.thickness, "face_centre": t, "face_edge": t}).mesh()
@@ -120,7 +120,7 @@ def test_the_striker_is_fine_enough(monkeypatch):
 
 @pytest.mark.parametrize("elements", [(48, 16, 33), (54, 18, 38)])
 def test_a_finer_head_is_the_same_head(elements):
-    design = from_toml(builtin_path("fem_head", "paper", fem.head_names()))
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
     # Its small elements would fold at the edges of the face.
     finer, usual = (fem.head(replace(design, elements=each)).club for each in (elements, design.elements))
     # Targets are met; the rest follows from walls and trims, which differ a little as the mesh does.
@@ -130,7 +130,7 @@ def test_a_finer_head_is_the_same_head(elements):
 
 @pytest.mark.parametrize(("depth", "sole"), [("150 mm", "60 mm"), ("30 mm", "8 mm")])
 def test_a_face_as_curved_as_shapes_may_be_is_meshed(depth, sole):
-    design = from_toml(builtin_path("fem_head", "paper", fem.head_names()))
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
     shape = {"width": "150 mm", "depth": depth, "crown": "60 mm", "sole": sole, "rounding": "1 mm"}
     shape |= {"bulge": "100 mm", "roll": "100 mm", "loft": "39.99 deg"}
     with warnings.catch_warnings():

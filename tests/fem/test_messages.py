@@ -16,7 +16,7 @@ from fem_runs import coarse
 
 def head_file(folder, name, old, new):
     """Write a built-in head with one thing changed; return its path."""
-    text = builtin_path("fem_head", name, fem.head_names()).read_text()
+    text = builtin_path("head", name, "fem_heads").read_text()
     assert old in text
     path = folder / "head.toml"
     path.write_text(text.replace(old, new, 1))

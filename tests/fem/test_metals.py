@@ -11,7 +11,7 @@ from clubface.fem.heads.read import from_toml
 from clubface.support.shipped import builtin_path
 from fem_runs import coarse, coarse_head, shells_case
 
-IRON = builtin_path("fem_head", "7-iron", fem.head_names())
+IRON = builtin_path("head", "7-iron", "fem_heads")
 
 HEAD = """\
 name = "mine"

@@ -34,7 +34,7 @@ def drive_case(**settings):
 @cache
 def coarse_head():
     """Roh and Lee's head of few shells."""
-    return fem.head(replace(from_toml(builtin_path("fem_head", "paper", fem.head_names())), elements=(14, 8, 10)))
+    return fem.head(replace(from_toml(builtin_path("head", "paper", "fem_heads")), elements=(14, 8, 10)))
 
 
 def shells_case(**settings):

@@ -38,6 +38,6 @@ def test_whatever_a_file_holds_every_row_is_told_or_the_file_is_refused(tmp_path
     assert report.written + report.rejected == report.rows > 0
     rejects = csv_reader.CsvReader(tmp_path / "out.rejects.csv") if report.rejects else None
     if rejects is not None:
-        kept = sum(len(piece.lines) + len(piece.ragged) for piece in rejects.pieces(100, 0))
+        kept = sum(len(chunk.lines) + len(chunk.ragged) for chunk in rejects.chunks(100, 0))
         rejects.close()
         assert kept == report.rejected

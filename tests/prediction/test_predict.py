@@ -111,7 +111,7 @@ def test_line_numbers_survive_cells_of_several_lines_blank_lines_and_pieces(writ
 
 @pytest.mark.parametrize("chunk", [1, 3, 100])
 def test_rows_bad_for_different_reasons_are_told_apart(write, tmp_path, chunk):
-    """Unreadable, refused by the core, of the wrong width, good: in one piece each keeps its own place."""
+    """Unreadable, refused by the core, of the wrong width, good: in one chunk each keeps its own place."""
     rows = ["a,x,1", "b,100,1", "c,100,80", "d,100", "e,y,1", "f,101,2", "g,100,90", "h,102,3", "i,-1,3", "j,103,4"]
     path = write("id,speed_mph,toe_mm\n" + "\n".join(rows))
     report = predict(path, club="driver", output=tmp_path / "out.csv", chunk_rows=chunk)
@@ -128,12 +128,12 @@ def test_rows_bad_for_different_reasons_are_told_apart(write, tmp_path, chunk):
 
 
 def test_long_rows_make_short_pieces(write, tmp_path, monkeypatch):
-    """Rows of some thousand characters; a piece ends after 10000, however many rows it may have."""
+    """Rows of some thousand characters; a chunk ends after 10000, however many rows it may have."""
     path = write("speed,note\n" + "".join(f"{40 + row},{'x' * 4000}\n" for row in range(10)))
     whole, cut = tmp_path / "whole.csv", tmp_path / "cut.csv"
     predict(path, club="driver", output=whole)
     done = []
-    monkeypatch.setattr(csv_reader, "LARGEST_PIECE", 10_000)
+    monkeypatch.setattr(csv_reader, "LARGEST_CHUNK", 10_000)
     predict(path, club="driver", output=cut, progress=lambda part, rows: done.append(rows))
     assert done == [3, 6, 9, 10]
     assert cut.read_bytes() == whole.read_bytes()

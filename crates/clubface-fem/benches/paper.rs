@@ -1,5 +1,5 @@
-//! Cost of P2's case as a whole, beside the launch it computes: P2's ball and head of shells, then the same struck by
-//! a rigid head.
+//! Cost of the case of Roh and Lee as a whole, beside the launch it computes: their ball and head of shells, then the
+//! same struck by a rigid head.
 //!
 //! `cargo bench -p clubface-fem --bench paper`: the least of some runs, which is what the machine does when nobody
 //! else uses it; what a step is made of; the memory the process has taken; and two runs side by side against one.
@@ -90,21 +90,23 @@ fn main() {
     let mut driver = Driver::roh_and_lee();
     driver.thickness = DriverThickness { face_centre: 1.85e-3, face_edge: 1.75e-3, ..driver.thickness };
     let start = Instant::now();
-    let head = driver.mesh().expect("P2's head").head;
+    let head = driver.mesh().expect("Roh and Lee's head").head;
     println!("head meshed in {:.3} s", start.elapsed().as_secs_f64());
     let touch = delivered::delivered(&head, 0.0, 0.0);
     let shells = || {
         ball_against_deformable_head(&head, &ball(), &touch, FRICTION, &Environment::native())
-            .expect("P2's case")
+            .expect("Roh and Lee's case")
     };
-    let rigid =
-        || ball_against_rigid_head(&ball(), &touch, FRICTION, &Environment::native()).expect("P2's ball");
+    let rigid = || {
+        ball_against_rigid_head(&ball(), &touch, FRICTION, &Environment::native())
+            .expect("Roh and Lee's ball")
+    };
     // As in the case that is shipped.
     let whole = Options { safety: Some(0.99), ..Options::default() };
     let short = Options { until_separation: true, ..Options::default() };
     type Make<'a> = &'a (dyn Fn() -> Simulation<f64> + Sync);
     let cases: [(&str, Make, &Options); 2] =
-        [("P2's case", &shells, &whole), ("rigid head until separation", &rigid, &short)];
+        [("Roh and Lee's case", &shells, &whole), ("rigid head until separation", &rigid, &short)];
     for (name, make, options) in cases {
         for threads in [1, 2] {
             let mut told = String::new();

@@ -1,5 +1,5 @@
-//! Cost of a head of shells (P2's, struck on its face), in nanoseconds per element and step, beside the energies it
-//! computes.
+//! Cost of a head of shells (that of Roh and Lee, struck on its face), in nanoseconds per element and step, beside the
+//! energies it computes.
 //!
 //! `cargo bench -p clubface-fem --bench shells`: the least time of a step, nodes included, which is what the machine
 //! does when nobody else uses it.
@@ -37,7 +37,7 @@ impl Contact<f64> for Free {
     }
 }
 
-/// P2's head of a metal, its face moving inwards, fastest in its middle.
+/// Roh and Lee's head of a metal, its face moving inwards, fastest in its middle.
 fn struck(
     head: &ShellHead<f64>,
     metal: &dyn Fn(&ShellMaterial<f64>) -> ShellMaterial<f64>,
@@ -66,7 +66,7 @@ fn struck(
 }
 
 fn main() {
-    let head = Driver::roh_and_lee().mesh().expect("P2's head").head;
+    let head = Driver::roh_and_lee().mesh().expect("Roh and Lee's head").head;
     let yields = |gain: f64| {
         move |m: &ShellMaterial<f64>| m.clone().yielding(Hardening::linear(0.8e9, 1e9).saturating(gain, 20.0))
     };

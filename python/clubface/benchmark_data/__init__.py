@@ -51,6 +51,9 @@ class BenchmarkShots:
     def __len__(self) -> int:
         return len(self.measured)
 
+    def __repr__(self) -> str:
+        return f"{len(self)} benchmark shots of the {self.club} by {len(set(self.player.tolist()))} players"
+
 
 def load(club: str) -> BenchmarkShots:
     """Return the benchmark shots of ``club``, "driver" (550) or "7-iron" (120). Needs pyarrow."""

@@ -70,11 +70,11 @@ def clubs(
 def describe(subject: Any) -> dict[str, Any]:
     """Return a club or ball as a document: its values in SI with the unit of each, and their sources."""
     from clubface import units
-    from clubface.equipment.balls import BALL_QUANTITIES
-    from clubface.equipment.clubs import CLUB_QUANTITIES, Club
+    from clubface.equipment.balls import BALL_PROPERTIES
+    from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 
     is_club = isinstance(subject, Club)
-    quantities = CLUB_QUANTITIES if is_club else BALL_QUANTITIES
+    quantities = CLUB_PROPERTIES if is_club else BALL_PROPERTIES
     found: dict[str, Any] = {"name": subject.name, "description": subject.description}
     if is_club:
         found |= {"kind": subject.kind, "hand": subject.hand, "parameters": subject.parameters}
@@ -86,13 +86,13 @@ def describe(subject: Any) -> dict[str, Any]:
 
 def print_club(found: Any) -> None:
     """Print one club with the meaning and source of every value."""
-    from clubface.equipment.clubs import CLUB_QUANTITIES
+    from clubface.equipment.clubs import CLUB_PROPERTIES
 
     hand = "" if found.hand > 0 else ", left-handed"
     print(f"{found.name}: {found.description or found.kind}{hand}; parameters of {found.parameters}")
     sources: dict[str, int] = {}
     rows = []
-    for key, quantity in CLUB_QUANTITIES.items():
+    for key, quantity in CLUB_PROPERTIES.items():
         if getattr(found, key) is None:
             continue
         source = found.sources.get(key, "")
@@ -108,12 +108,12 @@ def _cell(found: Any, key: str) -> str:
     import math
 
     from clubface import units
-    from clubface.equipment.clubs import CLUB_QUANTITIES
+    from clubface.equipment.clubs import CLUB_PROPERTIES
 
     value = getattr(found, key)
     if key.startswith("cg"):
         return f"{units.from_si(value, 'mm'):.2f}"
-    return "flat" if math.isinf(value) else f"{units.from_si(value, CLUB_QUANTITIES[key].unit):.4g}"
+    return "flat" if math.isinf(value) else f"{units.from_si(value, CLUB_PROPERTIES[key].unit):.4g}"
 
 
 def _origin(found: Any) -> str:

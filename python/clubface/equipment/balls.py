@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar, Self
 
 from clubface import units
-from clubface.equipment.described import Described, Quantity, convert, template_lines, to_toml
+from clubface.equipment.described import Described, Property, set_si, template_lines, to_toml
 from clubface.equipment.mass_properties import check_positive
 from clubface.errors import InputError, RuleWarning
 from clubface.support.checks import check_name, check_text
@@ -27,10 +27,10 @@ BALL_MASS_LIMIT = 45.93e-3
 BALL_DIAMETER_LIMIT = 42.67e-3
 """m, at least (1.680 in); The Equipment Rules."""
 
-BALL_QUANTITIES = {
-    "mass": Quantity("mass", "g", "mass", "45.93 g"),
-    "radius": Quantity("length", "mm", "radius", "21.335 mm"),
-    "inertia": Quantity("inertia", "g cm2", "moment of inertia about the centre", "83.6 g cm2"),
+BALL_PROPERTIES = {
+    "mass": Property("mass", "g", "mass", "45.93 g"),
+    "radius": Property("length", "mm", "radius", "21.335 mm"),
+    "inertia": Property("inertia", "g cm2", "moment of inertia about the centre", "83.6 g cm2"),
 }
 
 
@@ -60,10 +60,10 @@ class Ball(Described):
     inertia: float
     description: str = ""
     sources: Mapping[str, str] = field(default_factory=dict, hash=False)
-    quantities: ClassVar = BALL_QUANTITIES
+    properties: ClassVar = BALL_PROPERTIES
 
     def __post_init__(self) -> None:
-        convert(self, BALL_QUANTITIES)
+        set_si(self, BALL_PROPERTIES)
         check_name(self.name)
         check_text("description", self.description)
         for each, symbol in (("mass", "kg"), ("radius", "m"), ("inertia", "kg m2")):
@@ -85,16 +85,16 @@ class Ball(Described):
 
     def inputs(self) -> dict[str, float]:
         """Return the values the models take, SI, under the core's names and in its order."""
-        return {f"ball_{key}": getattr(self, key) for key in BALL_QUANTITIES}
+        return {f"ball_{key}": getattr(self, key) for key in BALL_PROPERTIES}
 
     def to_toml(self) -> str:
         """Write the ball as TOML text, which :meth:`from_text` reads back exactly."""
-        return to_toml(self, BALL_QUANTITIES, {})
+        return to_toml(self, BALL_PROPERTIES, {})
 
     @classmethod
     def builtin(cls, name: str) -> Self:
         """Return a ball that comes with the package, such as ``"conforming"``."""
-        return cls.from_toml(builtin_path("ball", name, ball_names()))
+        return cls.from_toml(builtin_path("ball", name, "balls"))
 
     @staticmethod
     def template(name: str = "my-ball") -> str:
@@ -106,7 +106,7 @@ class Ball(Described):
             'description = ""',
             "",
         ]
-        return "\n".join(head + template_lines(BALL_QUANTITIES))
+        return "\n".join(head + template_lines(BALL_PROPERTIES))
 
 
 def ball(which: str | os.PathLike[str] | Ball | None = None) -> Ball:

@@ -15,7 +15,7 @@ from typing import ClassVar, Self
 from clubface import units
 from clubface.equipment.balls import Ball as Ball
 from clubface.equipment.balls import ball as ball
-from clubface.equipment.described import Described, Quantity, convert, template_lines, to_toml
+from clubface.equipment.described import Described, Property, set_si, template_lines, to_toml
 from clubface.equipment.mass_properties import Tensor, check_inertia, check_positive
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning
 from clubface.support.checks import check_choice, check_name, check_text
@@ -37,23 +37,23 @@ MOI_TOLERANCE = 100e-7
 COR_LIMIT = 0.83
 """Coefficient of restitution; The Equipment Rules."""
 
-CLUB_QUANTITIES = {
-    "mass": Quantity("mass", "g", "mass of the clubhead", "204 g"),
-    "cg_x": Quantity("length", "mm", "from the CG to the face centre, towards the target", "40.8 mm"),
-    "cg_y": Quantity("length", "mm", "the same, up", "11.4 mm"),
-    "cg_z": Quantity("length", "mm", "the same, to the right of the target line (towards the toe)", "1.0 mm"),
-    "ixx": Quantity("inertia", "g cm2", "inertia about the CG, same axes, at the static loft", "2843 g cm2"),
-    "iyy": Quantity("inertia", "g cm2", "about the vertical axis: the MOI the rules limit", "5679 g cm2"),
-    "izz": Quantity("inertia", "g cm2", "about the heel-toe axis", "4085 g cm2"),
-    "ixy": Quantity("inertia", "g cm2", "element of the tensor (minus the integral of x y dm)", "-733 g cm2"),
-    "ixz": Quantity("inertia", "g cm2", "element of the tensor", "530.2 g cm2"),
-    "iyz": Quantity("inertia", "g cm2", "element of the tensor", "0.5 g cm2"),
-    "loft": Quantity("angle", "deg", "static loft, 0 to 75 deg", "9.8 deg"),
-    "bulge": Quantity("length", "mm", 'radius of the face from heel to toe, or "flat"', "305 mm"),
-    "roll": Quantity("length", "mm", 'radius of the face from sole to crown, or "flat"', "305 mm"),
-    "face_width": Quantity("length", "mm", "width of the face, heel to toe", "105 mm"),
-    "face_height": Quantity("length", "mm", "height of the face, along the face", "55 mm"),
-    "cor": Quantity("dimensionless", "1", "coefficient of restitution, compared with the rules", "0.83", False),
+CLUB_PROPERTIES = {
+    "mass": Property("mass", "g", "mass of the clubhead", "204 g"),
+    "cg_x": Property("length", "mm", "from the CG to the face centre, towards the target", "40.8 mm"),
+    "cg_y": Property("length", "mm", "the same, up", "11.4 mm"),
+    "cg_z": Property("length", "mm", "the same, to the right of the target line (towards the toe)", "1.0 mm"),
+    "ixx": Property("inertia", "g cm2", "inertia about the CG, same axes, at the static loft", "2843 g cm2"),
+    "iyy": Property("inertia", "g cm2", "about the vertical axis: the MOI the rules limit", "5679 g cm2"),
+    "izz": Property("inertia", "g cm2", "about the heel-toe axis", "4085 g cm2"),
+    "ixy": Property("inertia", "g cm2", "element of the tensor (minus the integral of x y dm)", "-733 g cm2"),
+    "ixz": Property("inertia", "g cm2", "element of the tensor", "530.2 g cm2"),
+    "iyz": Property("inertia", "g cm2", "element of the tensor", "0.5 g cm2"),
+    "loft": Property("angle", "deg", "static loft, 0 to 75 deg", "9.8 deg"),
+    "bulge": Property("length", "mm", 'radius of the face from heel to toe, or "flat"', "305 mm"),
+    "roll": Property("length", "mm", 'radius of the face from sole to crown, or "flat"', "305 mm"),
+    "face_width": Property("length", "mm", "width of the face, heel to toe", "105 mm"),
+    "face_height": Property("length", "mm", "height of the face, along the face", "55 mm"),
+    "cor": Property("dimensionless", "1", "coefficient of restitution, compared with the rules", "0.83", False),
 }  # fmt: skip
 
 
@@ -115,10 +115,10 @@ class Club(Described):
     cor: float | None = None
     description: str = ""
     sources: Mapping[str, str] = field(default_factory=dict, hash=False)
-    quantities: ClassVar = CLUB_QUANTITIES
+    properties: ClassVar = CLUB_PROPERTIES
 
     def __post_init__(self) -> None:
-        convert(self, CLUB_QUANTITIES)
+        set_si(self, CLUB_PROPERTIES)
         check_name(self.name)
         check_choice("kind", self.kind, KINDS)
         if not self.parameters:
@@ -184,18 +184,18 @@ class Club(Described):
     def inputs(self) -> dict[str, float]:
         """Return the values the models take, SI, under the core's names and in its order."""
         renamed = {"mass": "club_mass", "loft": "static_loft"}
-        values = {renamed.get(key, key): getattr(self, key) for key in CLUB_QUANTITIES if key != "cor"}
+        values = {renamed.get(key, key): getattr(self, key) for key in CLUB_PROPERTIES if key != "cor"}
         return {**values, "hand": float(self.hand)}
 
     def to_toml(self) -> str:
         """Write the club as TOML text, which :meth:`from_text` reads back exactly."""
         hand = "right" if self.hand > 0 else "left"
-        return to_toml(self, CLUB_QUANTITIES, {"kind": self.kind, "hand": hand, "parameters": self.parameters})
+        return to_toml(self, CLUB_PROPERTIES, {"kind": self.kind, "hand": hand, "parameters": self.parameters})
 
     @classmethod
     def builtin(cls, name: str) -> Self:
         """Return a club that comes with the package, such as ``"driver"``."""
-        return cls.from_toml(builtin_path("club", name, CLUB_NAMES))
+        return cls.from_toml(builtin_path("club", name, "clubs", CLUB_NAMES))
 
     @staticmethod
     def template(name: str = "my-club") -> str:
@@ -212,7 +212,7 @@ class Club(Described):
             'description = ""',
             "",
         ]
-        return "\n".join(head + template_lines(CLUB_QUANTITIES))
+        return "\n".join(head + template_lines(CLUB_PROPERTIES))
 
 
 def club(which: str | os.PathLike[str] | Club) -> Club:

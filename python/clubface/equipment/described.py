@@ -1,4 +1,4 @@
-"""What clubs and balls share: reading, writing and changing an object made of quantities with units."""
+"""What clubs and balls share: reading, writing and changing an object made of properties with units."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SOURCE_GROUPS = {"cg": ("cg_x", "cg_y", "cg_z"), "inertia": ("ixx", "iyy", "izz"
 """Words that stand for several fields under [sources]."""
 
 
-class Quantity(NamedTuple):
+class Property(NamedTuple):
     """One number of a description.
 
     Attributes
@@ -45,7 +45,7 @@ class Quantity(NamedTuple):
     required: bool = True
 
 
-Quantities = Mapping[str, Quantity]
+Properties = Mapping[str, Property]
 
 
 class Described:
@@ -53,11 +53,11 @@ class Described:
 
     Attributes
     ----------
-    quantities
+    properties
         The numbers that describe it, by field.
     """
 
-    quantities: ClassVar[Quantities]
+    properties: ClassVar[Properties]
 
     def replace(self, **changes: Any) -> Self:
         """Return it with fields changed, as text with a unit or an SI number: ``mass="200 g"``."""
@@ -66,26 +66,26 @@ class Described:
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Self:
         """Read what a TOML file describes; see ``template`` for its form."""
-        return from_document(cls, Document.read(path), cls.quantities)
+        return from_document(cls, Document.read(path), cls.properties)
 
     @classmethod
     def from_text(cls, text: str, path: str = "<text>") -> Self:
         """Read what TOML text describes; ``path`` names it in errors."""
-        return from_document(cls, Document(text, path), cls.quantities)
+        return from_document(cls, Document(text, path), cls.properties)
 
 
-def from_document(kind: type[T], document: Document, quantities: Quantities) -> T:
+def from_document(kind: type[T], document: Document, properties: Properties) -> T:
     """Read the object a TOML document describes; every error carries file and line."""
     data = dict(document.data)
-    texts = [each.name for each in fields(kind) if each.name not in quantities and each.name != "sources"]  # pyright: ignore
-    required = ["name"] + (["kind"] if "kind" in texts else []) + [k for k, q in quantities.items() if q.required]
-    document.check_keys(data, [*texts, *quantities, "sources"], required)
+    texts = [each.name for each in fields(kind) if each.name not in properties and each.name != "sources"]  # pyright: ignore
+    required = ["name"] + (["kind"] if "kind" in texts else []) + [k for k, q in properties.items() if q.required]
+    document.check_keys(data, [*texts, *properties, "sources"], required)
     document.check_text(data, texts)
     sources = data.get("sources", {})
     if not isinstance(sources, dict):
         raise document.error("sources must be a table of texts", "sources")
-    groups = {key: names for key, names in SOURCE_GROUPS.items() if names[0] in quantities}
-    document.check_keys(sources, [*quantities, *groups], (), "sources")
+    groups = {key: names for key, names in SOURCE_GROUPS.items() if names[0] in properties}
+    document.check_keys(sources, [*properties, *groups], (), "sources")
     document.check_text(sources, sources, "sources")
     if sources:
         data["sources"] = {name: text for key, text in sources.items() for name in groups.get(key, (key,))}
@@ -95,14 +95,14 @@ def from_document(kind: type[T], document: Document, quantities: Quantities) -> 
         raise document.wrap(error) from error
 
 
-def convert(subject: Any, quantities: Quantities) -> None:
-    """Turn the quantities of a new (frozen) object into SI floats, its hand into +1 or -1, and freeze its sources."""
-    for key, quantity in quantities.items():
+def set_si(subject: Any, properties: Properties) -> None:
+    """Turn the properties of a new (frozen) object into SI floats, its hand into +1 or -1, and freeze its sources."""
+    for key, each in properties.items():
         value = getattr(subject, key)
-        if value is None and not quantity.required:
+        if value is None and not each.required:
             continue
         flat = key in ("bulge", "roll") and (value == FLAT or value == math.inf)
-        number = math.inf if flat else units.parse(value, quantity.dimension, name=key)
+        number = math.inf if flat else units.parse(value, each.dimension, name=key)
         object.__setattr__(subject, key, number)
     hand = getattr(subject, "hand", None)
     if isinstance(hand, str):
@@ -112,7 +112,7 @@ def convert(subject: Any, quantities: Quantities) -> None:
 
 
 def changed(subject: T, changes: Mapping[str, Any]) -> T:
-    """Return ``subject`` with some fields changed; a changed quantity loses its source."""
+    """Return ``subject`` with some fields changed; a changed property loses its source."""
     names = [each.name for each in fields(subject)]  # pyright: ignore
     for key in changes:
         if key not in names:
@@ -121,16 +121,16 @@ def changed(subject: T, changes: Mapping[str, Any]) -> T:
     return replace(subject, **{"sources": kept, **changes})  # pyright: ignore
 
 
-def to_toml(subject: Any, quantities: Quantities, texts: Mapping[str, str]) -> str:
+def to_toml(subject: Any, properties: Properties, texts: Mapping[str, str]) -> str:
     """Write TOML text that reads back as ``subject``, bit by bit."""
     lines = [f"{key} = {quoted(value)}" for key, value in {"name": subject.name, **texts}.items()]
     if subject.description:
         lines.append(f"description = {quoted(subject.description)}")
     lines.append("")
-    for key, quantity in quantities.items():
+    for key, each in properties.items():
         value = getattr(subject, key)
         if value is not None:
-            lines.append(f"{key} = {quoted(written(value, quantity))}")
+            lines.append(f"{key} = {quoted(written(value, each))}")
     sources = dict(subject.sources)
     for group, names in SOURCE_GROUPS.items():
         if names[0] in sources and all(sources.get(name) == sources[names[0]] for name in names):
@@ -142,22 +142,22 @@ def to_toml(subject: Any, quantities: Quantities, texts: Mapping[str, str]) -> s
     return "\n".join(lines) + "\n"
 
 
-def written(value: float, quantity: Quantity) -> str:
+def written(value: float, each: Property) -> str:
     """Write ``value`` [SI] as text that parses to the same bits, in the usual unit where that is exact."""
     if math.isinf(value):
         return FLAT
-    for unit in (quantity.unit, units.SI_UNITS[quantity.dimension]):
+    for unit in (each.unit, units.SI_UNITS[each.dimension]):
         number = float(f"{units.from_si(value, unit):.15g}")
         text = f"{number:.15g}" + ("" if unit == "1" else f" {unit}")
-        if math.isfinite(number) and units.parse(text, quantity.dimension) == value:
+        if math.isfinite(number) and units.parse(text, each.dimension) == value:
             return text
-    return f"{value!r} {units.SI_UNITS[quantity.dimension]}"
+    return f"{value!r} {units.SI_UNITS[each.dimension]}"
 
 
-def template_lines(quantities: Quantities) -> list[str]:
-    """Write one commented line a quantity, then an example of sources; optional keys are commented out."""
+def template_lines(properties: Properties) -> list[str]:
+    """Write one commented line a property, then an example of sources; optional keys are commented out."""
     lines = []
-    for key, quantity in quantities.items():
-        entry = f"{key} = {quoted(quantity.example)}"
-        lines.append(f"{entry if quantity.required else '# ' + entry:<28}# {quantity.meaning}")
+    for key, each in properties.items():
+        entry = f"{key} = {quoted(each.example)}"
+        lines.append(f"{entry if each.required else '# ' + entry:<28}# {each.meaning}")
     return [*lines, "", "[sources]                   # where each value comes from", '# mass = "weighed"', ""]

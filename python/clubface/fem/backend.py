@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from clubface.equipment.balls import DEFAULT_BALL as PUBLISHED
@@ -14,7 +14,7 @@ from clubface.fem.balls import ball
 from clubface.fem.result import Impact
 from clubface.fem.run import rigid_ball, simulate, strike
 from clubface.fem.settings import Settings
-from clubface.simulation.backends import Balls, Problems
+from clubface.simulation.backends import Balls, Problems, Request
 from clubface.simulation.quantities import outputs
 
 if TYPE_CHECKING:
@@ -58,27 +58,17 @@ class FiniteElements:
         made = ball(DEFAULT_BALL if given in (None, PUBLISHED) else given)
         return Balls(made, rigid_ball(made))
 
-    def launches(
-        self,
-        model: str,
-        own: Any,
-        inputs: Sequence[Any],
-        parameters: Sequence[Any],
-        count: int,
-        accuracy: float | None,
-        threads: int,
-        progress: Callable[[int], object] | None,
-    ) -> tuple[NDArray[Any], Problems]:
+    def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
         """Run shot after shot; one that ends early has no launch."""
         import numpy as np
 
-        (friction,) = parameters
-        found = np.full((len(outputs()), count), np.nan)
+        (friction,) = shots.parameters
+        found = np.full((len(outputs()), shots.size), np.nan)
         problems: Problems = []
-        for row in range(count):
-            columns, mu = [_at(each, row) for each in inputs], _at(friction, row)
+        for row in range(shots.size):
+            columns, mu = [_at(each, row) for each in shots.inputs], _at(friction, row)
             try:
-                result, _ = simulate(core.fem_head, own.values(), columns, mu, how=HOW)
+                result, _ = simulate(core.fem_head, shots.own.values(), columns, mu, how=HOW)
             except InputError as error:
                 problems.append((row, error.parameter, error.allowed))
                 continue
@@ -88,8 +78,8 @@ class FiniteElements:
                 problems.append((row, MODEL.name, result["stopped"]))
                 continue
             found[:, row] = result["launch"]
-            if progress is not None:
-                progress(row + 1)
+            if shots.progress is not None:
+                shots.progress(row + 1)
         return found, problems
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any]:

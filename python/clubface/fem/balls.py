@@ -10,11 +10,11 @@ from functools import cached_property
 from typing import Any
 
 from clubface import units
-from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.errors import ClubfaceError, InputError
 from clubface.fem import core
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.support.checks import check_choice, check_count, check_name, check_text
-from clubface.support.shipped import builtin_names, builtin_path, is_path
+from clubface.support.shipped import builtin_names, path_of
 from clubface.support.strict_toml import Document
 
 FOLDER = "fem_balls"
@@ -203,11 +203,7 @@ def ball(which: str | os.PathLike[str] | Ball) -> Ball:
     """Return a built-in ball by name, or read one from a TOML file."""
     if isinstance(which, Ball):
         return which
-    if is_path(which):
-        return Ball.from_toml(which)
-    if which not in ball_names():
-        raise UnknownNameError("ball of finite elements", which, ball_names())
-    return Ball.from_toml(builtin_path("fem_ball", str(which), ball_names()))
+    return Ball.from_toml(path_of("ball of finite elements", which, FOLDER))
 
 
 BALL_KEYS = ("name", "description", "mass", "diameter", "cube", "element", "pieces")

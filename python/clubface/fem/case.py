@@ -19,7 +19,7 @@ from clubface.fem.settings import Settings
 from clubface.simulation.delivery import DIMENSIONS
 from clubface.simulation.impact import impact
 from clubface.support.checks import check_choice, check_name, check_text
-from clubface.support.shipped import builtin_names, builtin_path, is_path
+from clubface.support.shipped import builtin_names, is_path, path_of
 from clubface.support.strict_toml import Document
 
 T = TypeVar("T")
@@ -125,11 +125,7 @@ def case(which: str | os.PathLike[str] | Case) -> Case:
     """Return a built-in case by name, or read one from a TOML file."""
     if isinstance(which, Case):
         return which
-    if is_path(which):
-        return Case.from_toml(which)
-    if which not in case_names():
-        raise UnknownNameError("case of finite elements", which, case_names())
-    return Case.from_toml(builtin_path("fem_case", str(which), case_names()))
+    return Case.from_toml(path_of("case of finite elements", which, FOLDER))
 
 
 def from_document(document: Document, folder: Path) -> Case:

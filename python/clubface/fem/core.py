@@ -12,6 +12,9 @@ from clubface._core import (
     fem_ball as fem_ball,
 )
 from clubface._core import (
+    fem_check_law as fem_check_law,
+)
+from clubface._core import (
     fem_deformable as fem_deformable,
 )
 from clubface._core import (
@@ -37,6 +40,9 @@ from clubface._core import (
 )
 from clubface._core import (
     fem_sensitivity as fem_sensitivity,
+)
+from clubface._core import (
+    fem_shear as fem_shear,
 )
 from clubface._core import (
     fem_thickness_points as fem_thickness_points,

@@ -13,7 +13,7 @@ from clubface.fem.balls import Ball
 from clubface.fem.cards import Cards
 from clubface.fem.case import MESHED, PLANE, RIGID, Case
 from clubface.fem.keyword_head import write_head
-from clubface.fem.materials import Material
+from clubface.fem.materials import Material, laws
 from clubface.fem.settings import Settings
 
 BALL_SET = 1
@@ -111,40 +111,39 @@ def _ball(deck: Cards, ball: Ball, mesh: Mapping[str, Any]) -> None:
 
 
 def _material(deck: Cards, number: int, material: Material, density: float) -> None:
-    values, branches, ratio = material.constants, material.maxwell, material.poisson
-    if material.law == "linear":
-        _plastic(deck, number, material, density)
-        return
-    if material.law == "mooney-rivlin" and not branches:
-        card = [number, density, ratio, values["c10"], values["c01"]]
-        deck.keyword("MAT_MOONEY-RIVLIN_RUBBER", card, [None], names="mid ro pr a b")
-        return
-    if material.law == "ogden":
-        numbers = list(values.values())
-        name, constants = "MAT_OGDEN_RUBBER", [numbers[::2], numbers[1::2]]
-    else:
-        rivlin = [values["c10"], values["c01"]] if material.law == "mooney-rivlin" else [values["shear"] / 2.0, 0.0]
-        name, constants = "MAT_HYPERELASTIC_RUBBER", [rivlin]
-    deck.keyword(name, [number, density, ratio, 0, len(branches)], *constants, names="mid ro pr n nv")
-    if branches:
+    """Write a material by the card that the core tells of its law."""
+    branches, count = material.maxwell, len(material.maxwell)
+    card = next(card for card in laws()[material.law].cards if card["branches"][0] <= count <= card["branches"][1])
+    known = {
+        **{"mid": number, "nv": count, "ro": density, "pr": material.poisson, "e": material.youngs},
+        **{"bulk": material.bulk, "shear": material.shear, **material.constants},
+        "g0": material.shear * (1.0 + sum(branch.modulus for branch in branches)),
+        **({"beta": 1.0 / branches[0].time} if branches else {}),
+    }
+    rows = [_fields(row, known) for row in card["rows"]]
+    deck.keyword(card["keyword"], *rows, names=card["names"])
+    if branches and card["branch"]:
         deck.comment("      Gi     BETAi: relative moduli of clubface times its shear modulus, 1 / relaxation time")
-    for branch in branches:
-        deck.card([branch.modulus * material.shear, 1.0 / branch.time])
-
-
-def _plastic(deck: Cards, number: int, material: Material, density: float) -> None:
-    shear, branches = material.shear, material.maxwell
-    if not branches:
-        deck.keyword("MAT_ELASTIC", [number, density, material.youngs, material.poisson], names="mid ro e pr")
-    elif len(branches) == 1:
-        card = [number, density, material.bulk, shear * (1.0 + branches[0].modulus), shear, 1.0 / branches[0].time]
-        deck.keyword("MAT_VISCOELASTIC", card, names="mid ro bulk g0 gi beta")
-    else:
-        deck.keyword("MAT_GENERAL_VISCOELASTIC", [number, density, material.bulk], [None], names="mid ro bulk")
-        deck.comment("      Gi     BETAi; the first does not relax")
-        deck.card([shear, 0.0])
         for branch in branches:
-            deck.card([branch.modulus * shear, 1.0 / branch.time])
+            of = {"g": branch.modulus * material.shear, "beta": 1.0 / branch.time}
+            deck.card(_fields(card["branch"], of))
+
+
+def _fields(row: str, known: Mapping[str, float]) -> list[float | None]:
+    """Return the fields of a row: names, "2*name", "name#" for all names with a number, numbers, "-" for a blank."""
+    fields: list[float | None] = []
+    for each in row.split():
+        factor, _, name = each.rpartition("*")
+        scale = float(factor) if factor else 1
+        if name == "-":
+            fields.append(None)
+        elif name.endswith("#"):
+            fields += [value for key, value in known.items() if key.rstrip("0123456789") == name[:-1]]
+        elif name in known:
+            fields.append(scale * known[name])
+        else:
+            fields.append(int(name) if name.isdigit() else float(name))
+    return fields
 
 
 def _plane(deck: Cards, case: Case) -> None:

@@ -23,15 +23,21 @@ class Law(NamedTuple):
     constants
         The names of its constants, each with its dimension as in :mod:`clubface.units`.
     needed
-        How many constants must be given, counted from the first; the others come in groups of the same number.
+        How many constants must be given, counted from the first.
+    group
+        How many of the others come at a time.
     summary
         One line about it.
+    cards
+        How keyword decks describe it, as the core tells: the first whose "branches" (fewest, most) hold.
     """
 
     name: str
     constants: Mapping[str, str]
     needed: int
+    group: int
     summary: str
+    cards: Sequence[Mapping[str, Any]]
 
     def given(self, constants: Mapping[str, Any]) -> dict[str, float]:
         """Return the constants [SI] in the order of the core, with checks; they may be text with units."""
@@ -40,11 +46,25 @@ class Law(NamedTuple):
                 raise UnknownNameError(f"constant of {self.name}", name, self.constants)
         names = list(self.constants)
         last = max((names.index(name) for name in constants), default=0)
-        wanted = names[: (last // self.needed + 1) * self.needed]
+        groups = -(-max(last + 1 - self.needed, 0) // self.group)
+        wanted = names[: self.needed + groups * self.group]
         missing = [name for name in wanted if name not in constants]
         if missing:
             raise InputError("constants", dict(constants), f"give {', '.join(missing)} as well")
         return {name: units.parse(constants[name], self.constants[name], name=name) for name in wanted}
+
+    def check(self, constants: Mapping[str, float]) -> None:
+        """Raise InputError for a constant that is not allowed."""
+        try:
+            core.fem_check_law(self.name, list(constants.values()))
+        except ValueError as error:
+            of, _, allowed = error.args
+            name = of.removesuffix(f" of {self.name}")
+            # The shear modulus is no constant: the material has limits of its own for it.
+            if name in constants:
+                pressure = self.constants[name] == "pressure"
+                shown = units.show(constants[name], "MPa") if pressure else constants[name]
+                raise InputError(name, shown, allowed.removeprefix("it must be ")) from None
 
 
 @cache
@@ -52,10 +72,9 @@ def laws() -> Mapping[str, Law]:
     """Return the elastic laws by name."""
     found = {}
     for each in core.fem_laws():
-        names = each["constants"]
-        dimensions = each.get("dimensions", ["pressure"] * len(names))
-        constants = MappingProxyType(dict(zip(names, dimensions, strict=True)))
-        found[each["name"]] = Law(each["name"], constants, each.get("needed", len(names)), each["summary"])
+        constants = MappingProxyType(dict(zip(each["constants"], each["dimensions"], strict=True)))
+        told = (each[key] for key in ("needed", "group", "summary", "cards"))
+        found[each["name"]] = Law(each["name"], constants, *told)
     return MappingProxyType(found)
 
 
@@ -128,12 +147,7 @@ class Material:
         object.__setattr__(self, "maxwell", tuple(self.maxwell))
         if len(self.maxwell) > MAX_BRANCHES:
             raise InputError("maxwell", len(self.maxwell), f"at most {MAX_BRANCHES} branches")
-        if self.law == "ogden":
-            _check_ogden(values)
-        else:
-            name, low = min(values.items(), key=lambda each: each[1])
-            if low < 0.0:
-                raise InputError(name, units.show(low, "MPa"), "zero or above")
+        laws()[self.law].check(values)
         if not SHEAR[0] <= self.shear <= SHEAR[1]:
             name, value = next(iter(values.items()))
             raise InputError(name, units.show(value, "MPa"), _shear_allowed(self.shear))
@@ -141,18 +155,12 @@ class Material:
     @property
     def shear(self) -> float:
         """Shear modulus of small, slow deformation [Pa]."""
-        values = list(self.constants.values())
-        if self.law == "ogden":
-            return 0.5 * sum(mu * alpha for mu, alpha in zip(values[::2], values[1::2], strict=True))
-        return 2.0 * sum(values) if self.law == "mooney-rivlin" else sum(values)
+        return core.fem_shear(self.law, list(self.constants.values()))[0]
 
     def shear_slope(self, constant: str) -> float:
         """Return the derivative of the shear modulus by a constant of the law."""
-        if self.law != "ogden":
-            return 2.0 if self.law == "mooney-rivlin" else 1.0
-        # Half the sum of mu alpha: half of the other one of the pair.
-        names, values = list(self.constants), list(self.constants.values())
-        return 0.5 * values[names.index(constant) ^ 1]
+        slopes = core.fem_shear(self.law, list(self.constants.values()))[1]
+        return slopes[list(self.constants).index(constant)]
 
     @property
     def bulk(self) -> float:
@@ -182,14 +190,3 @@ class Material:
 def _shear_allowed(shear: float) -> str:
     least, most = (units.show(each, "MPa", 7) for each in SHEAR)
     return f"such that the shear modulus is {least} to {most}; it is {units.show(shear, 'MPa')}"
-
-
-def _check_ogden(values: Mapping[str, float]) -> None:
-    """Refuse terms that soften: each mu must have the sign of its alpha."""
-    for number in range(1, len(values) // 2 + 1):
-        mu, alpha = values[f"mu{number}"], values[f"alpha{number}"]
-        if not 0.0 < abs(alpha) <= 30.0:
-            raise InputError(f"alpha{number}", alpha, "-30 to 30, not 0")
-        if not mu * alpha > 0.0:
-            allowed = f"of the sign of alpha{number}: otherwise rubber may soften until it runs away"
-            raise InputError(f"mu{number}", units.show(mu, "MPa"), allowed)

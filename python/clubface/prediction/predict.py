@@ -1,4 +1,4 @@
-"""Launches for a file of deliveries of any length: read, computed and written a piece at a time."""
+"""Launches for a file of deliveries of any length: read, computed and written a chunk at a time."""
 
 from __future__ import annotations
 

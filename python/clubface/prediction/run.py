@@ -1,4 +1,4 @@
-"""One run over a file of deliveries: what each piece becomes, and how an interrupted run goes on."""
+"""One run over a file of deliveries: what each chunk becomes, and how an interrupted run goes on."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
 from clubface.support.resuming import Journal, fingerprint, unfinished
 from clubface.tables.headings import HAND, Layout
-from clubface.tables.rows import Piece, Reader, Reject
+from clubface.tables.rows import Chunk, Reader, Reject
 from clubface.tables.writer import CsvWriter, RejectsWriter, Writer, is_parquet
 from clubface.units import from_si, to_si
 
@@ -57,7 +57,7 @@ def results_of(model: str, carry: bool) -> dict[str, tuple[str, str]]:
 
 
 class Task:
-    """From a piece of a file to the columns of its launches."""
+    """From a chunk of a file to the columns of its launches."""
 
     def __init__(
         self,
@@ -91,18 +91,18 @@ class Task:
         ]  # fmt: skip
         return fingerprint(told)
 
-    def compute(self, piece: Piece) -> tuple[list[int] | None, list[NDArray[Any]], list[Reject]]:
+    def compute(self, chunk: Chunk) -> tuple[list[int] | None, list[NDArray[Any]], list[Reject]]:
         """Return the rows that have a launch (None: all), their results, and the other rows."""
         import numpy as np
 
         reasons: dict[int, str] = {}
         values: dict[str, NDArray[Any]] = {}
         for column in self.columns.used:
-            numbers, bad = piece.numbers(column)
+            numbers, bad = chunk.numbers(column)
             for row, reason in bad.items():
                 reasons.setdefault(row, reason)
             values[column.quantity] = to_si(numbers, column.unit)
-        count = len(piece.lines)
+        count = len(chunk.lines)
         kept = np.array([row for row in range(count) if row not in reasons], dtype=np.intp) if reasons else None
         if kept is not None:
             values = {name: each[kept] for name, each in values.items()}
@@ -126,9 +126,9 @@ class Task:
             results = [each[good] for each in results]
         rows = None if kept is None else kept.tolist()
         bad_rows = sorted(reasons)
-        cells = piece.texts(bad_rows) if bad_rows else []
-        rejects = [Reject(piece.lines[row], reasons[row], text) for row, text in zip(bad_rows, cells, strict=True)]
-        return rows, results, sorted([*rejects, *piece.ragged], key=lambda each: each.line)
+        cells = chunk.texts(bad_rows) if bad_rows else []
+        rejects = [Reject(chunk.lines[row], reasons[row], text) for row, text in zip(bad_rows, cells, strict=True)]
+        return rows, results, sorted([*rejects, *chunk.ragged], key=lambda each: each.line)
 
 
 class Outcome(NamedTuple):
@@ -167,12 +167,12 @@ def run(
     writer = _open_writer(part, reader, task, begun if state else None)
     aside_writer = RejectsWriter(aside_part, reader, task.columns.headings, begun["rejects_bytes"] or None)
     try:
-        for piece in reader.pieces(chunk_rows, begun["rows"]):
-            rows, results, rejects = task.compute(piece)
+        for chunk in reader.chunks(chunk_rows, begun["rows"]):
+            rows, results, rejects = task.compute(chunk)
             with _undisturbed():
-                writer.write(piece, rows, results)
+                writer.write(chunk, rows, results)
                 aside_writer.write(rejects)
-                written = len(piece.lines) + len(piece.ragged) - len(rejects)
+                written = len(chunk.lines) + len(chunk.ragged) - len(rejects)
                 done["rows"] += written + len(rejects)
                 done["written"] += written
                 done["rejected"] += len(rejects)

@@ -14,7 +14,7 @@ from clubface.simulation.quantities import inputs
 from clubface.tables.cells import is_missing
 from clubface.tables.headings import HAND, Column, Layout, layout, listed, plain_name, shot_words
 from clubface.tables.reader import open_table
-from clubface.tables.rows import Piece
+from clubface.tables.rows import Chunk
 from clubface.units import to_si
 
 if TYPE_CHECKING:
@@ -48,8 +48,8 @@ def read_shots(path: str | os.PathLike[str]) -> RecordedShots:
             raise FileError(reader.path, reader.header_line, message)
         club = next((place for place, name in enumerate(found.headings) if plain_name(name) in CLUB_HEADINGS), None)
         read_so_far = _Columns(found, club)
-        for piece in reader.pieces(CHUNK_ROWS, 0):
-            read_so_far.take(piece, reader.path)
+        for chunk in reader.chunks(CHUNK_ROWS, 0):
+            read_so_far.take(chunk, reader.path)
     finally:
         reader.close()
     rejected = tuple(sorted(read_so_far.rejected, key=lambda each: each.line or 0))
@@ -67,7 +67,7 @@ def refuse_empty(path: str, shots: int, rejected: tuple[RejectedRow, ...]) -> No
 
 
 class _Columns:
-    """The columns of a file, piece by piece."""
+    """The columns of a file, chunk by chunk."""
 
     def __init__(self, found: Layout, club: int | None) -> None:
         self._layout = found
@@ -79,27 +79,27 @@ class _Columns:
         self.rows: list[int] = []
         self.rejected: list[RejectedRow] = []
 
-    def take(self, piece: Piece, path: str) -> None:
-        """Add the rows of a piece; a cell that is empty is NaN, one that is no number rejects its row."""
-        self.rejected += [RejectedRow(each.line, each.reason) for each in piece.ragged]
+    def take(self, chunk: Chunk, path: str) -> None:
+        """Add the rows of a chunk; a cell that is empty is NaN, one that is no number rejects its row."""
+        self.rejected += [RejectedRow(each.line, each.reason) for each in chunk.ragged]
         reasons: dict[int, str] = {}
         values: dict[str, NDArray[Any]] = {}
         for column in self._layout.used:
-            values[column.quantity], bad = _numbers(piece, column)
+            values[column.quantity], bad = _numbers(chunk, column)
             for row, reason in bad.items():
                 reasons.setdefault(row, reason)
         measured = [name for name in values if name != HAND]
         for row in np.flatnonzero(np.all([np.isnan(values[name]) for name in measured], axis=0)):
             reasons.setdefault(int(row), "nothing was measured: every cell of a delivery or launch is empty")
-        self.rejected += [RejectedRow(piece.lines[row], reason) for row, reason in reasons.items()]
-        kept = [row for row in range(len(piece.lines)) if row not in reasons]
+        self.rejected += [RejectedRow(chunk.lines[row], reason) for row, reason in reasons.items()]
+        kept = [row for row in range(len(chunk.lines)) if row not in reasons]
         for name, numbers in values.items():
             self._values[name].append(numbers[kept])
-        self.rows += [piece.lines[row] for row in kept]
+        self.rows += [chunk.lines[row] for row in kept]
         for name, place in self._points.items():
-            self._take_point(name, {cells[place].strip() for cells in piece.texts(kept)}, path)
+            self._take_point(name, {cells[place].strip() for cells in chunk.texts(kept)}, path)
         if self._club is not None:
-            self._clubs += [cells[self._club].strip() for cells in piece.texts(kept)]
+            self._clubs += [cells[self._club].strip() for cells in chunk.texts(kept)]
 
     def _take_point(self, name: str, told: set[str], path: str) -> None:
         """Take where club data was taken, which must be the same for all shots."""
@@ -130,11 +130,11 @@ class _Columns:
         )
 
 
-def _numbers(piece: Piece, column: Column) -> tuple[NDArray[Any], dict[int, str]]:
+def _numbers(chunk: Chunk, column: Column) -> tuple[NDArray[Any], dict[int, str]]:
     """Return the SI values of a column, NaN where a cell is empty, and for cells that hold no number, why."""
-    values, bad = piece.numbers(column)
+    values, bad = chunk.numbers(column)
     if bad:
-        cells = piece.texts(list(bad))
+        cells = chunk.texts(list(bad))
         empty = {row for row, cell in zip(bad, cells, strict=True) if is_missing(cell[column.place])}
         bad = {row: reason for row, reason in bad.items() if column.quantity == HAND or row not in empty}
     if not len(values):

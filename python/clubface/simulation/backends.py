@@ -31,6 +31,25 @@ class Balls(NamedTuple):
     described: Any
 
 
+class Request(NamedTuple):
+    """Shots to compute: a column an input and parameter, each a number or an array of ``size`` numbers.
+
+    Attributes
+    ----------
+    own
+        The ball as :meth:`Backend.balls` gave it.
+    """
+
+    own: Any
+    model: str
+    inputs: Sequence[Any]
+    parameters: Sequence[Any]
+    size: int
+    accuracy: float | None
+    threads: int
+    progress: Callable[[int], object] | None
+
+
 class Backend(Protocol):
     """What computes the launches of a model."""
 
@@ -38,17 +57,7 @@ class Backend(Protocol):
         """Return the ball that ``given`` means; refuse an accuracy that the backend does not take."""
         ...
 
-    def launches(
-        self,
-        model: str,
-        own: Any,
-        inputs: Sequence[Any],
-        parameters: Sequence[Any],
-        count: int,
-        accuracy: float | None,
-        threads: int,
-        progress: Callable[[int], object] | None,
-    ) -> tuple[NDArray[Any], Problems]:
+    def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
         """Return outputs by shots, NaN for those without a launch, and what kept them from having one."""
         ...
 
@@ -64,19 +73,9 @@ class ReducedCore:
         """Return the ball as it is."""
         return Balls(None, given)
 
-    def launches(
-        self,
-        model: str,
-        own: Any,
-        inputs: Sequence[Any],
-        parameters: Sequence[Any],
-        count: int,
-        accuracy: float | None,
-        threads: int,
-        progress: Callable[[int], object] | None,
-    ) -> tuple[NDArray[Any], Problems]:
+    def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
         """Compute all shots at once."""
-        return core.impact(model, inputs, parameters, count, accuracy, threads, progress)
+        return core.impact(*shots[1:])
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
         """Return None: :func:`clubface.history` tells more."""

@@ -17,13 +17,11 @@ from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import as_values, equipment, parameter_set, shot_error, shots, single
 from clubface.simulation.launch import Launch
-from clubface.simulation.quantities import Quantity, convert
-from clubface.simulation.results import attributes, flattened
+from clubface.simulation.quantities import Quantity, in_unit
+from clubface.simulation.results import Series
 from clubface.simulation.run_options import tolerance
 
 if TYPE_CHECKING:
-    import pandas
-    import xarray
     from numpy.typing import NDArray
 
 _STEPS = {
@@ -61,7 +59,7 @@ _RADIUS = {"ring_radius": ("m", "mid-radius of each ring")}
 _TIME = Quantity("time", "s", "time since first touch")
 
 
-class History:
+class History(Series):
     """One contact from first touch to separation, SI, a value for every step; an attribute a quantity.
 
     Forces act on the ball; y' points up the face and z' towards the toe at the contact point. Vectors of the bodies
@@ -113,6 +111,8 @@ class History:
     club_spin: Any
     club_attitude: Any
 
+    _coordinates = {"axis": list("xyz"), "component": list("wxyz")}  # noqa: RUF012
+
     def __init__(self, arrays: Mapping[str, NDArray[Any]], launch: Launch) -> None:
         self._arrays = arrays
         self.launch = launch
@@ -125,23 +125,18 @@ class History:
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *self._arrays})
 
-    def __len__(self) -> int:
-        return len(self._arrays["time"])
+    def _second(self, name: str) -> str:
+        return "axis" if name in _VECTORS else "component" if name in _ATTITUDE else "ring"
 
     @property
-    def quantities(self) -> dict[str, Quantity]:
+    def quantities(self) -> dict[str, Quantity]:  # pyright: ignore[reportIncompatibleVariableOverride]
         """The quantities it holds by name, with unit and meaning."""
         table = _STEPS | _VECTORS | _ATTITUDE | _RINGS | _RADIUS
         known = {name: Quantity(name, *each) for name, each in table.items() if name in self._arrays}
         return {"time": _TIME, **known}
 
     @property
-    def units(self) -> dict[str, str]:
-        """The SI unit of each quantity."""
-        return {name: each.unit for name, each in self.quantities.items()}
-
-    @property
-    def provenance(self) -> dict[str, Any]:
+    def provenance(self) -> dict[str, Any]:  # pyright: ignore[reportIncompatibleVariableOverride]
         """The model, its parameters, club, ball, delivery and version."""
         return self.launch.provenance
 
@@ -150,37 +145,7 @@ class History:
         if name not in self.quantities:
             raise UnknownNameError("quantity", name, self.quantities)
         value = self._arrays[name]
-        return value if unit is None else convert(value, self.quantities[name], unit)
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """Return one row a step, SI; vectors and rings become columns ``ball_spin_x``, ``ring_slip_0`` and so on."""
-        import pandas
-
-        columns: dict[str, Any] = {"time": self.time}
-        named = {"time": "s"}
-        for name, each in self.quantities.items():
-            values = self._arrays[name]
-            endings = "" if values.ndim == 1 else _axes(name) or [str(ring) for ring in range(values.shape[1])]
-            for index, ending in enumerate(endings):
-                columns[f"{name}_{ending}"], named[f"{name}_{ending}"] = values[:, index], each.unit
-            if not endings:
-                columns[name], named[name] = values, each.unit
-        frame = pandas.DataFrame(columns)
-        frame.attrs = {"units": named, "provenance": self.provenance}
-        return frame
-
-    def to_xarray(self) -> xarray.Dataset:
-        """Return a dataset over ``time``, with ``axis``, ``component`` (of the quaternion) and ``ring``."""
-        import xarray
-
-        variables = {}
-        for name, each in self.quantities.items():
-            values = self._arrays[name]
-            second = {3: "axis", 4: "component"}[len(axes)] if (axes := _axes(name)) else "ring"
-            dims = ("time",) if values.ndim == 1 else ("time", second)
-            variables[name] = (dims, values, attributes(each.unit, each.meaning))
-        coordinates = {"time": variables.pop("time"), "axis": list("xyz"), "component": list("wxyz")}
-        return xarray.Dataset(variables, coordinates, attrs=flattened(self.provenance))
+        return value if unit is None else in_unit(value, self.quantities[name], unit)
 
     def __repr__(self) -> str:
         return (
@@ -221,8 +186,3 @@ def history(
         raise shot_error(error, columns, chosen) from None
     outcome = arrays.pop("launch").reshape(-1, 1)
     return History(arrays, Launch(outcome, hit, model, chosen, accuracy))
-
-
-def _axes(name: str) -> list[str] | None:
-    """Return the names of the components of a vector, or None."""
-    return list("xyz") if name in _VECTORS else list("wxyz") if name in _ATTITUDE else None

@@ -12,7 +12,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import models
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, UnknownNameError
-from clubface.simulation.backends import backend_of
+from clubface.simulation.backends import Request, backend_of
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.inputs import as_values, broadcast, equipment, parameter_set, shot_error, shots, value_of
 from clubface.simulation.launch import Comparison, Launch
@@ -131,7 +131,9 @@ def impact(
     hit, columns = broadcast(hit, chosen.columns(), names, len(outputs()))
     count = math.prod(hit.shape)
     try:
-        computed, problems = backend.launches(model, own, hit.columns, columns, count, accuracy, cores, progress)
+        computed, problems = backend.launches(
+            Request(own, model, hit.columns, columns, count, accuracy, cores, progress)
+        )
     except ValueError as error:
         raise shot_error(error, hit.columns, chosen) from None
     if problems and on_error == "raise":

@@ -81,7 +81,7 @@ def input_dimensions() -> dict[str, str]:
     return {name: each.dimension for name, each in inputs().items()}
 
 
-def convert(value: Any, quantity: Quantity, unit: str) -> Any:
+def in_unit(value: Any, quantity: Quantity, unit: str) -> Any:
     """Express SI ``value`` of ``quantity`` in ``unit``, which must be of its dimension."""
     units.unit(unit, name=quantity.name, dimension=quantity.dimension)
     return units.from_si(value, unit)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from clubface import units
 from clubface.errors import ShotError, UnknownNameError
-from clubface.simulation.quantities import Quantity, convert
+from clubface.simulation.quantities import Quantity, in_unit
 
 if TYPE_CHECKING:
     import pandas
@@ -118,7 +118,7 @@ class Result:
         if name not in self.quantities():
             raise UnknownNameError("quantity", name, self.quantities())
         value = getattr(self, name)
-        return value if unit is None else convert(value, self.quantities()[name], unit)
+        return value if unit is None else in_unit(value, self.quantities()[name], unit)
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return one row a shot: the inputs given as arrays, then every quantity, SI.
@@ -182,6 +182,65 @@ class Result:
                 text = " ".join(f"{number:>11.5g}" for number in numbers)
                 lines.append(f"  {name:<17} {text} {'' if unit == '1' else unit}".rstrip())
         return "\n".join(lines)
+
+
+class Series:
+    """Arrays over the same times, SI: numbers, vectors and the like.
+
+    Attributes
+    ----------
+    quantities
+        What it holds by name, with unit and meaning; ``time`` is the first.
+    provenance
+        What it was computed from and with.
+    """
+
+    quantities: Mapping[str, Quantity]
+    provenance: Mapping[str, Any]
+    _arrays: Mapping[str, NDArray[Any]]
+    _coordinates: ClassVar[Mapping[str, list[str]]] = {"axis": list("xyz")}
+
+    def __len__(self) -> int:
+        return len(self._arrays["time"])
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The SI unit of each quantity."""
+        return {name: each.unit for name, each in self.quantities.items()}
+
+    def _second(self, name: str) -> str:
+        """Return the dimension of an array beside time."""
+        return "axis"
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return one row a time, SI; a vector becomes columns such as ``ball_spin_x``, rings ``ring_slip_0``."""
+        import pandas
+
+        columns: dict[str, Any] = {}
+        named = {}
+        for name, each in self.quantities.items():
+            values, second = self._arrays[name], self._second(name)
+            parts = {name: values}
+            if values.ndim > 1:
+                labels = self._coordinates.get(second) or [str(index) for index in range(values.shape[1])]
+                parts = {f"{name}_{label}": values[:, index] for index, label in enumerate(labels)}
+            columns |= parts
+            named |= dict.fromkeys(parts, each.unit)
+        frame = pandas.DataFrame(columns)
+        frame.attrs = {"units": named, "provenance": self.provenance}
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a dataset over ``time``, with ``axis`` (x, y, z) for vectors."""
+        import xarray
+
+        variables = {}
+        for name, each in self.quantities.items():
+            values = self._arrays[name]
+            dims = ("time",) if values.ndim == 1 else ("time", self._second(name))
+            variables[name] = (dims, values, attributes(each.unit, each.meaning))
+        coordinates = {"time": variables.pop("time"), **self._coordinates}
+        return xarray.Dataset(variables, coordinates, attrs=flattened(self.provenance))
 
 
 def attributes(unit: str, meaning: str) -> dict[str, str]:

@@ -9,17 +9,16 @@ from typing import TYPE_CHECKING, Any
 from clubface.errors import InputError, Told
 from clubface.simulation import core
 from clubface.simulation.air import Air
-from clubface.simulation.flight_inputs import AXES, flight_columns, flight_error
+from clubface.simulation.flight_inputs import flight_columns, flight_error
 from clubface.simulation.launch import Launch
-from clubface.simulation.results import attributes, flattened
+from clubface.simulation.quantities import Quantity
+from clubface.simulation.results import Series
 
 if TYPE_CHECKING:
-    import pandas
-    import xarray
     from numpy.typing import NDArray
 
 
-class Trajectory:
+class Trajectory(Series):
     """The path of one ball from launch to landing.
 
     Attributes
@@ -34,46 +33,17 @@ class Trajectory:
         Angular velocity [rad/s], shape (n, 3).
     """
 
-    _UNITS = (
-        ("position", "m", "from the start"),
-        ("velocity", "m/s", "velocity"),
-        ("spin", "rad/s", "angular velocity"),
-    )
+    quantities = {  # noqa: RUF012
+        "time": Quantity("time", "s", "time since launch"),
+        "position": Quantity("position", "m", "from the start"),
+        "velocity": Quantity("velocity", "m/s", "velocity"),
+        "spin": Quantity("spin", "rad/s", "angular velocity"),
+    }
 
     def __init__(self, arrays: Mapping[str, NDArray[Any]], provenance: dict[str, Any]) -> None:
-        self.time = arrays["time"]
-        self.position = arrays["position"]
-        self.velocity = arrays["velocity"]
-        self.spin = arrays["spin"]
+        self._arrays = arrays
+        self.time, self.position, self.velocity, self.spin = (arrays[name] for name in self.quantities)
         self.provenance = provenance
-
-    def __len__(self) -> int:
-        return len(self.time)
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """Return one row a point, SI, with columns ``time``, ``position_x`` and so on."""
-        import pandas
-
-        columns: dict[str, Any] = {"time": self.time}
-        named = {"time": "s"}
-        for name, unit, _ in self._UNITS:
-            for index, axis in enumerate(AXES):
-                columns[f"{name}_{axis}"] = getattr(self, name)[:, index]
-                named[f"{name}_{axis}"] = unit
-        frame = pandas.DataFrame(columns)
-        frame.attrs = {"units": named, "provenance": self.provenance}
-        return frame
-
-    def to_xarray(self) -> xarray.Dataset:
-        """Return a dataset over ``time`` and ``axis`` (x to the target, y up, z right)."""
-        import xarray
-
-        variables = {
-            name: (("time", "axis"), getattr(self, name), attributes(unit, meaning))
-            for name, unit, meaning in self._UNITS
-        }
-        coordinates = {"time": ("time", self.time, attributes("s", "time since launch")), "axis": list(AXES)}
-        return xarray.Dataset(variables, coordinates, attrs=flattened(self.provenance))
 
     def __repr__(self) -> str:
         carry = math.hypot(self.position[-1, 0], self.position[-1, 2])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 
 from clubface.errors import UnknownNameError
@@ -15,11 +16,12 @@ def builtin_names(folder: str) -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in (DATA / folder).glob("*.toml")))
 
 
-def builtin_path(what: str, name: str, known: tuple[str, ...]) -> Path:
-    """Return the file of the built-in club or ball called ``name``."""
-    if name not in known:
-        raise UnknownNameError(what, name, known)
-    return DATA / f"{what}s" / f"{name}.toml"
+def builtin_path(what: str, name: object, folder: str, known: Iterable[str] | None = None) -> Path:
+    """Return the file of the description in ``data/<folder>`` that is called ``name``; ``what`` it is, for errors."""
+    names = tuple(known or builtin_names(folder))
+    if name not in names:
+        raise UnknownNameError(what, name, names)
+    return DATA / folder / f"{name}.toml"
 
 
 def is_path(which: object) -> bool:
@@ -27,3 +29,8 @@ def is_path(which: object) -> bool:
     return isinstance(which, os.PathLike) or (
         isinstance(which, str) and (which.endswith(".toml") or "/" in which or os.sep in which)
     )
+
+
+def path_of(what: str, which: str | os.PathLike[str], folder: str) -> str | os.PathLike[str]:
+    """Return the path that is meant by itself, or by the name of a description in ``data/<folder>``."""
+    return which if is_path(which) else builtin_path(what, which, folder)

@@ -1,1 +1,1 @@
-"""Tables in CSV and Parquet: headings, rows and cells, read and written a piece at a time."""
+"""Tables in CSV and Parquet: headings, rows and cells, read and written a chunk at a time."""

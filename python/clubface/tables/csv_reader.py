@@ -1,4 +1,4 @@
-"""CSV files a piece at a time: every row with the line it begins at, whatever is in its cells."""
+"""CSV files a chunk at a time: every row with the line it begins at, whatever is in its cells."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from clubface.tables.rows import Reject
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-LARGEST_PIECE = 64_000_000
-"""Characters of text after which a piece ends early, so that long rows do not fill the memory."""
+LARGEST_CHUNK = 64_000_000
+"""Characters of text after which a chunk ends early, so that long rows do not fill the memory."""
 
 
 class CsvReader:
@@ -58,7 +58,7 @@ class CsvReader:
         cells = (cell for row in self._seen if not isinstance(row, Reject) for cell in row[0])
         self.decimal_comma = uses_decimal_comma(cells, self.delimiter)
 
-    def pieces(self, rows: int, skip: int) -> Iterator[CsvPiece]:
+    def chunks(self, rows: int, skip: int) -> Iterator[CsvChunk]:
         """Yield the rows after the first ``skip``, some ``rows`` at a time."""
         width = len(self.headings)
         passed = 0
@@ -85,11 +85,11 @@ class CsvReader:
                     written.append(text)
                 else:
                     ragged.append(_ragged(cells, line, width))
-                if size > LARGEST_PIECE:
+                if size > LARGEST_CHUNK:
                     break
             count = len(kept) + len(ragged)
             if passed >= skip and count:
-                yield CsvPiece(kept, lines, written, ragged, self.decimal_comma)
+                yield CsvChunk(kept, lines, written, ragged, self.decimal_comma)
             passed += count
 
     def progress(self) -> float:
@@ -105,8 +105,8 @@ class CsvReader:
         self._rows.close()
 
 
-class CsvPiece:
-    """Some rows of a CSV file. See :class:`clubface.tables.rows.Piece`."""
+class CsvChunk:
+    """Some rows of a CSV file. See :class:`clubface.tables.rows.Chunk`."""
 
     def __init__(
         self,

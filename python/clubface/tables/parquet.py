@@ -13,7 +13,7 @@ from typing import Any
 from clubface.errors import FileError
 from clubface.tables.cells import parsed
 from clubface.tables.headings import HAND, Column
-from clubface.tables.rows import Piece, Reject
+from clubface.tables.rows import Chunk, Reject
 
 ENDINGS = (".parquet", ".pq")
 
@@ -50,14 +50,14 @@ class ParquetReader:
         self._rows = self._file.metadata.num_rows
         self._read = 0
 
-    def pieces(self, rows: int, skip: int) -> Iterator[ParquetPiece]:
+    def chunks(self, rows: int, skip: int) -> Iterator[ParquetChunk]:
         """Yield the rows after the first ``skip``, some ``rows`` at a time."""
         try:
             for batch in self._file.iter_batches(rows):
                 first, self._read = self._read, self._read + batch.num_rows
                 if self._read > skip:
                     from_ = max(0, skip - first)
-                    yield ParquetPiece(batch.slice(from_), first + from_)
+                    yield ParquetChunk(batch.slice(from_), first + from_)
         except (OSError, self._arrow.ArrowException) as error:
             raise FileError(self.path, None, f"cannot be read after row {self._read}: {error}") from None
 
@@ -74,8 +74,8 @@ class ParquetReader:
         self._file.close()
 
 
-class ParquetPiece:
-    """Some rows of a Parquet file. See :class:`clubface.tables.rows.Piece`."""
+class ParquetChunk:
+    """Some rows of a Parquet file. See :class:`clubface.tables.rows.Chunk`."""
 
     def __init__(self, batch: Any, first: int) -> None:
         self._batch = batch
@@ -124,7 +124,7 @@ class ParquetPiece:
 
 
 class ParquetWriter:
-    """Launches written to a Parquet file, a row group a piece. See :class:`clubface.tables.writer.Writer`."""
+    """Launches written to a Parquet file, a row group a chunk. See :class:`clubface.tables.writer.Writer`."""
 
     def __init__(
         self, path: Path, headings: Sequence[str], types: Sequence[Any], results: Sequence[str], provenance: Any
@@ -136,9 +136,9 @@ class ParquetWriter:
         self._width = len(headings)
         self._writer = arrow.parquet.ParquetWriter(path, self._schema)
 
-    def write(self, piece: Piece, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
-        """Write some rows of a piece (None: all), each followed by its results."""
-        cells = [piece.arrow(place, rows) for place in range(self._width)]
+    def write(self, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
+        """Write some rows of a chunk (None: all), each followed by its results."""
+        cells = [chunk.arrow(place, rows) for place in range(self._width)]
         arrays = [*cells, *(self._arrow.array(each) for each in results)]
         self._writer.write_table(self._arrow.Table.from_arrays(arrays, schema=self._schema))
 

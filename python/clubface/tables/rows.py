@@ -1,4 +1,4 @@
-"""What a file of shots is to those who read it: rows with their lines, a piece at a time."""
+"""What a file of shots is to those who read it: rows with their lines, a chunk at a time."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Reject(NamedTuple):
     cells: Sequence[str]
 
 
-class Piece(Protocol):
+class Chunk(Protocol):
     """Some rows of a file, all with as many cells as there are columns.
 
     Attributes
@@ -91,7 +91,7 @@ class Reader(Protocol):
         """Blank lines passed over so far."""
         ...
 
-    def pieces(self, rows: int, skip: int) -> Iterator[Piece]:
+    def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
         """Yield the rows after the first ``skip``, some ``rows`` at a time."""
         ...
 

@@ -14,7 +14,7 @@ from clubface.errors import FileError
 from clubface.support.resuming import unfinished
 from clubface.tables.parquet import ENDINGS as PARQUET
 from clubface.tables.parquet import write_parquet
-from clubface.tables.rows import Piece, Reader, Reject
+from clubface.tables.rows import Chunk, Reader, Reject
 
 DIGITS = 9
 """Significant digits in a CSV file, far below the error of any model."""
@@ -23,8 +23,8 @@ DIGITS = 9
 class Writer(Protocol):
     """A file of launches that is being written."""
 
-    def write(self, piece: Piece, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
-        """Write some rows of a piece (None: all), each followed by its results."""
+    def write(self, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
+        """Write some rows of a chunk (None: all), each followed by its results."""
         ...
 
     def place(self) -> int:
@@ -46,14 +46,14 @@ class CsvWriter:
         if keep is None:
             csv.writer(self._file, delimiter=self._delimiter, lineterminator="\n").writerow(headings)
 
-    def write(self, piece: Piece, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
-        """Write some rows of a piece (None: all), each followed by its results."""
+    def write(self, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
+        """Write some rows of a chunk (None: all), each followed by its results."""
         cell = f'"%.{DIGITS}g"' if self._comma and self._delimiter == "," else f"%.{DIGITS}g"
         form = self._delimiter.join([cell] * len(results)) + "\n"
         found = [form % row for row in zip(*(each.tolist() for each in results), strict=True)]
         if self._comma:
             found = [text.replace(".", ",") for text in found]
-        rows_written = piece.written(rows, self._delimiter)
+        rows_written = chunk.written(rows, self._delimiter)
         self._file.writelines(f"{text}{self._delimiter}{more}" for text, more in zip(rows_written, found, strict=True))
 
     def place(self) -> int:

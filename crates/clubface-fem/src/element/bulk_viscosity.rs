@@ -23,11 +23,10 @@ impl<R: Real> BulkViscosity<R> {
         Self { drag, ratios: vec![R::one(); blocks * BLOCK], work: vec![R::zero(); blocks * BLOCK] }
     }
 
-    /// The pressure (Pa, positive in tension) for the ratios of volumes in lanes `first..` of a block; a step of `dt`
+    /// The pressure (Pa, positive in tension) for the ratios of volumes of a pack from a lane on, over all blocks; a step of `dt`
     /// seconds has passed.
     #[inline(always)]
-    pub fn pressure<P: Pack<Real = R>>(&mut self, block: usize, first: usize, ratio: P, dt: f64) -> P {
-        let at = block * BLOCK + first;
+    pub fn pressure<P: Pack<Real = R>>(&mut self, at: usize, ratio: P, dt: f64) -> P {
         let growth = ratio - P::load(&self.ratios[at..]);
         let pressure = P::splat(self.drag) * growth * (1.0 / dt);
         (P::load(&self.work[at..]) + pressure * growth).store(&mut self.work[at..]);
@@ -35,10 +34,10 @@ impl<R: Real> BulkViscosity<R> {
         pressure
     }
 
-    /// Work done in lanes `first..` of a block, J/m3.
+    /// Work done in a pack from a lane on, J/m3.
     #[inline(always)]
-    pub fn work<P: Pack<Real = R>>(&self, block: usize, first: usize) -> P {
-        P::load(&self.work[block * BLOCK + first..])
+    pub fn work<P: Pack<Real = R>>(&self, at: usize) -> P {
+        P::load(&self.work[at..])
     }
 }
 
@@ -53,8 +52,8 @@ pub struct Drag<'a, R> {
 impl<R: Real> Drag<'_, R> {
     /// As [`BulkViscosity::pressure`].
     #[inline(always)]
-    pub fn pressure<P: Pack<Real = R>>(&mut self, block: usize, first: usize, ratio: P) -> P {
-        self.viscosity.pressure(block, first, ratio, self.dt)
+    pub fn pressure<P: Pack<Real = R>>(&mut self, at: usize, ratio: P) -> P {
+        self.viscosity.pressure(at, ratio, self.dt)
     }
 }
 

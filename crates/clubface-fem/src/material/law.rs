@@ -5,7 +5,7 @@
 //! before [`Inelastic`]. [`PointLaw`] is what the stages see of all three.
 
 use super::deformation::{Deformation, Kinematics};
-use super::state_variables::Numbers;
+use super::state_variables::{Numbers, StateVariables};
 use super::symmetric::Symmetric;
 use clubface_math::{Pack, Scalar};
 
@@ -74,22 +74,24 @@ pub trait Inelastic<S: Pack>: Copy {
     }
 }
 
-/// A law at the points of a pack, whoever wrote it.
+/// A law at the points of a pack, whoever wrote it; the pack begins with a lane, counted over all blocks of state
+/// variables.
 pub trait PointLaw<P: Pack>: Copy + 'static {
     /// As of [`Inelastic::update`].
-    fn update(&self, c: &Symmetric<P>, state: &mut Numbers<P::Real>) -> Symmetric<P>;
+    fn update(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> Symmetric<P>;
     /// Second Piola-Kirchhoff stress with `pressure`, `dW/dJ`, times a weight; the state variables move on.
     fn second_piola(
         &self,
         at: &Deformation<P>,
         pressure: P,
         weight: P,
-        state: &mut Numbers<P::Real>,
+        state: &mut StateVariables<P::Real>,
+        lane: usize,
     ) -> Symmetric<P>;
     /// As of [`Inelastic::energy`].
-    fn energy(&self, c: &Symmetric<P>, state: &Numbers<P::Real>) -> [P; 2];
+    fn energy(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> [P; 2];
     /// As of [`Inelastic::plastic_strain`].
-    fn plastic_strain(&self, state: &Numbers<P::Real>) -> P;
+    fn plastic_strain(&self, state: &mut StateVariables<P::Real>, lane: usize) -> P;
 }
 
 /// An elastic law at the points of a pack.
@@ -98,7 +100,7 @@ pub struct Elastic<L>(pub L);
 
 impl<P: Pack, L: Isochoric<P> + 'static> PointLaw<P> for Elastic<L> {
     #[inline(always)]
-    fn update(&self, c: &Symmetric<P>, _: &mut Numbers<P::Real>) -> Symmetric<P> {
+    fn update(&self, c: &Symmetric<P>, _: &mut StateVariables<P::Real>, _: usize) -> Symmetric<P> {
         self.0.stress(c)
     }
     #[inline(always)]
@@ -107,16 +109,17 @@ impl<P: Pack, L: Isochoric<P> + 'static> PointLaw<P> for Elastic<L> {
         at: &Deformation<P>,
         pressure: P,
         weight: P,
-        _: &mut Numbers<P::Real>,
+        _: &mut StateVariables<P::Real>,
+        _: usize,
     ) -> Symmetric<P> {
         self.0.second_piola(at, pressure, weight)
     }
     #[inline(always)]
-    fn energy(&self, c: &Symmetric<P>, _: &Numbers<P::Real>) -> [P; 2] {
+    fn energy(&self, c: &Symmetric<P>, _: &mut StateVariables<P::Real>, _: usize) -> [P; 2] {
         [self.0.energy(c), P::zero()]
     }
     #[inline(always)]
-    fn plastic_strain(&self, _: &Numbers<P::Real>) -> P {
+    fn plastic_strain(&self, _: &mut StateVariables<P::Real>, _: usize) -> P {
         P::zero()
     }
 }
@@ -127,8 +130,8 @@ pub struct WithState<L>(pub L);
 
 impl<P: Pack, L: Inelastic<P> + 'static> PointLaw<P> for WithState<L> {
     #[inline(always)]
-    fn update(&self, c: &Symmetric<P>, state: &mut Numbers<P::Real>) -> Symmetric<P> {
-        self.0.update(c, state)
+    fn update(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> Symmetric<P> {
+        self.0.update(c, &mut state.every_step(lane))
     }
     #[inline(always)]
     fn second_piola(
@@ -136,17 +139,18 @@ impl<P: Pack, L: Inelastic<P> + 'static> PointLaw<P> for WithState<L> {
         at: &Deformation<P>,
         pressure: P,
         weight: P,
-        state: &mut Numbers<P::Real>,
+        state: &mut StateVariables<P::Real>,
+        lane: usize,
     ) -> Symmetric<P> {
         let kinematics = Kinematics::of(*at);
-        kinematics.second_piola(&self.0.update(&kinematics.c, state), pressure, weight)
+        kinematics.second_piola(&self.update(&kinematics.c, state, lane), pressure, weight)
     }
     #[inline(always)]
-    fn energy(&self, c: &Symmetric<P>, state: &Numbers<P::Real>) -> [P; 2] {
-        self.0.energy(c, state)
+    fn energy(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> [P; 2] {
+        self.0.energy(c, &state.every_step(lane))
     }
     #[inline(always)]
-    fn plastic_strain(&self, state: &Numbers<P::Real>) -> P {
-        self.0.plastic_strain(state)
+    fn plastic_strain(&self, state: &mut StateVariables<P::Real>, lane: usize) -> P {
+        self.0.plastic_strain(&state.every_step(lane))
     }
 }

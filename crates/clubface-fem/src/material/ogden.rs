@@ -122,12 +122,12 @@ impl Family for Ogden<()> {
         for (number, term) in constants.chunks_exact(2).enumerate() {
             let (mu, alpha, number) = (term[0], term[1], number + 1);
             if !(alpha != 0.0 && alpha.abs() <= EXPONENT) {
-                let allowed = format!("it must be from -{EXPONENT} to {EXPONENT} and not 0");
+                let allowed = format!("it must be -{EXPONENT} to {EXPONENT}, not 0");
                 return Err(FemError::input(format!("alpha{number} of {name}"), alpha, allowed));
             }
             if !(mu * alpha > 0.0 && mu.is_finite()) {
-                let allowed =
-                    "it must have the same sign as its alpha, otherwise the rubber may lose its stiffness";
+                let why = "otherwise the rubber may lose its stiffness";
+                let allowed = format!("it must be of the sign of alpha{number}, {why}");
                 return Err(FemError::input(format!("mu{number} of {name}"), format!("{mu} Pa"), allowed));
             }
         }

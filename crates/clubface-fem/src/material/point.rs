@@ -3,7 +3,7 @@
 
 use super::body::Material;
 use super::deformation::{Deformation, Kinematics};
-use super::stage::{PointEnergy, Points};
+use super::stage::{EnergyPoints, PointEnergy, Points};
 use super::state_variables::{StateVariables, Update};
 use super::symmetric::{times, Symmetric};
 use super::table::Number;
@@ -25,23 +25,30 @@ impl<R: Number> MaterialPoint<R> {
         let at = Deformation::new(*f);
         let mut stresses = [Symmetric::diagonal(R::zero())];
         let mut points = Points {
-            block: 0,
-            first: 0,
+            lane: 0,
+            step: 0,
+            state: &mut self.state,
             deformations: &[at],
             pressures: &[self.material.bulk * (at.volume - 1.0)],
             weights: &[R::one()],
             stresses: &mut stresses,
         };
-        self.material.stage::<R>(Update { dt, add_work: true }).stress(&mut points, &mut self.state);
+        self.material.stage::<R>(Update { dt, add_work: true }).stress(&mut points);
         times(f, &stresses[0])
     }
     /// Energies at a deformation gradient, that of the change of volume among the elastic ones, J/m3.
     pub fn energy(&mut self, f: &Mat3<R>) -> PointEnergy<R> {
         let at = Kinematics::new(*f);
-        let nothing = R::zero();
-        let mut energy = PointEnergy { strain: nothing, viscous: nothing, plastic: nothing };
+        let mut energies = [PointEnergy::zero()];
         let stage = self.material.stage::<R>(Update { dt: 0.0, add_work: false });
-        stage.energy(&at.c, &mut self.state, 0, 0, &mut energy);
+        stage.energy(&mut EnergyPoints {
+            lane: 0,
+            step: 0,
+            state: &mut self.state,
+            c: &[at.c],
+            energies: &mut energies,
+        });
+        let [mut energy] = energies;
         let dilation = at.deformation.volume - 1.0;
         energy.strain += self.material.bulk * dilation * dilation * 0.5;
         energy
@@ -50,7 +57,7 @@ impl<R: Number> MaterialPoint<R> {
     pub fn plastic_strain(&mut self) -> R {
         let mut strain = R::zero();
         let stage = self.material.stage::<R>(Update { dt: 0.0, add_work: false });
-        stage.plastic_strain(&mut self.state, 0, 0, &mut strain);
+        stage.plastic_strain(&mut self.state, 0, &mut strain);
         strain
     }
 }

@@ -9,14 +9,16 @@ use super::law::PointLaw;
 use super::state_variables::StateVariables;
 use super::symmetric::Symmetric;
 use super::viscous::{add_branches, work, Branches, Decay, MAX_TERMS};
-use clubface_math::{Computation, Pack};
+use clubface_math::{Computation, Pack, Scalar};
 
 /// Points one after the other, each with as many lanes as a pack: where they stand, and what their stress follows from.
 pub struct Points<'a, P: Pack> {
-    /// Number of the first block of eight points; the others follow.
-    pub block: usize,
-    /// First lane of the pack in its block.
-    pub first: usize,
+    /// First lane of the first pack, counted over all blocks, and how many lanes further the next one begins.
+    pub lane: usize,
+    /// See [`Points::lane`].
+    pub step: usize,
+    /// State variables of all blocks.
+    pub state: &'a mut StateVariables<P::Real>,
     /// Deformations.
     pub deformations: &'a [Deformation<P>],
     /// `dW/dJ`, Pa.
@@ -38,21 +40,36 @@ pub struct PointEnergy<S> {
     pub plastic: S,
 }
 
+impl<S: Scalar> PointEnergy<S> {
+    /// None.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { strain: S::zero(), viscous: S::zero(), plastic: S::zero() }
+    }
+}
+
+/// Points as of [`Points`], whose energies are asked for.
+pub struct EnergyPoints<'a, P: Pack> {
+    /// As of [`Points::lane`].
+    pub lane: usize,
+    /// As of [`Points::step`].
+    pub step: usize,
+    /// State variables of all blocks.
+    pub state: &'a mut StateVariables<P::Real>,
+    /// `C̄`.
+    pub c: &'a [Symmetric<P>],
+    /// What is asked for.
+    pub energies: &'a mut [PointEnergy<P>],
+}
+
 /// A law with its viscoelastic branches in one step, spread over packs.
 pub trait StressStage<P: Pack> {
     /// Stresses of some points; their state variables move on by the step.
-    fn stress(&self, points: &mut Points<P>, state: &mut StateVariables<P::Real>);
-    /// Energies at `C̄` of the points of a pack, which begins with the point `first` of a block.
-    fn energy(
-        &self,
-        c: &Symmetric<P>,
-        state: &mut StateVariables<P::Real>,
-        block: usize,
-        first: usize,
-        energy: &mut PointEnergy<P>,
-    );
-    /// Equivalent plastic strain of such points.
-    fn plastic_strain(&self, state: &mut StateVariables<P::Real>, block: usize, first: usize, strain: &mut P);
+    fn stress(&self, points: &mut Points<P>);
+    /// Energies of some points.
+    fn energy(&self, points: &mut EnergyPoints<P>);
+    /// Equivalent plastic strain of the points of a pack.
+    fn plastic_strain(&self, state: &mut StateVariables<P::Real>, lane: usize, strain: &mut P);
 }
 
 /// Where a law puts its stage for packs of type P, since a trait object cannot return what depends on that type.
@@ -87,100 +104,80 @@ impl<P: Pack, L: PointLaw<P>> Stage<P, L> {
 }
 
 impl<P: Pack, L: PointLaw<P>> StressStage<P> for Stage<P, L> {
-    fn stress(&self, points: &mut Points<P>, state: &mut StateVariables<P::Real>) {
+    fn stress(&self, points: &mut Points<P>) {
         if self.branching.count == 0 {
-            P::outline(Stress { law: &self.law, points, state });
+            P::outline(Stress(self, points));
         } else {
-            P::outline(BranchedStress { stage: self, points, state });
+            P::outline(BranchedStress(self, points));
         }
     }
-    fn energy(
-        &self,
-        c: &Symmetric<P>,
-        state: &mut StateVariables<P::Real>,
-        block: usize,
-        first: usize,
-        energy: &mut PointEnergy<P>,
-    ) {
-        P::outline(Energy { stage: self, c, state, block, first, energy });
+    fn energy(&self, points: &mut EnergyPoints<P>) {
+        P::outline(Energy(self, points));
     }
-    fn plastic_strain(
-        &self,
-        state: &mut StateVariables<P::Real>,
-        block: usize,
-        first: usize,
-        strain: &mut P,
-    ) {
+    fn plastic_strain(&self, state: &mut StateVariables<P::Real>, lane: usize, strain: &mut P) {
         // Asked for seldom, of single numbers: no features of the CPU are needed.
-        *strain = self.law.plastic_strain(&state.of(block, first).every_step);
+        *strain = self.law.plastic_strain(state, lane);
     }
 }
 
+// Two references each, so that they travel in registers.
+
 /// [`StressStage::stress`] of a law without branches.
-struct Stress<'a, 'b, P: Pack, L> {
-    law: &'a L,
-    points: &'a mut Points<'b, P>,
-    state: &'a mut StateVariables<P::Real>,
-}
+struct Stress<'a, 'b, P: Pack, L>(&'a Stage<P, L>, &'a mut Points<'b, P>);
 
 impl<P: Pack, L: PointLaw<P>> Computation for Stress<'_, '_, P, L> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let Points { block, first, deformations, pressures, weights, stresses } = self.points;
-        let law = *self.law;
+        let Points { lane, step, state, deformations, pressures, weights, stresses } = self.1;
+        let law = &self.0.law;
         let count = stresses.len();
         assert!(deformations.len() == count && pressures.len() == count && weights.len() == count);
         for i in 0..count {
-            let mut state = self.state.of(*block + i, *first);
-            stresses[i] = law.second_piola(&deformations[i], pressures[i], weights[i], &mut state.every_step);
+            let at = *lane + i * *step;
+            stresses[i] = law.second_piola(&deformations[i], pressures[i], weights[i], state, at);
         }
     }
 }
 
 /// The same of one with branches.
-struct BranchedStress<'a, 'b, P: Pack, L> {
-    stage: &'a Stage<P, L>,
-    points: &'a mut Points<'b, P>,
-    state: &'a mut StateVariables<P::Real>,
-}
+struct BranchedStress<'a, 'b, P: Pack, L>(&'a Stage<P, L>, &'a mut Points<'b, P>);
 
 impl<P: Pack, L: PointLaw<P>> Computation for BranchedStress<'_, '_, P, L> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let Points { block, first, deformations, pressures, weights, stresses } = self.points;
-        let Stage { law, branching } = *self.stage;
+        let Points { lane, step, state, deformations, pressures, weights, stresses } = self.1;
+        let Stage { law, branching } = self.0;
         let branches =
             Branches { decays: &branching.decays[..branching.count], add_work: branching.add_work };
         let count = stresses.len();
         assert!(deformations.len() == count && pressures.len() == count && weights.len() == count);
         for i in 0..count {
-            let mut state = self.state.of(*block + i, *first);
+            let at = *lane + i * *step;
             let kinematics = Kinematics::of(deformations[i]);
-            let elastic = law.update(&kinematics.c, &mut state.every_step);
-            let stress = add_branches(&kinematics, elastic, &branches, &mut state);
+            let elastic = law.update(&kinematics.c, state, at);
+            let stress = add_branches(&kinematics, elastic, &branches, state, at);
             stresses[i] = kinematics.second_piola(&stress, pressures[i], weights[i]);
         }
     }
 }
 
-struct Energy<'a, P: Pack, L> {
-    stage: &'a Stage<P, L>,
-    c: &'a Symmetric<P>,
-    state: &'a mut StateVariables<P::Real>,
-    block: usize,
-    first: usize,
-    energy: &'a mut PointEnergy<P>,
-}
+/// [`StressStage::energy`].
+struct Energy<'a, 'b, P: Pack, L>(&'a Stage<P, L>, &'a mut EnergyPoints<'b, P>);
 
-impl<P: Pack, L: PointLaw<P>> Computation for Energy<'_, P, L> {
+impl<P: Pack, L: PointLaw<P>> Computation for Energy<'_, '_, P, L> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let state = self.state.of(self.block, self.first);
-        let viscous = if self.stage.branching.count == 0 { P::zero() } else { work(&state) };
-        let [strain, plastic] = self.stage.law.energy(self.c, &state.every_step);
-        *self.energy = PointEnergy { strain, viscous, plastic };
+        let EnergyPoints { lane, step, state, c, energies } = self.1;
+        let Stage { law, branching } = self.0;
+        assert!(c.len() == energies.len());
+        for i in 0..c.len() {
+            let at = *lane + i * *step;
+            let [strain, plastic] = law.energy(&c[i], state, at);
+            let viscous = if branching.count == 0 { P::zero() } else { work(state, at) };
+            energies[i] = PointEnergy { strain, viscous, plastic };
+        }
     }
 }

@@ -41,14 +41,6 @@ impl<'a, R> Numbers<'a, R> {
     }
 }
 
-/// State variables of the points of a pack.
-pub struct State<'a, R> {
-    /// For every step.
-    pub every_step: Numbers<'a, R>,
-    /// For some steps only.
-    pub energy_only: Numbers<'a, R>,
-}
-
 /// State variables of blocks of eight points. What few steps need stands apart, so that the caches are full of what
 /// all steps do.
 #[derive(Clone, Debug)]
@@ -70,20 +62,17 @@ impl<R: Real> StateVariables<R> {
     pub fn is_empty(&self) -> bool {
         self.every_step.is_empty()
     }
-    /// Those of the points of a pack, which begins with the point `first` of a block.
+    /// Those for every step of the points of a pack, which begins with a lane, counted over all blocks.
     #[inline(always)]
-    pub fn of(&mut self, block: usize, first: usize) -> State<'_, R> {
-        let [every_step, energy_only] = self.counts;
-        State {
-            every_step: Numbers::new(
-                &mut self.every_step[block * every_step..(block + 1) * every_step],
-                first,
-            ),
-            energy_only: Numbers::new(
-                &mut self.energy_only[block * energy_only..(block + 1) * energy_only],
-                first,
-            ),
-        }
+    pub fn every_step(&mut self, lane: usize) -> Numbers<'_, R> {
+        let (block, count) = (lane / BLOCK, self.counts[0]);
+        Numbers::new(&mut self.every_step[block * count..(block + 1) * count], lane % BLOCK)
+    }
+    /// Those for the energies only, likewise.
+    #[inline(always)]
+    pub fn energy_only(&mut self, lane: usize) -> Numbers<'_, R> {
+        let (block, count) = (lane / BLOCK, self.counts[1]);
+        Numbers::new(&mut self.energy_only[block * count..(block + 1) * count], lane % BLOCK)
     }
     /// A copy of some blocks, to try what comes of a step.
     #[must_use]

@@ -1,7 +1,6 @@
 //! The table of laws: how a law by name becomes one that computes, over every number that laws are compiled for and
 //! for all of its packs.
 
-use super::description::Constant;
 use super::family::{Entry, Family, Law, DERIVATIVES};
 use super::stage::{Slot, Stage};
 use super::viscous::Branches;
@@ -53,20 +52,28 @@ pub fn map_law<R: Real, T: Number>(
     T::law(&law.entry(), &constants)
 }
 
+/// The line of a law that takes as many constants.
+///
+/// # Errors
+/// [`FemError::Input`] for an unknown name or a wrong number of constants.
+pub fn entry_from_name<'a>(table: &'a [Entry], name: &str, constants: usize) -> Result<&'a Entry, FemError> {
+    let named = table.iter().find(|entry| entry.description.name == name);
+    let entry = named
+        .ok_or_else(|| FemError::unknown("law", name, table.iter().map(|entry| entry.description.name)))?;
+    entry.description.check_count(constants)?;
+    Ok(entry)
+}
+
 /// A law of a table from its name and constants (SI).
 ///
 /// # Errors
-/// [`FemError::Input`] for an unknown name, a wrong number of constants, or constants that are not allowed.
+/// As [`entry_from_name`], and for constants that are not allowed.
 pub fn from_table<R: Number>(
     table: &[Entry],
     name: &str,
     constants: &[R],
 ) -> Result<Arc<dyn Law<R>>, FemError> {
-    let Some(entry) = table.iter().find(|entry| entry.description.name == name) else {
-        return Err(FemError::unknown("law", name, table.iter().map(|entry| entry.description.name)));
-    };
-    entry.description.check_count(constants.len())?;
-    let law = R::law(entry, constants);
+    let law = R::law(entry_from_name(table, name, constants.len())?, constants);
     law.check(name)?;
     Ok(law)
 }
@@ -97,17 +104,15 @@ impl<F: Family, R: Number> Law<R> for Built<F, R> {
             return Err(FemError::input(format!("shear modulus of {name}"), format!("{shear} Pa"), allowed));
         }
         for (constant, value) in F::DESCRIPTION.constants.iter().zip(values) {
-            let Constant { least, most, .. } = *constant;
+            let (least, most, unit) = (constant.least, constant.most, constant.unit());
             if !(least..=most).contains(&value) {
-                let unit = constant.unit();
-                let given = format!("{value} {unit}");
-                let allowed = format!("{least} to {most} {unit}");
-                let allowed = format!("it must be {}", allowed.trim_end());
-                return Err(FemError::input(
-                    format!("{} of {name}", constant.name),
-                    given.trim_end(),
-                    allowed,
-                ));
+                let written = |value: f64| format!("{value} {unit}").trim_end().to_owned();
+                let allowed = match least {
+                    _ if value > most => format!("it must be at most {}", written(most)),
+                    0.0 => "it must be zero or above".to_owned(),
+                    _ => format!("it must be at least {}", written(least)),
+                };
+                return Err(FemError::input(format!("{} of {name}", constant.name), written(value), allowed));
             }
         }
         Ok(())

@@ -3,7 +3,7 @@
 //! 10.3).
 
 use super::deformation::Kinematics;
-use super::state_variables::{Numbers, State};
+use super::state_variables::{Numbers, StateVariables};
 use super::symmetric::Symmetric;
 use clubface_math::{Pack, Scalar};
 
@@ -61,8 +61,8 @@ pub(super) fn undeformed<S: Scalar>(terms: usize) -> [Vec<S>; 2] {
 
 /// Work done on the branches until it was last added up, J/m3.
 #[inline(always)]
-pub fn work<P: Pack>(state: &State<P::Real>) -> P {
-    let [work] = state.energy_only.load(WORK);
+pub fn work<P: Pack>(state: &mut StateVariables<P::Real>, lane: usize) -> P {
+    let [work] = state.energy_only(lane).load(WORK);
     work
 }
 
@@ -72,15 +72,20 @@ pub fn add_branches<P: Pack>(
     at: &Kinematics<P>,
     stress: Symmetric<P>,
     branches: &Branches<P>,
-    state: &mut State<P::Real>,
+    state: &mut StateVariables<P::Real>,
+    lane: usize,
 ) -> Symmetric<P> {
     let driving = at.deviator(&stress);
     let Branches { decays, add_work: due } = *branches;
     // One branch is the usual case, and then nothing needs counting.
-    let branched =
-        if let [only] = decays { relax(&driving, &[*only], state) } else { relax(&driving, decays, state) };
+    let variables = &mut state.every_step(lane);
+    let branched = if let [only] = decays {
+        relax(&driving, &[*only], variables)
+    } else {
+        relax(&driving, decays, variables)
+    };
     if due {
-        add_work(&at.c, &branched, &mut state.energy_only);
+        add_work(&at.c, &branched, &mut state.energy_only(lane));
     }
     stress.plus(P::one(), &branched)
 }
@@ -91,7 +96,7 @@ pub fn add_branches<P: Pack>(
 /// `h <- exp(-dt / time) h + half (S - S_last)`, with one variable in the place of two, the driving stress that the
 /// dashpot has come to: `h = half (S - H)`, after which `H` goes its way to `S`.
 #[inline(always)]
-fn relax<P: Pack>(driving: &Symmetric<P>, decays: &[Decay<P>], state: &mut State<P::Real>) -> Symmetric<P> {
+fn relax<P: Pack>(driving: &Symmetric<P>, decays: &[Decay<P>], state: &mut Numbers<P::Real>) -> Symmetric<P> {
     // Spelt out, since no compiler unrolls so much by itself.
     let [xx, yy, zz, xy, xz, yz] = driving.0;
     Symmetric([
@@ -110,14 +115,14 @@ fn relax_component<P: Pack>(
     component: usize,
     driving: P,
     decays: &[Decay<P>],
-    state: &mut State<P::Real>,
+    state: &mut Numbers<P::Real>,
 ) -> P {
     let mut stress = P::zero();
     for (term, decay) in decays.iter().enumerate() {
         let place = 6 * term + component;
-        let [dashpot]: [P; 1] = state.every_step.load(place);
+        let [dashpot]: [P; 1] = state.load(place);
         let spring = driving - dashpot;
-        state.every_step.store(place, [spring.mul_add(decay.way, dashpot)]);
+        state.store(place, [spring.mul_add(decay.way, dashpot)]);
         stress = spring.mul_add(decay.half, stress);
     }
     stress

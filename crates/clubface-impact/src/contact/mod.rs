@@ -1,4 +1,4 @@
-//! Contact of two free rigid bodies, integrated until they separate (P1 section 2.2).
+//! Contact of two free rigid bodies, integrated until they separate (Caldwell and McPhee, section 2.2).
 //!
 //! All vectors are in face axes, which are fixed in the clubhead: the face and the clubhead's inertia are constant
 //! there, and its attitude is needed only to turn the result into world axes. Linear momentum is kept exactly, since

@@ -1,4 +1,4 @@
-//! Contact-area model of Arakawa (P1 section 2.2.3, Eqs. 17-21, letters as in the original work).
+//! Contact-area model of Arakawa (Caldwell and McPhee, section 2.2.3, Eqs. 17-21, letters as in the original work).
 
 use super::hertz;
 use crate::contact::{run, ContactLaw, Recorder, RECORDED_SOLID, SOLID};
@@ -18,10 +18,13 @@ parameters! {
     /// Parameters of the contact-area model.
     Area {
         shear_modulus ["Pa"] = 5.40e7 in 1e6 ..= 1e9, "effective shear modulus G",
-            "P1 Table 10, driver, corrected by 1/100 (as printed a drive lasts 82 us)";
-        poisson ["1"] = 0.398 in 0.0 ..= 0.499, "effective Poisson's ratio", "P1 Table 10, driver";
-        damping ["s/m"] = 6.35e-3 in 0.0 ..= 0.03, "Hunt-Crossley damping d", "P1 Table 10, driver";
-        friction ["1"] = 0.0486 in 0.0 ..= 2.0, "coefficient of friction mu (P1's lambda)", "P1 Table 10, driver";
+            "Caldwell and McPhee (2023), Table 10, driver, corrected by 1/100 (as printed a drive lasts 82 us)";
+        poisson ["1"] = 0.398 in 0.0 ..= 0.499, "effective Poisson's ratio",
+            "Caldwell and McPhee (2023), Table 10, driver";
+        damping ["s/m"] = 6.35e-3 in 0.0 ..= 0.03, "Hunt-Crossley damping d",
+            "Caldwell and McPhee (2023), Table 10, driver";
+        friction ["1"] = 0.0486 in 0.0 ..= 2.0, "coefficient of friction mu (the published lambda)",
+            "Caldwell and McPhee (2023), Table 10, driver";
         area_damping ["N s/m2"] = 0.0 in 0.0 ..= 1000.0, "contact-area coefficient eta",
             "0: the printed 1.32e5 gives 20 kN at first touch; to be identified within 0-1000";
     }
@@ -34,7 +37,7 @@ impl Describe for Area<()> {
         title: "Contact area",
         kind: ModelKind::Contact,
         summary: "Hertz contact with friction from the normal force and the rate of the contact area.",
-        reference: "P1 section 2.2.3, Eqs. 14-21, after Arakawa et al.; parameters P1 Table 10",
+        reference: "Caldwell and McPhee (2023), section 2.2.3, Eqs. 14-21, after Arakawa et al.; parameters of Table 10",
         laws: &[Law::Momentum, Law::AngularMomentum],
         laws_without: Some(("area_damping", &[Law::Energy, Law::FrictionCone])),
         lanes: true,
@@ -65,14 +68,14 @@ impl<S: Scalar> ContactLaw<S> for Area<S> {
         radius: S,
         w: Dual<S, K>,
     ) -> Dual<S, K> {
-        // P1 Eqs. 17 and 20 with the letters put right: mu F_N + mu eta dA/dt, dA/dt = pi R xdot.
+        // Caldwell and McPhee, Eqs. 17 and 20 with the letters put right: mu F_N + mu eta dA/dt, dA/dt = pi R xdot.
         let growth = rate.scale(radius * PI);
         let slope = Dual::constant(S::from_f64(1.0 / SLIDING_SPEED));
         tanh_ratio(slope, w) * (normal_force + growth.scale(self.area_damping)).scale(self.friction)
     }
     #[inline(always)]
     fn area(&self, depth: S, _curvature: S, radius: S) -> S {
-        // P1 Eqs. 18-19, with the ball's radius.
+        // Caldwell and McPhee, Eqs. 18-19, with the ball's radius.
         radius * depth * PI
     }
 }

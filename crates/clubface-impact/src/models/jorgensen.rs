@@ -1,4 +1,4 @@
-//! Jorgensen's theory of spin with a compression factor (P2 section 3.1), carried into three dimensions.
+//! Jorgensen's theory of spin with a compression factor (Roh and Lee, section 3.1), carried into three dimensions.
 
 use super::impulse::{restitution, solve, Restitution};
 use crate::contact::Recorder;
@@ -12,11 +12,13 @@ use clubface_math::{Scalar, Vec3};
 parameters! {
     /// Parameters of Jorgensen's model.
     Jorgensen {
-        cor ["1"] = 0.83 in 0.0 ..= 1.0, "coefficient of restitution at rest", "P1 Eq. 5, the rule limit";
-        cor_slope ["s/m"] = 0.0 in -0.02 ..= 0.0, "change of restitution per normal approach speed", "0 in P1";
+        cor ["1"] = 0.83 in 0.0 ..= 1.0, "coefficient of restitution at rest",
+            "Caldwell and McPhee (2023), Eq. 5, the rule limit";
+        cor_slope ["s/m"] = 0.0 in -0.02 ..= 0.0, "change of restitution per normal approach speed",
+            "0 in Caldwell and McPhee (2023)";
         compression_factor ["1"] = 0.92 in 0.0 ..= 1.4,
             "fraction f of the rolling velocity that is left when the ball's compression is considered",
-            "P2: its spin of 2047 rpm implies 0.92, its Eq. 11 gives 0.9476, Jorgensen estimated 0.7";
+            "Roh and Lee: their spin of 2047 rpm implies 0.92, their Eq. 11 gives 0.9476; Jorgensen estimated 0.7";
     }
 }
 
@@ -29,7 +31,7 @@ impl Describe for Jorgensen<()> {
         summary:
             "The standard model's normal part; rolling along the face reduced by the ball's compression. \
                   It does not keep angular momentum.",
-        reference: "P2 section 3.1, Eqs. 4-6, after Jorgensen",
+        reference: "Roh and Lee, section 3.1, Eqs. 4-6, after Jorgensen",
         laws: &[Law::Momentum],
         laws_without: None,
         lanes: true,
@@ -37,7 +39,7 @@ impl Describe for Jorgensen<()> {
     };
 }
 
-/// Compression factor f from the force-weighted mean radius ratio f' (P2 Eq. 11).
+/// Compression factor f from the force-weighted mean radius ratio f' (Roh and Lee, Eq. 11).
 #[must_use]
 pub fn compression_factor(radius_ratio: f64) -> f64 {
     7.0 * radius_ratio / (5.0 * radius_ratio + 2.0)
@@ -50,7 +52,7 @@ impl<S: Scalar> Model<S> for Jorgensen<S> {
         let normal = restitution(self.cor, self.cor_slope, touch.approach());
         let rolling = Restitution { normal, up: S::zero(), toe: S::zero() };
         let (ball, club) = solve(touch, &rolling, S::zero(), Vec3::zero());
-        // Velocity of the ball along the face before impact, and what P2 Eqs. 4-6 leave of it.
+        // Velocity of the ball along the face before impact, and what Roh and Lee, Eqs. 4-6 leave of it.
         let sliding = -(touch.club_velocity + touch.club_spin.cross(touch.contact)).reject(x);
         let left = sliding * (self.compression_factor * (5.0 / 7.0));
         let face_point = club.velocity + club.spin.cross(touch.contact);

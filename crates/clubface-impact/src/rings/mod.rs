@@ -34,8 +34,10 @@
 pub mod contact;
 pub mod friction;
 pub mod influence;
+mod load;
 pub mod plane;
 pub mod steps;
 
-pub use contact::{Load, RingContact, RingMaterial};
+pub use contact::RingContact;
+pub use load::{Load, RingMaterial};
 pub use steps::RingSteps;

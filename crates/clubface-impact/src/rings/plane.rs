@@ -1,7 +1,8 @@
 //! A sphere on a rigid plane: the case the rings were published for (Maw, Barber and Fawcett 1976), kept as their
 //! verification and as the smallest example of how to use them.
 
-use super::contact::{Load, RingContact, RingMaterial};
+use super::contact::RingContact;
+use super::load::{Load, RingMaterial};
 use super::steps::RingSteps;
 use clubface_math::ode::{Method, System, BOGACKI_SHAMPINE};
 use clubface_math::Scalar;

@@ -1,4 +1,4 @@
-//! Impulse models against closed forms and the conditions they are made of (P1, Eqs. 1-11).
+//! Impulse models against closed forms and the conditions they are made of (Caldwell and McPhee, Eqs. 1-11).
 
 use crate::rigid::Rigid;
 use crate::shots::*;
@@ -106,7 +106,7 @@ proptest! {
         prop_assert!((restitution - 0.83).abs() < ROUNDING);
     }
 
-    /// P1 Eqs. 10 and 11: each component of the sliding velocity is reversed by its own slip ratio.
+    /// Caldwell and McPhee, Eqs. 10 and 11: each component of the sliding velocity is reversed by its own slip ratio.
     #[test]
     fn the_slip_model_keeps_the_slip_ratios_along_both_directions(
         (_, inputs) in any_delivery(), e_y in -1.0..1.0f64, e_z in -1.0..1.0f64

@@ -24,7 +24,7 @@ fn area(damping: f64) -> Vec<f64> {
     changed(model, model.info().defaults(), &values)
 }
 
-/// P1 Eqs. 15 and 16: k = 4 G sqrt(R)/(3 (1 - nu)), 1/R = 1/r_ball + 1/r_club.
+/// Caldwell and McPhee, Eqs. 15 and 16: k = 4 G sqrt(R)/(3 (1 - nu)), 1/R = 1/r_ball + 1/r_club.
 fn hertz_stiffness(face_radius: f64) -> f64 {
     let radius = (1.0 / 0.0213 + 1.0 / face_radius).recip();
     4.0 * MODULUS * radius.sqrt() / (3.0 * (1.0 - POISSON))

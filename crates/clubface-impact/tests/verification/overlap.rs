@@ -1,4 +1,4 @@
-//! Volume that a ball shares with the face (P1 Figure 2) against integration and its limits.
+//! Volume that a ball shares with the face (Caldwell and McPhee, Figure 2) against integration and its limits.
 
 use clubface_impact::models::volumetric::overlap;
 use clubface_math::Dual;

@@ -12,7 +12,7 @@ pub use metals::{fem_thickness_points, fem_yield_stress};
 use crate::columns::Derivatives;
 use clubface_fem::cases::{ball_against_deformable_head, ball_against_plane, ball_against_rigid_head};
 use clubface_fem::environment::Environment;
-use clubface_fem::material::{law_from_name, DERIVATIVES, LAWS};
+use clubface_fem::material::{entry_from_name, law_from_name, LAWS};
 use clubface_fem::sensitivity::Setting;
 use clubface_fem::solve::Progress;
 use clubface_impact::first_touch::FirstTouch;
@@ -58,19 +58,24 @@ pub fn fem_laws(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     Ok(list)
 }
 
-/// Shear modulus of a law by name (Pa), and its derivatives by the constants (SI).
+/// Raises ValueError(name, value, allowed) for constants (SI) that a law does not allow.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_check_law(law: &str, constants: Vec<f64>) -> PyResult<()> {
+    law_from_name(law, &constants).map(|_| ()).map_err(|e| error_of(&e))
+}
+
+/// Shear modulus of a law by name (Pa), and its derivatives by the constants (SI), which are not checked.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn fem_shear(law: &str, constants: Vec<f64>) -> PyResult<(f64, Vec<f64>)> {
-    let plain = law_from_name(law, &constants).map_err(|e| error_of(&e))?;
-    let mut slopes = Vec::new();
-    for i in 0..constants.len() {
-        let mut lifted: Vec<_> =
-            constants.iter().map(|&value| Dual::<f64, DERIVATIVES>::constant(value)).collect();
-        lifted[i].tangent[0] = 1.0;
-        slopes.push(law_from_name(law, &lifted).map_err(|e| error_of(&e))?.shear().tangent[0]);
-    }
-    Ok((plain.shear(), slopes))
+    let entry = entry_from_name(LAWS, law, constants.len()).map_err(|e| error_of(&e))?;
+    let slope = |i: usize| {
+        let mut lifted: Vec<_> = constants.iter().map(|&value| Dual::constant(value)).collect();
+        lifted[i] = Dual::variable(constants[i], 0);
+        (entry.derived)(&lifted).shear().tangent[0]
+    };
+    Ok(((entry.plain)(&constants).shear(), (0..constants.len()).map(slope).collect()))
 }
 
 /// Mass properties of a meshed ball: {mass, inertia, core_density, radius, nodes, elements}.

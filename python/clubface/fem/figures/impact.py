@@ -110,7 +110,7 @@ def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
     figure = Figure(figsize=(WIDTH, 2.0 * size + 1.05), layout="constrained")
     panels = figure.subplots(2, count, sharex=True, sharey=True, squeeze=False)
     drawn = np.isin(patch["time"], chosen)
-    extent = 1.1e3 * max(abs(patch["up"][drawn]).max(), abs(patch["toe"][drawn]).max())
+    extent = units.from_si(1.1 * max(abs(patch[key][drawn]).max() for key in ("up", "toe")), "mm")
     dots = (size * 72.0 * 0.055) ** 2
     for row, (key, map_, label) in enumerate(
         (
@@ -173,7 +173,7 @@ def _end(found: Impact) -> float:
     """Return where the axis of time ends [us]: some time after the last touch, or with the run."""
     times = found.contact["time"]
     last = float(times[-1]) if len(times) else 0.0
-    return max(min(1.25 * found.last_touch, last) or last, 1e-9) * 1e6
+    return units.from_si(max(min(1.25 * found.last_touch, last) or last, 1e-9), "us")
 
 
 def _time_axes(panels: Any, end: float) -> None:
@@ -189,8 +189,8 @@ def _forces(panel: Axes, found: Impact) -> None:
         time, units.from_si(found.contact["tangential"], "kN"), color=RED, linestyle=DASHES[1], label="along the face"
     )
     panel.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
-    top = float(np.max(found.contact["normal"], initial=0.0)) / 1e3
-    low = float(np.min(found.contact["tangential"], initial=0.0)) / 1e3
+    top = units.from_si(float(np.max(found.contact["normal"], initial=0.0)), "kN")
+    low = units.from_si(float(np.min(found.contact["tangential"], initial=0.0)), "kN")
     if top > 0.0:
         panel.set_ylim(1.1 * min(low, -0.02 * top), 1.3 * top)
 

@@ -238,8 +238,8 @@ def _tractions(panel: Any, found: Impact, time: float) -> float:
         return 0.0
     at = np.flatnonzero((patch["time"] == nearest) & (abs(patch["toe"]) < near))
     at = at[np.argsort(patch["up"][at])]
-    up, scale = units.from_si(patch["up"][at], "mm"), 1e-6 / patch["area"][at]
-    pressure, shear = patch["normal"][at] * scale, patch["tangential"][at] * scale
+    up, area = units.from_si(patch["up"][at], "mm"), patch["area"][at]
+    pressure, shear = (units.from_si(patch[key][at] / area, "MPa") for key in ("normal", "tangential"))
     panel.plot(pressure, up, color=COLOURS[0], marker="o", markersize=2, label="pressure")
     panel.plot(shear, up, color=COLOURS[1], marker="s", markersize=2, label="shear")
     return float(np.max(pressure, initial=0.0))

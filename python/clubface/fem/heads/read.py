@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
-from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
+from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.fem.heads.driver import SHAPE, TARGETS, WALLS, DriverHead
 from clubface.fem.heads.iron import GROOVES, IronHead
 from clubface.fem.heads.iron import SHAPE as IRON_SHAPE
@@ -15,7 +15,7 @@ from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import MASS_KEYS, parsed_places
 from clubface.fem.heads.user_mesh import Group, MeshHead
-from clubface.support.shipped import builtin_names, builtin_path, is_path
+from clubface.support.shipped import builtin_names, path_of
 from clubface.support.strict_toml import Document
 
 T = TypeVar("T")
@@ -43,11 +43,7 @@ def head(which: str | os.PathLike[str] | MeshedHead | Design) -> MeshedHead:
         return which
     if isinstance(which, DriverHead | IronHead | MeshHead):
         return which.mesh()
-    if is_path(which):
-        return _meshed(which)
-    if which not in head_names():
-        raise UnknownNameError("head of finite elements", which, head_names())
-    return _meshed(builtin_path("fem_head", str(which), head_names()))
+    return _meshed(path_of("head of finite elements", which, FOLDER))
 
 
 def from_toml(path: str | os.PathLike[str]) -> Design:

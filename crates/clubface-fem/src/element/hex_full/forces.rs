@@ -30,7 +30,7 @@ impl<R: Real> PackKernel<R> for AssembleForces<'_, R> {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let element = patch.gather::<P>(block, first);
                 points.set(&element, &patch.constants[block], first);
-                points.compute(&*stage, &mut patch.state, block * POINTS, first);
+                points.compute(&*stage, &mut patch.state, block * POINTS * BLOCK + first);
                 let mut forces = Forces::zero();
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
@@ -41,7 +41,7 @@ impl<R: Real> PackKernel<R> for AssembleForces<'_, R> {
                 ratios = ratios.and(ratio);
                 let mut pressure = bulk * (ratio - 1.0);
                 if let Some(viscosity) = &mut patch.viscosity {
-                    pressure += viscosity.pressure(block, first, ratio, self.dt);
+                    pressure += viscosity.pressure(block * BLOCK + first, ratio, self.dt);
                 }
                 forces.add_pressure(&element, pressure);
                 let forces = forces.corners();

@@ -30,7 +30,7 @@ impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let element = patch.gather::<P>(block, first);
                 points.set(&element, &patch.constants[block], first);
-                points.compute(&*stage, &mut state, 0, first);
+                points.compute(&*stage, &mut state, first);
                 let mut plastic = P::zero();
                 let [mut stress, mut strain] = [Symmetric::diagonal(P::zero()); 2];
                 for point in 0..POINTS {
@@ -40,7 +40,7 @@ impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
                     stress = stress.plus(volume, &cauchy);
                     strain = strain.plus(volume, &logarithmic(f, &at));
                     let mut found = P::zero();
-                    stage.plastic_strain(&mut state, point, first, &mut found);
+                    stage.plastic_strain(&mut state, point * BLOCK + first, &mut found);
                     plastic = plastic.max(found);
                 }
                 let share = points.volume.recip();

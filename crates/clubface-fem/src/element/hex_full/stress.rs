@@ -2,6 +2,7 @@
 //! element as a whole.
 
 use super::element::{Hexahedron, Point, POINTS};
+use crate::block::BLOCK;
 use crate::material::{Deformation, Points, StateVariables, StressStage, Symmetric};
 use clubface_math::{Mat3, Pack};
 
@@ -44,24 +45,18 @@ impl<P: Pack> ElementPoints<P> {
             self.volume += constants.volume;
         }
     }
-    /// Computes the stresses of elements whose state variables begin with `block`; they move on by the step of the
-    /// stage.
+    /// Computes the stresses of elements whose state variables begin with a lane, counted over all blocks; they move on
+    /// by the step of the stage.
     #[inline(always)]
-    pub fn compute(
-        &mut self,
-        stage: &dyn StressStage<P>,
-        state: &mut StateVariables<P::Real>,
-        block: usize,
-        first: usize,
-    ) {
-        let mut points = Points {
-            block,
-            first,
+    pub fn compute(&mut self, stage: &dyn StressStage<P>, state: &mut StateVariables<P::Real>, lane: usize) {
+        stage.stress(&mut Points {
+            lane,
+            step: BLOCK,
+            state,
             deformations: &self.deformations,
             pressures: &[P::zero(); POINTS],
             weights: &[P::one(); POINTS],
             stresses: &mut self.stresses,
-        };
-        stage.stress(&mut points, state);
+        });
     }
 }

@@ -88,6 +88,11 @@ impl<'a, P: Pack> Constants<'a, P> {
         assert!(first + P::LANES <= BLOCK);
         Self { block, first }
     }
+    /// Of a pack from a lane on, counted over all blocks.
+    #[inline(always)]
+    pub fn at(blocks: &'a [Block<P::Real>], lane: usize) -> Self {
+        Self::new(&blocks[lane / BLOCK].0, lane % BLOCK)
+    }
     /// Reference volume, m3; 0 for a lane that holds no element.
     #[inline(always)]
     pub fn volume(&self) -> P {

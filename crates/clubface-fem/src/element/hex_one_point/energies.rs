@@ -3,11 +3,12 @@
 use super::constants::Constants;
 use super::element::Hexahedron;
 use super::patch::SolidPatch;
+use super::stress::RUN;
 use super::visitor::Visitor;
 use crate::element::bulk_viscosity::BulkViscosity;
 use crate::element::patch::Energy;
 use crate::element::ratios::Ratios;
-use crate::material::{Kinematics, PointEnergy, StateVariables, StressStage};
+use crate::material::{EnergyPoints, Kinematics, PointEnergy, StateVariables, StressStage, Symmetric};
 use clubface_math::{Pack, PackKernel, Real, Row};
 
 /// Adds up energies.
@@ -35,6 +36,10 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
             viscosity: viscosity.as_ref(),
             energies: [P::zero(); 4],
             ratios: Ratios::new(),
+            count: 0,
+            lane: 0,
+            c: [Symmetric::diagonal(P::one()); RUN],
+            volumes: [(P::zero(), P::one()); RUN],
         };
         // SAFETY: the caller has checked the nodes.
         unsafe { arrangement.visit(self.positions, nodes, constants, self.loaded, &mut sum) };
@@ -55,6 +60,11 @@ struct EnergySum<'a, P: Pack> {
     energies: [P; 4],
     /// Smallest and largest ratio of current to reference volume, by lane.
     ratios: Ratios<P>,
+    /// The run: packs so far, first lane, `C̄`, reference volume and ratio of volumes.
+    count: usize,
+    lane: usize,
+    c: [Symmetric<P>; RUN],
+    volumes: [(P, P); RUN],
 }
 
 impl<P: Pack> EnergySum<'_, P> {
@@ -69,20 +79,33 @@ impl<P: Pack> EnergySum<'_, P> {
 
 impl<P: Pack> Visitor<P> for EnergySum<'_, P> {
     #[inline(always)]
-    fn visit(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
+    fn visit(&mut self, lane: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
         let kinematics = Kinematics::new(element.gradient(constants));
-        let (reference, ratio) = (constants.volume(), kinematics.deformation.volume);
-        let dilation = ratio - 1.0;
-        let nothing = P::zero();
-        let mut found = PointEnergy { strain: nothing, viscous: nothing, plastic: nothing };
-        self.stage.energy(&kinematics.c, self.state, block, first, &mut found);
-        let strain = found.strain + self.bulk * dilation * dilation * 0.5;
-        let damped = self.viscosity.map_or(nothing, |viscosity| viscosity.work(block, first));
+        let ratio = kinematics.deformation.volume;
+        if self.count == 0 {
+            self.lane = lane;
+        }
+        self.c[self.count] = kinematics.c;
         // Lanes without an element have no volume and no stiffness, and keep their shape.
-        self.energies[0] += strain * reference;
+        self.volumes[self.count] = (constants.volume(), ratio);
+        self.count += 1;
         self.energies[1] += element.hourglass_energy(constants);
-        self.energies[2] += (found.viscous + damped) * reference;
-        self.energies[3] += found.plastic * reference;
         self.ratios = self.ratios.and(ratio);
+    }
+    #[inline(always)]
+    fn end_run(&mut self, step: usize) {
+        let (lane, count) = (self.lane, std::mem::take(&mut self.count));
+        let mut energies = [PointEnergy::zero(); RUN];
+        let (c, energies) = (&self.c[..count], &mut energies[..count]);
+        self.stage.energy(&mut EnergyPoints { lane, step, state: self.state, c, energies });
+        for i in 0..count {
+            let (found, (reference, ratio)) = (energies[i], self.volumes[i]);
+            let dilation = ratio - 1.0;
+            let strain = found.strain + self.bulk * dilation * dilation * 0.5;
+            let damped = self.viscosity.map_or(P::zero(), |viscosity| viscosity.work(lane + i * step));
+            self.energies[0] += strain * reference;
+            self.energies[2] += (found.viscous + damped) * reference;
+            self.energies[3] += found.plastic * reference;
+        }
     }
 }

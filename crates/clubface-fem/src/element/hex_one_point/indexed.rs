@@ -3,7 +3,7 @@
 use super::constants::{Block, Constants};
 use super::element::{on_bases, Hexahedron};
 use super::side::{spread, sums, Face};
-use super::stress::{Run, Stress};
+use super::stress::{Run, Stress, RUN};
 use super::visitor::Visitor;
 use crate::block::BLOCK;
 use crate::mesh::CORNERS;
@@ -52,16 +52,17 @@ impl<R: Real> Indexed<R> {
         &self.forces
     }
 
-    /// Sides of `LANES` elements of a block, from lane `first` on.
+    /// A pack of elements from a lane on, counted over all blocks.
     #[inline(always)]
-    fn sides<P: Pack<Real = R>>(&self, block: usize, first: usize) -> (Face<P>, Face<P>) {
+    fn element<P: Pack<Real = R>>(&self, lane: usize, constants: &Constants<P>) -> Hexahedron<P> {
+        let corners = &self.corners[lane / BLOCK];
         let mut x = [Vec3::zero(); CORNERS];
         for corner in 0..CORNERS {
             // SAFETY: `new` makes every entry a place in the list of nodes, as long as `positions`; a block holds
             // eight lanes.
-            x[corner] = unsafe { P::gather(&self.positions, &self.corners[block][corner * BLOCK + first..]) };
+            x[corner] = unsafe { P::gather(&self.positions, &corners[corner * BLOCK + lane % BLOCK..]) };
         }
-        (side([x[0], x[1], x[2], x[3]]), side([x[4], x[5], x[6], x[7]]))
+        Hexahedron::new(constants, &side([x[0], x[1], x[2], x[3]]), &side([x[4], x[5], x[6], x[7]]))
     }
 
     /// Forces of all elements for the positions of their nodes; whether the laws hold for all volumes.
@@ -73,24 +74,30 @@ impl<R: Real> Indexed<R> {
         constants: &[Block<R>],
         mut stress: Stress<P>,
     ) -> bool {
-        let mut run = Run::new();
         self.load(positions, nodes);
         self.forces.fill(Row::zero());
-        for block in 0..self.corners.len() {
-            for first in (0..BLOCK).step_by(P::LANES) {
-                let (low, high) = self.sides::<P>(block, first);
-                let constants = Constants::new(&constants[block].0, first);
-                let element = Hexahedron::new(&constants, &low, &high);
-                run.set(0, element.gradient(&constants), constants.volume());
-                stress.compute(&mut run, 1, block, first);
-                let (low, high) = element.forces(&constants, &on_bases(&constants, &run.stresses[0]));
+        let mut run = Run::new();
+        let mut elements = [Hexahedron::<P>::zero(); RUN];
+        for (start, count) in self.runs::<P>() {
+            for i in 0..count {
+                let lane = start + i * P::LANES;
+                let constants = Constants::at(constants, lane);
+                elements[i] = self.element(lane, &constants);
+                run.set(i, elements[i].gradient(&constants), constants.volume());
+            }
+            stress.compute(&mut run, count, start, P::LANES);
+            for i in 0..count {
+                let lane = start + i * P::LANES;
+                let constants = Constants::at(constants, lane);
+                let (low, high) = elements[i].forces(&constants, &on_bases(&constants, &run.stresses[i]));
                 for (bottom, face) in [(0, low), (4, high)] {
                     let (x, y, z) = (spread(face[0]), spread(face[1]), spread(face[2]));
                     for corner in 0..4 {
                         let force = Vec3::new(x[corner], y[corner], z[corner]);
-                        let at = (bottom + corner) * BLOCK + first;
-                        // SAFETY: as in `sides`; `forces` is as long as `positions`.
-                        unsafe { P::scatter_add(&mut self.forces, &self.corners[block][at..], force) };
+                        let at = (bottom + corner) * BLOCK + lane % BLOCK;
+                        let places = &self.corners[lane / BLOCK][at..];
+                        // SAFETY: as in `element`; `forces` is as long as `positions`.
+                        unsafe { P::scatter_add(&mut self.forces, places, force) };
                     }
                 }
             }
@@ -98,7 +105,13 @@ impl<R: Real> Indexed<R> {
         stress.ratios.valid()
     }
 
-    /// Shows every element to `visitor`.
+    /// The first lane and the number of packs of each run.
+    fn runs<P: Pack<Real = R>>(&self) -> impl Iterator<Item = (usize, usize)> {
+        let packs = self.corners.len() * BLOCK / P::LANES;
+        (0..packs).step_by(RUN).map(move |pack| (pack * P::LANES, RUN.min(packs - pack)))
+    }
+
+    /// Shows every element to a visitor.
     #[inline(always)]
     pub fn visit<P: Pack<Real = R>, W: Visitor<P>>(
         &mut self,
@@ -108,12 +121,13 @@ impl<R: Real> Indexed<R> {
         visitor: &mut W,
     ) {
         self.load(positions, nodes);
-        for block in 0..self.corners.len() {
-            for first in (0..BLOCK).step_by(P::LANES) {
-                let (low, high) = self.sides::<P>(block, first);
-                let constants = Constants::new(&constants[block].0, first);
-                visitor.visit(block, first, &constants, &Hexahedron::new(&constants, &low, &high));
+        for (start, count) in self.runs::<P>() {
+            for i in 0..count {
+                let lane = start + i * P::LANES;
+                let constants = Constants::at(constants, lane);
+                visitor.visit(lane, &constants, &self.element(lane, &constants));
             }
+            visitor.end_run(P::LANES);
         }
     }
 }

@@ -140,17 +140,19 @@ impl<R: Real> Lattice<R> {
             }
             field
         };
-        for column in 0..constants.len() / nk {
+        for (column, blocks) in constants.chunks_exact(nk).enumerate() {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = places.quads::<P>(column * BLOCK + first);
-                for layer in 0..nk {
+                for (k, block) in blocks.iter().enumerate() {
                     // SAFETY: `at` is within the columns.
                     let (low, high) =
-                        unsafe { (face::<P>(&mut field, layer, &at), face(&mut field, layer + 1, &at)) };
-                    let block = column * nk + layer;
-                    let constants = Constants::new(&constants[block].0, first);
-                    let element = Hexahedron::new(&constants, &low, &high);
-                    visitor.visit(block, first, &constants, &element);
+                        unsafe { (face::<P>(&mut field, k, &at), face::<P>(&mut field, k + 1, &at)) };
+                    let constants = Constants::new(&block.0, first);
+                    let lane = (column * nk + k) * BLOCK + first;
+                    visitor.visit(lane, &constants, &Hexahedron::new(&constants, &low, &high));
+                    if (k + 1).is_multiple_of(RUN) || k + 1 == nk {
+                        visitor.end_run(BLOCK);
+                    }
                 }
             }
         }
@@ -213,7 +215,7 @@ unsafe fn walk<P: Pack>(
                     let constants = Constants::new(&block.0, first);
                     points.set(layer, element.gradient(&constants), constants.volume());
                 }
-                stress.compute(&mut points, run.len(), column * nk + start, first);
+                stress.compute(&mut points, run.len(), (column * nk + start) * BLOCK + first, BLOCK);
                 for (block, stress) in run.iter().zip(&mut points.stresses) {
                     *stress = on_bases(&Constants::new(&block.0, first), stress);
                 }

@@ -46,27 +46,28 @@ struct OutputOf<'a, 'b, P: Pack> {
 
 impl<P: Pack> Visitor<P> for OutputOf<'_, '_, P> {
     #[inline(always)]
-    fn visit(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
-        let f = element.gradient(constants);
-        let at = Kinematics::new(f);
+    fn visit(&mut self, lane: usize, constants: &Constants<P>, element: &Hexahedron<P>) {
+        let f = &element.gradient(constants);
+        let at = Kinematics::new(*f);
         // A copy: output changes nothing.
+        let (block, first) = (lane / BLOCK, lane % BLOCK);
         let mut state = self.state.copy(block..block + 1);
         let mut stresses = [Symmetric::diagonal(P::zero())];
-        let mut points = Points {
-            block: 0,
-            first,
+        self.stage.stress(&mut Points {
+            lane: first,
+            step: 0,
+            state: &mut state,
             deformations: &[at.deformation],
             pressures: &[self.bulk * (at.deformation.volume - 1.0)],
             // Cauchy's stress is F S F^T / J.
             weights: &[at.inverse_volume],
             stresses: &mut stresses,
-        };
-        self.stage.stress(&mut points, &mut state);
+        });
         let mut plastic = P::zero();
-        self.stage.plastic_strain(&mut state, 0, first, &mut plastic);
-        let (stress, strain) = (stresses[0].seen_through(&f), logarithmic(&f, &at));
+        self.stage.plastic_strain(&mut state, first, &mut plastic);
+        let (stress, strain) = (stresses[0].seen_through(f), logarithmic(f, &at));
         for which in 0..P::LANES {
-            let Some(number) = self.numbers[block * BLOCK + first + which] else { continue };
+            let Some(number) = self.numbers[lane + which] else { continue };
             (self.sink)(number as usize, &ElementOutput::of([&stress; 2], [&strain; 2], plastic, which));
         }
     }

@@ -23,7 +23,7 @@ pub struct Stress<'a, P: Pack> {
     pub ratios: Ratios<P>,
 }
 
-/// Packs whose blocks follow each other.
+/// Packs one after the other: up through the layers of a lattice, or as they stand in their blocks.
 pub struct Run<P> {
     deformations: [Deformation<P>; RUN],
     weights: [P; RUN],
@@ -52,27 +52,27 @@ impl<P: Pack> Run<P> {
 }
 
 impl<P: Pack> Stress<'_, P> {
-    /// Stresses of the first `count` packs of a run, which are lanes `first..` of the blocks from `block` on; state
-    /// variables move on by a step.
+    /// Stresses of the first `count` packs of a run, which begins with a lane, counted over all blocks; the next packs
+    /// begin `step` lanes further. State variables move on by a step.
     #[inline(always)]
-    pub fn compute(&mut self, run: &mut Run<P>, count: usize, block: usize, first: usize) {
+    pub fn compute(&mut self, run: &mut Run<P>, count: usize, lane: usize, step: usize) {
         let Run { deformations, weights, pressures, stresses } = run;
         for i in 0..count {
             let ratio = deformations[i].volume;
             self.ratios = self.ratios.and(ratio);
             pressures[i] = self.bulk * (ratio - 1.0);
             if let Some(drag) = &mut self.drag {
-                pressures[i] += drag.pressure(block + i, first, ratio);
+                pressures[i] += drag.pressure(lane + i * step, ratio);
             }
         }
-        let mut points = Points {
-            block,
-            first,
+        self.stage.stress(&mut Points {
+            lane,
+            step,
+            state: self.state,
             deformations: &deformations[..count],
             pressures: &pressures[..count],
             weights: &weights[..count],
             stresses: &mut stresses[..count],
-        };
-        self.stage.stress(&mut points, self.state);
+        });
     }
 }

@@ -6,6 +6,8 @@ use clubface_math::Pack;
 
 /// A visitor of elements.
 pub trait Visitor<P: Pack> {
-    /// Visits lanes `first..` of a block.
-    fn visit(&mut self, block: usize, first: usize, constants: &Constants<P>, element: &Hexahedron<P>);
+    /// Visits a pack, which begins with a lane, counted over all blocks.
+    fn visit(&mut self, lane: usize, constants: &Constants<P>, element: &Hexahedron<P>);
+    /// Ends a run of at most [`super::stress::RUN`] packs, each `step` lanes further than the one before.
+    fn end_run(&mut self, _step: usize) {}
 }

@@ -1,9 +1,10 @@
 //! Arithmetic of four numbers (AVX2) and of eight (AVX-512).
 
+use super::masks::{Mask4, Mask8};
 use crate::elementary::{self, Primal};
 use crate::pack::operators::primal_operators;
 use crate::pack::traits::Lanes;
-use crate::scalar::{Computation, Mask, Scalar};
+use crate::scalar::{Computation, Scalar};
 use core::arch::x86_64::*;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -24,13 +25,6 @@ pub struct F64x4(pub(super) __m256d);
 /// Eight numbers (AVX-512). Only for use below [`dispatch`](super::dispatch) or after [`has_eight`].
 #[derive(Clone, Copy, Debug)]
 pub struct F64x8(pub(super) __m512d);
-/// Four truth values.
-#[derive(Clone, Copy, Debug)]
-pub struct Mask4(__m256d);
-/// Eight truth values.
-#[derive(Clone, Copy, Debug)]
-pub struct Mask8(__mmask8);
-
 macro_rules! binary {
     ($type:ident, $trait:ident, $method:ident, $intrinsic:ident) => {
         impl $trait for $type {
@@ -252,65 +246,5 @@ impl Primal for F64x8 {
             let bits = _mm512_add_epi64(_mm512_castpd_si512(shifted.0), _mm512_set1_epi64(1023));
             Self(_mm512_castsi512_pd(_mm512_slli_epi64::<52>(bits)))
         }
-    }
-}
-impl Mask for Mask4 {
-    #[inline(always)]
-    fn any(self) -> bool {
-        unsafe { _mm256_movemask_pd(self.0) != 0 }
-    }
-    #[inline(always)]
-    fn all(self) -> bool {
-        unsafe { _mm256_movemask_pd(self.0) == 0b1111 }
-    }
-    #[inline(always)]
-    fn and(self, other: Self) -> Self {
-        Self(unsafe { _mm256_and_pd(self.0, other.0) })
-    }
-    #[inline(always)]
-    fn or(self, other: Self) -> Self {
-        Self(unsafe { _mm256_or_pd(self.0, other.0) })
-    }
-    #[inline(always)]
-    fn not(self) -> Self {
-        Self(unsafe { _mm256_xor_pd(self.0, Self::splat(true).0) })
-    }
-    #[inline(always)]
-    fn splat(value: bool) -> Self {
-        Self(unsafe { _mm256_castsi256_pd(_mm256_set1_epi64x(-i64::from(value))) })
-    }
-    #[inline(always)]
-    fn lane(self, index: usize) -> bool {
-        unsafe { (_mm256_movemask_pd(self.0) >> index) & 1 == 1 }
-    }
-}
-impl Mask for Mask8 {
-    #[inline(always)]
-    fn any(self) -> bool {
-        self.0 != 0
-    }
-    #[inline(always)]
-    fn all(self) -> bool {
-        self.0 == 0xff
-    }
-    #[inline(always)]
-    fn and(self, other: Self) -> Self {
-        Self(self.0 & other.0)
-    }
-    #[inline(always)]
-    fn or(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-    #[inline(always)]
-    fn not(self) -> Self {
-        Self(!self.0)
-    }
-    #[inline(always)]
-    fn splat(value: bool) -> Self {
-        Self(if value { 0xff } else { 0 })
-    }
-    #[inline(always)]
-    fn lane(self, index: usize) -> bool {
-        (self.0 >> index) & 1 == 1
     }
 }

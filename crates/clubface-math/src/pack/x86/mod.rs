@@ -1,6 +1,7 @@
 //! AVX2 and AVX-512 packs.
 
 mod arithmetic;
+mod masks;
 mod storage;
 
 pub use arithmetic::{F64x4, F64x8};

@@ -248,15 +248,15 @@ impl PackKernel<f64> for Wide<'_> {
             let f = matrix(std::array::from_fn(load));
             let at = Deformation::new(f);
             let mut stresses = [Symmetric::diagonal(P::zero())];
-            let mut points = Points {
-                block: 0,
-                first: 0,
+            stage.stress(&mut Points {
+                lane: 0,
+                step: 0,
+                state: &mut material.state(1),
                 deformations: &[at],
                 pressures: &[P::splat(material.bulk) * (at.volume - 1.0)],
                 weights: &[P::one()],
                 stresses: &mut stresses,
-            };
-            stage.stress(&mut points, &mut material.state(1));
+            });
             let stress = elements(&times(&f, &stresses[0]));
             found.extend((0..P::LANES).map(|lane| stress.map(|s| s.lane(lane))));
         }

@@ -1,0 +1,58 @@
+"""The published figures, subject by subject, made from the files that the package ships."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from core_tables import CoreTable, markdown_table
+from sphinx.application import Sphinx
+
+from clubface import measurements
+from clubface.measurements import KINDS, PublishedTable
+
+LONG = 16
+"""Rows of a table that is shown folded."""
+
+
+class PublishedTables(CoreTable):
+    """``{published-tables} ball``: all tables of a subject with conditions, caveats and sources."""
+
+    required_arguments = 1
+
+    def table(self) -> list[str]:
+        """The tables, in the order of the file."""
+        return [line for each in measurements.subjects()[self.arguments[0]].values() for line in (*described(each), "")]
+
+
+def described(each: PublishedTable) -> list[str]:
+    """Lay out one table as Markdown; a long one folds away."""
+    doubt = f" **In doubt:** {each.caveat}" if each.caveat else ""
+    via = f"; read in {each.via}" if each.via else ""
+    lines = [
+        f"**`{each.name}`** — {each.title}; {KINDS[each.kind]}. {each.conditions}{doubt} *Source:* {each.source}{via}.",
+        "",
+    ]
+    heads = [name.replace("_", " ") + unit(each.units.get(name, "1")) for name in each.columns]
+    rows = markdown_table(heads, zip(*(cells(each, name) for name in each.columns), strict=True))
+    if len(each) < LONG:
+        return lines + rows
+    return [*lines, f"<details><summary>{len(each)} rows</summary>", "", *rows, "", "</details>"]
+
+
+def unit(symbol: str) -> str:
+    """Write a unit behind the name of a column; a plain number has none."""
+    return "" if symbol == "1" else f", {symbol}"
+
+
+def cells(each: PublishedTable, column: str) -> Iterable[str]:
+    """Write a column as it was printed, in its own unit; nothing where nothing was printed."""
+    if column not in each.units:
+        return each[column].tolist()
+    return ["" if np.isnan(value) else f"{value:.6g}" for value in each.get(column, each.units[column])]
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Register the directive."""
+    app.add_directive("published-tables", PublishedTables)
+    return {"parallel_read_safe": True}
