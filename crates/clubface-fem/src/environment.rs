@@ -8,10 +8,9 @@ use std::sync::Arc;
 pub trait Executor: Send + Sync {
     /// Number of threads, the calling one included; at least 1.
     fn threads(&self) -> usize;
-    /// Calls `lead` on the calling thread. Meanwhile every other thread may call `help` once, with its number from 1 to
-    /// below [`Executor::threads`]; threads that are busy elsewhere need not. Returns when all of these calls have
-    /// ended, also when `lead` panics.
-    fn run(&self, lead: &mut dyn FnMut(), help: &(dyn Fn(usize) + Sync));
+    /// Calls `lead` on the calling thread. Meanwhile every other thread may call `help` once; threads that are busy
+    /// elsewhere need not. Returns when all of these calls have ended, also when `lead` panics.
+    fn run(&self, lead: &mut dyn FnMut(), help: &(dyn Fn() + Sync));
     /// Leaves the processor to other threads for some microseconds. A thread that has waited in vain for a while calls
     /// it.
     fn sleep(&self);
@@ -25,7 +24,7 @@ impl Executor for SingleThread {
     fn threads(&self) -> usize {
         1
     }
-    fn run(&self, lead: &mut dyn FnMut(), _help: &(dyn Fn(usize) + Sync)) {
+    fn run(&self, lead: &mut dyn FnMut(), _help: &(dyn Fn() + Sync)) {
         lead();
     }
     fn sleep(&self) {}
@@ -64,10 +63,10 @@ mod native {
         fn threads(&self) -> usize {
             rayon::current_num_threads()
         }
-        fn run(&self, lead: &mut dyn FnMut(), help: &(dyn Fn(usize) + Sync)) {
+        fn run(&self, lead: &mut dyn FnMut(), help: &(dyn Fn() + Sync)) {
             rayon::in_place_scope(|scope| {
-                for worker in 1..self.threads() {
-                    scope.spawn(move |_| help(worker));
+                for _ in 1..self.threads() {
+                    scope.spawn(|_| help());
                 }
                 lead();
             });

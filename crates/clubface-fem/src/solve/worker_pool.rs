@@ -40,6 +40,8 @@ pub struct Stage<'a> {
 pub struct WorkerPool<'a> {
     executor: &'a dyn Executor,
     queues: Vec<Queue>,
+    /// Threads that have become workers.
+    present: AtomicUsize,
     stage: AtomicPtr<Stage<'static>>,
     /// Number of the current stage.
     number: AtomicU32,
@@ -67,6 +69,7 @@ impl WorkerPool<'_> {
         let pool = WorkerPool {
             executor,
             queues: (0..executor.threads()).map(|_| Queue(AtomicU64::new(0))).collect(),
+            present: AtomicUsize::new(1),
             stage: AtomicPtr::default(),
             number: AtomicU32::new(0),
             done: AtomicUsize::new(0),
@@ -80,7 +83,7 @@ impl WorkerPool<'_> {
                 CURRENT.set(std::ptr::from_ref(&pool).cast());
                 result = lead.take().map(|lead| lead(&pool));
             },
-            &|worker| pool.work(worker),
+            &|| pool.work(),
         );
         result.expect("an executor calls `lead` once")
     }
@@ -141,7 +144,11 @@ impl WorkerPool<'_> {
     }
 
     /// What every worker but the leader does from the first stage to the last.
-    fn work(&self, worker: usize) {
+    fn work(&self) {
+        let worker = self.present.fetch_add(1, Ordering::Relaxed);
+        if worker >= self.queues.len() {
+            return;
+        }
         let mut seen = 0;
         let mut spins = 0;
         loop {
