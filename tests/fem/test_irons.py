@@ -66,7 +66,7 @@ def test_grooves_that_the_ball_cannot_feel_are_refused():
     head = fem.IronHead(name="iron", shape=IRON, grooves=real, elements=(16, 12, 1)).mesh()
     with pytest.raises(
         InputError,
-        match="wide as nodes of the ball are apart, 8.06 mm.*9.0 times",
+        match=r"wide as nodes of the ball are apart, 8\.06 mm.*9\.0 times",
     ):
         fem.strike(head, speed="38 m/s", loft="30 deg", which=coarse())
 

@@ -35,15 +35,18 @@ pub trait Family: Debug + Send + Sync + 'static {
 /// Derivatives that a number of [`crate::sensitivity`] has.
 pub const DERIVATIVES: usize = 4;
 
+/// Makes a law over a number from its constants.
+pub type Constructor<R> = fn(&[R]) -> Arc<dyn Law<R>>;
+
 /// A line of the table of laws.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
     /// What the law says of itself.
     pub description: &'static Description,
     /// The law over plain numbers.
-    pub plain: fn(&[f64]) -> Arc<dyn Law<f64>>,
+    pub plain: Constructor<f64>,
     /// The law over numbers with derivatives.
-    pub derived: fn(&[Dual<f64, DERIVATIVES>]) -> Arc<dyn Law<Dual<f64, DERIVATIVES>>>,
+    pub derived: Constructor<Dual<f64, DERIVATIVES>>,
 }
 
 /// A law of the change of shape with its constants.

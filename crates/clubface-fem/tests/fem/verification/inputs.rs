@@ -25,7 +25,7 @@ fn bad_materials_are_refused() {
     let good = || elastic(1e6, 0.4, 1000.0);
     refused(&elastic(1e6, 0.5, 1000.0), &["bulk modulus", "0.5", "0.49"]);
     refused(&elastic(1e6, 0.499_95, 1000.0), &["Poisson's ratio", "0.49995"]);
-    refused(&elastic(-1e6, 0.4, 1000.0), &["shear modulus", "-3571"]);
+    refused(&elastic(-1e6, 0.4, 1000.0), &["shear of", "-357142", "zero or above"]);
     refused(&Material { bulk: -2.0, ..good() }, &["bulk modulus", "-2 Pa"]);
     refused(&Material { density: 0.0, ..good() }, &["density", "0 kg/m3"]);
     refused(&Material { density: f64::NAN, ..good() }, &["density", "NaN"]);
