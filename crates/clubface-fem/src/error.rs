@@ -1,12 +1,11 @@
 //! Errors: requests that cannot be met, and runs that had to stop.
 
-use thiserror::Error;
+use std::fmt;
 
 /// A request that cannot be met, or a run that had to stop.
-#[derive(Clone, Debug, Error, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum FemError {
     /// An input that makes no sense.
-    #[error("{name} is {value}; {allowed}")]
     Input {
         /// What was given, such as "cover.poisson".
         name: String,
@@ -16,7 +15,6 @@ pub enum FemError {
         allowed: String,
     },
     /// The volume of an element has left the range of its material law.
-    #[error("element {element} of {part} {} at {microseconds:.0} us: the time step is too long (choose a smaller `safety`), the mesh too coarse, or the material too soft for this impact", volume(*ratio))]
     ElementLost {
         /// Number of the most strained element in the mesh of the body.
         element: usize,
@@ -28,7 +26,6 @@ pub enum FemError {
         microseconds: f64,
     },
     /// The energy balance is off.
-    #[error("the energy balance was off by {} at {microseconds:.0} us (at most 1% is allowed); {}", percentage(*percent), cause(*edge, *element, part))]
     Energy {
         /// Number of the most strained element in the mesh of the body.
         element: usize,
@@ -42,25 +39,53 @@ pub enum FemError {
         microseconds: f64,
     },
     /// The ball and the face did not touch.
-    #[error("the ball and the face did not touch within {microseconds:.0} us; the head must move towards the ball and not pass it")]
     Missed {
         /// Simulated time, us.
         microseconds: f64,
     },
     /// The ball has not left the face yet.
-    #[error(
-        "the ball was still on the face at {microseconds:.0} us, so there is no launch; choose a longer `duration`"
-    )]
     Unfinished {
         /// Simulated time, us.
         microseconds: f64,
     },
     /// The caller has stopped the run.
-    #[error("stopped at {microseconds:.0} us by request")]
     Interrupted {
         /// Time, us.
         microseconds: f64,
     },
+}
+
+impl std::error::Error for FemError {}
+
+impl fmt::Display for FemError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Input { name, value, allowed } => write!(f, "{name} is {value}; {allowed}"),
+            Self::ElementLost { element, part, ratio, microseconds } => write!(
+                f,
+                "element {element} of {part} {} at {microseconds:.0} us: the time step is too long (choose a smaller \
+                 `safety`), the mesh too coarse, or the material too soft for this impact",
+                volume(*ratio)
+            ),
+            Self::Energy { element, part, percent, edge, microseconds } => write!(
+                f,
+                "the energy balance was off by {} at {microseconds:.0} us (at most 1% is allowed); {}",
+                percentage(*percent),
+                cause(*edge, *element, part)
+            ),
+            Self::Missed { microseconds } => write!(
+                f,
+                "the ball and the face did not touch within {microseconds:.0} us; the head must move towards the ball \
+                 and not pass it"
+            ),
+            Self::Unfinished { microseconds } => write!(
+                f,
+                "the ball was still on the face at {microseconds:.0} us, so there is no launch; choose a longer \
+                 `duration`"
+            ),
+            Self::Interrupted { microseconds } => write!(f, "stopped at {microseconds:.0} us by request"),
+        }
+    }
 }
 
 impl FemError {

@@ -1,15 +1,22 @@
 //! What can be wrong with an impact.
 
-use thiserror::Error;
+use std::fmt;
 
 /// An input or parameter that makes no sense, or an integration that failed.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[error("{input}: {message}")]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ImpactError {
     /// Name of the input or parameter at fault.
     pub input: &'static str,
     /// Its value, what is allowed and what to do.
     pub message: String,
+}
+
+impl std::error::Error for ImpactError {}
+
+impl fmt::Display for ImpactError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.input, self.message)
+    }
 }
 
 impl ImpactError {
