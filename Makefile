@@ -40,7 +40,7 @@ $(VENV)/.dev: $(VENV)/.build constraints-dev.txt
 	@$(PYTHON) scripts/requirements.py dev | $(PYTHON) -m pip install --quiet -r /dev/stdin
 	@touch $@
 
-wheel: $(VENV)/.setup ## a wheel for other machines, optimised as a whole; some ten minutes
+wheel: $(VENV)/.setup ## a wheel for other machines, optimised as a whole
 	$(BIN)/maturin build --profile dist
 
 demo: build ## the published tour averages by every model; tables and pictures in out/
@@ -71,8 +71,8 @@ bench: dev ## speed, printed beside the computed results
 	cargo bench $(RUST_TESTED)
 	$(PYTHON) -m pytest benchmarks --benchmark-only
 
-study: dev ## the tests that take minutes
-	cargo test $(RUST_TESTED) -- --ignored
+study: dev ## the tests that take minutes; those of Rust with debug assertions and checks of overflow
+	cargo test $(RUST_TESTED) -- --include-ignored
 	$(PYTHON) -m pytest -m study
 
 benchmark-data: build ## make the benchmark shots again from their recipe, bit for bit
