@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -50,8 +51,7 @@ def tour(
     results = []
     for table in which:
         with progress_bar() as bar:
-            progress = bar and (lambda done, every, table=table: bar(done, every, table))
-            results.append(job.tour(names, table=table, ball=ball, progress=progress))
+            results.append(job.tour(names, table=table, ball=ball, progress=bar and _telling(bar, table)))
     files = []
     if folder is not None:
         for result in results:
@@ -69,6 +69,10 @@ def tour(
             print_numbers(*tables.summary(results), title=title)
     if files:
         say(f"wrote {', '.join(str(each) for each in files)}")
+
+
+def _telling(bar: Callable[[float, float, str], object], table: str) -> Callable[[int, int], object]:
+    return lambda done, every: bar(done, every, table)
 
 
 def _print(result: Tour) -> None:
