@@ -93,7 +93,7 @@ class AreaReadings(CoreTable):
 def as_printed(club: str) -> dict[str, Any]:
     """Return what makes :func:`clubface.impact` compute the printed values of a club, in scaled masses."""
     shear_modulus, area_damping = PRINTED_AREA[club]
-    held = {**clubface.club(club).inputs(), **clubface.Ball.builtin("published").inputs()}
+    held = {**clubface.club(club).inputs(), **clubface.ball(None).inputs()}
     masses = {
         name: SCALE * value
         for name, value in held.items()

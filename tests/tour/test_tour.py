@@ -18,7 +18,7 @@ from clubface.errors import InputError, UnknownNameError
 from clubface.tour import averages as job
 from clubface.tour import report
 from clubface.tour import tables as tour_tables
-from clubface.tour.spin_ratio import loft_of_ratio, spin_ratio
+from clubface.tour.spin_ratio import loft_of_ratio, spin_ratio, spin_ratio_of
 
 
 @pytest.fixture(scope="module")
@@ -129,6 +129,13 @@ def test_a_model_that_takes_long_is_asked_a_few_times_only(monkeypatch):
     assert launches.asked <= 7
 
 
+def test_the_finite_elements_get_a_loft_of_their_own_too():
+    iron = next(each for each in job.averages("pga-2019") if each.club == "7-iron")
+    loft = job.solve_loft("7-iron", iron.club_speed, iron.attack, iron.launch, model="fem")
+    shot = clubface.impact("7-iron", speed=iron.club_speed, attack=iron.attack, loft=loft, model="fem")
+    assert shot.launch == pytest.approx(iron.launch, abs=2 * job.COARSE_RESOLUTION)
+
+
 def test_progress_tells_of_every_club():
     told = []
     job.tour(["standard", "slip"], progress=lambda done, every: told.append((done, every)))
@@ -159,8 +166,29 @@ def test_a_force_along_the_face_at_the_radius_of_a_round_ball_gives_a_ratio_of_o
     result = job.tour(["standard", "slip", "area"], table="lpga-2019")
     for name in ("standard", "slip"):
         assert result.own_ratios(name) == pytest.approx(1.0, rel=1e-12)
-    # The ball of `area` is flattened: its lever is R less the penetration. The turning head adds a little.
+    # The ball of `area` is flattened: its lever is R less the penetration; the turning head works against it.
     assert ((result.own_ratios("area") > 0.85) & (result.own_ratios("area") < 1.0)).all()
+
+
+@pytest.mark.parametrize(("club", "least", "most"), [("driver", 0.1, 0.4), ("3-wood", 0.1, 0.4), ("7-iron", 0.5, 0.9)])
+def test_until_maximum_compression_a_head_turns_as_the_page_says(club, least, most):
+    average = next(each for each in job.averages("pga-2019") if each.club == club)
+    for name in ("rings", "volumetric"):
+        loft = job.solve_loft(club, average.club_speed, average.attack, average.launch, model=name)
+        contact = clubface.history(
+            club, speed=average.club_speed, attack=average.attack, loft=loft, model=name, accuracy=1e-8
+        )
+        upwards = np.degrees(2.0 * contact.club_attitude[np.argmax(contact.penetration), 3])
+        assert least <= upwards <= most
+
+
+def test_a_head_that_cannot_turn_lowers_the_ratio_of_a_flattened_ball():
+    shot = {"speed": "92 mph", "attack": "-4.1 deg", "loft": "20.2 deg"}
+    free = clubface.impact("6-iron", shot, model="area")
+    heavy = {name: 1e4 * value for name, value in clubface.club("6-iron").inputs().items() if name[0] == "i"}
+    held = clubface.impact("6-iron", {**shot, **heavy}, model="area")
+    ratios = [spin_ratio_of(each, math.radians(20.2)) for each in (held, free)]
+    assert ratios == pytest.approx([0.74, 0.89], abs=0.01)
 
 
 def test_the_ratio_of_a_published_launch_is_that_of_its_definition(result):

@@ -2,10 +2,13 @@
 
 A force along the face that acts at the distance R from the centre of a resting ball gives it m v_t along the face and
 I w = R m v_t: the ratio is 1, whether the ball slides, sticks or rolls off. The centre of a ball that is flattened is
-nearer to the face while the force acts, which makes it 0.85 to 0.95. The face is that of first touch. It turns with its
-head during the impact, which moves the ratio by some hundredths for an iron and by tenths for a driver, along which the
-ball hardly moves. So a published speed, launch angle and spin belong to a narrow range of dynamic lofts, and with a
-loft a degree or two outside they cannot be those of one shot.
+nearer to the face while the force acts, which makes it 0.85 to 0.95. That is for a face that does not turn, or nearly
+for the face at maximum compression, whose loft TrackMan calls the dynamic loft. Until then a free head turns up by 0.5
+to 0.9 degrees (irons) or 0.1 to 0.4 (woods), so that over the face of first touch the ratio is larger: for irons by 0.1
+to 0.2, for a driver, along which the ball hardly moves, by up to as much as itself.
+
+So a published speed, launch angle and spin belong to a narrow range of dynamic lofts, and with a loft that is further
+off than the head turns they cannot be those of one shot.
 """
 
 from __future__ import annotations
@@ -36,7 +39,7 @@ def loft_of_ratio(ball: Ball, speed: Any, launch: Any, spin: Any, ratio: float) 
 
 
 def spin_ratio_of(found: Launch, loft: float) -> float:
-    """Return the ratio of one launch from a square face of dynamic loft [rad], all directions taken together."""
+    """Return the ratio of one launch over a square face of loft [rad] at first touch, all directions taken together."""
     normal = np.array([np.cos(loft), np.sin(loft), 0.0])
     velocity = np.array([found.velocity_x, found.velocity_y, found.velocity_z])
     along = velocity - normal * (velocity @ normal)
