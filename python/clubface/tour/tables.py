@@ -42,9 +42,9 @@ def notes(result: Tour) -> list[str]:
         _notes_on_lofts(result),
         f"I w / (m R v_t) is {RIGID:.0f} for a ball that stays round and {FLATTENED} to 0.95 for one that is flattened;"
         " over the face of first touch, which turns with its head, it is larger."
-        f" '{POSSIBLE}' are the lofts with which the published launch has {RIGID:.0f} to {FLATTENED}. With a loft further"
-        " outside than the head turns, half a degree for woods and one for irons, its figures cannot belong to one"
-        " shot.",
+        f" '{POSSIBLE}' are the lofts with which the published launch has {RIGID:.0f} to {FLATTENED}. With a loft"
+        " further outside than the head turns, half a degree for woods and one for irons, its figures cannot belong to"
+        " one shot.",
         "Only driver and 7-iron are measured heads (not those of the tour); the other clubs are a plausible parametric"
         " set, and each uses the published parameters of driver or 7-iron.",
         "Impact at the face centre, path and face square. Carries of the models are flights of their own launches;"
