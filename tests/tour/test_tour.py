@@ -206,13 +206,12 @@ def test_the_published_lofts_fit_the_launches_of_their_season_and_not_the_driver
         assert ((result.lofts["standard"][given] > low) & (result.lofts["standard"][given] < high)).all()
         ratios = result.published_ratios("standard")[given]
         assert ((ratios > 0.92) & (ratios < 0.97)).all()
-    driver, ball = job.averages("pga-2023")[0], clubface.Ball.builtin("published")
+    driver, ball = job.averages("pga-2023")[0], clubface.ball()
     assert spin_ratio(ball, driver.ball_speed, driver.launch, driver.spin, math.radians(12.8)) < 0.72
 
 
-@pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 def test_the_loft_of_a_ratio_is_the_inverse_and_there_is_none_for_a_spin_no_loft_gives():
-    ball = clubface.Ball.builtin("published")
+    ball = clubface.ball()
     loft = loft_of_ratio(ball, 60.0, 0.2, 500.0, 0.9)
     assert spin_ratio(ball, 60.0, 0.2, 500.0, loft) == pytest.approx(0.9, rel=1e-12)
     assert np.isnan(loft_of_ratio(ball, 2.0, 0.2, 500.0, 0.9))
