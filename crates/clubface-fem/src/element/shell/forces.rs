@@ -3,8 +3,8 @@
 use super::modes::CORNERS;
 use super::patch::{gather, ShellPatch};
 use super::quadrilateral::{Across, Quadrilateral, Resultants};
-use super::response::{Response, SectionResponse};
-use super::section::{ElasticSection, Section};
+use super::response::Response;
+use super::section::{ElasticSection, Section, SectionResponse};
 use crate::block::BLOCK;
 use crate::material::Numbers;
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};

@@ -2,8 +2,7 @@
 
 use super::material::ShellMaterial;
 use super::quadrilateral::Increment;
-use super::response::SectionResponse;
-use super::section::{Section, ACROSS};
+use super::section::{Section, SectionResponse, ACROSS};
 use crate::material::{Hardening, Numbers, PlaneState, PlaneStress};
 use clubface_math::{Pack, Real};
 

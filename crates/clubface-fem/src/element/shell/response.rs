@@ -7,19 +7,6 @@ use super::section::{ElasticSection, Section};
 use crate::material::Numbers;
 use clubface_math::Pack;
 
-/// A section that answers to strain.
-pub trait SectionResponse<P: Pack> {
-    /// Membrane forces and bending moments over width after a strain increment, for the area of the elements; the
-    /// state variables move on.
-    fn respond(
-        &self,
-        section: &Section<P>,
-        increment: &Increment<P>,
-        area: P,
-        state: &mut Numbers<P::Real>,
-    ) -> [[P; 3]; 2];
-}
-
 /// The response of the sections of a patch.
 pub enum Response<'a, P> {
     /// Of resultants.

@@ -1,7 +1,6 @@
 //! The section of a shell: from strain increments to stress resultants through the thickness.
 
 use super::quadrilateral::{Across, Increment, HOURGLASS};
-use super::response::SectionResponse;
 use crate::material::Numbers;
 use clubface_math::{Pack, Scalar};
 
@@ -143,6 +142,19 @@ impl<P: Pack> Across<P> {
         state.store(0, self.shear);
         state.store(2, self.hourglass);
     }
+}
+
+/// A section that answers to strain.
+pub trait SectionResponse<P: Pack> {
+    /// Membrane forces and bending moments over width after a strain increment, for the area of the elements; the
+    /// state variables move on.
+    fn respond(
+        &self,
+        section: &Section<P>,
+        increment: &Increment<P>,
+        area: P,
+        state: &mut Numbers<P::Real>,
+    ) -> [[P; 3]; 2];
 }
 
 /// An elastic section: its resultants are all it needs to remember.
