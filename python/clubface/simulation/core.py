@@ -1,9 +1,6 @@
 """What the compiled core computes of impacts and flights; the one place where this room names it."""
 
 from clubface._core import (
-    check as check,
-)
-from clubface._core import (
     flight_inputs as flight_inputs,
 )
 from clubface._core import (
