@@ -165,7 +165,7 @@ def test_arrays_that_do_not_fit_are_refused_with_their_name():
         (b"speed_mph\nx\ny\nz\nw\n", "line 2: speed_mph: 'x' is not a number; .*and 1 more"),
         (b"date,player\n1,2\n", "no column is of a delivery or a launch.*there are: date, player"),
         (b"hand\nright\n", "no column is of"),
-        (b"ball_speed_rpm\n1\n", "ball_speed must be in m/s"),
+        (b"ball_speed_rpm\n1\n", "is 'rpm'; it must be in m/s"),
         (b"launch_deg,launch_angle_deg\n1,2\n", "both give the launch"),
         (b"launch_deg,launch_deg\n1,2\n", "there twice"),
         (b"\xff\xfes\x00", "UTF-16"),

@@ -7,7 +7,7 @@ from functools import cache
 from typing import NamedTuple
 
 from clubface import units
-from clubface.errors import FileError
+from clubface.errors import FileError, UnitError
 from clubface.simulation.quantities import flight_outputs, input_dimensions, inputs, outputs
 from clubface.tables.spelling import bracketed, plain, unit_symbol
 
@@ -139,7 +139,7 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
     used: dict[str, Column] = {}
     passed, notes = [], []
     for place, heading in enumerate(named):
-        name, unit = _split(heading, path, line, words)
+        name, unit = _split(heading, words)
         quantity = words.names.get(name)
         if quantity is None:
             passed.append(heading)
@@ -169,8 +169,8 @@ def listed(headings: Sequence[str]) -> str:
     return "there are: " + ", ".join(shown) + (", ..." if len(headings) > 12 else "")
 
 
-def _split(heading: str, path: str, line: int | None, words: Vocabulary) -> tuple[str, str | None]:
-    """Return the name in lower case and the unit of a heading: ``club_speed_mph``, ``Club speed [mph]``."""
+def _split(heading: str, words: Vocabulary) -> tuple[str, str | None]:
+    """Return the name in lower case and the unit of a heading, known or not: ``club_speed_mph``, ``Speed [mph]``."""
     before, told = bracketed(heading)
     name = plain_name(before)
     if told is None:
@@ -179,12 +179,7 @@ def _split(heading: str, path: str, line: int | None, words: Vocabulary) -> tupl
             if plain_name(short) in words.names:
                 return plain_name(short), unit
         return name, None
-    unit = unit_symbol(told)
-    if told and unit is None and name in words.names:
-        allowed = " or ".join(units.symbols(words.dimensions[words.names[name]]))
-        message = f"the column {heading!r} is in the unknown unit {told!r}; it must be in {allowed}"
-        raise FileError(path, line, message, heading)
-    return name, unit
+    return name, unit_symbol(told) or told or None
 
 
 def plain_name(name: str) -> str:
@@ -206,10 +201,10 @@ def _unit_of(quantity: str, unit: str | None, heading: str, place: tuple[str, in
     dimension = words.dimensions[quantity]
     if unit is None:
         return units.SI_UNITS[dimension]
-    if units.unit(unit).dimension != dimension:
-        allowed = " or ".join(units.symbols(dimension))
-        raise FileError(*place, f"the column {heading!r} is in {unit}; {quantity} must be in {allowed}", heading)
-    return unit
+    try:
+        return units.unit(unit, name=f"the unit of the column {heading!r}", dimension=dimension).symbol
+    except UnitError as error:
+        raise FileError(*place, str(error), heading) from None
 
 
 def _reversed(synonyms: Mapping[str, Sequence[str]]) -> dict[str, str]:
