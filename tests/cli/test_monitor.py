@@ -68,7 +68,6 @@ def test_club_data_is_referred_to_the_clubs_that_are_named(clubface_, tmp_path):
         (("read", str(DATA / "trackman.csv"), "-o", str(DATA / "trackman.csv")), ("another file than those",)),
         (("read", str(DATA / "trackman.csv"), "--rejects", str(DATA / "trackman.csv")), ("another file than those",)),
         (("read", str(DATA / "trackman.csv"), "-o", "x.csv", "--rejects", "./x.csv"), ("than the output",)),
-        (("read", str(DATA / "trackman.csv"), "-o", "x.xlsx"), ("must end in .csv or .parquet",)),
         (("formats", "garmins"), ("did you mean garmin",)),
         (("listen", "--port", "70000"), ("from 0 to 65535",)),
         (("listen", "--timeout", "5 mph"), ("timeout", "not a speed")),

@@ -208,10 +208,12 @@ def test_club_and_ball_columns_are_inputs_too(write, tmp_path):
     assert light < heavy
 
 
-def test_semicolons_and_decimal_commas_are_read_and_written(write, tmp_path):
-    path = write("id;club_speed [mph];toe [mm]\nx;113,5;1,5\ny;1.000;2\nz;99;0\n")
+@pytest.mark.parametrize("delimiter", [";", ","])
+def test_decimal_commas_are_read_and_written_and_quoted_among_commas(write, tmp_path, delimiter):
+    text = 'id;club_speed [mph];toe [mm]\nx;"113,5";"1,5"\ny;1.000;2\nz;99;0\n'
+    path = write(text.replace(";", delimiter))
     report = predict(path, club="driver", output=tmp_path / "out.csv")
-    rows = table(tmp_path / "out.csv", ";")
+    rows = table(tmp_path / "out.csv", delimiter)
     plain = clubface.impact("driver", speed="113.5 mph", toe="1.5 mm")
     assert "." not in "".join(rows[0].values())
     assert float(rows[0]["ball_speed_mps"].replace(",", ".")) == pytest.approx(plain.ball_speed, rel=5.1e-9)

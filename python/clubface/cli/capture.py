@@ -86,7 +86,9 @@ def read(
     """Read the delivery, with its uncertainty, from recordings of swings."""
     from clubface.cli.fem_progress import progress_bar
     from clubface.motion_capture import read_swings
+    from clubface.tables.writer import KINDS
 
+    output.check_target("--output", target_file, KINDS, [*files, markers])
     with progress_bar() as update:
         found = read_swings(
             files, markers, club, estimator=estimator, roughness=roughness, hand=hand, ball=ball, target=target, up=up,
@@ -164,18 +166,9 @@ def template(
     ] = None,
 ) -> None:
     """Print an explained mapping file to start your own from."""
-    from pathlib import Path
-
-    from clubface.errors import FileError
     from clubface.motion_capture import template as text
 
-    if target_file is None:
-        print(text(), end="")
-        return
-    if Path(target_file).exists():
-        raise FileError(target_file, None, "this file exists already; it is left as it is")
-    Path(target_file).write_text(text(), encoding="utf-8")
-    say(f"wrote {target_file}")
+    output.write_template(text(), target_file, "fill it in, then give it as --markers")
 
 
 @app.command("synthesize")
@@ -236,10 +229,7 @@ def study(
     from clubface.motion_capture.study import study as run
     from clubface.motion_capture.synthetic import Cameras
 
-    if picture is not None:
-        from clubface.plots.style import check_ending
-
-        check_ending(picture, name="--plot")
+    output.check_picture(picture)
     cameras = Cameras(rate=rate, noise=units.parse(noise, "length", name="--noise"), gaps=gaps)
     with progress_bar() as update:
         found = run(

@@ -28,8 +28,9 @@ def join(
 ) -> None:
     """Pair captured deliveries with the launches of a monitor, in the order in which the shots were hit."""
     from clubface import launch_monitor, motion_capture
+    from clubface.tables.writer import KINDS
 
-    output.check_target("--output", target, [captured, session, mapping])
+    output.check_target("--output", target, KINDS, [captured, session, mapping])
     shots = motion_capture.join(
         launch_monitor.read(captured), launch_monitor.read(session, format=format_, mapping=mapping)
     )

@@ -13,7 +13,7 @@ from clubface.cli.fem_parts import ball as report_ball
 from clubface.cli.fem_parts import face as report_face
 from clubface.cli.fem_parts import head as report_head
 from clubface.cli.fem_progress import progress_bar, run_with_progress
-from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RUN_ROWS
+from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REFERENCE_ROWS, RUN_ROWS
 from clubface.errors import RunError, Told
 from clubface.support.folders import prepared_folder
 from clubface.units import fixed, from_si
@@ -270,16 +270,11 @@ def _cost(found: Any) -> str:
 
 def _rows_of(found: Any) -> list[list[str]]:
     """Return the figures of a run for people."""
-    figures = {
-        **found.launch,
-        "normal_velocity": found.normal_velocity,
-        "tangential_velocity": found.tangential_velocity,
-    }
-    figures.setdefault("backspin", found.backspin)
-    shown = [row for row in RUN_ROWS if row[1] in figures and not (found.launch and row[1] in REBOUND)]
-    rows = [[label, output.number(from_si(figures[key], unit), digits)] for label, key, unit, digits in shown]
-    return rows + [
-        [label, output.number(from_si(getattr(found, key), unit), digits)] for label, key, unit, digits in FIGURE_ROWS
+    figures = found.outcome() | {key: getattr(found, key) for _, key, _, _ in FIGURE_ROWS}
+    return [
+        [label, output.number(from_si(figures[key], unit), digits)]
+        for label, key, unit, digits in (*RUN_ROWS, *FIGURE_ROWS)
+        if key in figures
     ]
 
 

@@ -129,14 +129,8 @@ def identify(
     model = given.one_model(texts["model"])
     ties = {name: value.strip() for name, value in given.pairs(tie or (), "--tie").items()}
     read = [shots, *(texts[name] for name in ("club", "ball", "parameters", "mapping"))]
-    if target is not None:
-        if not target.endswith(".toml"):
-            raise InputError("--output", target, "a file that ends in .toml")
-        output.check_target("--output", target, read)
-    if plot is not None:
-        from clubface.plots.style import check_ending
-
-        output.check_target("--plot", str(check_ending(plot, name="--plot")), read)
+    output.check_target("--output", target, (".toml",), read)
+    output.check_picture(plot, read)
 
     from clubface.identification.run import identify as fit
 

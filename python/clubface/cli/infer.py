@@ -14,6 +14,7 @@ from clubface.cli.failures import say
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
+from clubface.tables.writer import KINDS
 
 app = typer.Typer(add_completion=False)
 
@@ -77,10 +78,8 @@ def infer(
     if texts["club"] is None:
         raise ClubfaceError("--club is missing; give the club, as in --club driver")
     head = given.club_of(texts["club"], texts["hand"])
-    if picture is not None:
-        from clubface.plots.style import check_ending
-
-        check_ending(picture)
+    output.check_target("--output", target, KINDS)
+    output.check_picture(picture)
     from clubface.inference import words
     from clubface.inference.run import infer as compute
 

@@ -66,10 +66,10 @@ def read(
 ) -> None:
     """Read a launch monitor's file and write its shots in the units and signs of clubface."""
     from clubface import launch_monitor
+    from clubface.tables.writer import KINDS
 
-    for name, written in (("--output", target), ("--rejects", rejects)):
-        if written is not None:
-            output.check_target(name, written, [file, mapping])
+    output.check_target("--output", target, KINDS, [file, mapping])
+    output.check_target("--rejects", rejects, (".csv",), [file, mapping])
     if target is not None and rejects is not None and Path(target).resolve() == Path(rejects).resolve():
         raise InputError("--rejects", rejects, "another file than the output")
     shots = launch_monitor.read(

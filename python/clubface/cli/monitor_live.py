@@ -47,12 +47,11 @@ def listen(
 ) -> None:
     """Receive the shots of launch monitors that speak GSPro Open Connect, as the simulator does."""
     from clubface.launch_monitor.open_connect import Listener, recorded
-    from clubface.tables.writer import is_parquet
+    from clubface.tables.writer import KINDS
 
-    if target is not None:
-        is_parquet(Path(target))
-        if Path(target).exists():
-            raise FileError(target, None, "this file exists already; give a new one, so that no shots are lost")
+    output.check_target("--output", target, KINDS)
+    if target is not None and Path(target).exists():
+        raise FileError(target, None, "this file exists already; give a new one, so that no shots are lost")
     wait = parse(timeout, "time", name="timeout") if timeout is not None else None
     got: list[Message] = []
     with Listener(port, hand=hand, club=club, on_problem=say) as listener:

@@ -17,9 +17,8 @@ from clubface.support.folders import prepared_folder
 def document(found: Impact) -> dict[str, Any]:
     """Return figures and launch in the order of the table, and the inputs to which they belong, in SI units."""
     figures = {name: getattr(found, name) for name in FIGURES}
-    rebound = {} if found.launch else {"normal_velocity": found.normal_velocity, "backspin": found.backspin}
     ran = {"elements": found.elements, "stopped": found.stopped or "", "provenance": found.provenance}
-    return {**found.launch, **rebound, **figures, **ran}
+    return {**found.outcome(), **figures, **ran}
 
 
 def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool = False) -> list[Path]:

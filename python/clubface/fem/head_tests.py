@@ -85,9 +85,9 @@ def restitution(
         speed=approach, loft=0.0, toe=across, high=up,
     )  # fmt: skip
     _check_complete(found)
+    launch = found.outcome()
     flies, follows, spin = (
-        np.array([found.launch[f"{name}_{axis}"] for axis in "xyz"])
-        for name in ("velocity", "club_velocity", "club_spin")
+        np.array([launch[f"{name}_{axis}"] for axis in "xyz"]) for name in ("velocity", "club_velocity", "club_spin")
     )
     lever = found.attitude @ (cg + face_point(across, up, rigid.bulge, rigid.roll))
     normal = found.attitude @ found.axes[0]

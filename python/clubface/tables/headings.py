@@ -7,9 +7,9 @@ from functools import cache
 from typing import NamedTuple
 
 from clubface import units
-from clubface.errors import FileError, UnitError
+from clubface.errors import FileError
 from clubface.simulation.quantities import flight_outputs, input_dimensions, inputs, outputs
-from clubface.tables.spelling import bracketed, plain, unit_symbol
+from clubface.tables.spelling import bracketed, plain, unit_of_column
 
 SYNONYMS = {
     "speed": ("club_speed", "clubhead_speed", "club_head_speed", "head_speed"),
@@ -150,9 +150,12 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
         if quantity in used:
             message = f"the columns {used[quantity].heading!r} and {heading!r} both give the {quantity}"
             raise FileError(path, line, message, heading)
-        used[quantity] = Column(place, heading, quantity, _unit_of(quantity, unit, heading, (path, line), words))
-        if unit is None and used[quantity].unit != "1":
-            notes.append(f"the column {heading!r} names no unit and is taken in {used[quantity].unit}")
+        dimension = words.dimensions[quantity]
+        if unit is not None:
+            symbol = unit_of_column(unit, dimension, heading, (path, line))
+        elif (symbol := units.SI_UNITS[dimension]) != "1":
+            notes.append(f"the column {heading!r} names no unit and is taken in {symbol}")
+        used[quantity] = Column(place, heading, quantity, symbol)
     return Layout(named, tuple(used.values()), tuple(passed), tuple(notes))
 
 
@@ -179,7 +182,7 @@ def _split(heading: str, words: Vocabulary) -> tuple[str, str | None]:
             if plain_name(short) in words.names:
                 return plain_name(short), unit
         return name, None
-    return name, unit_symbol(told) or told or None
+    return name, told or None
 
 
 def plain_name(name: str) -> str:
@@ -195,16 +198,6 @@ def _near(name: str, known: Collection[str]) -> str | None:
         if len(each) > 3 and (near := get_close_matches(each, known, 1, 0.8)):
             return near[0]
     return None
-
-
-def _unit_of(quantity: str, unit: str | None, heading: str, place: tuple[str, int | None], words: Vocabulary) -> str:
-    dimension = words.dimensions[quantity]
-    if unit is None:
-        return units.SI_UNITS[dimension]
-    try:
-        return units.unit(unit, name=f"the unit of the column {heading!r}", dimension=dimension).symbol
-    except UnitError as error:
-        raise FileError(*place, str(error), heading) from None
 
 
 def _reversed(synonyms: Mapping[str, Sequence[str]]) -> dict[str, str]:
