@@ -13,9 +13,7 @@ import clubface
 from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.errors import InputError, UnknownNameError
-from clubface.tour import averages as job
-from clubface.tour import report
-from clubface.tour import tables as tour_tables
+from clubface.tour import averages as job, report, tables as tour_tables
 
 
 @pytest.fixture(scope="module")

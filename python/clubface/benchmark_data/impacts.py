@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from clubface.benchmark_data.recipe import Recipe, Values
-from clubface.equipment.clubs import Club
-from clubface.equipment.clubs import club as club_named
+from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.simulation.impact import impact
 

@@ -189,8 +189,7 @@ def synthesize(
     """Write swings whose delivery is known exactly, with calibration, mapping file and truth."""
     from clubface import units
     from clubface.cli.fem_progress import progress_bar
-    from clubface.motion_capture.synthetic import Cameras
-    from clubface.motion_capture.synthetic import synthesize as write
+    from clubface.motion_capture.synthetic import Cameras, synthesize as write
 
     cameras = Cameras(rate=rate, noise=units.parse(noise, "length", name="--noise"), gaps=gaps)
     with progress_bar() as update:

@@ -9,9 +9,7 @@ import typer
 
 from clubface.cli import options, output
 from clubface.cli.failures import Interrupted, say, say_written
-from clubface.cli.fem_parts import ball as report_ball
-from clubface.cli.fem_parts import face as report_face
-from clubface.cli.fem_parts import head as report_head
+from clubface.cli.fem_parts import ball as report_ball, face as report_face, head as report_head
 from clubface.cli.fem_progress import progress_bar, run_with_progress
 from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REFERENCE_ROWS, RUN_ROWS
 from clubface.errors import RunError, Told
@@ -117,8 +115,7 @@ def run(
 ) -> None:
     """Run a case: ball, head, delivery and settings in one TOML file."""
     from clubface.errors import InputError
-    from clubface.fem import case as cases
-    from clubface.fem import files
+    from clubface.fem import case as cases, files
 
     chosen = cases.case(case)
     if animate and folder is None:
@@ -150,9 +147,7 @@ def paper(
     as_json: options.Json = False,
 ) -> None:
     """Run the case of Roh and Lee and print their figures beside ours; with --output redraw their Figs. 3 to 8."""
-    from clubface.fem import case as cases
-    from clubface.fem import files
-    from clubface.fem import paper as job
+    from clubface.fem import case as cases, files, paper as job
 
     base = chosen = cases.case(case)
     if folder is not None:
@@ -224,8 +219,7 @@ def export(
     folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Write to this folder.")] = "out",
 ) -> None:
     """Write a case as a keyword deck, or run it and write its shapes for ParaView."""
-    from clubface.fem import case as cases
-    from clubface.fem import keyword, vtu
+    from clubface.fem import case as cases, keyword, vtu
     from clubface.support.checks import check_choice
 
     check_choice("--format", form, ("lsdyna", "vtu"))
@@ -244,8 +238,7 @@ def _sweep(
     base: Case, speed: str, loft: str, folder: str | None, *, workers: int | None = None, published: bool
 ) -> tuple[list[dict[str, Any]], list[Path]]:
     """Run a case over a grid; return the rows, and with a folder the files written there."""
-    from clubface.fem import files
-    from clubface.fem import sweep as job
+    from clubface.fem import files, sweep as job
 
     speeds, lofts = job.grid(speed, "speed", "--speed"), job.grid(loft, "angle", "--loft")
     target = prepared_folder(folder) / "sweep.csv" if folder is not None else None

@@ -38,8 +38,7 @@ def sensitivity(
     chosen = given.one_model(texts["model"])
     sets = given.parameter_sets([chosen], head.parameters, texts["parameters"], texts["setting"])
 
-    from clubface.simulation.sensitivity import MAIN
-    from clubface.simulation.sensitivity import sensitivity as differentiate
+    from clubface.simulation.sensitivity import MAIN, sensitivity as differentiate
 
     outputs, variables = _split(wanted), _split(by)
     if outputs is None and not as_json:

@@ -12,8 +12,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar, Self
 
 from clubface import units
-from clubface.equipment.balls import Ball as Ball
-from clubface.equipment.balls import ball as ball
+from clubface.equipment.balls import Ball as Ball, ball as ball
 from clubface.equipment.core import check_body
 from clubface.equipment.described import Described, Property, set_si, template_lines, to_toml
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 
-from clubface._core import check, inputs
-from clubface._core import models as models
+from clubface._core import check, inputs, models as models
 from clubface.errors import ShotError
 
 _OWN_NAMES = {"club_mass": "mass", "static_loft": "loft", "ball_mass": "mass", "ball_radius": "radius",

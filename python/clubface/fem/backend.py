@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from clubface.equipment.balls import DEFAULT_BALL as PUBLISHED
-from clubface.equipment.balls import Ball as RigidBall
+from clubface.equipment.balls import DEFAULT_BALL as PUBLISHED, Ball as RigidBall
 from clubface.equipment.models import Model
 from clubface.errors import InputError
 from clubface.fem import core

@@ -46,8 +46,7 @@ def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool 
     if not len(found.patch["time"]):
         return [figures, *tables]
     from clubface import plots
-    from clubface.fem.figures import impact as pictures
-    from clubface.fem.figures import section as sections
+    from clubface.fem.figures import impact as pictures, section as sections
 
     drawn = [plots.save(pictures.impact_figure(found), path / "impact.png")]
     drawn.append(plots.save(pictures.patch_figure(found), path / "patch.png"))

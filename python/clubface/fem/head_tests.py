@@ -10,8 +10,7 @@ from clubface.equipment.clubs import Club, club
 from clubface.errors import RunError
 from clubface.fem.balls import Ball, Piece
 from clubface.fem.core import Progress
-from clubface.fem.heads import MeshedHead
-from clubface.fem.heads import head as meshed
+from clubface.fem.heads import MeshedHead, head as meshed
 from clubface.fem.heads.read import Design
 from clubface.fem.materials import Material
 from clubface.fem.result import Impact

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface import units
-from clubface.equipment.models import Parameter
-from clubface.equipment.models import model as model_named
+from clubface.equipment.models import Parameter, model as model_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, UnknownNameError
 from clubface.support.shipped import DATA

@@ -11,8 +11,7 @@ import numpy as np
 
 from clubface import units
 from clubface.equipment.balls import Ball
-from clubface.equipment.clubs import Club
-from clubface.equipment.clubs import club as club_named
+from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import reduced_model
 from clubface.errors import InputError, UnknownNameError
 from clubface.evaluation.noise import MONITOR, standard_deviations

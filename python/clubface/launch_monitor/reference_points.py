@@ -15,8 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from clubface.equipment.clubs import Club
-from clubface.equipment.clubs import club as club_named
+from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.described import HANDS
 from clubface.errors import UnknownNameError
 from clubface.launch_monitor.formats import CG, CONTACT, FACE, UNKNOWN

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import model as model_named
-from clubface.equipment.models import models
+from clubface.equipment.models import model as model_named, models
 from clubface.errors import InputError, UnknownNameError
 from clubface.simulation import core
 from clubface.simulation.delivery import Delivery

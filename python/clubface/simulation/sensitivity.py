@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import model as model_named
-from clubface.equipment.models import reduced_model
+from clubface.equipment.models import model as model_named, reduced_model
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, UnitError, UnknownNameError
 from clubface.simulation import core
@@ -18,8 +17,7 @@ from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import as_values, equipment, parameter_set, shot_error, shots, single
 from clubface.simulation.launch import Launch
-from clubface.simulation.quantities import Quantity, inputs
-from clubface.simulation.quantities import outputs as launch_outputs
+from clubface.simulation.quantities import Quantity, inputs, outputs as launch_outputs
 from clubface.simulation.run_options import tolerance
 
 if TYPE_CHECKING:

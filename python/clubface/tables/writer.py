@@ -12,8 +12,7 @@ from typing import Any, Protocol
 
 from clubface.errors import FileError
 from clubface.support.resuming import unfinished
-from clubface.tables.parquet import ENDINGS as PARQUET
-from clubface.tables.parquet import write_parquet
+from clubface.tables.parquet import ENDINGS as PARQUET, write_parquet
 from clubface.tables.rows import Chunk, Reader, Reject
 
 KINDS = (".csv", ".tsv", *PARQUET)
