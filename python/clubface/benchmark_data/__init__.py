@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from clubface.benchmark_data.recipe import CLUBS, FOLDER
-from clubface.errors import UnknownNameError
 from clubface.recorded.file import read_shots
 from clubface.recorded.shots import RecordedShots
+from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
     import numpy as np
@@ -57,8 +57,7 @@ class BenchmarkShots:
 
 def load(club: str) -> BenchmarkShots:
     """Return the benchmark shots of ``club``, "driver" (550) or "7-iron" (120). Needs pyarrow."""
-    if club not in CLUBS:
-        raise UnknownNameError("benchmark club", club, CLUBS)
+    check_choice("benchmark club", club, CLUBS)
     from clubface.tables.parquet import pyarrow_for
 
     true_file = FOLDER / f"{club}-truth.parquet"

@@ -8,6 +8,7 @@ from typing import Any
 from clubface.cli import options
 from clubface.cli.failures import say
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.support.checks import check_choice, check_names
 
 
 def parsed(option: str, text: str, dimension: str) -> float:
@@ -103,8 +104,7 @@ def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
             raise InputError("--parameters", chosen, f"a file for {' or '.join(names)}; it holds {', '.join(models)}")
         return {name: ParameterSet.from_toml(chosen, model=name, club=family) for name in fitting}
     known = {each.name: None for name in names for each in builtin_sets(name) if each.club in (family, "any")}
-    if chosen not in known:
-        raise UnknownNameError(f"parameter set for {family}", chosen, known)
+    check_choice(f"parameter set for {family}", chosen, known)
     fitting = [
         name
         for name in names
@@ -117,9 +117,7 @@ def conditions(given: Mapping[str, str | None]) -> dict[str, Any]:
     """Return the air and wind of a flight, from the one text ``air`` and from single options, which win."""
     told = pairs(given["air"].split(","), "--air") if given["air"] is not None else {}
     single = [name for name in options.AIR if name != "air"]
-    for name in told:
-        if name not in single:
-            raise UnknownNameError("value of --air", name, single)
+    check_names("value of --air", told, single)
     told.update({name: text for name in single if (text := given[name]) is not None})
     wind = told.pop("wind", None)
     air = {name: parsed(f"--{name}", text, _air_dimension(name)) for name, text in told.items()}

@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.evaluation.published_accuracy import monitor_errors
 from clubface.measured.shots import QUANTITIES
 from clubface.simulation.delivery import DIMENSIONS
+from clubface.support.checks import check_choice
 
 Values = NDArray[np.float64]
 
@@ -32,8 +33,7 @@ def standard_deviations(given: Mapping[str, Any] | None, dimensions: Mapping[str
     """Return standard deviations, SI, from text with units or SI numbers; ``what`` names them in errors."""
     found = {}
     for name, value in (given or {}).items():
-        if name not in dimensions:
-            raise UnknownNameError(f"quantity of {what}", name, dimensions)
+        check_choice(f"quantity of {what}", name, dimensions)
         found[name] = units.parse(value, dimensions[name], name=f"{what} {name}")
         if found[name] < 0.0:
             raise InputError(f"{what} {name}", value, "a standard deviation, not negative")

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.evaluation.noise import MONITOR
 from clubface.simulation.quantities import outputs
+from clubface.support.checks import check_choice, check_names
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -119,10 +120,8 @@ def cost_of(
     InputError
         A normaliser is below the noise of its quantity, so that the mean says nothing about the size of the values.
     """
-    if kind not in LOSSES:
-        raise UnknownNameError("cost", kind, LOSSES)
-    if normaliser not in NORMALISERS:
-        raise UnknownNameError("normaliser", normaliser, NORMALISERS)
+    check_choice("cost", kind, LOSSES)
+    check_choice("normaliser", normaliser, NORMALISERS)
     deviations = noise_of(quantities, noise)
     there = np.isfinite(launches)
     measured = np.where(there, launches, 0.0)
@@ -138,9 +137,7 @@ def cost_of(
 def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None) -> NDArray[np.float64]:
     """Return the standard deviation of each quantity [SI]: :data:`NOISE`, with the values ``given`` replaced."""
     given = dict(given or {})
-    for name in given:
-        if name not in quantities:
-            raise UnknownNameError("quantity with noise", name, quantities)
+    check_names("quantity with noise", given, quantities)
     found = []
     for name in quantities:
         told = given.get(name, NOISE.get(name))

@@ -13,7 +13,8 @@ import numpy as np
 from clubface import units
 from clubface.equipment.models import Parameter, model as model_named
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
+from clubface.support.checks import check_choice, check_names
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
 
@@ -157,14 +158,11 @@ def free_parameters(
     tied = dict(tied or {})
     for follower, leader in tied.items():
         declared.parameter(follower)
-        if leader not in asked:
-            raise UnknownNameError(f"free parameter for {follower} to follow", leader, asked)
+        check_choice(f"free parameter for {follower} to follow", leader, asked)
         if follower in asked:
             raise InputError(f"tied {follower}", leader, "a parameter that is not free itself")
     chosen = [each for each in declared.parameters if each.name in asked]
-    for name in bounds or {}:
-        if name not in asked:
-            raise UnknownNameError("free parameter with bounds", name, asked)
+    check_names("free parameter with bounds", bounds or {}, asked)
     pairs = np.array([_bounds(each, (bounds or {}).get(each.name), tied, fixed.model) for each in chosen])
     lower, upper = pairs[:, 0], pairs[:, 1]
     return FreeParameters(

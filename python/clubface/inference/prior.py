@@ -29,6 +29,7 @@ from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.simulation.delivery import DIMENSIONS
+from clubface.support.checks import check_choice, check_names
 from clubface.support.shipped import is_path
 from clubface.support.strict_toml import Document
 
@@ -70,16 +71,13 @@ class Prior:
         if list(self.mean) != list(self.deviation):
             raise InputError("deviation", list(self.deviation), f"for the same quantities: {', '.join(self.mean)}")
         for name in self.mean:
-            if name not in DIMENSIONS:
-                raise UnknownNameError("quantity of a delivery", name, DIMENSIONS)
+            check_choice("quantity of a delivery", name, DIMENSIONS)
             if not (np.isfinite(self.mean[name]) and self.deviation[name] > 0.0):
                 raise InputError(name, self.deviation[name], "a positive standard deviation; leave out what is known")
         if "speed" not in self.mean:
             raise InputError("speed", None, "give it: it must be among the quantities of the prior")
         for pair, value in self.correlations.items():
-            for name in pair:
-                if name not in self.mean:
-                    raise UnknownNameError("quantity of a correlation", name, self.mean)
+            check_names("quantity of a correlation", pair, self.mean)
             if len(set(pair)) != 2 or not -1.0 < value < 1.0:
                 raise InputError(f"correlation of {' and '.join(pair)}", value, "of two quantities, between -1 and 1")
         try:

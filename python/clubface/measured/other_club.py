@@ -10,7 +10,8 @@ import numpy as np
 
 from clubface import units
 from clubface.equipment.clubs import Club
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
+from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -63,8 +64,7 @@ def check_club(
     mismatch
         "refuse" or "note".
     """
-    if mismatch not in MISMATCH:
-        raise UnknownNameError("mismatch", mismatch, MISMATCH)
+    check_choice("mismatch", mismatch, MISMATCH)
     found = _other_name(club, names) or _other_loft(club, lofts)
     if found is None:
         return []

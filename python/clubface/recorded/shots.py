@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 import numpy as np
 
 from clubface.equipment.described import HANDS
-from clubface.errors import InputError, Told, UnknownNameError
+from clubface.errors import InputError, Told
 from clubface.simulation.quantities import inputs
-from clubface.support.checks import check_choice
+from clubface.support.checks import check_choice, check_names
 from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, heading_of, shot_words
 from clubface.tables.writer import write_columns
 from clubface.units import SI_UNITS, from_si
@@ -212,9 +212,7 @@ def with_both_spins(launches: Mapping[str, NDArray[np.float64]]) -> dict[str, ND
 
 
 def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, NDArray[np.float64]]:
-    for name in given:
-        if name not in known:
-            raise UnknownNameError("quantity", name, known)
+    check_names("quantity", given, known)
     return {name: _of_length(np.asarray(values, dtype=np.float64), name, count) for name, values in given.items()}
 
 

@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from clubface import units
-from clubface.errors import ShotError, UnknownNameError
+from clubface.errors import ShotError
 from clubface.simulation.quantities import Quantity, in_unit
+from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
     import pandas
@@ -115,8 +116,7 @@ class Result:
 
     def get(self, name: str, unit: str | None = None) -> Any:
         """Return a quantity by name, in ``unit`` where one is given: ``get("backspin", "rpm")``."""
-        if name not in self.quantities():
-            raise UnknownNameError("quantity", name, self.quantities())
+        check_choice("quantity", name, self.quantities())
         value = getattr(self, name)
         return value if unit is None else in_unit(value, self.quantities()[name], unit)
 
