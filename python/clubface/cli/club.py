@@ -16,16 +16,9 @@ def new(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the club.")] = "my-club",
     like: Annotated[
         str | None,
-        typer.Option(
-            "--like", metavar="CLUB", help="Start from this club instead of the explained template.", show_default=False
-        ),
+        options.option("--like", metavar="CLUB", text="Start from this club instead of the explained template."),
     ] = None,
-    target: Annotated[
-        str | None,
-        typer.Option(
-            "--output", "-o", metavar="FILE", help="Write it to this file instead of the screen.", show_default=False
-        ),
-    ] = None,
+    target: options.Template = None,
 ) -> None:
     """Write a template of a club file."""
     from clubface.equipment.clubs import Club, club

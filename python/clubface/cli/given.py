@@ -54,18 +54,22 @@ def model_names(given: Iterable[str] | None) -> list[str]:
     """Return the models asked for, in the order asked; all of the registry where none or "all" is given."""
     from clubface.equipment.models import model, models
 
-    names = [name.strip() for each in given or ["all"] for name in each.split(",") if name.strip()]
-    if not names:
+    asked = names(given or ["all"])
+    if not asked:
         raise UnknownNameError("model", "", models())
-    spread = [each for name in names for each in (models() if name == "all" else [name])]
+    spread = [each for name in asked for each in (models() if name == "all" else [name])]
     return [model(name).name for name in dict.fromkeys(spread)]
 
 
-def one_model(name: str) -> str:
-    """Return the name of a model if there is one of that name."""
-    from clubface.equipment.models import model
+def names(texts: Iterable[str] | None) -> list[str]:
+    """Return the names in texts that each hold one or several with commas, each once."""
+    return list(dict.fromkeys(name.strip() for each in texts or () for name in each.split(",") if name.strip()))
 
-    return model(name).name
+
+def one_set(head: Any, texts: Mapping[str, Any]) -> Any:
+    """Return the parameter set that the options of ``options.ONE_MODEL`` choose for a club."""
+    model = texts["model"]
+    return parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])[model]
 
 
 def parameter_sets(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import output
+from clubface.cli import options, output
 from clubface.cli.failures import say
 from clubface.errors import FileError, InputError
 from clubface.units import from_si, parse
@@ -25,20 +25,17 @@ SHOWN = (("ball_speed", "mph", 1), ("launch", "deg", 1), ("azimuth", "deg", 1), 
 def listen(
     port: Port = 921,
     target: Annotated[
-        str | None,
-        typer.Option(
-            "--output", "-o", metavar="FILE", help="Write the shots to a new table, CSV or Parquet, kept up to date."
-        ),
+        str | None, options.output("FILE", "Write the shots to a new table, CSV or Parquet, kept up to date.")
     ] = None,
     hand: Annotated[
-        str | None, typer.Option("--hand", metavar="right|left", help="Hand of the player, which the monitor is told.")
+        str | None,
+        options.option("--hand", metavar="right|left", text="Hand of the player, which the monitor is told."),
     ] = None,
     club: Annotated[
         str, typer.Option("--club", metavar="NAME", help="Club that the monitor is told, such as DR.")
     ] = "",
     count: Annotated[
-        int | None,
-        typer.Option("--shots", metavar="NUMBER", help="End after this number of shots.", show_default=False),
+        int | None, options.option("--shots", metavar="NUMBER", text="End after this number of shots.")
     ] = None,
     timeout: Annotated[
         str | None, typer.Option("--timeout", metavar='"60 s"', help="End when nothing has come for so long.")

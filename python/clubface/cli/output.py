@@ -12,7 +12,11 @@ from typing import Any
 
 from clubface.cli.failures import say
 from clubface.errors import FileError, InputError
+from clubface.support.folders import prepared_folder
 from clubface.support.plain_json import plain
+
+REJECTED = 20
+"""Rows without a shot that are printed."""
 
 
 def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: Iterable[str | None] = ()) -> None:
@@ -40,6 +44,13 @@ def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None
         from clubface.plots.style import ENDINGS
 
         check_target("--plot", target, ENDINGS, inputs)
+
+
+def prepare_folder(folder: str | None) -> None:
+    """Make a folder for tables and pictures; one that cannot be made, or a missing library, is told before any work."""
+    if folder is not None:
+        prepared_folder(folder)
+        import clubface.plots as plots  # noqa: F401
 
 
 def write_template(text: str, target: str | None, then: str) -> None:
@@ -72,6 +83,16 @@ def number(value: float | None, digits: int = 1) -> str:
 def counted(count: int, what: str) -> str:
     """Return "1 shot" or "3 shots"."""
     return f"{count} {what}{'s' * (count != 1)}"
+
+
+def print_rejected(rejected: Sequence[Any], what: str, remedy: str) -> None:
+    """Print how many rows gave no shot, and the first of them with line and reason; ``remedy`` tells of the others."""
+    if rejected:
+        print(f"{counted(len(rejected), 'row')} {what}")
+    for each in rejected[:REJECTED]:
+        print(f"  line {each.line}: {each.reason}")
+    if len(rejected) > REJECTED:
+        print(f"  and {len(rejected) - REJECTED} more ({remedy})")
 
 
 def terminal_width() -> int | None:

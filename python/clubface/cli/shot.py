@@ -39,10 +39,7 @@ DRAWN = 1e-8
 @options.takes(options.DELIVERY, options.EQUIPMENT, options.MODELS, options.AIR)
 def shot(
     club: options.ClubArgument,
-    plot: Annotated[
-        str | None,
-        typer.Option("--plot", metavar="FILE", help="Draw forces and flight: .png, .svg or .pdf.", show_default=False),
-    ] = None,
+    plot: Annotated[str | None, options.picture("forces and flight")] = None,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
 
 import typer
 
 from clubface.cli import given, options, output
-from clubface.cli.failures import say
+from clubface.cli.failures import say_written
 from clubface.cli.tables import print_numbers
 
 app = typer.Typer(add_completion=False)
@@ -16,22 +15,14 @@ app = typer.Typer(add_completion=False)
 
 @app.command()
 def tour(
-    folder: Annotated[
-        str | None,
-        typer.Option(
-            "--output", "-o", metavar="FOLDER", help="Write tables and pictures to this folder.", show_default=False
-        ),
-    ] = None,
+    folder: options.Folder = None,
     model: options.Models = None,
     ball: options.Ball = "published",
     as_json: options.Json = False,
 ) -> None:
     """Compare every model with the published tour averages, club by club."""
     names = given.model_names(model)
-    if folder is not None:
-        # Before the work: a folder that cannot be made, or a missing library, is found at once.
-        Path(folder).mkdir(parents=True, exist_ok=True)
-        import clubface.plots as plots  # noqa: F401
+    output.prepare_folder(folder)
     from clubface.tour import averages, report, tables
 
     result = averages.tour(names, ball=ball)
@@ -45,5 +36,4 @@ def tour(
             print_numbers(heads, rows, title=title, summary=True)
             print()
         output.print_notes(tables.notes(result))
-    if files:
-        say(f"wrote {', '.join(str(each) for each in files)}")
+    say_written(files)
