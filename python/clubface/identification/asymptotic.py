@@ -9,16 +9,12 @@ likelihood estimates under nonstandard conditions, Proc. 5th Berkeley Symp. 1 (1
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.identification.cost import Cost
 from clubface.identification.identifiability import Identifiability
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 def errors_of_minimum(

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
 from clubface.evaluation.noise import MONITOR
 from clubface.simulation.quantities import outputs
 from clubface.support.checks import check_choice, check_names
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 Loss = Literal["absolute", "squares", "huber"]
 

@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.models import model
@@ -17,7 +18,6 @@ from clubface.plots.style import COLOURS, WIDTH, legend_above, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
     from clubface.identification.result import Identification
 

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.models import Parameter, model as model_named
@@ -17,9 +18,6 @@ from clubface.errors import InputError
 from clubface.support.checks import check_choice, check_names
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 ALL = "all"
 """Asks for every parameter of the model."""

@@ -7,14 +7,11 @@ A direction of the unit cube along which no launch changes by more than these de
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 NORMAL_95 = 1.959963984540054
 NULL = 1e-9

@@ -8,12 +8,10 @@ and follows the edge past kinks until the cost rises again; a general linear pro
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from numpy.typing import NDArray
 
 STEPS_PER_COORDINATE = 60
 """Steps after which the point reached is returned; a few per coordinate are usual."""

@@ -8,15 +8,11 @@ the bounds.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.identification.cost import Cost
 from clubface.identification.least_absolute import least_absolute
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 HUBER_ROUNDS = 8
 """Reweightings of a step of the robust cost; the next linearisation goes on from there."""

@@ -7,16 +7,13 @@ the profile likelihood, Bioinformatics 25 (2009) 1923-1929.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.identification.cost import cost_of
 from clubface.identification.refine import refine
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 CHI_SQUARE_95 = 3.841458820694124
 """95% quantile of chi-square with one degree of freedom."""

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.identification.cost import Cost
 from clubface.identification.linear_step import best_step, linear_cost
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 FIRST_RADIUS = 0.1
 """How far the first step may go, in parts of the range of each parameter."""

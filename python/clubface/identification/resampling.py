@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.identification.cost import Cost
 from clubface.identification.refine import Linear, refine
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 FOLDS = 5
 BOOTSTRAP = 200

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
@@ -13,9 +13,6 @@ from clubface.identification.free_parameters import FreeParameters
 from clubface.identification.identifiability import Identifiability, identifiability
 from clubface.identification.profile import Profile
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 AT_BOUND = 1e-4
 """A parameter within this part of its range of a bound meets it."""

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.identification.free_parameters import FreeParameters
 from clubface.identification.prepared import PreparedShots
 from clubface.simulation import core
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 MOST_ROWS = 1 << 18
 """Impacts of one call, so that memory stays below 200 MB; a generation of the usual search, 110 000, is one call."""

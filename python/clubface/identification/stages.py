@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from statistics import NormalDist
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.models import Parameter
@@ -22,9 +23,6 @@ from clubface.identification.result import Deviation, Identification
 from clubface.identification.sanity import apart, fit_warnings
 from clubface.identification.search import Population, search
 from clubface.identification.simulator import Effort, Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 FEWEST_GROUPS = 10
 """Fewer groups of shots than these can be drawn in too few ways for a bootstrap alone."""

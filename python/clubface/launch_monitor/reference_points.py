@@ -11,18 +11,16 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.described import HANDS
 from clubface.errors import UnknownNameError
 from clubface.launch_monitor.formats import CG, CONTACT, FACE, UNKNOWN
 from clubface.recorded.shots import RecordedShots
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 CLOSE = 1e-14
 """Angle to which the face at its centre is found [rad]."""

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError
 from clubface.support.checks import check_choice
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 MISMATCH = ("refuse", "note")
 """What shots of another club may do."""

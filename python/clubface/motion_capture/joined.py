@@ -8,16 +8,12 @@ Wunsch, Journal of Molecular Biology 48 (1970) 443-453).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
 from clubface.recorded.shots import RecordedShots, RejectedRow
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 SAME = {"ball_speed": 1.5, "launch": units.to_si(2.0, "deg"), "speed": 2.5}
 """Differences [SI] beyond which two measurements are not of the same shot.

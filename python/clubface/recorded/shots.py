@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Told
@@ -20,7 +21,6 @@ from clubface.units import SI_UNITS, from_si
 
 if TYPE_CHECKING:
     import pandas
-    from numpy.typing import NDArray
 
 SPEED_AT = ("cg", "face", "unknown")
 FACE_AT = ("face", "contact", "unknown")
