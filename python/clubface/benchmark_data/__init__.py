@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from clubface.benchmark_data.recipe import CLUBS, FOLDER
+from clubface.benchmark_data.recipe import CLUBS as CLUBS, FOLDER
 from clubface.recorded.file import read_shots
 from clubface.recorded.shots import RecordedShots
 from clubface.support.checks import check_choice
@@ -17,8 +17,6 @@ from clubface.support.checks import check_choice
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
-
-__all__ = ["CLUBS", "BenchmarkShots", "load"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

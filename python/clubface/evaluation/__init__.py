@@ -2,5 +2,3 @@
 
 from clubface.evaluation.evaluation import Evaluation as Evaluation, evaluate as evaluate
 from clubface.evaluation.published_accuracy import PublishedAccuracy as PublishedAccuracy, published as published
-
-__all__ = ["Evaluation", "PublishedAccuracy", "evaluate", "published"]

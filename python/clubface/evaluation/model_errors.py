@@ -17,10 +17,6 @@ from clubface.recorded.shots import RejectedRow
 if TYPE_CHECKING:
     from clubface.equipment.parameters import ParameterSet
 
-FEWEST_RESAMPLES = 100
-SHORTEST = 0.02
-"""Seconds; a computation shorter than this is timed over several runs."""
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ModelErrors:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import json
-import math
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -12,6 +11,7 @@ from typing import Any
 
 from clubface.fem.result import FIGURES, Impact
 from clubface.support.folders import prepared_folder
+from clubface.support.plain_json import plain
 
 
 def document(found: Impact) -> dict[str, Any]:
@@ -40,8 +40,7 @@ def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool 
     """
     path = prepared_folder(folder)
     figures = path / "figures.json"
-    plain = {key: _finite(value) for key, value in document(found).items()}
-    figures.write_text(json.dumps(plain, indent=2) + "\n", encoding="utf-8")
+    figures.write_text(json.dumps(plain(document(found)), indent=2) + "\n", encoding="utf-8")
     tables = [_columns(path / f"{name}.csv", getattr(found, name)) for name in ("contact", "motion", "energy")]
     if not len(found.patch["time"]):
         return [figures, *tables]
@@ -100,7 +99,3 @@ def _columns(path: Path, arrays: Mapping[str, Any]) -> Path:
         writer.writerow(columns)
         writer.writerows(zip(*columns.values(), strict=True))
     return path
-
-
-def _finite(value: Any) -> Any:
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -19,24 +19,6 @@ if TYPE_CHECKING:
     from clubface.simulation.inputs import Shots
     from clubface.simulation.launch import Launch
 
-FIGURES = (
-    "peak_force",
-    "peak_force_time",
-    "contact_time",
-    "tangential_max",
-    "tangential_min",
-    "reversal_time",
-    "spin_max",
-    "contraction",
-    "contraction_time",
-    "f_prime",
-    "f",
-    "energy_error",
-    "steps",
-    "step",
-    "wall",
-)
-
 
 class Impact:
     """One impact, in SI units.
@@ -263,6 +245,9 @@ class Impact:
     def __repr__(self) -> str:
         state = f", stopped: {self.stopped}" if self.stopped else ""
         return f"<finite element impact of {self.ball.name}: {self.steps} steps in {self.wall:.2f} s{state}>"
+
+
+FIGURES = tuple(Impact.__annotations__)
 
 
 def _fields(

@@ -9,5 +9,3 @@ from clubface.plots.shot import (
     trajectories as trajectories,
 )
 from clubface.plots.style import save as save
-
-__all__ = ["force_histories", "save", "shot_figure", "trajectories"]
