@@ -97,9 +97,8 @@ def test_a_file_of_an_unknown_kind_is_refused_before_any_work(clubface_, tmp_pat
         ("club_speed_mph,club_speed_mph\n1,2\n", "club_speed_mph"),
     ],
 )
-def test_an_unusable_file_of_deliveries_is_one_message(clubface_, tmp_path, text, words):
-    source = tmp_path / "in.csv"
-    source.write_text(text)
+def test_an_unusable_file_of_deliveries_is_one_message(clubface_, write, text, words):
+    source = write(text, "in.csv")
     assert_mistake(clubface_("predict", str(source), "--club", "driver"), "in.csv", words)
 
 

@@ -149,11 +149,10 @@ def test_a_missing_file_is_a_file_error(tmp_path):
         ('mass = "Table', 'mas = "Table', 23, "unknown key 'mas'"),
     ],
 )
-def test_a_mistake_in_a_file_is_told_with_line_and_remedy(tmp_path, old, new, line, message):
+def test_a_mistake_in_a_file_is_told_with_line_and_remedy(write, old, new, line, message):
     text = club("driver").replace(description="").to_toml()
     assert text.count(old) == 1 or old in ("mass = ",)
-    path = tmp_path / "mine.toml"
-    path.write_text(text.replace(old, new, 1))
+    path = write(text.replace(old, new, 1), "mine.toml")
     with pytest.raises(FileError, match=message) as caught:
         club(path)
     assert caught.value.path == str(path)
@@ -264,9 +263,8 @@ def test_an_unknown_name_gives_the_nearest():
         ball("conform")
 
 
-def test_a_club_is_taken_by_name_path_or_itself(tmp_path):
-    path = tmp_path / "mine.toml"
-    path.write_text(Club.template("mine"))
+def test_a_club_is_taken_by_name_path_or_itself(write):
+    path = write(Club.template("mine"), "mine.toml")
     assert club(path) == club(str(path)) == club(club(path))
 
 

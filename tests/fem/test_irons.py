@@ -1,5 +1,7 @@
 """Solid iron heads: what they weigh, their grooves, what is refused, and that a stiff one is a rigid one."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -111,6 +113,5 @@ def test_a_stiff_iron_is_a_rigid_one():
     ],
 )
 def test_a_mistake_in_an_iron_is_told(changed, said):
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError, match=re.escape(said)):
         fem.IronHead(name="bad", shape={**IRON, **changed})
-    assert said in str(told.value)
