@@ -7,16 +7,14 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
 from clubface.evaluation.published_accuracy import monitor_errors
 from clubface.measured.shots import QUANTITIES
 from clubface.simulation.delivery import DIMENSIONS
+from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
-
-Values = NDArray[np.float64]
 
 TO_MEAN_ABSOLUTE = math.sqrt(2.0 / math.pi)
 """Mean magnitude of a normal deviate of standard deviation 1."""
@@ -51,8 +49,8 @@ def delivery_noise(given: Mapping[str, Any] | None) -> dict[str, float]:
 
 
 def floor(
-    predict: Callable[[Mapping[str, Values]], Mapping[str, Values]] | None,
-    delivery: Mapping[str, Values],
+    predict: Callable[[Mapping[str, Floats]], Mapping[str, Floats]] | None,
+    delivery: Mapping[str, Floats],
     monitor: Mapping[str, float],
     disturbance: Mapping[str, float],
     seed: int,

@@ -13,6 +13,7 @@ from clubface import units
 from clubface.errors import InputError
 from clubface.evaluation.noise import MONITOR
 from clubface.simulation.quantities import outputs
+from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_names
 
 Loss = Literal["absolute", "squares", "huber"]
@@ -51,11 +52,11 @@ class Cost:
     """
 
     loss: Loss
-    measured: NDArray[np.float64]
-    weights: NDArray[np.float64]
-    knees: NDArray[np.float64]
+    measured: Floats
+    weights: Floats
+    knees: Floats
 
-    def of(self, simulated: NDArray[np.float64]) -> NDArray[np.float64]:
+    def of(self, simulated: Floats) -> Floats:
         """Return the cost of launches of shape (quantities, ..., shots), shape (...); infinite where one is NaN."""
         total = np.zeros(simulated.shape[1:-1])
         for quantity in range(len(simulated)):
@@ -73,11 +74,11 @@ class Cost:
         """Return the sum of absolute deviations, each in the unit in which its loss is 1."""
         return Cost("absolute", self.measured, np.sqrt(self.weights), self.knees)
 
-    def value(self, simulated: NDArray[np.float64]) -> float:
+    def value(self, simulated: Floats) -> float:
         """Return the cost of launches of shape (quantities, shots)."""
         return float(self.of(simulated[:, None, :])[0])
 
-    def _losses(self, deviations: NDArray[np.float64], knee: float) -> NDArray[np.float64]:
+    def _losses(self, deviations: Floats, knee: float) -> Floats:
         sizes = np.abs(deviations)
         if self.loss == "absolute":
             return sizes
@@ -88,7 +89,7 @@ class Cost:
 
 def cost_of(
     kind: str,
-    launches: NDArray[np.float64],
+    launches: Floats,
     quantities: tuple[str, ...],
     *,
     noise: Mapping[str, Any] | None = None,
@@ -132,7 +133,7 @@ def cost_of(
     return Cost(LOSSES[kind], measured, there * each[:, None], HUBER * deviations)
 
 
-def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None) -> NDArray[np.float64]:
+def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None) -> Floats:
     """Return the standard deviation of each quantity [SI]: :data:`NOISE`, with the values ``given`` replaced."""
     given = dict(given or {})
     check_names("quantity with noise", given, quantities)
@@ -149,12 +150,8 @@ def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None
 
 
 def _normalisers(
-    measured: NDArray[np.float64],
-    there: NDArray[np.bool_],
-    quantities: tuple[str, ...],
-    normaliser: str,
-    noise: NDArray[np.float64],
-) -> NDArray[np.float64]:
+    measured: Floats, there: NDArray[np.bool_], quantities: tuple[str, ...], normaliser: str, noise: Floats
+) -> Floats:
     values = np.abs(measured) if normaliser == "absolute" else measured
     means = np.abs(values.sum(axis=1) / there.sum(axis=1))
     for name, mean, least in zip(quantities, means, noise, strict=True):

@@ -15,6 +15,7 @@ from clubface import units
 from clubface.equipment.models import Parameter, model as model_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError
+from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_names
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
@@ -49,15 +50,15 @@ class FreeParameters:
 
     fixed: ParameterSet
     names: tuple[str, ...]
-    lower: NDArray[np.float64]
-    upper: NDArray[np.float64]
+    lower: Floats
+    upper: Floats
     logarithmic: NDArray[np.bool_]
     tied: Mapping[str, str]
 
     def __len__(self) -> int:
         return len(self.names)
 
-    def values(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    def values(self, points: Floats) -> Floats:
         """Return parameter values [SI] at points of the unit cube, both of shape (..., free)."""
         linear = self.lower + points * (self.upper - self.lower)
         if self.logarithmic.any():
@@ -65,7 +66,7 @@ class FreeParameters:
             linear = np.where(self.logarithmic, np.exp(low + points * (high - low)), linear)
         return np.clip(linear, self.lower, self.upper)
 
-    def points(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    def points(self, values: Floats) -> Floats:
         """Return the points of the unit cube at parameter values [SI], both of shape (..., free)."""
         points = (values - self.lower) / (self.upper - self.lower)
         if self.logarithmic.any():
@@ -74,12 +75,12 @@ class FreeParameters:
             points = np.where(self.logarithmic, (np.log(positive) - low) / (high - low), points)
         return np.clip(points, 0.0, 1.0)
 
-    def slopes(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    def slopes(self, points: Floats) -> Floats:
         """Return the derivatives of the values by the coordinates, shape (..., free)."""
         low, high = self._logarithms()
         return np.where(self.logarithmic, self.values(points) * (high - low), self.upper - self.lower)
 
-    def columns(self, points: NDArray[np.float64], shots: int) -> list[Any]:
+    def columns(self, points: Floats, shots: int) -> list[Any]:
         """Return the columns of the core for points of shape (n, free): each point is repeated for all shots."""
         values = self.values(points)
         found = []
@@ -88,7 +89,7 @@ class FreeParameters:
             found.append(value if place is None else np.repeat(values[:, place], shots))
         return found
 
-    def single(self, point: NDArray[np.float64]) -> list[float]:
+    def single(self, point: Floats) -> list[float]:
         """Return the value of every parameter at one point, as the core takes them."""
         values = self.values(point)
         places = ((self._place(name), value) for name, value in self.fixed.values.items())
@@ -99,7 +100,7 @@ class FreeParameters:
         order = list(self.fixed.values)
         return [[place for place, each in enumerate(order) if self.tied.get(each, each) == name] for name in self.names]
 
-    def parameters(self, point: NDArray[np.float64], **told: Any) -> ParameterSet:
+    def parameters(self, point: Floats, **told: Any) -> ParameterSet:
         """Return the set at one point; ``told`` are its name, source and the like."""
         values = dict(zip(self.fixed.values, self.single(point), strict=True))
         return ParameterSet(model=self.fixed.model, club=self.fixed.club, values=values, **told)
@@ -112,7 +113,7 @@ class FreeParameters:
         leader = self.tied.get(name, name)
         return self.names.index(leader) if leader in self.names else None
 
-    def _logarithms(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def _logarithms(self) -> tuple[Floats, Floats]:
         """Return the logarithms of the bounds; 0 and 1 where they are not used."""
         return (
             np.log(np.where(self.logarithmic, self.lower, 1.0)),

@@ -23,17 +23,15 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.simulation.delivery import DIMENSIONS
+from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_names
 from clubface.support.shipped import is_path
 from clubface.support.strict_toml import Document
-
-Values = NDArray[np.float64]
 
 NAMED = ("elite", "tour", "wide")
 """The priors that come with the package."""
@@ -91,14 +89,14 @@ class Prior:
         """The quantities that are uncertain."""
         return tuple(self.mean)
 
-    def _matrix(self) -> Values:
+    def _matrix(self) -> Floats:
         places = {name: place for place, name in enumerate(self.mean)}
         found = np.eye(len(places))
         for (one, other), value in self.correlations.items():
             found[places[one], places[other]] = found[places[other], places[one]] = value
         return found
 
-    def deliveries(self, standard: Values) -> dict[str, Values]:
+    def deliveries(self, standard: Floats) -> dict[str, Floats]:
         """Return the deliveries that belong to standard normal deviates, shape (n, quantities)."""
         root = np.linalg.cholesky(self._matrix())
         scaled = standard @ root.T

@@ -15,7 +15,6 @@ from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.balls import Ball
@@ -24,9 +23,8 @@ from clubface.errors import InputError
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
 from clubface.simulation.launch import Launch
+from clubface.support.arrays import Floats
 from clubface.support.shipped import DATA
-
-Values = NDArray[np.float64]
 
 SOURCE = "PGA Tour averages published by TrackMan (2023): trackman.com/blog/golf/introducing-updated-tour-averages"
 LOFT_MODEL = "standard"
@@ -115,11 +113,11 @@ class Tour:
     """
 
     averages: tuple[Average, ...]
-    lofts: Values
+    lofts: Floats
     loft_is_published: tuple[bool, ...]
     launches: dict[str, list[Launch]]
-    values: dict[str, dict[str, Values]]
-    carry_of_published: Values
+    values: dict[str, dict[str, Floats]]
+    carry_of_published: Floats
 
     @property
     def clubs(self) -> list[str]:
@@ -137,11 +135,11 @@ class Tour:
         return QUANTITIES
 
     @cached_property
-    def published(self) -> dict[str, Values]:
+    def published(self) -> dict[str, Floats]:
         """The published value of each quantity."""
         return {name: np.array([getattr(each, name) for each in self.averages]) for name in QUANTITIES}
 
-    def errors(self, model_name: str) -> dict[str, Values]:
+    def errors(self, model_name: str) -> dict[str, Floats]:
         """Return model less published, by quantity."""
         return {name: self.values[model_name][name] - self.published[name] for name in QUANTITIES}
 
@@ -200,7 +198,7 @@ def solve_loft(club: str, speed: float, attack: float, launch: float, *, resolut
     return 0.5 * (low + high)
 
 
-def _compared(launches: list[Launch]) -> dict[str, Values]:
+def _compared(launches: list[Launch]) -> dict[str, Floats]:
     return {
         "ball_speed": np.array([each.ball_speed for each in launches]),
         "launch": np.array([each.launch for each in launches]),
@@ -209,7 +207,7 @@ def _compared(launches: list[Launch]) -> dict[str, Values]:
     }
 
 
-def _flown(rows: Iterable[Average]) -> Values:
+def _flown(rows: Iterable[Average]) -> Floats:
     """Return the carry from each published launch, taken as straight and with pure backspin."""
     return np.array(
         [fly({"ball_speed": each.ball_speed, "launch": each.launch, "backspin": each.spin}).carry for each in rows]
