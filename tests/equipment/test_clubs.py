@@ -201,8 +201,8 @@ PLATE = {"ixx": 3e-4, "iyy": 2e-4, "izz": 1e-4, "ixy": 0.0, "ixz": 0.0, "iyz": 0
 
 
 def test_a_flat_plate_is_a_club_that_can_be_hit_with():
-    for angle in (0.0, 0.3, 1.0):
-        turned = turn_to_sole(angle) @ np.diag([3e-4, 2e-4, 1e-4]) @ turn_to_sole(angle).T
+    for angle in np.linspace(0.0, 1.5, 16):
+        turned = turn_to_sole(angle) @ np.diag([2.9e-4, 1.8e-4, 1.1e-4]) @ turn_to_sole(angle).T
         elements = dict(zip(PLATE, turned[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]].tolist(), strict=True))
         plate = club("driver").replace(**elements)
         assert np.isfinite(clubface.impact(plate, speed="100 mph").ball_speed)
