@@ -2,6 +2,7 @@
 
 use super::material::ShellMaterial;
 use super::quadrilateral::Increment;
+use super::response::SectionResponse;
 use super::section::{Section, ACROSS};
 use crate::material::{Hardening, Numbers, PlaneState, PlaneStress};
 use clubface_math::{Pack, Real};
@@ -47,10 +48,9 @@ fn at_point<P: Pack>(state: &Numbers<P::Real>, point: usize) -> PlaneState<P> {
     PlaneState { stress: [x, y, xy], plastic_strain, yield_stress }
 }
 
-impl<P: Pack> Layers<'_, P> {
-    /// As of [`super::response::Response::respond`].
+impl<P: Pack> SectionResponse<P> for Layers<'_, P> {
     #[inline(always)]
-    pub fn respond(
+    fn respond(
         &self,
         section: &Section<P>,
         increment: &Increment<P>,
@@ -80,7 +80,9 @@ impl<P: Pack> Layers<'_, P> {
         state.store(HEAT, [before + heat * area]);
         [membrane, bending]
     }
+}
 
+impl<P: Pack> Layers<'_, P> {
     /// As of [`super::response::Response::sides`].
     #[inline(always)]
     pub fn sides(&self, state: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {

@@ -5,7 +5,20 @@ use super::material::ShellMaterial;
 use super::quadrilateral::Increment;
 use super::section::{ElasticSection, Section};
 use crate::material::Numbers;
-use clubface_math::{Computation, Pack};
+use clubface_math::Pack;
+
+/// A section that answers to strain.
+pub trait SectionResponse<P: Pack> {
+    /// Membrane forces and bending moments over width after a strain increment, for the area of the elements; the
+    /// state variables move on.
+    fn respond(
+        &self,
+        section: &Section<P>,
+        increment: &Increment<P>,
+        area: P,
+        state: &mut Numbers<P::Real>,
+    ) -> [[P; 3]; 2];
+}
 
 /// The response of the sections of a patch.
 pub enum Response<'a, P> {
@@ -25,22 +38,6 @@ impl<'a, P: Pack> Response<'a, P> {
             Self::Points(Layers::new(points, material))
         }
     }
-    /// Membrane forces and bending moments over width after a strain increment, for the area of the elements; the
-    /// state variables move on.
-    #[inline(always)]
-    pub fn respond(
-        &self,
-        section: &Section<P>,
-        increment: &Increment<P>,
-        area: P,
-        state: &mut Numbers<P::Real>,
-    ) -> [[P; 3]; 2] {
-        match self {
-            Self::Elastic => ElasticSection::respond(section, increment, state),
-            // A function of its own: it is large, and most sections are elastic.
-            Self::Points(layers) => P::outline(Respond { layers, section, increment, area, state }),
-        }
-    }
     /// Plane stress on the outer and the inner side, Pa, and the largest equivalent plastic strain.
     #[inline(always)]
     pub fn sides(&self, section: &Section<P>, state: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
@@ -56,21 +53,5 @@ impl<'a, P: Pack> Response<'a, P> {
             Self::Elastic => ElasticSection::energy(section, area, state),
             Self::Points(layers) => layers.energy(section, area, state),
         }
-    }
-}
-
-struct Respond<'a, 'b, 'c, P: Pack> {
-    layers: &'a Layers<'b, P>,
-    section: &'a Section<P>,
-    increment: &'a Increment<P>,
-    area: P,
-    state: &'a mut Numbers<'c, P::Real>,
-}
-
-impl<P: Pack> Computation for Respond<'_, '_, '_, P> {
-    type Output = [[P; 3]; 2];
-    #[inline(always)]
-    fn run(self) -> [[P; 3]; 2] {
-        self.layers.respond(self.section, self.increment, self.area, self.state)
     }
 }

@@ -1,6 +1,7 @@
 //! The section of a shell: from strain increments to stress resultants through the thickness.
 
 use super::quadrilateral::{Across, Increment, HOURGLASS};
+use super::response::SectionResponse;
 use crate::material::Numbers;
 use clubface_math::{Pack, Scalar};
 
@@ -150,23 +151,6 @@ pub struct ElasticSection;
 impl ElasticSection {
     /// Numbers of state.
     pub const LENGTH: usize = ACROSS + 6;
-    /// As of [`super::response::Response::respond`].
-    #[inline(always)]
-    pub fn respond<P: Pack>(
-        section: &Section<P>,
-        increment: &Increment<P>,
-        state: &mut Numbers<P::Real>,
-    ) -> [[P; 3]; 2] {
-        let (n, m) = (section.stress(&increment.membrane), section.stress(&increment.curvature));
-        let (mut membrane, mut bending): ([P; 3], [P; 3]) = (state.load(ACROSS), state.load(ACROSS + 3));
-        for i in 0..3 {
-            membrane[i] = section.thickness.mul_add(n[i], membrane[i]);
-            bending[i] = section.moment.mul_add(m[i], bending[i]);
-        }
-        state.store(ACROSS, membrane);
-        state.store(ACROSS + 3, bending);
-        [membrane, bending]
-    }
     /// As of [`super::response::Response::sides`].
     #[inline(always)]
     pub fn sides<P: Pack>(section: &Section<P>, state: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
@@ -185,5 +169,26 @@ impl ElasticSection {
         let membrane = section.energy(&state.load(ACROSS)) / section.thickness;
         let bending = section.energy(&state.load(ACROSS + 3)) / section.moment;
         ((membrane + bending) * area, P::zero())
+    }
+}
+
+impl<P: Pack> SectionResponse<P> for ElasticSection {
+    #[inline(always)]
+    fn respond(
+        &self,
+        section: &Section<P>,
+        increment: &Increment<P>,
+        _area: P,
+        state: &mut Numbers<P::Real>,
+    ) -> [[P; 3]; 2] {
+        let (n, m) = (section.stress(&increment.membrane), section.stress(&increment.curvature));
+        let (mut membrane, mut bending): ([P; 3], [P; 3]) = (state.load(ACROSS), state.load(ACROSS + 3));
+        for i in 0..3 {
+            membrane[i] = section.thickness.mul_add(n[i], membrane[i]);
+            bending[i] = section.moment.mul_add(m[i], bending[i]);
+        }
+        state.store(ACROSS, membrane);
+        state.store(ACROSS + 3, bending);
+        [membrane, bending]
     }
 }
