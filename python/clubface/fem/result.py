@@ -207,7 +207,7 @@ class Impact:
 
         parameters = ParameterSet(model="fem", club="any", name="as given", values={"friction": self.friction})
         problems = [(0, "the run", self.stopped)] if self.stopped else []
-        return Launch(np.reshape(self._launch, (-1, 1)), self._shots, "fem", parameters, problems=problems)
+        return Launch(np.asarray(self._launch).reshape(-1, 1), self._shots, "fem", parameters, problems=problems)
 
     def outcome(self) -> dict[str, float]:
         """Return the quantities of the launch, or velocities and spin after a throw at a plane, by name [SI]."""
