@@ -135,3 +135,17 @@ def test_the_tour_is_compared_and_written(clubface_, tmp_path, monkeypatch):
     assert ran.err == f"clubface: wrote {tmp_path / 'out' / '12 clubs'}\n"
     assert (tmp_path / "out").is_dir()
     assert "no prediction" in " ".join(clubface_("tour", "--model", "standard").out.split())
+
+
+def test_every_table_of_averages_is_compared_and_summed_up(clubface_, tmp_path):
+    pytest.importorskip("matplotlib")
+    ran = clubface_("tour", "--averages", "all", "--model", "standard", "-o", str(tmp_path), "--json")
+    assert [each["averages"] for each in ran.json["averages"]] == ["pga-2023", "pga-2019", "lpga-2019"]
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["lpga-2019", "pga-2019", "pga-2023"]
+    assert (tmp_path / "pga-2019" / "tour-launch.png").stat().st_size > 1000
+    spins = [abs(row["spin_error_rpm"]) for each in ran.json["averages"] for row in each["rows"]]
+    assert len(spins) == 34
+    assert ran.json["mean_absolute_error"]["standard"]["spin_rpm"] == pytest.approx(sum(spins) / 34, rel=1e-8)
+    printed = clubface_("tour", "--averages", "pga-2019,lpga-2019", "--model", "standard").out
+    assert "Mean absolute error over all rows of these tables" in printed
+    assert clubface_("tour", "--averages", "pga").status == 2

@@ -1,8 +1,8 @@
 """One parameter set for all twelve clubs of the published tour averages, and how well it does on clubs left out.
 
-The dynamic loft is published for two clubs. For the others it is, for every candidate set anew, the loft with which the
-model gives the published launch angle: their launch angle is then no prediction, but ball speed and spin are, and the
-loft carries no other model's errors.
+The dynamic loft of two clubs is published with the averages of an older season. For the others it is, for every
+candidate set anew, the loft with which the model gives the published launch angle: their launch angle is then no
+prediction, but ball speed and spin are, and the loft carries no other model's errors.
 """
 
 from __future__ import annotations
@@ -96,7 +96,8 @@ class Bag:
         self.speed = np.array([each.club_speed for each in rows])
         self.attack = np.array([each.attack for each in rows])
         self.launch = np.array([each.launch for each in rows])
-        self.loft = np.array([published_lofts().get(each.club, np.nan) for each in rows])
+        lofts = published_lofts("pga-2019")
+        self.loft = np.array([lofts.get(each.club, np.nan) for each in rows])
 
     def errors(self, parameters: ParameterSet) -> tuple[dict[str, Floats], Floats]:
         """Return model less published, and the lofts; the launch angle is NaN where the loft was solved."""
