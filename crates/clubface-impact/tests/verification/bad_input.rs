@@ -144,10 +144,7 @@ fn an_inertia_must_be_that_of_a_body() {
     // 2843 + 4085 < 9000 g cm2.
     let (input, message) = fault(&[("iyy", 9000e-7)]);
     assert_eq!(input, "ixx");
-    assert!(
-        message.contains("yy 9.0000e-4") && message.contains("triangle inequality"),
-        "{message}"
-    );
+    assert!(message.contains("yy 9.0000e-4") && message.contains("triangle inequality"), "{message}");
 }
 
 #[test]
