@@ -20,8 +20,7 @@ from clubface.equipment.models import model, models
 from clubface.equipment.parameters import builtin_sets
 from clubface.evaluation.published_accuracy import published
 from clubface.measured.shots import QUANTITIES
-from clubface.tour import averages as tour
-from clubface.tour import tables as tour_tables
+from clubface.tour import averages as tour, tables as tour_tables
 
 
 def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> list[str]:

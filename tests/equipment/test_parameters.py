@@ -5,8 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 import clubface
 from clubface.equipment import parameters
@@ -162,10 +161,9 @@ def test_the_defaults_of_the_registry_make_a_set():
 
 
 @pytest.mark.parametrize("key", PRINTED, ids="-".join)
-def test_a_published_set_reads_back_as_it_was_written(tmp_path, key):
+def test_a_published_set_reads_back_as_it_was_written(write, key):
     written = ParameterSet.builtin(*key)
-    path = tmp_path / "mine.toml"
-    path.write_text(written.to_toml())
+    path = write(written.to_toml(), "mine.toml")
     read = ParameterSet.from_toml(path)
     assert read.values == written.values
     assert (read.model, read.club, read.name, read.source) == (
@@ -197,17 +195,15 @@ slip_z = "0.02"
 """
 
 
-def test_a_users_own_file_is_read(tmp_path):
-    path = tmp_path / "own.toml"
-    path.write_text(OWN)
+def test_a_users_own_file_is_read(write):
+    path = write(OWN, "own.toml")
     own = ParameterSet.from_toml(path)
     assert dict(own.values) == {"cor": 0.82, "cor_slope": 0.0, "slip_y": -0.01, "slip_z": 0.02}
     assert (own.name, own.reference) == ("My session", "42 drives")
 
 
-def test_where_a_file_holds_several_sets_one_is_chosen(tmp_path):
-    path = tmp_path / "own.toml"
-    path.write_text(OWN + OWN.partition("\n\n")[2].replace('"driver"', '"7-iron"').replace("82 %", "80 %"))
+def test_where_a_file_holds_several_sets_one_is_chosen(write):
+    path = write(OWN + OWN.partition("\n\n")[2].replace('"driver"', '"7-iron"').replace("82 %", "80 %"), "own.toml")
     assert ParameterSet.from_toml(path, club="7-iron").values["cor"] == 0.8
     with pytest.raises(FileError, match="more than one set fits; the file holds: slip for driver; slip for 7-iron"):
         ParameterSet.from_toml(path)
@@ -230,9 +226,8 @@ def test_where_a_file_holds_several_sets_one_is_chosen(tmp_path):
         ('title = "My session"', "", None, "missing: title"),
     ],
 )
-def test_a_mistake_in_a_file_is_told_with_line_and_remedy(tmp_path, old, new, line, message):
-    path = tmp_path / "own.toml"
-    path.write_text(OWN.replace(old, new, 1))
+def test_a_mistake_in_a_file_is_told_with_line_and_remedy(write, old, new, line, message):
+    path = write(OWN.replace(old, new, 1), "own.toml")
     with pytest.raises(FileError, match=message) as caught:
         ParameterSet.from_toml(path)
     assert caught.value.line == line

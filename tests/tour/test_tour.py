@@ -15,9 +15,7 @@ from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.equipment.models import models
 from clubface.errors import InputError, UnknownNameError
-from clubface.tour import averages as job
-from clubface.tour import report
-from clubface.tour import tables as tour_tables
+from clubface.tour import averages as job, report, tables as tour_tables
 from clubface.tour.spin_ratio import loft_of_ratio, spin_ratio, spin_ratio_of
 
 

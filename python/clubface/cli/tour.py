@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from clubface.cli import given, options, output
-from clubface.cli.failures import say
-from clubface.cli.fem_progress import progress_bar
+from clubface.cli.failures import say_written
+from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
 
 if TYPE_CHECKING:
@@ -23,12 +22,7 @@ TABLES_TEXT = "pga-2023, pga-2019, lpga-2019, or several with commas; all means 
 
 @app.command()
 def tour(
-    folder: Annotated[
-        str | None,
-        typer.Option(
-            "--output", "-o", metavar="FOLDER", help="Write tables and pictures to this folder.", show_default=False
-        ),
-    ] = None,
+    folder: options.Folder = None,
     averages: Annotated[str, typer.Option(metavar="NAME", help=TABLES_TEXT, show_default=False)] = "",
     model: options.Models = None,
     ball: options.Ball = "published",
@@ -38,20 +32,17 @@ def tour(
     from clubface.tour import averages as job
 
     names = given.model_names(model)
-    wanted = [each.strip() for each in (averages or job.DEFAULT_TABLE).split(",")]
+    wanted = given.names([averages or job.DEFAULT_TABLE])
     which = list(dict.fromkeys(name for each in wanted for name in (job.TABLES if each == "all" else [each])))
     for each in which:
         job.averages(each)  # before the work: a name that does not exist is found at once
-    if folder is not None:
-        # So is a folder that cannot be made, or a missing library.
-        Path(folder).mkdir(parents=True, exist_ok=True)
-        import clubface.plots as plots  # noqa: F401
+    output.prepare_folder(folder)
     from clubface.tour import report, tables
 
     results = []
     for table in which:
-        with progress_bar() as bar:
-            results.append(job.tour(names, table=table, ball=ball, progress=bar and _telling(bar, table)))
+        with progress_bar(table) as progress:
+            results.append(job.tour(names, table=table, ball=ball, progress=progress))
     files = []
     if folder is not None:
         for result in results:
@@ -67,12 +58,7 @@ def tour(
         if len(results) > 1:
             title = "Mean absolute error over all rows of these tables"
             print_numbers(*tables.summary(results), title=title)
-    if files:
-        say(f"wrote {', '.join(str(each) for each in files)}")
-
-
-def _telling(bar: Callable[[float, float, str], object], table: str) -> Callable[[int, int], object]:
-    return lambda done, every: bar(done, every, table)
+    say_written(files)
 
 
 def _print(result: Tour) -> None:

@@ -23,16 +23,15 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.simulation.delivery import DIMENSIONS
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice, check_names
 from clubface.support.shipped import is_path
 from clubface.support.strict_toml import Document
-
-Values = NDArray[np.float64]
 
 NAMED = ("elite", "tour", "wide")
 """The priors that come with the package."""
@@ -70,16 +69,13 @@ class Prior:
         if list(self.mean) != list(self.deviation):
             raise InputError("deviation", list(self.deviation), f"for the same quantities: {', '.join(self.mean)}")
         for name in self.mean:
-            if name not in DIMENSIONS:
-                raise UnknownNameError("quantity of a delivery", name, DIMENSIONS)
+            check_choice("quantity of a delivery", name, DIMENSIONS)
             if not (np.isfinite(self.mean[name]) and self.deviation[name] > 0.0):
                 raise InputError(name, self.deviation[name], "a positive standard deviation; leave out what is known")
         if "speed" not in self.mean:
             raise InputError("speed", None, "give it: it must be among the quantities of the prior")
         for pair, value in self.correlations.items():
-            for name in pair:
-                if name not in self.mean:
-                    raise UnknownNameError("quantity of a correlation", name, self.mean)
+            check_names("quantity of a correlation", pair, self.mean)
             if len(set(pair)) != 2 or not -1.0 < value < 1.0:
                 raise InputError(f"correlation of {' and '.join(pair)}", value, "of two quantities, between -1 and 1")
         try:
@@ -93,14 +89,14 @@ class Prior:
         """The quantities that are uncertain."""
         return tuple(self.mean)
 
-    def _matrix(self) -> Values:
+    def _matrix(self) -> Floats:
         places = {name: place for place, name in enumerate(self.mean)}
         found = np.eye(len(places))
         for (one, other), value in self.correlations.items():
             found[places[one], places[other]] = found[places[other], places[one]] = value
         return found
 
-    def deliveries(self, standard: Values) -> dict[str, Values]:
+    def deliveries(self, standard: Floats) -> dict[str, Floats]:
         """Return the deliveries that belong to standard normal deviates, shape (n, quantities)."""
         root = np.linalg.cholesky(self._matrix())
         scaled = standard @ root.T

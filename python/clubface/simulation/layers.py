@@ -5,15 +5,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface.errors import InputError
 from clubface.simulation.history import History
+from clubface.support.arrays import Floats
 
 LAYERED = ("cover_thickness", "layer_stiffness", "layer_damping")
 """The parameters of a model whose ball has two layers."""
-
-Values = NDArray[np.float64]
 
 
 class LayerSpins(NamedTuple):
@@ -27,10 +25,10 @@ class LayerSpins(NamedTuple):
         When the contact ends, which is within the last step of the history; shape (3,).
     """
 
-    cover: Values
-    core: Values
-    cover_at_take_off: Values
-    core_at_take_off: Values
+    cover: Floats
+    core: Floats
+    cover_at_take_off: Floats
+    core_at_take_off: Floats
 
 
 def layer_spins(of: History) -> LayerSpins:

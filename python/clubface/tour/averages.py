@@ -20,14 +20,14 @@ from clubface import measurements, units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.equipment.models import model, models
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.measurements import PublishedTable
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
 from clubface.simulation.launch import Launch
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice
 from clubface.tour.spin_ratio import FLATTENED, RIGID, loft_of_ratio, spin_ratio, spin_ratio_of
-
-Values = NDArray[np.float64]
 
 TABLES = {"pga-2023": None, "pga-2019": "PGA Tour", "lpga-2019": "LPGA Tour"}
 """The published tables that models are compared with, each with the group whose published dynamic lofts belong to it.
@@ -91,8 +91,7 @@ def published_lofts(table: str) -> dict[str, float]:
 
 
 def _table(name: str) -> PublishedTable:
-    if name not in TABLES:
-        raise UnknownNameError("table of tour averages", name, TABLES)
+    check_choice("table of tour averages", name, TABLES)
     return measurements.table(name)
 
 
@@ -123,11 +122,11 @@ class Tour:
     table: PublishedTable
     averages: tuple[Average, ...]
     loft_is_published: NDArray[np.bool_]
-    lofts: dict[str, Values]
-    solved_lofts: dict[str, Values]
+    lofts: dict[str, Floats]
+    solved_lofts: dict[str, Floats]
     launches: dict[str, list[Launch]]
-    values: dict[str, dict[str, Values]]
-    carry_of_published: Values
+    values: dict[str, dict[str, Floats]]
+    carry_of_published: Floats
 
     @property
     def clubs(self) -> list[str]:
@@ -150,7 +149,7 @@ class Tour:
         return QUANTITIES
 
     @cached_property
-    def published(self) -> dict[str, Values]:
+    def published(self) -> dict[str, Floats]:
         """The published value of each quantity."""
         return {name: np.array([getattr(each, name) for each in self.averages]) for name in QUANTITIES}
 
@@ -158,11 +157,11 @@ class Tour:
         """Return for which clubs a quantity is no prediction: the launch angle from which the loft was solved."""
         return ~self.loft_is_published if quantity == "launch" else np.zeros(len(self.averages), dtype=bool)
 
-    def errors(self, model_name: str) -> dict[str, Values]:
+    def errors(self, model_name: str) -> dict[str, Floats]:
         """Return model less published, by quantity."""
         return {name: self.values[model_name][name] - self.published[name] for name in QUANTITIES}
 
-    def predicted(self, model_name: str, quantity: str) -> Values:
+    def predicted(self, model_name: str, quantity: str) -> Floats:
         """Return the errors of one quantity for the clubs for which it is a prediction."""
         return self.errors(model_name)[quantity][~self.is_fitted(quantity)]
 
@@ -170,24 +169,24 @@ class Tour:
         """Return the mean of the absolute error over the clubs, by quantity; NaN where none of them is a prediction."""
         return mean_absolute_error([self], model_name)
 
-    def published_ratios(self, model_name: str) -> Values:
+    def published_ratios(self, model_name: str) -> Floats:
         """Return I w / (m R v_t) of the published launches along faces of the model's lofts."""
         balls = [each.ball for each in self.launches[model_name]]
         return self._over_launches(spin_ratio, balls, self.lofts[model_name])
 
-    def own_ratios(self, model_name: str) -> Values:
+    def own_ratios(self, model_name: str) -> Floats:
         """Return I w / (m R v_t) of the model's launches."""
         pairs = zip(self.launches[model_name], self.lofts[model_name].tolist(), strict=True)
         return np.array([spin_ratio_of(launch, loft) for launch, loft in pairs])
 
     @cached_property
-    def possible_lofts(self) -> tuple[Values, Values]:
+    def possible_lofts(self) -> tuple[Floats, Floats]:
         """The least and the largest dynamic loft [rad] that the published launch allows a ball, flattened or round."""
         balls = [each.ball for each in self.launches[self.models[0]]]
         low, high = (self._over_launches(loft_of_ratio, balls, limit) for limit in (RIGID, FLATTENED))
         return low, high
 
-    def _over_launches(self, of: Callable[..., object], balls: Iterable[Ball], last: object) -> Values:
+    def _over_launches(self, of: Callable[..., object], balls: Iterable[Ball], last: object) -> Floats:
         rows = zip(balls, self.averages, np.broadcast_to(np.asarray(last), len(self.averages)).tolist(), strict=True)
         return np.array([of(ball, each.ball_speed, each.launch, each.spin, value) for ball, each, value in rows])
 
@@ -227,8 +226,8 @@ def tour(
         raise InputError("model_names", names, "at least one model")
     rows, known = tuple(averages(table)), published_lofts(table)
     given = np.array([known.get(each.club, np.nan) for each in rows])
-    solved: dict[str, Values] = {}
-    lofts: dict[str, Values] = {}
+    solved: dict[str, Floats] = {}
+    lofts: dict[str, Floats] = {}
     launches: dict[str, list[Launch]] = {}
     for place, name in enumerate(names):
         found = []
@@ -292,7 +291,7 @@ def _within(loft: float) -> float:
     return min(max(loft, LOWEST), STEEPEST)
 
 
-def _compared(launches: list[Launch]) -> dict[str, Values]:
+def _compared(launches: list[Launch]) -> dict[str, Floats]:
     return {
         "ball_speed": np.array([each.ball_speed for each in launches]),
         "launch": np.array([each.launch for each in launches]),
@@ -301,7 +300,7 @@ def _compared(launches: list[Launch]) -> dict[str, Values]:
     }
 
 
-def _flown(rows: Iterable[Average]) -> Values:
+def _flown(rows: Iterable[Average]) -> Floats:
     """Return the carry from each published launch, taken as straight and with pure backspin."""
     return np.array(
         [fly({"ball_speed": each.ball_speed, "launch": each.launch, "backspin": each.spin}).carry for each in rows]
