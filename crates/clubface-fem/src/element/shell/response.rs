@@ -2,7 +2,6 @@
 
 use super::layers::Layers;
 use super::material::ShellMaterial;
-use super::quadrilateral::Increment;
 use super::section::{ElasticSection, Section};
 use crate::material::Numbers;
 use clubface_math::Pack;
