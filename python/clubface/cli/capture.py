@@ -57,8 +57,8 @@ def read(
     ] = "smoother",
     hand: Hand = None,
     ball: Annotated[
-        str, typer.Option("--ball", metavar="NAME|FILE", help="The ball, whose radius is used.")
-    ] = "published",
+        str | None, typer.Option("--ball", metavar="NAME|FILE", help="The ball, whose radius is used.")
+    ] = None,
     target: Annotated[
         str | None,
         options.option(

@@ -9,6 +9,7 @@ import typer
 from clubface import units
 from clubface.cli import options, output
 from clubface.cli.tables import print_numbers, print_words
+from clubface.support.warning import without_warnings
 
 app = typer.Typer(add_completion=False)
 
@@ -37,7 +38,8 @@ def clubs(
             print_club(found)
         return
     heads = [club(each) for each in CLUB_NAMES]
-    balls = [Ball.builtin(each) for each in ball_names()]
+    with without_warnings():
+        balls = [Ball.builtin(each) for each in ball_names()]
     if as_json:
         output.print_json({"clubs": [describe(each) for each in heads], "balls": [describe(each) for each in balls]})
         return

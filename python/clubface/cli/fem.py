@@ -29,7 +29,7 @@ Friction = Annotated[float, typer.Option("--friction", metavar="NUMBER", help="C
 Refine = Annotated[
     int, typer.Option("--refine", metavar="TIMES", help="How many times finer the mesh is along every edge, 1 to 8.")
 ]
-BallOption = Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball of finite elements.")]
+BallOption = Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball made of pieces.")]
 MOVING, SHAPES = 81, 51
 """Pictures of an animation, and deformed shapes to choose from for a picture of some."""
 SPEEDS, LOFTS = "30:60:5", "8:12:1"

@@ -18,7 +18,7 @@ RULES = {"mass": 0.04593, "diameter": 0.04267}
 
 
 def ball(
-    name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="A ball of finite elements.")],
+    name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="A ball made of pieces.")],
     as_json: options.Json = False,
 ) -> None:
     """Mesh a ball and report mass, diameter and inertia beside what was asked for and the rules."""
@@ -120,7 +120,7 @@ def face(
     high: Annotated[
         str, typer.Option("--high", metavar="FIRST:LAST:STEP", help="Points, mm above the centre.")
     ] = "-8:8:8",
-    ball: Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball of finite elements.")] = "modern",
+    ball: Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball made of pieces.")] = "modern",
     folder: options.Folder = None,
     workers: Annotated[int | None, typer.Option("--workers", help="Points at a time; all cores unless given.")] = None,
     as_json: options.Json = False,

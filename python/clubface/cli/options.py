@@ -88,12 +88,12 @@ MEASURED_LAUNCH: Group = _quantities(
 
 _EQUIPMENT, _MODEL, _AIR = "Club and ball", "Model", "Air"
 Ball = Annotated[
-    str,
+    str | None,
     option(
-        "--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="A built-in ball or a TOML file; published unless given."
+        "--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="A built-in ball or a TOML file; modern unless given."
     ),
 ]
-BALL: Group = {"ball": (Ball, "published")}
+BALL: Group = {"ball": (Ball, None)}
 EQUIPMENT: Group = {
     "hand": text_option("--hand", _EQUIPMENT, "right|left", "Hand of the club; its own unless given."),
     **BALL,

@@ -1,7 +1,7 @@
 """Golf balls: from TOML, from code or built in, checked.
 
-The ball called ``published`` is that of "Three-dimensional golf clubhead-ball impact models for drivers and
-irons", Table 1; ``conforming`` is at the limits of the rules.
+One file describes a ball to every model: its mass, radius and inertia; where finite elements are to strike it, the
+pieces it is made of, which stay plain data here; and the values that models take for it.
 """
 
 from __future__ import annotations
@@ -9,19 +9,27 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import ClassVar, Self
+from functools import cache
+from types import MappingProxyType
+from typing import Any, ClassVar, Self
 
 from clubface import units
 from clubface.equipment.core import check_body
 from clubface.equipment.described import Described, Property, set_si, template_lines, to_toml
-from clubface.errors import RuleWarning
+from clubface.equipment.models import model
+from clubface.equipment.parameters import checked
+from clubface.equipment.pieces import Construction, body, pieces_lines, toml_lines
+from clubface.errors import ClubfaceError, FileError, InputError, RuleWarning
 from clubface.support.checks import check_name, check_text
 from clubface.support.shipped import builtin_names, builtin_path, is_path
-from clubface.support.strict_toml import quoted
+from clubface.support.strict_toml import Document, quoted
 from clubface.support.warning import warn_once, without_warnings
 
-DEFAULT_BALL = "published"
-"""The ball of the published models and their parameters."""
+FOLDER = "balls"
+DEFAULT_BALL = "modern"
+"""The ball where none is named."""
+PUBLISHED_BALL = "published"
+"""The ball with which the published parameters were found; its diameter is 0.07 mm below the limit of the rules."""
 BALL_MASS_LIMIT = 45.93e-3
 """kg, at most (1.620 oz); The Equipment Rules."""
 BALL_DIAMETER_LIMIT = 42.67e-3
@@ -31,7 +39,10 @@ BALL_PROPERTIES = {
     "mass": Property("mass", "g", "mass", "45.93 g"),
     "radius": Property("length", "mm", "radius", "21.335 mm"),
     "inertia": Property("inertia", "g cm2", "moment of inertia about the centre", "83.6 g cm2"),
+    "friction": Property(units.DIMENSIONLESS, "1", "of the cover on a clubface", "0.35", required=False),
 }
+RIGID = ("mass", "radius", "inertia")
+"""What every model takes."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,6 +61,12 @@ class Ball(Described):
         Moment of inertia about the centre [kg m2].
     description
         A sentence for lists.
+    friction
+        Coefficient of friction between cover and clubface, for the models that take it from the ball; None if unknown.
+    parameters
+        Values of parameters [SI], by name of model, that stand where nobody chose a set or the value itself.
+    construction
+        What finite elements mesh: the pieces as their file has them, or a :class:`clubface.fem.Ball`; or None.
     sources
         Where each value comes from, by field name.
     """
@@ -59,6 +76,9 @@ class Ball(Described):
     radius: float
     inertia: float
     description: str = ""
+    friction: float | None = None
+    parameters: Mapping[str, Mapping[str, float]] = field(default_factory=dict, hash=False)
+    construction: Any = field(default=None, hash=False, repr=False)
     sources: Mapping[str, str] = field(default_factory=dict, hash=False)
     properties: ClassVar = BALL_PROPERTIES
 
@@ -66,6 +86,9 @@ class Ball(Described):
         set_si(self, BALL_PROPERTIES)
         check_name(self.name)
         check_text("description", self.description)
+        if self.friction is not None:
+            check_friction(self.friction)
+        object.__setattr__(self, "parameters", _checked_parameters(self.parameters))
         check_body("ball", self.inputs())
         if self.mass > BALL_MASS_LIMIT * (1.0 + 1e-9):
             warn_once(
@@ -80,16 +103,39 @@ class Ball(Described):
 
     def inputs(self) -> dict[str, float]:
         """Return the values the models take, SI, under the core's names and in its order."""
-        return {f"ball_{key}": getattr(self, key) for key in BALL_PROPERTIES}
+        return {f"ball_{key}": getattr(self, key) for key in RIGID}
 
     def to_toml(self) -> str:
         """Write the ball as TOML text, which :meth:`from_text` reads back exactly."""
-        return to_toml(self, BALL_PROPERTIES, {})
+        text = to_toml(self, BALL_PROPERTIES, {})
+        for name, values in self.parameters.items():
+            text += "\n".join(["", f"[parameters.{name}]", *(f"{key} = {value!r}" for key, value in values.items()), ""])
+        if not isinstance(self.construction, Construction):
+            return text
+        # Keys of the file itself cannot follow a table.
+        first, *rest = text.split("\n\n", 1)
+        mesh = {key: value for key, value in self.construction.data.items() if key != "pieces"}
+        top = [first, *toml_lines(mesh)]
+        return "\n".join(["\n".join(top), "", *rest]) + "\n".join(["", *pieces_lines(self.construction.data), ""])
 
+    @classmethod
+    def from_document(cls, document: Document) -> Self:
+        """Read the ball a TOML document describes."""
+        return cls(**_read(document))
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Self:
+        """Read what a TOML file describes; see ``template`` for its form."""
+        return cls.from_document(Document.read(path))
+
+    @classmethod
+    def from_text(cls, text: str, path: str = "<text>") -> Self:
+        """Read what TOML text describes; ``path`` names it in errors."""
+        return cls.from_document(Document(text, path))
     @classmethod
     def builtin(cls, name: str) -> Self:
         """Return a ball that comes with the package, such as ``"conforming"``."""
-        return cls.from_toml(builtin_path("ball", name, "balls"))
+        return cls.from_toml(builtin_path("ball", name, FOLDER))
 
     @staticmethod
     def template(name: str = "my-ball") -> str:
@@ -104,20 +150,85 @@ class Ball(Described):
         return "\n".join(head + template_lines(BALL_PROPERTIES))
 
 
-def ball(which: str | os.PathLike[str] | Ball | None = None) -> Ball:
+def ball(which: Any = None) -> Ball:
     """Return the ball meant by a built-in name, the path of a TOML file, or a :class:`Ball` itself.
 
-    Without a name it is that of the published models. Its diameter is 0.07 mm below the limit of the rules, which is
-    said when it is asked for by name.
+    Without a name it is ``DEFAULT_BALL``. A ball of finite elements made in code is taken as the rigid ball that it is
+    to other models.
     """
-    if which is None:
-        with without_warnings():
-            return Ball.builtin(DEFAULT_BALL)
+    which = getattr(which, "rigid", which)
     if isinstance(which, Ball):
         return which
+    if which is None:
+        return _default()
     return Ball.from_toml(which) if is_path(which) else Ball.builtin(str(which))
+
+
+def published_ball() -> Ball:
+    """Return the ball of the published parameters, without the warning that it is smaller than the rules allow."""
+    with without_warnings():
+        return Ball.builtin(PUBLISHED_BALL)
+
+
+@cache
+def _default() -> Ball:
+    return Ball.builtin(DEFAULT_BALL)
 
 
 def ball_names() -> tuple[str, ...]:
     """List the built-in balls."""
-    return builtin_names("balls")
+    return builtin_names(FOLDER)
+
+
+FRICTION_LIMITS = (0.0, 10.0)
+
+
+def check_friction(value: float) -> None:
+    """Refuse what is no coefficient of friction."""
+    if not FRICTION_LIMITS[0] <= value <= FRICTION_LIMITS[1]:
+        raise InputError("friction", value, f"{FRICTION_LIMITS[0]:g} to {FRICTION_LIMITS[1]:g}")
+
+
+def _checked_parameters(given: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, float]]:
+    """Return values of parameters [SI] by model, each within the bounds that the model declares."""
+    found = {}
+    for name, values in given.items():
+        if not isinstance(values, Mapping):
+            raise InputError(f"parameters.{name}", values, "a table of values")
+        declared = model(name)
+        found[name] = MappingProxyType({key: checked(value, declared.parameter(key)) for key, value in values.items()})
+    return MappingProxyType(found)
+
+
+_KEYS = ("name", "description", "mass", "diameter", "radius", "inertia", "friction", "parameters", "sources")
+KEYS = (*_KEYS, *Construction.KEYS)
+
+
+def _read(document: Document) -> dict[str, Any]:
+    """Return what a TOML document says of a ball, by field; every error carries file and line."""
+    data = dict(document.data)
+    meshed = "pieces" in data
+    size = "diameter" if "diameter" in data else "radius"
+    document.check_keys(data, KEYS if meshed else _KEYS, ("name", size, *(() if meshed else ("mass", "inertia"))))
+    document.check_text(data, ("name", "description"))
+    if "diameter" in data and "radius" in data:
+        raise document.error("give the diameter or the radius, not both", "radius")
+    for key in ("sources", "parameters"):
+        if not isinstance(data.get(key, {}), dict):
+            raise document.error(f"{key} must be a table", key)
+    sources = data.get("sources", {})
+    document.check_keys(sources, (*BALL_PROPERTIES, "diameter", "friction", "pieces"), (), "sources")
+    document.check_text(sources, sources, "sources")
+    try:
+        radius = units.parse(data.pop(size), "length", name=size) / (2.0 if size == "diameter" else 1.0)
+        found = {**{key: value for key, value in data.items() if key not in Construction.KEYS}, "radius": radius}
+        if meshed:
+            mass = units.parse(data["mass"], "mass", name="mass") if "mass" in data else None
+            made = body(document, radius, mass)
+            found = {"mass": made.mass, "inertia": made.inertia, **found, "construction": Construction.of(document)}
+        Ball(**found)
+    except FileError:
+        raise
+    except ClubfaceError as error:
+        raise document.wrap(error) from error
+    return found

@@ -62,6 +62,8 @@ class ParameterSet:
         The same for single parameters, by name.
     default
         Whether this is the set used where none is named.
+    unchosen
+        The parameters whose values nobody chose, neither themselves nor with a set: a ball may have its own.
     """
 
     model: str
@@ -73,6 +75,7 @@ class ParameterSet:
     caveats: tuple[str, ...] = ()
     value_caveats: Mapping[str, str] = field(default_factory=dict)
     default: bool = False
+    unchosen: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
 
     def __post_init__(self) -> None:
         declared = model(self.model)
@@ -82,7 +85,7 @@ class ParameterSet:
         missing = [each.name for each in declared.parameters if each.name not in self.values]
         if missing:
             raise InputError("values", dict(self.values), f"complete for {self.model}; missing: {', '.join(missing)}")
-        ordered = {each.name: _checked(self.values[each.name], each) for each in declared.parameters}
+        ordered = {each.name: checked(self.values[each.name], each) for each in declared.parameters}
         object.__setattr__(self, "values", MappingProxyType(ordered))
         object.__setattr__(self, "value_caveats", MappingProxyType(dict(self.value_caveats)))
         object.__setattr__(self, "caveats", tuple(self.caveats))
@@ -102,7 +105,16 @@ class ParameterSet:
         new = {key: _parsed(value, declared.parameter(key)) for key, value in changes.items()}
         kept = {key: text for key, text in self.value_caveats.items() if key not in changes}
         source = self.source + (f"; changed: {', '.join(changes)}" if changes else "")
-        return replace(self, values={**self.values, **new}, value_caveats=kept, source=source, default=False)
+        return replace(self, values={**self.values, **new}, value_caveats=kept, source=source, default=False,
+                       unchosen=self.unchosen - changes.keys())
+
+    def of_ball(self, name: str, values: Mapping[str, float]) -> Self:
+        """Return the set with the values that the ball called ``name`` has for the model, where nobody chose one."""
+        own = {key: value for key, value in values.items() if key in self.unchosen}
+        if not own or own.items() <= self.values.items():
+            return self
+        source = f"{self.source}; of the ball {name}: {', '.join(own)}"
+        return replace(self, values={**self.values, **own}, source=source, default=False)
 
     @classmethod
     def defaults(cls, model_name: str, club: str = "any") -> Self:
@@ -114,6 +126,7 @@ class ParameterSet:
             name="registry defaults",
             values=values,
             source="defaults of the registry",
+            unchosen=frozenset(values),
         )
 
     @classmethod
@@ -127,7 +140,9 @@ class ParameterSet:
             fitting = [each for each in fitting if each.name == name]
         else:
             raise UnknownNameError(f"parameter set of {model_name} for {club}", name, known)
-        return fitting[0] if fitting else cls.defaults(model_name, club)
+        if not fitting:
+            return cls.defaults(model_name, club)
+        return fitting[0] if name is not None else replace(fitting[0], unchosen=frozenset(fitting[0].values))
 
     @classmethod
     def from_toml(
@@ -246,7 +261,7 @@ def _parsed_scalar(value: Any, parameter: Parameter) -> float:
     return units.parse(value, _dimension(parameter), name=parameter.name)
 
 
-def _checked(value: Any, parameter: Parameter) -> Any:
+def checked(value: Any, parameter: Parameter) -> Any:
     """Return ``value`` as float or float64 array, refused where it is outside the bounds of ``parameter``."""
     value = _parsed(value, parameter)
     low = value if isinstance(value, float) else value.min(initial=parameter.upper)

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from clubface.equipment.balls import DEFAULT_BALL as PUBLISHED, Ball as RigidBall
 from clubface.equipment.models import Model
 from clubface.errors import InputError
 from clubface.fem import core
 from clubface.fem.balls import ball
 from clubface.fem.result import Impact
-from clubface.fem.run import FRICTION, rigid_ball, simulate, strike
+from clubface.fem.run import FRICTION, simulate, strike
 from clubface.fem.settings import Settings
 from clubface.simulation.backends import Balls, Problems, Request
 from clubface.simulation.quantities import outputs
@@ -31,8 +30,6 @@ MODEL = Model(
     parameters=(FRICTION,),
 )
 
-DEFAULT_BALL = "reference"
-"""The meshed ball where none is named."""
 HOW = Settings(until_separation=True)
 
 
@@ -40,18 +37,14 @@ class FiniteElements:
     """A shot at a time, each on all cores."""
 
     def balls(self, given: Any, accuracy: float | None) -> Balls:
-        """Return the meshed ball that ``given`` names, or the default, and its mass properties as a rigid ball.
+        """Return the meshed ball that is ``given``, as for :func:`clubface.fem.ball`, and the same as a rigid ball.
 
-        Given may be a :class:`clubface.fem.Ball`, a name, the path of a TOML file, a rigid ball made from a built-in
-        one, or the ball of the published models, in whose place the default stands. An accuracy is refused: the mesh
-        sets it.
+        An accuracy is refused: the mesh sets it.
         """
         if accuracy is not None:
             raise InputError("accuracy", accuracy, "leave it out for fem, whose accuracy is that of the mesh")
-        if isinstance(given, RigidBall):
-            given = given.name
-        made = ball(DEFAULT_BALL if given in (None, PUBLISHED) else given)
-        return Balls(made, rigid_ball(made))
+        made = ball(given)
+        return Balls(made, made.rigid)
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
         """Run shot after shot; one that ends early has no launch."""

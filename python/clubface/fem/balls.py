@@ -10,14 +10,19 @@ from functools import cached_property
 from typing import Any
 
 from clubface import units
+from clubface.equipment.balls import DEFAULT_BALL, FOLDER, KEYS, Ball as RigidBall, ball_names as all_names, check_friction
+from clubface.equipment.pieces import Construction
 from clubface.errors import ClubfaceError, InputError
 from clubface.fem import core
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.support.checks import check_choice, check_count, check_name, check_text
-from clubface.support.shipped import builtin_names, path_of
+from clubface.support.shipped import builtin_path, is_path, path_of
 from clubface.support.strict_toml import Document
+from clubface.support.warning import without_warnings
 
-FOLDER = "fem_balls"
+FRICTION = 0.35
+"""Of a ball whose file gives none: measured are 0.3 to 0.4."""
+MODEL_NAME = "fem"
 MAX_PIECES = 5
 ELEMENTS = ("one-point", "full")
 
@@ -75,6 +80,8 @@ class Ball:
         Number of elements along an edge of the cube inside the core, even. The sphere has 6 cube^2 elements around it.
     description
         One sentence, or more if the ball was fitted to something.
+    friction
+        Coefficient of friction between cover and face, where none is given to a run.
     """
 
     name: str
@@ -84,10 +91,12 @@ class Ball:
     cube: int = 12
     element: str = "one-point"
     description: str = ""
+    friction: float = FRICTION
 
     def __post_init__(self) -> None:
         check_name(self.name)
         check_text("description", self.description)
+        object.__setattr__(self, "friction", friction_value(self.friction))
         object.__setattr__(self, "diameter", units.parse(self.diameter, "length", name="diameter"))
         if isinstance(self.pieces, str) or not all(isinstance(piece, Piece) for piece in self.pieces):
             raise InputError("pieces", self.pieces, "Pieces, from the inside out")
@@ -188,34 +197,84 @@ class Ball:
         ]
         return {"pieces": pieces, "cube": self.cube, "element": self.element, "mass": self.mass}
 
+    @cached_property
+    def rigid(self) -> RigidBall:
+        """The ball as the other models see it: mass, radius and inertia of the mesh."""
+        found = {key: self.properties()[key] for key in ("mass", "radius", "inertia")}
+        with without_warnings():
+            return RigidBall(
+                name=self.name, **found, friction=self.friction, parameters={MODEL_NAME: {"friction": self.friction}},
+                construction=self,
+            )  # fmt: skip
+
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Ball:
         """Read a ball from a TOML file; every error names file and line."""
         return from_document(Document.read(path))
 
 
+def friction_value(value: Any) -> float:
+    """Return a coefficient of friction, checked."""
+    mu = units.parse(value, units.DIMENSIONLESS, name="friction")
+    check_friction(mu)
+    return mu
+
+
 def ball_names() -> tuple[str, ...]:
-    """Return the names of the balls that come with clubface."""
-    return builtin_names(FOLDER)
+    """Return the names of the balls of pieces that come with clubface."""
+    return tuple(name for name in all_names() if "pieces" in Document.read(builtin_path("ball", name, FOLDER)).data)
 
 
-def ball(which: str | os.PathLike[str] | Ball) -> Ball:
-    """Return a built-in ball by name, or read one from a TOML file."""
+def ball(which: str | os.PathLike[str] | Ball | RigidBall | None = None) -> Ball:
+    """Return a built-in ball of pieces by name, or read one from a TOML file; without a name it is ``DEFAULT_BALL``.
+
+    A :class:`clubface.Ball` made of pieces is meshed with its own mass and radius.
+    """
     if isinstance(which, Ball):
         return which
-    return Ball.from_toml(path_of("ball of finite elements", which, FOLDER))
+    if isinstance(which, RigidBall):
+        return _of_rigid(which)
+    path = path_of("ball", DEFAULT_BALL if which is None else which, FOLDER)
+    document = Document.read(path)
+    if "pieces" not in document.data and not is_path(which):
+        raise _no_pieces(which)
+    return from_document(document)
 
 
-BALL_KEYS = ("name", "description", "mass", "diameter", "cube", "element", "pieces")
+def _of_rigid(given: RigidBall) -> Ball:
+    made = given.construction
+    if isinstance(made, Construction):
+        with without_warnings():
+            read = RigidBall.from_document(made.document)
+        made = from_document(made.document)
+    elif isinstance(made, Ball):
+        read = made.rigid
+    else:
+        raise _no_pieces(given.name)
+    changes: dict[str, Any] = {} if given.mass == read.mass else {"mass": given.mass}
+    if given.radius != read.radius:
+        changes["diameter"] = 2.0 * given.radius
+    if given.friction not in (None, made.friction):
+        changes["friction"] = given.friction
+    return replace(made, **changes) if changes else made
+
+
+def _no_pieces(name: object) -> InputError:
+    return InputError("ball", name, f"one that is described by its pieces, for fem: {', '.join(ball_names())}")
+
+
 MATERIAL_KEYS = ("law", "youngs", "poisson", "density", "maxwell")
 
 
 def from_document(document: Document) -> Ball:
     """Read the ball a TOML document describes."""
     data = dict(document.data)
-    document.check_keys(data, BALL_KEYS, ("name", "diameter", "pieces"))
+    size = "radius" if "radius" in data else "diameter"
+    document.check_keys(data, KEYS, ("name", size, "pieces"))
     document.check_text(data, ("name", "description"))
     tables = data.pop("pieces")
+    # These are of the other models; the inertia here is that of the pieces.
+    data = {key: value for key, value in data.items() if key not in ("inertia", "parameters", "sources")}
     if not (isinstance(tables, list) and all(isinstance(each, dict) for each in tables)):
         raise document.error("pieces must be tables, each under [[pieces]]", "pieces")
     pieces, branches = [], 0
@@ -223,6 +282,8 @@ def from_document(document: Document) -> Ball:
         pieces.append(_piece(document, table, number, branches))
         branches += len(pieces[-1].material.maxwell)
     try:
+        if size == "radius":
+            data["diameter"] = 2.0 * units.parse(data.pop("radius"), "length", name="radius")
         return Ball(pieces=tuple(pieces), **data)
     except ClubfaceError as error:
         raise document.wrap(error) from error

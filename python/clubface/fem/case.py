@@ -14,7 +14,7 @@ from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
-from clubface.fem.run import friction_value, rigid_ball, strike, throw, throw_values
+from clubface.fem.run import friction_of, strike, throw, throw_values
 from clubface.fem.settings import Settings
 from clubface.simulation.delivery import DIMENSIONS
 from clubface.simulation.impact import impact
@@ -48,7 +48,7 @@ class Case:
     delivery
         Delivery of the head, as for :func:`clubface.impact`; for a plane, ``speed`` and ``angle`` of the ball.
     friction
-        Coefficient of Coulomb friction.
+        Coefficient of Coulomb friction; that of the ball unless given.
     settings
         How to run the case.
     """
@@ -58,7 +58,7 @@ class Case:
     head: str
     delivery: Mapping[str, Any]
     club: Club | MeshedHead | None = None
-    friction: float = 0.35
+    friction: float | None = None
     settings: Settings = field(default_factory=Settings)
     description: str = ""
 
@@ -70,7 +70,7 @@ class Case:
         check_names("value of the delivery", self.delivery, known)
         if "speed" not in self.delivery:
             raise InputError("speed", None, 'give it, as in speed = "35 m/s"')
-        object.__setattr__(self, "friction", friction_value(self.friction))
+        object.__setattr__(self, "friction", friction_of(self.friction, self.ball))
         if self.head == PLANE:
             if self.club is not None:
                 raise InputError("club", self.club.name, 'leave it out for a plane, or set kind = "rigid" or "meshed"')
@@ -82,7 +82,7 @@ class Case:
             raise InputError("club", self.club.name, "a meshed head" if self.head == MESHED else "a club")
         # The quickest model refuses what no model can compute, such as a face that moves away from the ball.
         rigid = self.club.club if isinstance(self.club, MeshedHead) else self.club
-        impact(rigid, self.delivery, ball=rigid_ball(self.ball))
+        impact(rigid, self.delivery, ball=self.ball.rigid)
 
     def replace(self, *, settings: Mapping[str, Any] | None = None, **changes: Any) -> Case:
         """Return the case with values of the delivery, the ball, the friction or the settings changed."""
@@ -154,7 +154,7 @@ def from_document(document: Document, folder: Path) -> Case:
             head=kind,
             club=_read(document, head if kind == MESHED else club, tables["head"].get("club"), folder, "club", "head"),
             delivery=tables["delivery"],
-            friction=data.get("friction", 0.35),
+            friction=data.get("friction"),
             settings=settings,
         )
     except FileError:

@@ -13,7 +13,7 @@ from clubface.fem import core
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import THE_RUN, Progress, core_call
 from clubface.fem.heads import MeshedHead, ShellHead
-from clubface.fem.run import friction_value, inputs_of, one_shot
+from clubface.fem.run import AnyBall, friction_of, inputs_of, one_shot
 from clubface.fem.settings import Settings, settings_of
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.quantities import outputs
@@ -52,7 +52,7 @@ class Derivatives(NamedTuple):
 
 
 def variables(
-    club: str | os.PathLike[str] | Club | ShellHead, *, which: str | os.PathLike[str] | Ball = "reference"
+    club: str | os.PathLike[str] | Club | ShellHead, *, which: AnyBall = None
 ) -> list[str]:
     """Return the variables of a launch's derivatives: delivery, club, friction, and constants of the ball.
 
@@ -94,8 +94,8 @@ def sensitivity(
     delivery: Delivery | Mapping[str, Any] | None = None,
     *,
     by: Iterable[str],
-    which: str | os.PathLike[str] | Ball = "reference",
-    friction: Any = 0.35,
+    which: AnyBall = None,
+    friction: Any = None,
     settings: Settings | None = None,
     progress: Progress | None = None,
     **values: Any,
@@ -113,7 +113,8 @@ def sensitivity(
     """
     from clubface.simulation.inputs import as_values
 
-    made, mu = ball(which), friction_value(friction)
+    made = ball(which)
+    mu = friction_of(friction, made)
     how = Settings(until_separation=True) if settings is None else settings_of(settings)
     names = (by,) if isinstance(by, str) else tuple(by)
     known = variables(club, which=made)

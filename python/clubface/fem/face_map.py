@@ -15,7 +15,7 @@ from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head
 from clubface.fem.heads.read import Design
 from clubface.fem.resumable import ResumableTable
-from clubface.fem.run import rigid_ball
+from clubface.fem.run import AnyBall
 from clubface.fem.side_by_side import workers_of
 from clubface.simulation.impact import impact
 
@@ -29,7 +29,7 @@ def face_map(
     *,
     toes: Sequence[float],
     highs: Sequence[float],
-    with_ball: str | os.PathLike[str] | Ball = "modern",
+    with_ball: AnyBall = None,
     output: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -43,7 +43,7 @@ def face_map(
     toes, highs
         Distances of the points from the face centre [m], towards the toe and upwards.
     with_ball
-        The ball for the restitution.
+        The ball for the restitution, as for :func:`clubface.fem.ball`.
     output
         A CSV file. Each point is added as soon as it is finished, and points found in the file are not computed again.
     workers
@@ -71,7 +71,7 @@ def face_map(
         raise InputError("the number of points of a face", len(points), f"1 to {MOST}")
     for toe, high in points:
         # The quickest model refuses points outside the face.
-        impact(made.club, speed=head_tests.COR_SPEED, loft=0.0, toe=toe, high=high, ball=rigid_ball(struck))
+        impact(made.club, speed=head_tests.COR_SPEED, loft=0.0, toe=toe, high=high, ball=struck.rigid)
 
     def measure(point: tuple[float, float], keep_going: Progress, threads: int) -> dict[str, Any]:
         where: dict[str, Any] = {"toe": point[0], "high": point[1], "threads": threads, "progress": keep_going}

@@ -14,7 +14,7 @@ from clubface.fem.heads import MeshedHead, head as meshed
 from clubface.fem.heads.read import Design
 from clubface.fem.materials import Material
 from clubface.fem.result import Impact
-from clubface.fem.run import strike
+from clubface.fem.run import AnyBall, strike
 from clubface.fem.settings import Settings
 
 COR_SPEED = "160 ft/s"
@@ -28,11 +28,11 @@ STRIKER_SPEED = "0.6 m/s"
 def restitution(
     head: Club | MeshedHead | str,
     *,
-    which: str | os.PathLike[str] | Ball = "modern",
+    which: AnyBall = None,
     speed: Any = COR_SPEED,
     toe: Any = None,
     high: Any = None,
-    friction: Any = 0.35,
+    friction: Any = None,
     threads: int = 0,
     progress: Progress | None = None,
 ) -> float:
@@ -43,13 +43,13 @@ def restitution(
     head
         A head of shells. A rigid club shows what the ball alone loses.
     which
-        The ball.
+        The ball, as for :func:`clubface.fem.ball`.
     speed
         Speed of approach [m/s]; the face normal at the face centre is level.
     toe, high
         Where the ball is struck [m]. If neither is given: in front of the CG, as the rules had it.
     friction
-        Coefficient of Coulomb friction.
+        Coefficient of Coulomb friction; that of the ball unless given.
     threads
         Number of threads; 0 for all cores.
     progress

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
-from clubface.equipment.balls import Ball as RigidBall
+from clubface.equipment.balls import FRICTION_LIMITS, Ball as RigidBall
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import Parameter
-from clubface.errors import EdgeWarning, InputError, RuleWarning
+from clubface.errors import EdgeWarning, InputError
 from clubface.fem import core
-from clubface.fem.balls import Ball, ball
+from clubface.fem.balls import FRICTION as FRICTION_OF_A_BALL, Ball, ball, friction_value
 from clubface.fem.core import Progress, core_call
 from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.result import Impact
@@ -26,8 +25,11 @@ from clubface.support.warning import warn_once
 if TYPE_CHECKING:
     from clubface.simulation.inputs import Shots
 
+AnyBall = str | os.PathLike[str] | Ball | RigidBall | None
+
 FRICTION = Parameter(
-    "friction", "1", "Coulomb's coefficient between ball and face", 0.35, 0.0, 10.0, "0.3 to 0.4, as measured"
+    "friction", "1", "Coulomb's coefficient between ball and face", FRICTION_OF_A_BALL, *FRICTION_LIMITS,
+    "that of the ball, unless it is given; 0.3 to 0.4 are measured",
 )
 
 
@@ -47,11 +49,11 @@ def simulate(
 
 
 def throw(
-    which: str | os.PathLike[str] | Ball = "reference",
+    which: AnyBall = None,
     *,
     speed: Any,
     angle: Any = 0.0,
-    friction: Any = 0.35,
+    friction: Any = None,
     settings: Settings | None = None,
     progress: Progress | None = None,
 ) -> Impact:
@@ -60,20 +62,20 @@ def throw(
     Parameters
     ----------
     which
-        A built-in ball of finite elements, the path of a TOML file, or a :class:`Ball`.
+        A built-in ball of pieces, the path of a TOML file, or a :class:`Ball`; ``modern`` unless given.
     speed
         Speed [m/s], or text with a unit.
     angle
         Angle between the velocity and the normal of the plane [rad], or text with a unit.
     friction
-        Coefficient of Coulomb friction.
+        Coefficient of Coulomb friction; that of the ball unless given.
     settings
         How to run the impact.
     progress
         Called with simulated time and duration [s].
     """
     made, (v, incidence) = ball(which), throw_values(speed, angle)
-    mu, how = friction_value(friction), settings_of(settings)
+    mu, how = friction_of(friction, made), settings_of(settings)
     found, used = simulate(core.fem_plane, made.values(), v, incidence, mu, how=how, progress=progress)
     return Impact(found, made, {"speed": v, "angle": incidence}, mu, used)
 
@@ -93,8 +95,8 @@ def strike(
     club: str | os.PathLike[str] | Club | MeshedHead,
     delivery: Delivery | Mapping[str, Any] | None = None,
     *,
-    which: str | os.PathLike[str] | Ball = "reference",
-    friction: Any = 0.35,
+    which: AnyBall = None,
+    friction: Any = None,
     settings: Settings | None = None,
     progress: Progress | None = None,
     **values: Any,
@@ -112,7 +114,8 @@ def strike(
     """
     from clubface.simulation.inputs import as_values
 
-    made, mu, how = ball(which), friction_value(friction), settings_of(settings)
+    made, how = ball(which), settings_of(settings)
+    mu = friction_of(friction, made)
     given = dict(as_values(delivery, values))
     if isinstance(club, MeshedHead):
         hit = one_shot(club.club, given, made)
@@ -143,7 +146,7 @@ def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], m
     for name, value in delivery.items():
         if np.ndim(value):
             raise InputError(name, value, "one value; use a sweep for several")
-    return shots(equipment(club, rigid_ball(made)), delivery)
+    return shots(equipment(club, made.rigid), delivery)
 
 
 def inputs_of(hit: Shots) -> list[float]:
@@ -151,17 +154,6 @@ def inputs_of(hit: Shots) -> list[float]:
     return [float(value) for value in hit.columns]
 
 
-def rigid_ball(made: Ball) -> RigidBall:
-    """Return the ball as the simple models see it: mass, radius and inertia of the mesh."""
-    found = made.properties()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", RuleWarning)
-        return RigidBall(name=made.name, mass=found["mass"], radius=found["radius"], inertia=found["inertia"])
-
-
-def friction_value(value: Any) -> float:
-    """Return a coefficient of friction, checked."""
-    mu = units.parse(value, units.DIMENSIONLESS, name="friction")
-    if not FRICTION.lower <= mu <= FRICTION.upper:
-        raise InputError("friction", mu, f"{FRICTION.lower:g} to {FRICTION.upper:g}")
-    return mu
+def friction_of(given: Any, made: Ball) -> float:
+    """Return the coefficient of friction that was given, checked, or that of the ball."""
+    return made.friction if given is None else friction_value(given)

@@ -147,8 +147,9 @@ def identify(
             raise InputError(name, count, f"a whole number of at least {least}{', but 1' if name == 'folds' else ''}")
     if not 0.5 <= confidence < 1.0:
         raise InputError("confidence", confidence, "from 0.5 to below 1")
-    head = equipment(club, ball).club
-    fixed = parameter_set(model, head, parameters)
+    with_ = equipment(club, ball)
+    head = with_.club
+    fixed = parameter_set(model, head, parameters, with_.ball)
     for name, value in fixed.values.items():
         if not isinstance(value, float):
             raise InputError(name, value, "a single number: one set of parameters is identified from all shots")

@@ -159,7 +159,7 @@ def predict(
     threads, accuracy = thread_count(threads) or None, tolerance(accuracy)
     own, ball = backend_of(model).balls(ball, accuracy)
     with_ = equipment(club, ball)
-    chosen = parameter_set(model, with_.club, parameters)
+    chosen = parameter_set(model, with_.club, parameters, with_.ball)
     arrays = [name for name, value in chosen.values.items() if not isinstance(value, float)]
     if arrays:
         raise InputError(arrays[0], Told("an array"), "a single number for a file of deliveries")

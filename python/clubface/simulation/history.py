@@ -176,7 +176,7 @@ def history(
         raise InputError("model", model, f"a contact model, which resolves time: {', '.join(contact)}")
     accuracy = tolerance(accuracy)
     with_ = equipment(club, ball)
-    chosen = parameter_set(model, with_.club, parameters)
+    chosen = parameter_set(model, with_.club, parameters, with_.ball)
     hit = shots(with_, as_values(delivery, values), hand=hand)
     columns, parameter_columns = single(hit, chosen, "a history")
     try:

@@ -126,7 +126,7 @@ def impact(
     backend = backend_of(model)
     own, ball = backend.balls(ball, accuracy)
     with_ = equipment(club, ball)
-    chosen = parameter_set(model, with_.club, parameters)
+    chosen = parameter_set(model, with_.club, parameters, with_.ball)
     hit = shots(with_, values, hand=hand)
     names = tuple(chosen.values)
     hit, columns = broadcast(hit, chosen.columns(), names, len(outputs()))

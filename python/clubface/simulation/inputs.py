@@ -71,6 +71,7 @@ class Shots(NamedTuple):
 
 def equipment(which: str | os.PathLike[str] | Club, which_ball: str | os.PathLike[str] | Ball | None) -> Equipment:
     """Return club and ball; built-in and ready-made ones are kept, files are read anew."""
+    which_ball = getattr(which_ball, "rigid", which_ball)
     if is_path(which) or is_path(which_ball):
         return _equip(club(which), ball(which_ball))
     try:
@@ -177,13 +178,18 @@ def common_shape(arrays: Mapping[str, Any]) -> tuple[int, ...]:
         raise InputError("the shapes of the inputs", shapes, "shapes that broadcast") from None
 
 
-def parameter_set(model_name: str, of_club: Club, given: Any) -> ParameterSet:
-    """Return the parameters to use: the published set of the club's family, or what was ``given``.
+def parameter_set(model_name: str, of_club: Club, given: Any, of_ball: Ball | None = None) -> ParameterSet:
+    """Return the parameters to use: the published set of the club's family with the ball's values, or the ``given``.
 
     That may be a :class:`ParameterSet`, the name of a published set, the path of a TOML file, or a mapping of names
     to values that changes the published set.
     """
-    family = of_club.parameters
+    chosen = _chosen(model_name, of_club.parameters, given)
+    own = of_ball.parameters.get(model_name) if of_ball is not None else None
+    return chosen if own is None else chosen.of_ball(of_ball.name, own)  # pyright: ignore[reportOptionalMemberAccess]
+
+
+def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:
     if given is None:
         return _published(model_name, family)
     if isinstance(given, ParameterSet):

@@ -190,7 +190,7 @@ def sensitivity(
     accuracy = tolerance(accuracy)
     with_ = equipment(club, ball)
     reduced_model(model, "one with derivatives")
-    chosen = parameter_set(model, with_.club, parameters)
+    chosen = parameter_set(model, with_.club, parameters, with_.ball)
     hit = shots(with_, as_values(delivery, values), hand=hand)
     columns, parameter_columns = single(hit, chosen, "a sensitivity")
     try:
