@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 import clubface
+from clubface.equipment.balls import published_ball
 from clubface.equipment import parameters
 from clubface.equipment.models import model, models
 from clubface.equipment.parameters import ParameterSet, builtin_sets
@@ -275,10 +276,13 @@ def scaled(club, scale):
 
 def test_scaled_masses_and_forces_give_the_same_motion():
     delivery = {"speed": "111.65 mph", "attack": "0.8 deg", "loft": "16.2 deg"}
-    plain = clubface.impact("driver", delivery, model="area", accuracy=1e-9, parameters={"area_damping": 1000.0})
+    plain = clubface.impact(
+        "driver", delivery, model="area", accuracy=1e-9, parameters={"area_damping": 1000.0}, ball=published_ball()
+    )
     small = {"shear_modulus": 5.40e7 / 50, "area_damping": 20.0}
     other = clubface.impact(
-        "driver", {**scaled("driver", 0.02), **delivery}, model="area", accuracy=1e-9, parameters=small
+        "driver", {**scaled("driver", 0.02), **delivery}, model="area", accuracy=1e-9, parameters=small,
+        ball=published_ball(),
     )
     assert other.backspin == pytest.approx(plain.backspin, rel=1e-6)
     assert other.peak_force == pytest.approx(0.02 * plain.peak_force, rel=1e-6)
@@ -294,7 +298,7 @@ def test_scaled_masses_and_forces_give_the_same_motion():
 def test_the_printed_values_of_area_run_in_small_masses_and_give_what_no_ball_does(club, printed, delivery, spin):
     parameters = {"shear_modulus": 1e-3 * printed[0], "area_damping": 1e-3 * printed[1]}
     shot = {**scaled(club, 1e-3), **dict(zip(("speed", "attack", "loft"), delivery, strict=True))}
-    found = clubface.impact(club, shot, model="area", parameters=parameters)
+    found = clubface.impact(club, shot, model="area", parameters=parameters, ball=published_ball())
     assert found.get("backspin", "rpm") == pytest.approx(spin, abs=50)
     # A sixth of the contact time of a real drive, some 450 microseconds.
     assert found.get("contact_time", "us") < 90

@@ -31,7 +31,7 @@ def test_a_central_blow_obeys_the_closed_form_of_penner():
         "driver", speed=50.0, loft=0.0, static_loft=0.0, cg_y=0.0, cg_z=0.0, ixy=0.0, ixz=0.0, iyz=0.0,
         parameters={"cor": 0.78, "cor_slope": 0.0},
     )  # fmt: skip
-    club, ball = clubface.club("driver"), clubface.ball("published")
+    club, ball = clubface.club("driver"), clubface.ball()
     assert shot.ball_speed == pytest.approx(1.78 * 50.0 / (1.0 + ball.mass / club.mass), rel=1e-13)
     assert abs(shot.total_spin) < 1e-12
 

@@ -192,7 +192,8 @@ def test_a_head_that_cannot_turn_lowers_the_ratio_of_a_flattened_ball():
 def test_the_ratio_of_a_published_launch_is_that_of_its_definition(result):
     driver, loft = result.averages[0], math.radians(12.8)
     along = driver.ball_speed * math.sin(loft - driver.launch)
-    by_hand = 83.36e-7 * driver.spin / (0.0459 * 0.0213 * along)
+    ball = clubface.ball()
+    by_hand = ball.inertia * driver.spin / (ball.mass * ball.radius * along)
     assert result.published_ratios("standard")[0] == pytest.approx(by_hand, rel=1e-12)
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from clubface.equipment.balls import published_ball
 from clubface.benchmark_data.recipe import Recipe
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.parameters import ParameterSet
@@ -48,7 +49,7 @@ def restitution_offsets(recipe: Recipe, delivery: Mapping[str, Floats], scatter:
 def launches(recipe: Recipe, name: str, delivery: Mapping[str, Floats], offsets: Floats | float) -> dict[str, Floats]:
     """Return the launches by model ``name`` with the parameters of the mixture; ``offsets`` change its restitution."""
     parameters = true_parameters(recipe, name, delivery, offsets)
-    found = impact(with_shaft(recipe), model=name, parameters=parameters, delivery=delivery)
+    found = impact(with_shaft(recipe), model=name, parameters=parameters, delivery=delivery, ball=published_ball())
     return {quantity: np.asarray(getattr(found, quantity)) for quantity in LAUNCH}
 
 

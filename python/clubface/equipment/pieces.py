@@ -79,7 +79,7 @@ def pieces_lines(data: Mapping[str, Any]) -> list[str]:
 
 def toml_lines(values: Mapping[str, Any]) -> list[str]:
     """Return a line for each key."""
-    return [f"{key} = {quoted(value) if isinstance(value, str) else value!r}" for key, value in values.items()]
+    return [f"{key} = {quoted(value) if isinstance(value, str) else repr(value)}" for key, value in values.items()]
 
 
 def _tables(document: Document) -> Sequence[Mapping[str, Any]]:

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from clubface.equipment.balls import published_ball
 from clubface.benchmark_data import BenchmarkShots
 from clubface.benchmark_data.measured import captured
 from clubface.benchmark_data.recipe import recipe
@@ -32,7 +33,9 @@ def error_budget(shots: BenchmarkShots, parameters: ParameterSet) -> dict[str, d
     """Return the mean absolute error that each of ``SOURCES`` makes alone, by source and launch quantity, SI."""
 
     def launch(delivery: Mapping[str, Floats]) -> dict[str, Floats]:
-        found = impact(shots.club, delivery, model=parameters.model, parameters=parameters, on_error="nan")
+        found = impact(
+            shots.club, delivery, model=parameters.model, parameters=parameters, ball=published_ball(), on_error="nan"
+        )
         return {name: np.asarray(getattr(found, name)) for name in QUANTITIES}
 
     truth, measured = shots.truth, shots.measured

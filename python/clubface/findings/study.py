@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface.equipment.balls import published_ball
 from clubface.benchmark_data import CLUBS, BenchmarkShots, load
 from clubface.benchmark_data.impacts import true_parameters
 from clubface.benchmark_data.recipe import recipe
@@ -121,7 +122,7 @@ def _identified(
             progress(f"{part.stem}: {stage}, cost {best:.4f}", done / of)
 
     return identify(
-        shots.measured.select(which), club=shots.club, model=model, groups=shots.player[which],
+        shots.measured.select(which), club=shots.club, model=model, groups=shots.player[which], ball=published_ball(),
         bootstrap=BOOTSTRAP.get(model, 200), threads=threads, checkpoint=part.with_suffix(".checkpoint"),
         resume=True, progress=tell,
     )  # fmt: skip
@@ -169,7 +170,7 @@ def _errors(shots: BenchmarkShots, sets: dict[str, ParameterSet], threads: int |
     """Return errors of all models on all shots of a club, with players drawn together, and the best ones."""
     found = evaluate(
         shots.measured, club=shots.club, models=list(MODELS), parameters=sets, groups=shots.player,
-        resamples=RESAMPLES, threads=threads,
+        resamples=RESAMPLES, threads=threads, ball=published_ball(),
     )  # fmt: skip
     return _evaluated(found)
 

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface import units
+from clubface.equipment.balls import published_ball
 from clubface.equipment.clubs import club
 from clubface.equipment.models import model as model_named
 from clubface.equipment.parameters import ParameterSet
@@ -130,7 +131,7 @@ class Bag:
         """Return the launches of all clubs, delivered at their published speeds and attack angles."""
         return impact(
             "driver", {**self.inputs, "speed": self.speed, "attack": self.attack, "loft": loft},
-            model=parameters.model, parameters=parameters, on_error="nan",
+            model=parameters.model, parameters=parameters, ball=published_ball(), on_error="nan",
         )  # fmt: skip
 
 

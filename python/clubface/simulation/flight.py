@@ -151,7 +151,7 @@ def fly(
         A :class:`Launch`; a comparison of models, which gives one flight for each; or a mapping of values, in the terms
         of a launch monitor (``ball_speed``, ``launch``, ``azimuth``, ``backspin``, ``sidespin``, or ``total_spin``
         and ``spin_axis``) or as vectors (``velocity_x`` ... ``spin_z``), with ``ball_mass``, ``ball_radius``,
-        ``ball_inertia`` where the ball is not the published one. Text with a unit, SI numbers, or arrays.
+        ``ball_inertia`` where the ball is not the default one. Text with a unit, SI numbers, or arrays.
     air
         An :class:`Air` or a mapping of its values; left out, 25 degC at sea level.
     wind

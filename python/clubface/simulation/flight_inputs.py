@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface import units
+from clubface.equipment.balls import ball
 from clubface.errors import InputError, ShotError
 from clubface.simulation.air import Air, air_of
 from clubface.simulation.inputs import common_shape
@@ -64,7 +65,7 @@ def flight_columns(
         raise InputError("launch", launch, "a Launch or a mapping of values")
     given |= conditions(air, wind)
     given |= _group("ground", ground or {}, [name for name, each in inputs.items() if each.group == "ground"])
-    parsed: dict[str, Any] = {name: each.default for name, each in inputs.items()}
+    parsed: dict[str, Any] = {name: each.default for name, each in inputs.items()} | ball().inputs()
     varied: dict[str, NDArray[Any]] = {}
     for name, value in given.items():
         value = _parsed(value, name)
