@@ -101,7 +101,7 @@ def test_an_export_tells_the_file_to_open(clubface_, tmp_path, form, ending):
     ("arguments", "words"),
     [
         (("run", "papr"), ("case of finite elements", "did you mean paper or")),
-        (("reference", "--ball", "papr"), ("ball of finite elements", "did you mean paper?")),
+        (("reference", "--ball", "papr"), ("unknown ball", "did you mean paper?")),
         (("reference", "--refine", "9"), ("refine is 9",)),
         (("reference", "--friction", "-1"), ("friction is -1.0",)),
         (("export", "--format", "stl"), ("lsdyna, vtu",)),
@@ -186,7 +186,7 @@ def test_the_model_gives_the_launch_of_its_own_run():
     found = fem.strike("driver", speed="108 mph", toe="5 mm", friction=0.3, settings=how)
     assert launch.ball_speed == found.launch.ball_speed
     assert launch.peak_force == found.peak_force
-    assert launch.ball.name == "reference"
+    assert launch.ball.name == "modern"
     assert launch.provenance["parameters"]["values"] == {"friction": 0.3}
 
 
@@ -208,8 +208,10 @@ def test_what_finite_elements_lack_is_told():
         clubface.sensitivity("driver", shot, model="fem")
     with pytest.raises(InputError, match="accuracy"):
         clubface.impact("driver", shot, model="fem", accuracy=1e-6)
-    with pytest.raises(UnknownNameError, match="ball of finite elements"):
+    with pytest.raises(UnknownNameError, match="unknown ball"):
         clubface.impact("driver", shot, model="fem", ball="publishd")
+    with pytest.raises(InputError, match="pieces, for fem: distance, modern, paper, reference"):
+        clubface.impact("driver", shot, model="fem", ball="conforming")
     found = clubface.impact("driver", speed=[4800.0], model="fem", on_error="nan")
     assert np.isnan(found.ball_speed).all()
     assert found.problems[0].parameter == "speed"

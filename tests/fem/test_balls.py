@@ -1,27 +1,91 @@
-"""The ball fitted to real ones: what it was fitted to, at normal incidence on a plate."""
+"""The balls of the catalogue: what published plate tests say of them, and by how much their spins differ."""
 
+import importlib.util
 from functools import cache
+from pathlib import Path
 
 import pytest
 
+import clubface
 from clubface import fem
+from clubface.errors import InputError
+
+pytest.importorskip("scipy")
+specification = importlib.util.spec_from_file_location(
+    "ball_fit", Path(__file__).parents[2] / "studies" / "ball_fit.py"
+)
+study = importlib.util.module_from_spec(specification)
+specification.loader.exec_module(study)
 
 
 @cache
-def thrown(speed):
-    return fem.throw("modern", speed=speed, settings=fem.Settings(until_separation=True))
+def figures(name):
+    return study.figures(fem.ball(name), study.targets())
 
 
-def test_restitution_falls_with_speed_as_measured():
-    # As printed: two digits.
-    assert thrown(37.0).normal_velocity / 37.0 == pytest.approx(0.76, abs=0.005)
-    assert thrown(50.0).normal_velocity / 50.0 == pytest.approx(0.72, abs=0.005)
+@pytest.mark.parametrize(("target", "at"), [(each, at) for at, each in enumerate(study.targets())])
+def test_modern_is_within_what_plate_tests_leave_open(target, at):
+    # The fit leaves its largest residual, 1.2, at the free head: 1.5 deviations leave room for a change of the mesh.
+    assert figures("modern")[at] == pytest.approx(target["value"], abs=1.5 * target["deviation"])
 
 
-def test_contact_force_and_deflection_are_within_what_is_measured():
-    found = thrown(50.0)
-    # Above a hundredth of the peak: the last nodes stay a little longer.
-    pressed = found.contact["time"][found.contact["normal"] > 0.01 * found.peak_force]
-    assert 400e-6 <= pressed[-1] - pressed[0] <= 500e-6
-    assert 10e3 <= found.peak_force <= 14e3
+@pytest.mark.parametrize("name", ["modern", "distance"])
+def test_both_balls_have_the_restitution_of_balls_sold_today(name):
+    at = {(each["speed"], each["quantity"]): value for each, value in zip(study.targets(), figures(name), strict=True)}
+    by_speed = {round(speed, 1): value for (speed, quantity), value in at.items() if quantity == "restitution"}
+    # 125, 143 and 160 ft/s as the constants were fitted: in the third digit, which the mesh moves by some 0.001.
+    assert [by_speed[speed] for speed in (38.1, 43.6, 48.8)] == pytest.approx([0.809, 0.797, 0.770], abs=0.0015)
+
+
+def test_the_contact_of_a_drive_is_as_deep_as_measured():
+    found = fem.strike(study.HEAD, speed=48.8, settings=study.END)
     assert 6e-3 <= found.contraction * 0.5 * found.ball.diameter <= 10e-3
+
+
+@pytest.mark.parametrize(
+    ("club", "least", "most"),
+    [
+        # Ionomer against urethane covers, means over robot tests: 24 to 178 balls, none of whose figures made a ball.
+        ("driver", -13.0, -4.0),
+        ("7-iron", -8.0, -1.0),
+        ("pitching-wedge", -25.0, 0.0),
+    ],
+)
+def test_distance_spins_less_than_modern_as_published(club, least, most):
+    spins = [
+        clubface.impact(club, study.SHOTS[club], model="fem", ball=name).backspin for name in ("modern", "distance")
+    ]
+    assert least <= 100.0 * (spins[1] / spins[0] - 1.0) <= most
+
+
+@pytest.mark.parametrize("model", ["standard", "volumetric", "fem"])
+@pytest.mark.parametrize("name", fem.ball_names())
+@pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+def test_every_ball_of_pieces_serves_every_model_by_name_and_as_an_object(model, name):
+    launches = [clubface.impact("driver", speed=45.0, model=model, ball=each) for each in (name, fem.ball(name))]
+    assert [launch.ball.name for launch in launches] == [name, name]
+    # Reduced models take the inertia of round spheres, or that of the mesh: 0.08% apart.
+    assert launches[0].backspin == pytest.approx(launches[1].backspin, rel=1e-3)
+
+
+def test_the_friction_of_a_ball_stands_where_nobody_chose_one():
+    shot = {"speed": 45.0, "loft": "30 deg", "model": "fem"}
+    own = clubface.impact("7-iron", ball="distance", **shot)
+    assert own.parameters.values["friction"] == fem.ball("distance").friction == 0.20
+    assert "of the ball distance" in own.parameters.source
+    same = clubface.impact("7-iron", ball="distance", parameters={"friction": 0.20}, **shot)
+    other = clubface.impact("7-iron", ball="distance", parameters={"friction": 0.35}, **shot)
+    assert own.backspin == same.backspin != other.backspin
+    assert fem.throw("distance", speed=20.0, settings=study.END).friction == 0.20
+
+
+def test_a_changed_ball_is_meshed_as_changed():
+    light = clubface.ball("modern").replace(mass="44 g")
+    assert fem.ball(light).properties()["mass"] == pytest.approx(44e-3, rel=1e-12)
+    assert fem.ball(clubface.ball("modern")) == fem.ball("modern")
+
+
+@pytest.mark.parametrize("ball", ["conforming", clubface.ball("conforming")])
+def test_a_ball_without_pieces_is_refused_by_finite_elements(ball):
+    with pytest.raises(InputError, match="by its pieces, for fem: distance, modern, paper, reference"):
+        clubface.impact("driver", speed=45.0, model="fem", ball=ball)

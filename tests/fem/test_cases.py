@@ -99,7 +99,7 @@ MISTAKES = [
     ('kind = "plane"', 'kind = "wall"', "case.toml:6: unknown kind of head 'wall'; it must be one of plane, rigid"),
     ('kind = "plane"', 'kind = "plane"\nclub = "driver"', "case.toml:7: club is 'driver'; leave it out for a plane"),
     ("friction = 0.3", "friction = -1", "case.toml:3: friction is -1.0; it must be 0 to 10"),
-    ('ball = "./ball.toml"', 'ball = "papr"', "case.toml:2: unknown ball of finite elements 'papr'"),
+    ('ball = "./ball.toml"', 'ball = "papr"', "case.toml:2: unknown ball 'papr'"),
     ('ball = "./ball.toml"', 'ball = "./none.toml"', "none.toml: cannot be read"),
     ("[run]", "[run]\nbulk_viscosity = -1", "case.toml:13: bulk_viscosity is -1.0; it must be 0 to 1; 0.06 is usual"),
     (

@@ -91,7 +91,7 @@ def test_derivatives_by_the_constants_in_the_file_of_a_ball(name, piece):
 
 
 def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
-    hit = {"speed": 80.0, "loft": 0.2, "which": BALL, "friction": 0.2, "settings": SETTINGS}
+    hit = {"speed": 100.0, "loft": 0.2, "which": BALL, "friction": 0.2, "settings": SETTINGS}
     run = fem.strike("driver", **hit)
     assert run.settings.safety < fem.strike("driver", **hit | {"speed": 45.0}).settings.safety
     found = fem.sensitivity("driver", by="speed", **hit)

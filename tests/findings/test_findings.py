@@ -7,6 +7,7 @@ import pytest
 
 import clubface
 from clubface import benchmark_data
+from clubface.equipment.balls import published_ball
 from clubface.benchmark_data.recipe import recipe
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError
@@ -59,7 +60,7 @@ def test_parts_of_the_error_are_what_they_are_called():
     budget = error_budget(shots, parameters)
     monitor = np.abs(shots.measured.launches["backspin"] - shots.truth.launches["backspin"]).mean()
     assert budget["monitor"]["backspin"] == pytest.approx(monitor, rel=1e-14)
-    everything = clubface.evaluate(shots.measured, models="slip").sizes
+    everything = clubface.evaluate(shots.measured, models="slip", ball=published_ball()).sizes
     for name in QUANTITIES:
         assert budget["all"][name] == pytest.approx(everything[name]["slip"].mae, rel=1e-14)
         # Independent parts add up in squares, at most in magnitudes.
@@ -109,7 +110,7 @@ def test_one_set_for_all_clubs_is_better_than_the_published_ones_and_launches_as
     average = tour.averages()[place]
     alone = clubface.impact(
         "9-iron", speed=average.club_speed, attack=average.attack, loft=float(found.lofts[place]), model="slip",
-        parameters=found.parameters,
+        parameters=found.parameters, ball=published_ball(),
     )  # fmt: skip
     assert alone.total_spin - average.spin == pytest.approx(found.errors["spin"][place], rel=1e-9)
     assert clubface.fly(alone).carry - average.carry == pytest.approx(found.carry[place], rel=1e-9)

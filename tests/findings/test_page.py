@@ -10,6 +10,7 @@ import pytest
 
 import clubface
 from clubface import benchmark_data
+from clubface.equipment.balls import published_ball
 from clubface.benchmark_data.recipe import recipe
 from clubface.equipment.parameters import ParameterSet
 from clubface.evaluation.published_accuracy import published
@@ -43,7 +44,9 @@ def says(pattern):
 def test_the_identified_parameters_have_the_errors_stored(club):
     shots, found = benchmark_data.load(club), FOUND["clubs"][club]
     for model in FOUND["models"]:
-        launch = clubface.impact(club, shots.measured.deliveries, model=model, parameters=parameters(club, model))
+        launch = clubface.impact(
+            club, shots.measured.deliveries, model=model, parameters=parameters(club, model), ball=published_ball()
+        )
         cost = 0.0
         for name in QUANTITIES:
             measured = shots.measured.launches[name]
@@ -72,7 +75,7 @@ def test_models_on_their_own_shots_have_the_cost_stored_and_the_true_values_of_t
         assert found["shots"] == len(own)
         delivery = {name: values[own] for name, values in shots.measured.deliveries.items()}
         values = study._parameters(club, model, found)
-        launch = clubface.impact(club, delivery, model=model, parameters=values)
+        launch = clubface.impact(club, delivery, model=model, parameters=values, ball=published_ball())
         measured = {name: shots.measured.launches[name][own] for name in QUANTITIES}
         cost = sum(np.abs(getattr(launch, name) - measured[name]).mean() / np.abs(measured[name]).mean()
                    for name in QUANTITIES)  # fmt: skip
