@@ -144,13 +144,13 @@ impl<P: Pack> Across<P> {
     }
 }
 
-/// An elastic section: its resultants are all it needs to remember.
+/// An elastic section: its resultants are all of its state variables.
 pub struct ElasticSection;
 
 impl ElasticSection {
     /// Numbers of state.
     pub const LENGTH: usize = ACROSS + 6;
-    /// As of [`super::response::Response::respond`].
+    /// As of [`Response::respond`].
     #[inline(always)]
     pub fn respond<P: Pack>(
         section: &Section<P>,
@@ -167,7 +167,7 @@ impl ElasticSection {
         state.store(ACROSS + 3, bending);
         [membrane, bending]
     }
-    /// As of [`super::response::Response::sides`].
+    /// As of [`Response::sides`].
     #[inline(always)]
     pub fn sides<P: Pack>(section: &Section<P>, state: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
         let (membrane, bending): ([P; 3], [P; 3]) = (state.load(ACROSS), state.load(ACROSS + 3));
@@ -179,7 +179,7 @@ impl ElasticSection {
         }
         ([outer, inner], P::zero())
     }
-    /// As of [`super::response::Response::energy`].
+    /// As of [`Response::energy`].
     #[inline(always)]
     pub fn energy<P: Pack>(section: &Section<P>, area: P, state: &Numbers<P::Real>) -> (P, P) {
         let membrane = section.energy(&state.load(ACROSS)) / section.thickness;
