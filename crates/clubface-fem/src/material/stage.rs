@@ -106,9 +106,9 @@ impl<P: Pack, L: PointLaw<P>> Stage<P, L> {
 impl<P: Pack, L: PointLaw<P>> StressStage<P> for Stage<P, L> {
     fn stress(&self, points: &mut Points<P>) {
         if self.branching.count == 0 {
-            P::outline(Stress(self, points));
+            P::outline(Stress::<_, _, false>(self, points));
         } else {
-            P::outline(BranchedStress(self, points));
+            P::outline(Stress::<_, _, true>(self, points));
         }
     }
     fn energy(&self, points: &mut EnergyPoints<P>) {
@@ -122,28 +122,10 @@ impl<P: Pack, L: PointLaw<P>> StressStage<P> for Stage<P, L> {
 
 // Two references each, so that they travel in registers.
 
-/// [`StressStage::stress`] of a law without branches.
-struct Stress<'a, 'b, P: Pack, L>(&'a Stage<P, L>, &'a mut Points<'b, P>);
+/// [`StressStage::stress`] of a law with branches, or without.
+struct Stress<'a, 'b, P: Pack, L, const BRANCHED: bool>(&'a Stage<P, L>, &'a mut Points<'b, P>);
 
-impl<P: Pack, L: PointLaw<P>> Computation for Stress<'_, '_, P, L> {
-    type Output = ();
-    #[inline(always)]
-    fn run(self) {
-        let Points { lane, step, state, deformations, pressures, weights, stresses } = self.1;
-        let law = &self.0.law;
-        let count = stresses.len();
-        assert!(deformations.len() == count && pressures.len() == count && weights.len() == count);
-        for i in 0..count {
-            let at = *lane + i * *step;
-            stresses[i] = law.second_piola(&deformations[i], pressures[i], weights[i], state, at);
-        }
-    }
-}
-
-/// The same of one with branches.
-struct BranchedStress<'a, 'b, P: Pack, L>(&'a Stage<P, L>, &'a mut Points<'b, P>);
-
-impl<P: Pack, L: PointLaw<P>> Computation for BranchedStress<'_, '_, P, L> {
+impl<P: Pack, L: PointLaw<P>, const BRANCHED: bool> Computation for Stress<'_, '_, P, L, BRANCHED> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
@@ -155,10 +137,14 @@ impl<P: Pack, L: PointLaw<P>> Computation for BranchedStress<'_, '_, P, L> {
         assert!(deformations.len() == count && pressures.len() == count && weights.len() == count);
         for i in 0..count {
             let at = *lane + i * *step;
-            let kinematics = Kinematics::of(deformations[i]);
-            let elastic = law.update(&kinematics.c, state, at);
-            let stress = add_branches(&kinematics, elastic, &branches, state, at);
-            stresses[i] = kinematics.second_piola(&stress, pressures[i], weights[i]);
+            stresses[i] = if BRANCHED {
+                let kinematics = Kinematics::of(deformations[i]);
+                let elastic = law.update(&kinematics.c, state, at);
+                let stress = add_branches(&kinematics, elastic, &branches, state, at);
+                kinematics.second_piola(&stress, pressures[i], weights[i])
+            } else {
+                law.second_piola(&deformations[i], pressures[i], weights[i], state, at)
+            };
         }
     }
 }
