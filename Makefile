@@ -44,7 +44,7 @@ wheel: $(VENV)/.setup ## a wheel for other machines, optimised as a whole
 	$(BIN)/maturin build --profile dist
 
 demo: build ## the published tour averages by every model; tables and pictures in out/
-	$(BIN)/clubface tour --output out/
+	$(BIN)/clubface tour --averages all --output out/
 
 test: dev ## all tests; the last line is "N passed, N failed"
 	@$(PYTHON) scripts/run_tests.py

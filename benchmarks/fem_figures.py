@@ -167,7 +167,7 @@ def derivatives() -> None:
     given = {"speed": 45.0, "loft": 0.2}
 
     def launch(**changes: float) -> dict[str, float]:
-        return fem.strike("driver", {**given, **changes}, which="modern", settings=END).launch
+        return fem.strike("driver", {**given, **changes}, which="modern", settings=END).outcome()
 
     exact = fem.sensitivity("driver", given, which="modern", by=["speed", "loft"])
     for name, widths in (("speed", (0.3, 1.0, 2.0)), ("loft", (0.003, 0.01, 0.03))):
@@ -201,7 +201,7 @@ def models() -> None:
             same = reduced.equivalent(found, model)
             say(f"{club}, {model}", error=same.error, longer=same.contact_time / same.reference_contact_time - 1.0)
     for name in ("reference", "modern"):
-        launch = fem.strike("driver", which=name, settings=END, speed=45.0).launch
+        launch = fem.strike("driver", which=name, settings=END, speed=45.0).outcome()
         say(f"driver at 45 m/s, {name}", smash=launch["ball_speed"] / 45.0, rpm=launch["backspin"] * RPM)
 
 

@@ -17,6 +17,7 @@ extensions = [
     "sphinx.ext.mathjax",
     "sphinx.ext.napoleon",
     "core_tables",
+    "errata_tables",
     "findings_tables",
     "findings_tour",
     "published_tables",

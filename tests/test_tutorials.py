@@ -33,9 +33,8 @@ def test_an_output_that_changed_is_noticed(tmp_path):
     assert [each.agrees for each in tutorial.run(page, tmp_path)] == [False, True]
 
 
-def test_a_command_that_fails_or_a_warning_stops_a_tutorial(tmp_path):
-    page = tmp_path / "page.md"
-    page.write_text("```shell\nfalse | cat\n```\n")
+def test_a_command_that_fails_or_a_warning_stops_a_tutorial(tmp_path, write):
+    page = write("```shell\nfalse | cat\n```\n", "page.md")
     with pytest.raises(AssertionError, match="exit status 1"):
         list(tutorial.run(page, tmp_path))
     page.write_text("```python\nimport warnings\nwarnings.warn('ball', UserWarning)\n```\n")

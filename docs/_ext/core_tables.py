@@ -20,8 +20,7 @@ from clubface.equipment.models import model, models
 from clubface.equipment.parameters import builtin_sets
 from clubface.evaluation.published_accuracy import published
 from clubface.measured.shots import QUANTITIES
-from clubface.tour import averages as tour
-from clubface.tour import tables as tour_tables
+from clubface.tour import averages as tour, tables as tour_tables
 
 
 def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> list[str]:
@@ -104,13 +103,28 @@ class Quantities(CoreTable):
 
 
 class TourComparison(CoreTable):
-    """``{tour-comparison} spin``: published value and model less published, club by club; computed by the build."""
+    """``{tour-comparison} pga-2019 spin``: published value and model less published; computed by the build.
 
-    required_arguments = 1
+    In place of a quantity, ``lofts`` and ``ratios`` show the dynamic lofts and I w / (m R v_t).
+    """
+
+    required_arguments = 2
 
     def table(self) -> list[str]:
-        """One row a club, then the mean absolute errors."""
-        return markdown_table(*tour_tables.comparison(compared(), self.arguments[0], signed=True))
+        """One row a club; under a quantity the mean absolute errors."""
+        result, what = compared(self.arguments[0]), self.arguments[1]
+        tables = {"lofts": tour_tables.lofts, "ratios": tour_tables.ratios}
+        if what in tables:
+            return markdown_table(*tables[what](result))
+        return markdown_table(*tour_tables.comparison(result, what, signed=True))
+
+
+class TourSummary(CoreTable):
+    """``{tour-summary}``: each model's mean absolute errors over all rows of all tables."""
+
+    def table(self) -> list[str]:
+        """One row a model."""
+        return markdown_table(*tour_tables.summary(compared(name) for name in tour.TABLES))
 
 
 class BenchmarkMeans(CoreTable):
@@ -135,9 +149,9 @@ class BenchmarkMeans(CoreTable):
 
 
 @cache
-def compared() -> tour.Tour:
-    """Every model on the published deliveries."""
-    return tour.tour()
+def compared(table: str) -> tour.Tour:
+    """Every model on the published deliveries of a table."""
+    return tour.tour(table=table)
 
 
 def every_model_has_a_page(app: Sphinx) -> None:
@@ -153,6 +167,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("model-parameters", ModelParameters)
     app.add_directive("quantities", Quantities)
     app.add_directive("tour-comparison", TourComparison)
+    app.add_directive("tour-summary", TourSummary)
     app.add_directive("benchmark-means", BenchmarkMeans)
     app.connect("builder-inited", every_model_has_a_page)
     return {"parallel_read_safe": True}

@@ -60,7 +60,7 @@ def main() -> None:
         target = Path(__file__).with_name("impact.png")
         figure.savefig(target, dpi=170)
     figures = {
-        "mph": found.launch["ball_speed"] / 0.44704,
+        "mph": found.launch.ball_speed / 0.44704,
         "kN": found.peak_force / 1e3,
         "rpm": found.backspin * 60 / (2 * np.pi),
         "rpm at most": found.spin_max * 60 / (2 * np.pi),

@@ -12,18 +12,17 @@ from clubface.equipment.backends import MODULES
 from clubface.support.version import __version__ as __version__
 
 if TYPE_CHECKING:
-    from clubface import benchmark_data as benchmark_data
-    from clubface import errors as errors
-    from clubface import fem as fem
-    from clubface import launch_monitor as launch_monitor
-    from clubface import measurements as measurements
-    from clubface import units as units
-    from clubface.equipment.balls import Ball as Ball
-    from clubface.equipment.balls import ball as ball
-    from clubface.equipment.clubs import Club as Club
-    from clubface.equipment.clubs import club as club
-    from clubface.equipment.models import Model as Model
-    from clubface.equipment.models import models as models
+    from clubface import (
+        benchmark_data as benchmark_data,
+        errors as errors,
+        fem as fem,
+        launch_monitor as launch_monitor,
+        measurements as measurements,
+        units as units,
+    )
+    from clubface.equipment.balls import Ball as Ball, ball as ball
+    from clubface.equipment.clubs import Club as Club, club as club
+    from clubface.equipment.models import Model as Model, models as models
     from clubface.equipment.parameters import ParameterSet as ParameterSet
     from clubface.errors import ClubfaceError as ClubfaceError
 

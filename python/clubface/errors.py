@@ -52,7 +52,7 @@ class InputError(ClubfaceError, ValueError):
 
 
 class ShotError(InputError):
-    """A shot that cannot be computed.
+    """A shot that cannot be computed, or a club or ball that no body can be.
 
     Attributes
     ----------

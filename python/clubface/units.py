@@ -127,19 +127,25 @@ _DISPLAY_UNITS_BY_NAME = {
 @lru_cache(maxsize=256)
 def unit(symbol: str, *, name: str = "unit", dimension: str | None = None) -> Unit:
     """Return the unit written ``symbol``, of ``dimension`` where one is given; else a :class:`UnitError`."""
+    return _unit(symbol, dimension, name, symbol)
+
+
+def _unit(symbol: str, dimension: str | None, name: str, value: str) -> Unit:
+    """Return the unit written ``symbol``, with which ``value`` was given for the quantity called ``name``."""
     found = _UNITS.get(_key(symbol)) if symbol.strip() else _UNITS["1"]
-    if found is None and dimension is None:
-        known = sorted({each.symbol for each in _UNITS.values()})
-        raise UnitError(name, symbol, f"in a known unit{_hint(symbol, known)}: {', '.join(known)}")
-    if found is None or dimension not in (None, found.dimension):
-        raise UnitError(name, symbol, _wanted_unit(symbol, dimension or DIMENSIONLESS))
-    return found
+    if found is not None and dimension in (None, found.dimension):
+        return found
+    allowed = symbols(dimension)
+    told = f"in {' or '.join(allowed)}"
+    if found is not None:
+        raise UnitError(name, value, f"{told}, not {'an' if found.dimension[0] in 'aei' else 'a'} {found.dimension}")
+    near = nearest_names(symbol, allowed)
+    raise UnitError(name, value, told + (f" (did you mean {' or '.join(near)}?)" if near else ""))
 
 
-def symbols(dimension: str) -> tuple[str, ...]:
-    """List the units of one dimension, the SI unit first."""
-    found = {each.symbol: None for each in _UNITS.values() if each.dimension == dimension}
-    return tuple(found)
+def symbols(dimension: str | None = None) -> tuple[str, ...]:
+    """List the units of one dimension, or all, the SI unit first."""
+    return tuple(dict.fromkeys(each.symbol for each in _UNITS.values() if dimension in (None, each.dimension)))
 
 
 def parse(value: object, dimension: str, *, name: str = "value") -> float:
@@ -168,9 +174,7 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
         if number is None:
             raise InputError(name, value, _wanted(dimension))
         if symbol:
-            found = _UNITS.get(_key(symbol))
-            if found is None or found.dimension != dimension:
-                raise UnitError(name, value, _wanted_unit(symbol, dimension))
+            found = _unit(symbol, dimension, name, value)
             number = number * found.numerator / found.denominator + found.offset
     elif isinstance(value, bool) or not hasattr(value, "__float__"):
         raise InputError(name, value, _wanted(dimension))
@@ -186,20 +190,6 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
 
 def _wanted(dimension: str) -> str:
     return f"a finite number, in {' or '.join(symbols(dimension))}"
-
-
-def _wanted_unit(symbol: str, dimension: str) -> str:
-    """Say in which units a value must be that was given in the unknown or unfitting unit ``symbol``."""
-    allowed = symbols(dimension)
-    found = _UNITS.get(_key(symbol))
-    if found is None:
-        return f"in {' or '.join(allowed)}{_hint(symbol, allowed)}"
-    return f"in {' or '.join(allowed)}, not {'an' if found.dimension[0] in 'aei' else 'a'} {found.dimension}"
-
-
-def _hint(symbol: str, known: Collection[str]) -> str:
-    near = nearest_names(symbol, known)
-    return f" (did you mean {' or '.join(near)}?)" if near else ""
 
 
 def parse_values(value: object, dimension: str, *, name: str = "value") -> float | NDArray[Any]:

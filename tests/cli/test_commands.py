@@ -72,16 +72,14 @@ def test_a_new_club_goes_to_the_screen_or_starts_from_another(clubface_):
     assert like.replace(name="9-iron") == clubface.club("9-iron")
 
 
-def test_a_file_that_exists_is_not_overwritten(clubface_, tmp_path):
-    file = tmp_path / "mine.toml"
-    file.write_text("precious")
+def test_a_file_that_exists_is_not_overwritten(clubface_, write):
+    file = write("precious", "mine.toml")
     assert_mistake(clubface_("club", "new", "-o", str(file)), "exists already")
     assert file.read_text() == "precious"
 
 
-def test_a_bad_club_file_is_told_with_its_line(clubface_, tmp_path):
-    file = tmp_path / "bad.toml"
-    file.write_text(clubface.Club.template().replace('mass = "204 g"', 'mass = "-204 g"'))
+def test_a_bad_club_file_is_told_with_its_line(clubface_, write):
+    file = write(clubface.Club.template().replace('mass = "204 g"', 'mass = "-204 g"'), "bad.toml")
     line = next(i for i, text in enumerate(file.read_text().splitlines(), 1) if text.startswith("mass"))
     assert_mistake(clubface_("club", "check", str(file)), f"bad.toml:{line}:", "mass")
 
@@ -122,9 +120,8 @@ def test_a_file_of_deliveries_is_predicted_and_bad_rows_are_kept_aside(clubface_
     assert "1 rejected" in clubface_("predict", str(source), "--club", "driver", "-o", str(target)).out
 
 
-def test_a_file_without_one_usable_row_is_a_failure(clubface_, tmp_path):
-    source = tmp_path / "in.csv"
-    source.write_text("club_speed_mph\nfast\n")
+def test_a_file_without_one_usable_row_is_a_failure(clubface_, tmp_path, write):
+    source = write("club_speed_mph\nfast\n", "in.csv")
     ran = clubface_("predict", str(source), "--club", "driver", "-o", str(tmp_path / "out.csv"))
     assert ran.status == 2
     assert "not one delivery" in ran.err
@@ -138,3 +135,17 @@ def test_the_tour_is_compared_and_written(clubface_, tmp_path, monkeypatch):
     assert ran.err == f"clubface: wrote {tmp_path / 'out' / '12 clubs'}\n"
     assert (tmp_path / "out").is_dir()
     assert "no prediction" in " ".join(clubface_("tour", "--model", "standard").out.split())
+
+
+def test_every_table_of_averages_is_compared_and_summed_up(clubface_, tmp_path):
+    pytest.importorskip("matplotlib")
+    ran = clubface_("tour", "--averages", "all", "--model", "standard", "-o", str(tmp_path), "--json")
+    assert [each["averages"] for each in ran.json["averages"]] == ["pga-2023", "pga-2019", "lpga-2019"]
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["lpga-2019", "pga-2019", "pga-2023"]
+    assert (tmp_path / "pga-2019" / "tour-launch.png").stat().st_size > 1000
+    spins = [abs(row["spin_error_rpm"]) for each in ran.json["averages"] for row in each["rows"]]
+    assert len(spins) == 34
+    assert ran.json["mean_absolute_error"]["standard"]["spin_rpm"] == pytest.approx(sum(spins) / 34, rel=1e-8)
+    printed = clubface_("tour", "--averages", "pga-2019,lpga-2019", "--model", "standard").out
+    assert "Mean absolute error over all rows of these tables" in printed
+    assert clubface_("tour", "--averages", "pga").status == 2

@@ -184,7 +184,7 @@ def test_the_model_gives_the_launch_of_its_own_run():
     launch = clubface.impact("driver", speed="108 mph", toe="5 mm", model="fem", parameters={"friction": 0.3})
     how = fem.Settings(until_separation=True)
     found = fem.strike("driver", speed="108 mph", toe="5 mm", friction=0.3, settings=how)
-    assert launch.ball_speed == found.launch["ball_speed"]
+    assert launch.ball_speed == found.launch.ball_speed
     assert launch.peak_force == found.peak_force
     assert launch.ball.name == "reference"
     assert launch.provenance["parameters"]["values"] == {"friction": 0.3}

@@ -3,8 +3,7 @@
 import sys
 
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 
 from command_line import assert_mistake
 
@@ -49,7 +48,7 @@ from clubface.cli.app import run
         (["shot", "driver", "--speed", "50 m/s", "--accuracy", "fine"], ["--accuracy"]),
         (["shot", "driver", "--speed", "50 m/s", "--accuracy", "5"], ["--accuracy"]),
         (["shot", "driver", "--speed", "50 m/s", "--plot", "a.doc"], ["--plot", "a.doc", ".png"]),
-        (["shot", "driver", "--speed", "50 m/s", "--plot", "/nowhere/a.png"], ["/nowhere/a.png", "No such file"]),
+        (["shot", "driver", "--speed", "50 m/s", "--plot", "/nowhere/a.png"], ["a.png", "a folder that exists"]),
         (["shot", "driver", "--spede", "50 m/s"], ["--spede", "--speed"]),
         (["shoot"], ["did you mean shot"]),
         (["clubs", "x"], ["club"]),
@@ -70,6 +69,26 @@ def test_a_mistake_is_one_message_and_status_2(clubface_, arguments, words):
 
 
 @pytest.mark.parametrize(
+    ("arguments", "kinds"),
+    [
+        (["predict", "none.csv", "--club", "driver"], ".csv or .tsv or .parquet"),
+        (["infer", "--club", "driver", "--ball-speed", "160 mph"], ".csv, .tsv, .parquet"),
+        (["identify", "none.csv", "--club", "driver"], ".toml"),
+        (["monitor", "read", "none.csv"], ".csv, .tsv, .parquet"),
+        (["monitor", "listen"], ".csv, .tsv, .parquet"),
+        (["capture", "read", "none.c3d", "--markers", "none.toml", "--club", "driver"], ".csv, .tsv, .parquet"),
+        (["capture", "join", "none.csv", "none.csv"], ".csv, .tsv, .parquet"),
+        (["capture", "template"], ".toml"),
+        (["club", "new"], ".toml"),
+    ],
+)  # fmt: skip
+def test_a_file_of_an_unknown_kind_is_refused_before_any_work(clubface_, tmp_path, monkeypatch, arguments, kinds):
+    monkeypatch.chdir(tmp_path)
+    assert_mistake(clubface_(*arguments, "-o", "x.txt"), "x.txt", kinds)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
     ("text", "words"),
     [
         ("", "empty"),
@@ -78,9 +97,8 @@ def test_a_mistake_is_one_message_and_status_2(clubface_, arguments, words):
         ("club_speed_mph,club_speed_mph\n1,2\n", "club_speed_mph"),
     ],
 )
-def test_an_unusable_file_of_deliveries_is_one_message(clubface_, tmp_path, text, words):
-    source = tmp_path / "in.csv"
-    source.write_text(text)
+def test_an_unusable_file_of_deliveries_is_one_message(clubface_, write, text, words):
+    source = write(text, "in.csv")
     assert_mistake(clubface_("predict", str(source), "--club", "driver"), "in.csv", words)
 
 

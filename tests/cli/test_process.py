@@ -36,9 +36,8 @@ def test_a_shot_loads_nothing_slow_that_it_does_not_need():
         assert ran.stderr == "[]\n"
 
 
-def test_a_rule_warning_is_one_note(tmp_path):
-    file = tmp_path / "big.toml"
-    file.write_text(clubface.Club.template("big").replace("5679 g cm2", "6400 g cm2"))
+def test_a_rule_warning_is_one_note(write):
+    file = write(clubface.Club.template("big").replace("5679 g cm2", "6400 g cm2"), "big.toml")
     ran = process("shot", str(file), "--speed", "50 m/s", "--json")
     assert ran.stderr.count("\n") == 1
     assert ran.stderr.startswith("clubface: note: big: moment of inertia")

@@ -108,9 +108,8 @@ def test_a_setting_changes_the_models_that_have_it(clubface_):
     assert differ == {"volumetric", "rings", "area"}
 
 
-def test_parameters_come_from_a_file_or_by_the_name_of_a_published_set(clubface_, tmp_path):
-    file = tmp_path / "mine.toml"
-    file.write_text(clubface.ParameterSet.builtin("standard", "driver").replace(cor="0.7").to_toml())
+def test_parameters_come_from_a_file_or_by_the_name_of_a_published_set(clubface_, write):
+    file = write(clubface.ParameterSet.builtin("standard", "driver").replace(cor="0.7").to_toml(), "mine.toml")
     rows = clubface_("shot", "driver", "--speed", "50 m/s", "--parameters", str(file), "--json").json
     shot = clubface.impact("driver", speed=50.0, parameters={"cor": 0.7})
     assert rows[0]["ball_speed_mps"] == shot.ball_speed

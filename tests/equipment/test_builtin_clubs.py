@@ -1,12 +1,12 @@
 """Clubs and balls: the built-in ones, what is refused, and reading back what was written."""
 
-import csv
 import math
 import warnings
 
 import numpy as np
 import pytest
 
+from clubface import measurements
 from clubface.equipment.balls import Ball, ball, ball_names
 from clubface.equipment.clubs import CLUB_NAMES, CLUB_PROPERTIES, club
 from clubface.errors import RuleWarning
@@ -60,9 +60,7 @@ def test_the_conforming_ball_breaks_no_rule_and_is_a_uniform_sphere():
 
 
 def test_there_is_a_club_for_every_row_of_the_tour_averages():
-    lines = (shipped.DATA / "tour_averages.csv").read_text().splitlines()
-    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
-    assert tuple(row["club"] for row in rows) == CLUB_NAMES == tuple(club(name).name for name in CLUB_NAMES)
+    assert tuple(measurements.table("pga-2023")["club"]) == CLUB_NAMES == tuple(club(name).name for name in CLUB_NAMES)
     assert {club(name).name for name in CLUB_NAMES} == set(shipped.builtin_names("clubs"))
 
 

@@ -1,12 +1,12 @@
 """Balls and cases as files: what they give, what is refused and where, whatever stands in them."""
 
 import math
+import re
 from dataclasses import replace
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 
 from clubface import fem
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
@@ -68,9 +68,8 @@ def test_ogdens_rubber_with_exponents_of_two_is_mooney_and_rivlins(tmp_path):
     ],
 )
 def test_a_mistake_in_ogdens_constants_is_told(tmp_path, new, said):
-    with pytest.raises(FileError) as told:
+    with pytest.raises(FileError, match=re.escape(said)):
         case(write_case(tmp_path, old=RIVLIN, new=new))
-    assert said in str(told.value)
 
 
 MISTAKES = [
@@ -117,9 +116,8 @@ MISTAKES = [
 @pytest.mark.parametrize(("old", "new", "said"), MISTAKES)
 def test_a_mistake_is_told_with_its_file_line_and_what_is_allowed(tmp_path, old, new, said):
     path = write_case(tmp_path, old=old, new=new)
-    with pytest.raises(FileError) as told:
+    with pytest.raises(FileError, match=re.escape(said)) as told:
         case(path)
-    assert said in str(told.value)
     assert "\n" not in str(told.value)
 
 

@@ -67,10 +67,10 @@ def test_a_ball_is_hit_by_shells():
     found = coarse_shells()
     assert found.stopped is None
     assert found.energy_error < 0.01
-    assert found.launch["ball_speed"] == pytest.approx(51.0, rel=0.06)
+    assert found.launch.ball_speed == pytest.approx(51.0, rel=0.06)
     # Momentum: what the ball gains the head loses, along the target line.
-    ball = found.ball.properties()["mass"] * found.launch["velocity_x"]
-    assert ball == pytest.approx(coarse_head().club.mass * (35.0 - found.launch["club_velocity_x"]), rel=1e-6)
+    ball = found.ball.properties()["mass"] * found.launch.velocity_x
+    assert ball == pytest.approx(coarse_head().club.mass * (35.0 - found.launch.club_velocity_x), rel=1e-6)
     assert found.head_frames.shape[1:] == (len(coarse_head().nodes), 3)
     # The head has moved by about its speed times the time.
     moved = (found.world_positions(found.head_frames)[-1] - found.world_positions(found.head_frames)[0]).mean(axis=0)
@@ -81,9 +81,9 @@ def test_an_impact_towards_the_toe_turns_the_head_and_the_ball():
     found = shells_case(until_separation=True).replace(toe="12 mm").run()
     centre = coarse_shells()
     # Gear effect: towards the toe the ball starts right and spins to the left; the face opens (turns right).
-    assert found.launch["azimuth"] > 0.0 > found.launch["sidespin"]
-    assert found.launch["club_spin_y"] < -20.0
-    assert abs(centre.launch["sidespin"]) < 0.05 * abs(found.launch["sidespin"])
+    assert found.launch.azimuth > 0.0 > found.launch.sidespin
+    assert found.launch.club_spin_y < -20.0
+    assert abs(centre.launch.sidespin) < 0.05 * abs(found.launch.sidespin)
 
 
 def test_restitution_of_a_rigid_head_is_that_of_the_ball():

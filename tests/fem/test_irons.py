@@ -1,5 +1,7 @@
 """Solid iron heads: what they weigh, their grooves, what is refused, and that a stiff one is a rigid one."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -58,7 +60,7 @@ def test_grooves_hold_a_ball_without_friction():
     flat = fem.strike(
         fem.IronHead(name="iron", grooves={**WIDE, "depth": "0 mm"}, **head).mesh(), settings=settings, **how
     )
-    assert flat.launch == plain.launch
+    assert flat.outcome() == plain.outcome()
 
 
 def test_grooves_that_the_ball_cannot_feel_are_refused():
@@ -95,9 +97,9 @@ def test_a_stiff_iron_is_a_rigid_one():
     meshed = fem.strike(head, settings=settings, **how).launch
     rigid = fem.strike(head.club, settings=settings, **how).launch
     # The face is flat, so the mesh is exact; 9 mm of five times the stiffness of steel gives a little.
-    assert meshed["ball_speed"] == pytest.approx(rigid["ball_speed"], rel=5e-3)
-    assert meshed["launch"] == pytest.approx(rigid["launch"], rel=1e-2)
-    assert meshed["backspin"] == pytest.approx(rigid["backspin"], rel=2e-2)
+    assert meshed.ball_speed == pytest.approx(rigid.ball_speed, rel=5e-3)
+    assert meshed.launch == pytest.approx(rigid.launch, rel=1e-2)
+    assert meshed.backspin == pytest.approx(rigid.backspin, rel=2e-2)
 
 
 @pytest.mark.parametrize(
@@ -111,6 +113,5 @@ def test_a_stiff_iron_is_a_rigid_one():
     ],
 )
 def test_a_mistake_in_an_iron_is_told(changed, said):
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError, match=re.escape(said)):
         fem.IronHead(name="bad", shape={**IRON, **changed})
-    assert said in str(told.value)

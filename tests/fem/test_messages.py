@@ -83,11 +83,10 @@ def test_grooves_deeper_than_the_blade_is_thick_are_refused(tmp_path, wall, said
         ('unit = "m"\n', 1e3, ":4: unit is 'm'; it must be the unit"),
     ],
 )
-def test_a_mesh_in_another_unit_is_told_with_its_size_and_the_unit_to_set(tmp_path, unit, scale, said):
+def test_a_mesh_in_another_unit_is_told_with_its_size_and_the_unit_to_set(tmp_path, write, unit, scale, said):
     pytest.importorskip("meshio")
     write_mesh(tmp_path, scale=scale)
-    path = tmp_path / "own.toml"
-    path.write_text(HEAD.replace('unit = "mm"\n', unit))
+    path = write(HEAD.replace('unit = "mm"\n', unit), "own.toml")
     with pytest.raises(FileError) as told:
         fem.head(path)
     assert str(told.value).startswith(f'{path}{said} of lengths in {tmp_path / "head.msh"}, "mm" where left out: ')

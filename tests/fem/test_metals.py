@@ -1,5 +1,6 @@
 """Heads of metal that yields: what it takes from the ball, when it matters, and mistakes in its files."""
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -48,7 +49,7 @@ def test_a_soft_face_yields_and_keeps_energy():
     assert elastic.energy["plastic"].max() == 0.0
     assert soft.energy["plastic"][-1] > 0.5
     assert (soft.energy["plastic"][1:] >= soft.energy["plastic"][:-1]).all()
-    assert soft.launch["ball_speed"] < elastic.launch["ball_speed"]
+    assert soft.launch.ball_speed < elastic.launch.ball_speed
     # A harder metal keeps less.
     assert struck(yield_stress="300 MPa", hardening="20 GPa").energy["plastic"][-1] < soft.energy["plastic"][-1]
 
@@ -58,14 +59,14 @@ def test_points_through_the_thickness_and_resultants_are_as_good_in_elastic_meta
     # Rounding, grown over a thousand steps.
     for metal in ({"points": 3}, {"points": 5, "rule": "lobatto"}, {"yield_stress": "10 GPa"}):
         found = struck(**metal)
-        assert found.launch["ball_speed"] == pytest.approx(elastic.launch["ball_speed"], rel=1e-7), metal
+        assert found.launch.ball_speed == pytest.approx(elastic.launch.ball_speed, rel=1e-7), metal
         assert found.peak_force == pytest.approx(elastic.peak_force, rel=1e-6), metal
 
 
 def test_a_table_of_two_points_is_linear_hardening():
     linear = struck(yield_stress="300 MPa", hardening="1 GPa")
     table = struck(hardening=[(0, "300 MPa"), ("50 %", "800 MPa")])
-    assert table.launch["ball_speed"] == pytest.approx(linear.launch["ball_speed"], rel=1e-7)
+    assert table.launch.ball_speed == pytest.approx(linear.launch.ball_speed, rel=1e-7)
     assert table.energy["plastic"][-1] == pytest.approx(linear.energy["plastic"][-1], rel=1e-6)
 
 
@@ -120,16 +121,13 @@ def test_metals_read_their_values():
         ('rule = "lobatto"', 'rule = "labotto"', "did you mean lobatto?"),
     ],
 )
-def test_a_mistake_in_a_metal_is_told(tmp_path, old, new, said):
-    path = tmp_path / "mine.toml"
-    path.write_text(HEAD.replace(old, new))
-    with pytest.raises(FileError) as told:
+def test_a_mistake_in_a_metal_is_told(write, old, new, said):
+    path = write(HEAD.replace(old, new), "mine.toml")
+    with pytest.raises(FileError, match=re.escape(said)):
         from_toml(path)
-    assert said in str(told.value)
 
 
-def test_points_through_the_thickness_are_for_shells(tmp_path):
-    path = tmp_path / "iron.toml"
-    path.write_text(f"{IRON.read_text()}\n[metal]\npoints = 5\n")
+def test_points_through_the_thickness_are_for_shells(write):
+    path = write(f"{IRON.read_text()}\n[metal]\npoints = 5\n", "iron.toml")
     with pytest.raises(ClubfaceError, match="unknown key 'points'"):
         from_toml(path)

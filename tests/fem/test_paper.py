@@ -42,7 +42,7 @@ def test_the_tangential_velocity_is_that_relative_to_the_clubhead():
     run = found()
     relative = run.relative_velocity()
     # The head's, which momentum gives, beside that of the head's own nodes; rounding of some thousand summands.
-    head = [run.launch[f"club_velocity_{axis}"] for axis in "xyz"]
+    head = [run.launch.get(f"club_velocity_{axis}") for axis in "xyz"]
     own = (run.world_velocity()[-1] - head) @ run.attitude @ run.axes.T
     assert relative[-1] == pytest.approx(own, abs=1e-8)
     # Roh and Lee, Fig. 6: 7.0 m/s at first, least where the force turns at 320 us, 5.15 at take-off; not fitted.
@@ -55,14 +55,14 @@ def test_what_factor_a_spin_means():
     # 7 R w / (5 V sin phi) with 21.4 mm, 2047 rpm, 35 m/s and 11.5 deg; they print 0.9476, from the forces.
     assert pytest.approx(0.9204, abs=1e-4) == paper.SPIN_FACTOR
     # In proportion to the spin, for the same ball and blow.
-    spin = found().launch["backspin"] * 30.0 / math.pi
+    spin = found().launch.backspin * 30.0 / math.pi
     assert paper.spin_factor(found()) == pytest.approx(paper.SPIN_FACTOR * spin / 2047.0, rel=1e-6)
 
 
 def test_a_blow_without_loft_has_no_factor():
     level = drive_case(until_separation=True).replace(loft=0.0).run()
     # A CG that does not lie behind the point that is hit makes a little spin all the same.
-    assert level.launch["backspin"] != 0.0
+    assert level.launch.backspin != 0.0
     assert math.isnan(paper.spin_factor(level))
 
 

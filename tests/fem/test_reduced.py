@@ -26,7 +26,7 @@ def test_a_reduced_model_with_stiffness_and_damping_of_a_drive_has_its_force(mod
     assert found.equipment is not None
     club, ball = found.equipment
     launch = clubface.impact(club, found.given, model=model, parameters=same.parameters, ball=ball)
-    assert launch.ball_speed == pytest.approx(found.launch["ball_speed"], rel=1e-5)
+    assert launch.ball_speed == pytest.approx(found.launch.ball_speed, rel=1e-5)
     assert same.force.max() == pytest.approx(same.reference.max(), rel=5e-3)
     # Both make the same momentum.
     assert np.trapezoid(same.force, same.time) == pytest.approx(np.trapezoid(same.reference, same.time), rel=0.05)

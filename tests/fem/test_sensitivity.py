@@ -16,7 +16,7 @@ OUTPUTS = ("ball_speed", "launch", "backspin")
 def launch(club="driver", ball=BALL, **values):
     friction = values.pop("friction", 0.2)
     given = {"speed": 45.0, "loft": 0.2, **values}
-    return fem.strike(club, which=ball, friction=friction, settings=SETTINGS, **given).launch
+    return fem.strike(club, which=ball, friction=friction, settings=SETTINGS, **given).outcome()
 
 
 def differences(run, at, step):
@@ -96,7 +96,7 @@ def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
     assert run.settings.safety < fem.strike("driver", **hit | {"speed": 45.0}).settings.safety
     found = fem.sensitivity("driver", by="speed", **hit)
     # The same operations, but on numbers with derivatives.
-    assert found.values["ball_speed"] == pytest.approx(run.launch["ball_speed"], rel=1e-9)
+    assert found.values["ball_speed"] == pytest.approx(run.launch.ball_speed, rel=1e-9)
     with pytest.raises(ShotError, match="choose a smaller `safety`"):
         fem.sensitivity("driver", by="speed", **hit | {"settings": replace(SETTINGS, safety=0.9)})
 

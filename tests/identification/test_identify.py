@@ -150,10 +150,9 @@ def test_the_hold_out_and_the_intervals_say_what_a_fit_is_worth():
     assert found.deviations["backspin"].mae < found.deviations["backspin"].mae_holdout
 
 
-def test_the_parameters_are_a_set_to_use_and_to_write(tmp_path):
+def test_the_parameters_are_a_set_to_use_and_to_write(write):
     found = small()
-    path = tmp_path / "fit.toml"
-    path.write_text(found.to_toml())
+    path = write(found.to_toml(), "fit.toml")
     read = clubface.ParameterSet.from_toml(path)
     assert dict(read.values) == dict(found.parameters.values)
     assert "95% intervals: cor 0.8" in read.caveats[-1]

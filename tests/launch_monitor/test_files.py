@@ -348,9 +348,9 @@ def test_the_preferred_of_two_columns_for_a_quantity_is_taken(write):
         (b"\x1b[31ma,b\n1,2\n", r"there are: \?\[31ma, b"),
         (
             b"Side Angle,Tilt Angle,Ball Speed\n,[deg],[furlongs]\n1,2,3\n",
-            "'Ball Speed' is in 'furlongs'; it must be in",
+            "'Ball Speed' is 'furlongs'; it must be in",
         ),
-        (b"Side Angle,Tilt Angle,Ball Speed [deg]\n1,2,3\n", "is in 'deg'; it must be in m/s"),
+        (b"Side Angle,Tilt Angle,Ball Speed [deg]\n1,2,3\n", "is 'deg'; it must be in m/s"),
         (b"Side Angle,Tilt Angle,Ball Speed\n", "there are no shots"),
         (b"Side Angle,Tilt Angle,Ball Speed\n1,2\n", "line 2: 2 cells where there are 3 columns"),
         (b"Side Angle,Tilt Angle,Ball Speed\n3 Q,2,100\n", "'3 Q' is not a number, or one with its side .l, left"),

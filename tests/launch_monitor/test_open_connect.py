@@ -9,8 +9,7 @@ import time
 from contextlib import contextmanager
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import clubface
 from clubface.errors import InputError, LinkError, UnknownNameError

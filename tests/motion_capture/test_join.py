@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import clubface
 from clubface.errors import InputError
@@ -137,7 +136,7 @@ def test_two_files_become_one(clubface_, tmp_path):
     ran = clubface_("capture", "join", str(one), str(other), "-o", str(target))
     assert ran.status == 0
     assert f"11 shots: {target}" in ran.out
-    assert "line 2, " in ran.out
+    assert "line 2: " in ran.out
     assert len(clubface.read_shots(target)) == 11
     assert clubface_("capture", "join", str(one), str(other), "-o", str(target), "--json").json["shots"] == 11
     assert_mistake(clubface_("capture", "join", str(one), str(other), "-o", str(one)), "another file than those")

@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from clubface.errors import FileError
 from clubface.motion_capture.rigid_body import degrees_of_freedom, fit_poses, pose_information

@@ -12,8 +12,7 @@ from clubface import plots
 from clubface.identification.figures import identification_figure
 from clubface.plots import style
 from clubface.simulation.trajectory import trajectory
-from clubface.tour import averages as tour
-from clubface.tour import figures
+from clubface.tour import averages as tour, figures
 from synthetic_shots import recorded
 
 SHOT = {"speed": "113 mph", "attack": "-1.3 deg", "loft": "12.8 deg", "toe": "8 mm"}
@@ -32,7 +31,7 @@ def histories():
 
 @pytest.fixture(scope="module")
 def averages():
-    return tour.tour(["standard", "area"])
+    return tour.tour(["standard", "area"], table="pga-2019")
 
 
 @pytest.fixture(scope="module")
@@ -136,8 +135,24 @@ def test_errors_of_every_model_and_club_are_drawn_with_their_sign(averages):
 def test_launches_stand_beside_what_was_published(averages):
     figure = figures.launch_figure(averages)
     published = figure.axes[0].lines[0]
-    assert published.get_ydata()[0] == pytest.approx(171.0, rel=1e-12)
+    assert published.get_ydata()[0] == pytest.approx(167.0, rel=1e-12)
     assert_nothing_overlaps(figure)
+
+
+def test_lofts_are_drawn_from_the_launch_angle_up(averages):
+    lofts = figures.launch_figure(averages).axes[3]
+    low, high = averages.possible_lofts
+    assert [bar.get_y() for bar in lofts.patches] == pytest.approx(np.degrees(low - averages.published["launch"]))
+    assert [bar.get_height() for bar in lofts.patches] == pytest.approx(np.degrees(high - low))
+    *solved, published = (line.get_ydata() for line in lofts.lines)
+    launch = averages.published["launch"]
+    for name, drawn in zip(averages.models, solved, strict=True):
+        assert drawn == pytest.approx(np.degrees(averages.solved_lofts[name] - launch))
+    assert published == pytest.approx([12.8 - 10.9, 20.2 - 14.1])
+
+
+def test_without_a_published_loft_there_is_no_row_of_launch_angles():
+    assert len(figures.error_figure(tour.tour(["standard"])).axes) == 6
 
 
 def test_each_identified_parameter_has_its_interval_samples_and_profile(identified):

@@ -1,8 +1,7 @@
 """Whatever a file of deliveries holds, every row is accounted for."""
 
 import pytest
-from hypothesis import HealthCheck, example, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, example, given, settings, strategies as st
 
 from clubface.errors import ClubfaceError
 from clubface.prediction.predict import predict

@@ -208,10 +208,12 @@ def test_club_and_ball_columns_are_inputs_too(write, tmp_path):
     assert light < heavy
 
 
-def test_semicolons_and_decimal_commas_are_read_and_written(write, tmp_path):
-    path = write("id;club_speed [mph];toe [mm]\nx;113,5;1,5\ny;1.000;2\nz;99;0\n")
+@pytest.mark.parametrize("delimiter", [";", ","])
+def test_decimal_commas_are_read_and_written_and_quoted_among_commas(write, tmp_path, delimiter):
+    text = 'id;club_speed [mph];toe [mm]\nx;"113,5";"1,5"\ny;1.000;2\nz;99;0\n'
+    path = write(text.replace(";", delimiter))
     report = predict(path, club="driver", output=tmp_path / "out.csv")
-    rows = table(tmp_path / "out.csv", ";")
+    rows = table(tmp_path / "out.csv", delimiter)
     plain = clubface.impact("driver", speed="113.5 mph", toe="1.5 mm")
     assert "." not in "".join(rows[0].values())
     assert float(rows[0]["ball_speed_mps"].replace(",", ".")) == pytest.approx(plain.ball_speed, rel=5.1e-9)
@@ -230,8 +232,8 @@ BAD_FILES = [
     (b"a,b\n1,2\n", 1, "no column for the clubhead speed"),
     (b"113,-1.3\n110,2\n", 1, "there are: 113, -1.3"),
     (b"\n\nclub_speed_mph\n", 3, "no delivery"),
-    (b"club_speed_mm\n1\n", 1, "is in mm; speed must be in m/s"),
-    (b"club_speed [knots]\n1\n", 1, "unknown unit 'knots'"),
+    (b"club_speed_mm\n1\n", 1, "is 'mm'; it must be in m/s"),
+    (b"club_speed [knots]\n1\n", 1, "is 'knots'; it must be in m/s"),
     (b"speed,club_speed_mph\n1,2\n", 1, "both give the speed"),
     (b"speed,x,x\n1,2,3\n", 1, "'x' is there twice"),
     (b"speed\n1\n\xff\n", 3, "not UTF-8"),

@@ -164,13 +164,12 @@ def test_several_models_give_a_launch_each():
         clubface.impact("driver", **DRIVE, model=[])
 
 
-def test_parameters_are_those_of_the_family_of_the_club_unless_given(tmp_path):
+def test_parameters_are_those_of_the_family_of_the_club_unless_given(write):
     iron = clubface.impact("9-iron", speed=40.0, model="volumetric")
     assert iron.parameters.club == "7-iron"
     own = ParameterSet.builtin("volumetric", "driver").replace(friction=0.2)
     assert clubface.impact("driver", **DRIVE, model="volumetric", parameters=own).parameters is own
-    file = tmp_path / "own.toml"
-    file.write_text(own.to_toml())
+    file = write(own.to_toml(), "own.toml")
     by_file = clubface.impact("driver", **DRIVE, model="volumetric", parameters=file)
     assert same(by_file, clubface.impact("driver", **DRIVE, model="volumetric", parameters={"friction": 0.2}))
     named = clubface.impact("driver", **DRIVE, model="volumetric", parameters="three-dimensional-impact-models")

@@ -5,8 +5,7 @@ Attitude and geometry are computed here once more, from the definitions in the c
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import clubface
 from clubface.equipment.models import models

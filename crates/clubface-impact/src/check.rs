@@ -13,6 +13,9 @@ pub const LARGEST_LOFT: f64 = 80.0 * core::f64::consts::PI / 180.0;
 /// overflow.
 const LARGEST: f64 = 1e12;
 
+/// Slack of the bounds that a body can meet with equality, up to rounding: a flat plate, a thin shell.
+const ROUNDING: f64 = 1.0 + 1e-9;
+
 /// Checks the values of a shot, in the order of [`INPUTS`].
 ///
 /// # Errors
@@ -27,10 +30,17 @@ pub fn check(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
 /// # Errors
 /// The first fault found.
 pub fn check_equipment(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
-    check_finite(values, "club")?;
+    check_club(values)?;
+    check_ball(values)
+}
+
+/// Checks the ball of a shot.
+///
+/// # Errors
+/// The first fault found.
+pub fn check_ball(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
     check_finite(values, "ball")?;
     let shot = Shot::from_inputs(values);
-    check_club(&shot)?;
     for (name, value) in [
         ("ball_mass", shot.ball.mass),
         ("ball_radius", shot.ball.radius),
@@ -38,8 +48,8 @@ pub fn check_equipment(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
     ] {
         positive(name, value)?;
     }
-    if shot.ball.inertia > 2.0 / 3.0 * shot.ball.mass * shot.ball.radius.powi(2) {
-        let allowed = "must not exceed 2/3 m R^2, all mass at the surface (kg m2)";
+    if shot.ball.inertia > 2.0 / 3.0 * shot.ball.mass * shot.ball.radius.powi(2) * ROUNDING {
+        let allowed = "kg m2 must not exceed 2/3 m R^2, that of a thin shell";
         return Err(fault("ball_inertia", shot.ball.inertia, allowed));
     }
     Ok(())
@@ -61,8 +71,13 @@ fn check_finite(values: &[f64; INPUT_COUNT], group: &str) -> Result<(), ImpactEr
     Ok(())
 }
 
-fn check_club(shot: &Shot<f64>) -> Result<(), ImpactError> {
-    let club = &shot.club;
+/// Checks the club of a shot.
+///
+/// # Errors
+/// The first fault found.
+pub fn check_club(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
+    check_finite(values, "club")?;
+    let club = Shot::from_inputs(values).club;
     positive("club_mass", club.mass)?;
     check_inertia(&club.inertia)?;
     if club.static_loft.abs() > LARGEST_LOFT {
@@ -212,10 +227,12 @@ fn check_inertia(inertia: &[f64; 6]) -> Result<(), ImpactError> {
         let allowed = "is not positive definite; check units and signs of the products of inertia";
         return Err(inertia_fault(inertia, allowed));
     }
-    // The second moments of mass, trace/2 - I, are positive for any real body.
-    let half = (xx + yy + zz) / 2.0;
+    // The second moments of mass, trace/2 - I, are positive for any real body, but for a plate, which has one of 0.
+    let half = (xx + yy + zz) / 2.0 * ROUNDING;
     if !is_positive_definite(&[half - xx, half - yy, half - zz, -xy, -xz, -yz]) {
-        let allowed = "has a principal moment larger than the sum of the other two: no body has that";
+        let allowed =
+            "has a principal moment larger than the sum of the other two (triangle inequality): no body \
+                       has that";
         return Err(inertia_fault(inertia, allowed));
     }
     Ok(())
@@ -238,7 +255,8 @@ fn positive(name: &'static str, value: f64) -> Result<(), ImpactError> {
     } else if value > 0.0 {
         Err(fault(name, value, "must be at least 1e-12; is the unit right?"))
     } else {
-        Err(fault(name, value, "must be above 0"))
+        let unit = INPUTS.iter().find(|input| input.name == name).map_or("", |input| input.unit);
+        Err(fault(name, value, &format!("must be above 0 {unit}")))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::columns::{columns, run_in_pieces, value_error, Computed, Derivatives, Values};
 use clubface_impact::batch::{Batch, CHUNK};
+use clubface_impact::check::{check_ball, check_club};
 use clubface_impact::columns::Column;
 use clubface_impact::contact::History;
 use clubface_impact::error::all_inputs;
@@ -72,12 +73,13 @@ pub fn sensitivities<'py>(
     run_in_pieces(py, count, n, DIFFERENTIATED, threads, progress.as_ref(), |rows, out| wanted.run(rows, out))
 }
 
-/// What is wrong with one shot: None, or (input, message).
+/// What is wrong with the club or the ball ("club", "ball") among the inputs of a shot: None, or (input, message).
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
-pub fn check(inputs: Vec<f64>) -> PyResult<Option<(&'static str, String)>> {
+pub fn check(group: &str, inputs: Vec<f64>) -> PyResult<Option<(&'static str, String)>> {
     let inputs = all_inputs(&inputs).map_err(|e| value_error(&e))?;
-    Ok(clubface_impact::check::check(inputs).err().map(|e| (e.input, e.message)))
+    let found = if group == "ball" { check_ball(inputs) } else { check_club(inputs) };
+    Ok(found.err().map(|e| (e.input, e.message)))
 }
 
 /// Launch of one shot and its derivatives: (outputs, array of outputs by (inputs + parameters)). The derivative by an

@@ -9,16 +9,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from clubface.benchmark_data.recipe import CLUBS, FOLDER
-from clubface.errors import UnknownNameError
+from clubface.benchmark_data.recipe import CLUBS as CLUBS, FOLDER
 from clubface.recorded.file import read_shots
 from clubface.recorded.shots import RecordedShots
+from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
-
-__all__ = ["CLUBS", "BenchmarkShots", "load"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -57,8 +55,7 @@ class BenchmarkShots:
 
 def load(club: str) -> BenchmarkShots:
     """Return the benchmark shots of ``club``, "driver" (550) or "7-iron" (120). Needs pyarrow."""
-    if club not in CLUBS:
-        raise UnknownNameError("benchmark club", club, CLUBS)
+    check_choice("benchmark club", club, CLUBS)
     from clubface.tables.parquet import pyarrow_for
 
     true_file = FOLDER / f"{club}-truth.parquet"

@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.benchmark_data import impacts, measured, swings
-from clubface.benchmark_data.recipe import CLUBS, FOLDER, Recipe, Values, recipe
+from clubface.benchmark_data.recipe import CLUBS, FOLDER, Recipe, recipe
 from clubface.simulation.quantities import inputs, outputs
+from clubface.support.arrays import Floats
 from clubface.tables.headings import heading_of
 from clubface.tables.parquet import pyarrow_for
 
@@ -44,11 +45,11 @@ class Made(NamedTuple):
 
     player: NDArray[np.int64]
     model: NDArray[Any]
-    restitution: Values
-    true_delivery: dict[str, Values]
-    true_launch: dict[str, Values]
-    delivery: dict[str, Values]
-    launch: dict[str, Values]
+    restitution: Floats
+    true_delivery: dict[str, Floats]
+    true_launch: dict[str, Floats]
+    delivery: dict[str, Floats]
+    launch: dict[str, Floats]
 
 
 def make(of: Recipe) -> Made:
@@ -102,7 +103,7 @@ def _unit(name: str) -> tuple[str, str]:
     return heading_of(name, (inputs()[name] if name in inputs() else outputs()[name]).unit)
 
 
-def _rounded(values: dict[str, Values], digits: dict[str, int], otherwise: int) -> dict[str, Values]:
+def _rounded(values: dict[str, Floats], digits: dict[str, int], otherwise: int) -> dict[str, Floats]:
     """Return SI values as they are read back from a column with so many decimals."""
     found = {}
     for name, each in values.items():
@@ -112,7 +113,7 @@ def _rounded(values: dict[str, Values], digits: dict[str, int], otherwise: int) 
     return found
 
 
-def _columns(values: dict[str, Values]) -> dict[str, Values]:
+def _columns(values: dict[str, Floats]) -> dict[str, Floats]:
     """Return columns in the units of their headings; what conversion and back leaves behind is rounded away."""
     return {_unit(name)[0]: np.round(units.from_si(each, _unit(name)[1]), 9) for name, each in values.items()}
 

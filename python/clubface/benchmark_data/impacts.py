@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from clubface.benchmark_data.recipe import Recipe, Values
-from clubface.equipment.clubs import Club
-from clubface.equipment.clubs import club as club_named
+from clubface.benchmark_data.recipe import Recipe
+from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.simulation.impact import impact
+from clubface.support.arrays import Floats
 
 LAUNCH = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 
@@ -39,20 +39,20 @@ def with_shaft(recipe: Recipe) -> Club:
     )
 
 
-def restitution_offsets(recipe: Recipe, delivery: Mapping[str, Values], scatter: Values | float) -> Values:
+def restitution_offsets(recipe: Recipe, delivery: Mapping[str, Floats], scatter: Floats | float) -> Floats:
     """Return by how much restitution differs from that at the face centre: the ball, and the place on the face."""
     distance = np.hypot(delivery["toe"], delivery["high"]) / recipe.flex_radius
     return scatter - recipe.flex_drop * distance**2
 
 
-def launches(recipe: Recipe, name: str, delivery: Mapping[str, Values], offsets: Values | float) -> dict[str, Values]:
+def launches(recipe: Recipe, name: str, delivery: Mapping[str, Floats], offsets: Floats | float) -> dict[str, Floats]:
     """Return the launches by model ``name`` with the parameters of the mixture; ``offsets`` change its restitution."""
     parameters = true_parameters(recipe, name, delivery, offsets)
     found = impact(with_shaft(recipe), model=name, parameters=parameters, delivery=delivery)
     return {quantity: np.asarray(getattr(found, quantity)) for quantity in LAUNCH}
 
 
-def true_parameters(recipe: Recipe, name: str, delivery: Mapping[str, Values], offsets: Values | float) -> ParameterSet:
+def true_parameters(recipe: Recipe, name: str, delivery: Mapping[str, Floats], offsets: Floats | float) -> ParameterSet:
     """Return the parameters of model ``name``, an array where they vary from shot to shot."""
     part = recipe.mixture[name]
     published = ParameterSet.builtin(name, club_named(recipe.club).parameters)
@@ -67,14 +67,14 @@ def true_parameters(recipe: Recipe, name: str, delivery: Mapping[str, Values], o
     return published.replace(**changes)
 
 
-def normal_speed(delivery: Mapping[str, Values]) -> Values:
+def normal_speed(delivery: Mapping[str, Floats]) -> Floats:
     """Return the speed of the head along the face normal [m/s], at the face centre and without rotation."""
     return (
         delivery["speed"] * np.cos(delivery["loft"] - delivery["attack"]) * np.cos(delivery["face"] - delivery["path"])
     )
 
 
-def damping_of(restitution: Values, speed: Values) -> Values:
+def damping_of(restitution: Floats, speed: Floats) -> Floats:
     """Return the Hunt-Crossley damping [s/m] that gives ``restitution`` at a normal speed [m/s].
 
     With a = d v, energy of F = k x^n (1 + d dx/dt) gives ln((1 + a) / (1 - a e)) = a (1 + e) for any n; by bisection.

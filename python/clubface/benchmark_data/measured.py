@@ -6,13 +6,14 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from clubface.benchmark_data.recipe import Recipe, Values
+from clubface.benchmark_data.recipe import Recipe
+from clubface.support.arrays import Floats
 
 RATES = {"face": ("closure", -1.0), "loft": ("pitch_rate", 1.0), "lie": ("lie_rate", 1.0)}
 """The rate at which each angle turns, and its sign: a closing face turns to the left."""
 
 
-def captured(recipe: Recipe, truth: Mapping[str, Values], random: np.random.Generator) -> dict[str, Values]:
+def captured(recipe: Recipe, truth: Mapping[str, Floats], random: np.random.Generator) -> dict[str, Floats]:
     """Return the delivery that motion capture gives for the true one, SI.
 
     The head moves on an arc. Its position and attitude are seen with noise in the last three frames before impact. As
@@ -43,12 +44,12 @@ def captured(recipe: Recipe, truth: Mapping[str, Values], random: np.random.Gene
     return {name: found[name] for name in truth}
 
 
-def monitored(recipe: Recipe, truth: Mapping[str, Values], random: np.random.Generator) -> dict[str, Values]:
+def monitored(recipe: Recipe, truth: Mapping[str, Floats], random: np.random.Generator) -> dict[str, Floats]:
     """Return the launch that the monitor shows for the true one, SI."""
     return {name: values + recipe.monitor[name] * random.standard_normal(values.size) for name, values in truth.items()}
 
 
-def _arc(recipe: Recipe, truth: Mapping[str, Values], times: Values) -> Values:
+def _arc(recipe: Recipe, truth: Mapping[str, Floats], times: Floats) -> Floats:
     """Return the positions [m], shape [times, xyz, shots], of heads that pass the origin at time 0.
 
     Each turns at constant speed about a centre on the players' side, up the swing plane.
@@ -62,7 +63,7 @@ def _arc(recipe: Recipe, truth: Mapping[str, Values], times: Values) -> Values:
     return recipe.arc_radius * (np.sin(angle) * along + (1.0 - np.cos(angle)) * inward)
 
 
-def _direction(velocity: Values) -> dict[str, Values]:
+def _direction(velocity: Floats) -> dict[str, Floats]:
     speed = np.linalg.norm(velocity, axis=0)
     return {
         "speed": speed,

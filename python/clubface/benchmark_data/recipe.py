@@ -6,17 +6,16 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.models import model
 from clubface.simulation.quantities import input_dimensions, outputs
+from clubface.support.arrays import Floats
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
 
 FOLDER = DATA / "benchmark"
 CLUBS = ("driver", "7-iron")
-Values = NDArray[np.float64]
 
 
 class Spread(NamedTuple):
@@ -71,7 +70,7 @@ class Recipe(NamedTuple):
     flex_drop: float
     flex_radius: float
     shaft_mass: float
-    hosel: Values
+    hosel: Floats
     frame: float
     arc_radius: float
     position_noise: float

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.benchmark_data.recipe import Recipe, Values
+from clubface.benchmark_data.recipe import Recipe
+from clubface.support.arrays import Floats
 
 
 def players_of(recipe: Recipe) -> NDArray[np.int64]:
@@ -13,7 +14,7 @@ def players_of(recipe: Recipe) -> NDArray[np.int64]:
     return np.sort(np.arange(recipe.shots) % recipe.players)
 
 
-def deliveries(recipe: Recipe, random: np.random.Generator) -> dict[str, Values]:
+def deliveries(recipe: Recipe, random: np.random.Generator) -> dict[str, Floats]:
     """Return the true delivery of every shot, SI.
 
     Every quantity is normal over players and over the shots of a player, in a quantity that follows another partly
@@ -32,7 +33,7 @@ def deliveries(recipe: Recipe, random: np.random.Generator) -> dict[str, Values]
     return found
 
 
-def _standard(recipe: Recipe, random: np.random.Generator, count: int) -> dict[str, Values]:
+def _standard(recipe: Recipe, random: np.random.Generator, count: int) -> dict[str, Floats]:
     """Return standard normal deviates of each quantity, correlated where one follows another."""
     plain = {name: _standardised(random.standard_normal(count)) for name in recipe.delivery}
     found = dict(plain)
@@ -41,6 +42,6 @@ def _standard(recipe: Recipe, random: np.random.Generator, count: int) -> dict[s
     return found
 
 
-def _standardised(values: Values) -> Values:
+def _standardised(values: Floats) -> Floats:
     """Return ``values`` with mean 0 and standard deviation 1, so that a small sample has the spread of the recipe."""
     return (values - values.mean()) / values.std()

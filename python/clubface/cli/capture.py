@@ -9,16 +9,32 @@ import typer
 from clubface import units
 from clubface.cli import options, output
 from clubface.cli.capture_join import join
-from clubface.cli.failures import Interrupted, say
+from clubface.cli.failures import Interrupted, say, say_written
+from clubface.cli.progress import progress_bar
+from clubface.cli.tables import print_numbers
 
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Motion capture: C3D files to deliveries.")
 app.command("join")(join)
 
-Club = Annotated[str, typer.Option("--club", metavar="CLUB", help="Name of a built-in club, or a TOML file.")]
+Club = Annotated[str, options.option("--club", metavar="CLUB", text="Name of a built-in club, or a TOML file.")]
 Hand = Annotated[
-    str | None,
-    typer.Option("--hand", metavar="right|left", help="Hand of the club; its own unless given.", show_default=False),
+    str | None, options.option("--hand", metavar="right|left", text="Hand of the club; its own unless given.")
 ]
+Unit = Annotated[
+    str | None,
+    options.option("--units", metavar="UNIT", text="Unit of length, in place of the one that the files name."),
+]
+Noise = Annotated[
+    str, typer.Option("--noise", metavar='"0.3 mm"', help="Standard deviation of a marker along an axis.")
+]
+Gaps = Annotated[
+    float, typer.Option("--gaps", metavar="PART", help="Part of the time in which a marker is hidden, 0 to 0.5.")
+]
+Rate = Annotated[float, typer.Option("--rate", metavar="HZ", help="Frames per second.")]
+Roughness = Annotated[
+    float, typer.Option("--roughness", metavar="NUMBER", help="How much the path of the smoother may bend.")
+]
+Seed = Annotated[int, typer.Option("--seed", help="The same seed gives the same swings.")]
 FILE, SEVERAL = "FILE", "FILE..."
 ROWS = (
     ("club speed", "speed", "mph", 2), ("attack", "attack", "deg", 2), ("path", "path", "deg", 2),
@@ -45,53 +61,36 @@ def read(
     ] = "published",
     target: Annotated[
         str | None,
-        typer.Option(
-            "--target",
-            metavar="AXIS",
-            help="Axis of the laboratory that points to the target: +x, -x, ...",
-            show_default=False,
+        options.option(
+            "--target", metavar="AXIS", text="Axis of the laboratory that points to the target: +x, -x, ..."
         ),
     ] = None,
     up: Annotated[
-        str | None,
-        typer.Option("--up", metavar="AXIS", help="Axis of the laboratory that points up.", show_default=False),
+        str | None, options.option("--up", metavar="AXIS", text="Axis of the laboratory that points up.")
     ] = None,
-    units: Annotated[
-        str | None,
-        typer.Option(
-            "--units",
-            metavar="UNIT",
-            help="Unit of length, in place of the one that the files name.",
-            show_default=False,
-        ),
-    ] = None,
-    roughness: Annotated[
-        float, typer.Option("--roughness", metavar="NUMBER", help="How much the path of the smoother may bend.")
-    ] = 0.6,
+    units: Unit = None,
+    roughness: Roughness = 0.6,
     noise: Annotated[
         str | None,
-        typer.Option(
+        options.option(
             "--noise",
             metavar='"0.3 mm"',
-            help="Standard deviation of a marker along an axis; estimated unless given.",
-            show_default=False,
+            text="Standard deviation of a marker along an axis; estimated unless given.",
         ),
     ] = None,
-    target_file: Annotated[
-        str | None,
-        typer.Option("--output", "-o", metavar=FILE, help="Write the deliveries, CSV or Parquet.", show_default=False),
-    ] = None,
+    target_file: Annotated[str | None, options.output(FILE, "Write the deliveries, CSV or Parquet.")] = None,
     as_json: options.Json = False,
 ) -> None:
     """Read the delivery, with its uncertainty, from recordings of swings."""
-    from clubface.cli.fem_progress import progress_bar
     from clubface.motion_capture import read_swings
+    from clubface.tables.writer import KINDS
 
-    with progress_bar() as update:
+    output.check_target("--output", target_file, KINDS, [*files, markers])
+    with progress_bar("swings") as progress:
         found = read_swings(
             files, markers, club, estimator=estimator, roughness=roughness, hand=hand, ball=ball, target=target, up=up,
             unit=units, noise=noise,
-            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} swings")),
+            progress=progress,
         )  # fmt: skip
     written = found.write(target_file) if target_file is not None and len(found) else []
     if as_json:
@@ -106,8 +105,7 @@ def read(
         _print_many(found)
     for each in found.rejected:
         say(each.reason)
-    if written:
-        say(f"wrote {', '.join(str(each) for each in written)}")
+    say_written(written)
     if found.interrupted:
         raise Interrupted(f"interrupted: {len(found)} of {len(files)} swings read")
     if not len(found):
@@ -117,21 +115,12 @@ def read(
 @app.command("markers")
 def markers(
     file: Annotated[str, typer.Argument(metavar=FILE, help="A C3D file.")],
-    units: Annotated[
-        str | None,
-        typer.Option(
-            "--units",
-            metavar="UNIT",
-            help="Unit of length, in place of the one that the file names.",
-            show_default=False,
-        ),
-    ] = None,
+    units: Unit = None,
     as_json: options.Json = False,
 ) -> None:
     """List the markers of a recording: how often each is seen, where and how fast."""
     import numpy as np
 
-    from clubface.cli.tables import print_numbers
     from clubface.motion_capture import read_c3d
 
     found = read_c3d(file, unit=units)
@@ -156,26 +145,12 @@ def markers(
 
 @app.command("template")
 def template(
-    target_file: Annotated[
-        str | None,
-        typer.Option(
-            "--output", "-o", metavar=FILE, help="Write it to this file instead of the screen.", show_default=False
-        ),
-    ] = None,
+    target_file: options.Template = None,
 ) -> None:
     """Print an explained mapping file to start your own from."""
-    from pathlib import Path
-
-    from clubface.errors import FileError
     from clubface.motion_capture import template as text
 
-    if target_file is None:
-        print(text(), end="")
-        return
-    if Path(target_file).exists():
-        raise FileError(target_file, None, "this file exists already; it is left as it is")
-    Path(target_file).write_text(text(), encoding="utf-8")
-    say(f"wrote {target_file}")
+    output.write_template(text(), target_file, "fill it in, then give it as --markers")
 
 
 @app.command("synthesize")
@@ -184,26 +159,19 @@ def synthesize(
     count: Annotated[int, typer.Option("--count", metavar="NUMBER", help="Number of swings.")] = 10,
     club: Club = "driver",
     hand: Hand = None,
-    noise: Annotated[
-        str, typer.Option("--noise", metavar='"0.3 mm"', help="Standard deviation of a marker along an axis.")
-    ] = "0 mm",
-    gaps: Annotated[
-        float, typer.Option("--gaps", metavar="PART", help="Part of the time in which a marker is hidden, 0 to 0.5.")
-    ] = 0.0,
-    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Frames per second.")] = 720.0,
-    seed: Annotated[int, typer.Option("--seed", help="The same seed gives the same files.")] = 1,
+    noise: Noise = "0 mm",
+    gaps: Gaps = 0.0,
+    rate: Rate = 720.0,
+    seed: Seed = 1,
 ) -> None:
     """Write swings whose delivery is known exactly, with calibration, mapping file and truth."""
-    from clubface import units
-    from clubface.cli.fem_progress import progress_bar
-    from clubface.motion_capture.synthetic import Cameras
-    from clubface.motion_capture.synthetic import synthesize as write
+    from clubface.motion_capture.synthetic import Cameras, synthesize as write
 
     cameras = Cameras(rate=rate, noise=units.parse(noise, "length", name="--noise"), gaps=gaps)
-    with progress_bar() as update:
+    with progress_bar("swings") as progress:
         files = write(
             folder, count, club=club, hand=hand, cameras=cameras, seed=seed,
-            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} swings")),
+            progress=progress,
         )  # fmt: skip
     say(f"wrote {count} swings, {', '.join(each.name for each in files[count:])} to {folder}")
 
@@ -213,38 +181,24 @@ def study(
     count: Annotated[int, typer.Option("--count", metavar="NUMBER", help="Number of swings.")] = 200,
     club: Club = "driver",
     hand: Hand = None,
-    noise: Annotated[
-        str, typer.Option("--noise", metavar='"0.3 mm"', help="Standard deviation of a marker along an axis.")
-    ] = "0.3 mm",
-    gaps: Annotated[
-        float, typer.Option("--gaps", metavar="PART", help="Part of the time in which a marker is hidden, 0 to 0.5.")
-    ] = 0.0,
-    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Frames per second.")] = 720.0,
-    roughness: Annotated[
-        float, typer.Option("--roughness", metavar="NUMBER", help="How much the path of the smoother may bend.")
-    ] = 0.6,
-    seed: Annotated[int, typer.Option("--seed", help="The same seed gives the same swings.")] = 1,
-    picture: Annotated[
-        str | None,
-        typer.Option("--plot", metavar=FILE, help="Draw bias and spread: .png, .svg or .pdf.", show_default=False),
-    ] = None,
+    noise: Noise = "0.3 mm",
+    gaps: Gaps = 0.0,
+    rate: Rate = 720.0,
+    roughness: Roughness = 0.6,
+    seed: Seed = 1,
+    picture: Annotated[str | None, options.picture("bias and spread")] = None,
     as_json: options.Json = False,
 ) -> None:
     """Compare the estimators on swings whose truth is known: bias, spread, coverage."""
-    from clubface import units
-    from clubface.cli.fem_progress import progress_bar
     from clubface.motion_capture.study import study as run
     from clubface.motion_capture.synthetic import Cameras
 
-    if picture is not None:
-        from clubface.plots.style import check_ending
-
-        check_ending(picture, name="--plot")
+    output.check_picture(picture)
     cameras = Cameras(rate=rate, noise=units.parse(noise, "length", name="--noise"), gaps=gaps)
-    with progress_bar() as update:
+    with progress_bar("swings") as progress:
         found = run(
             count, club=club, hand=hand, cameras=cameras, roughness=roughness, seed=seed,
-            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} swings")),
+            progress=progress,
         )  # fmt: skip
     if as_json:
         output.print_json(found.document())
@@ -260,7 +214,6 @@ def study(
 
 def _print_study(found: Any) -> None:
     """Print bias, spread and coverage, a row a quantity."""
-    from clubface.cli.tables import print_numbers
     from clubface.motion_capture.study import UNITS
 
     heads = ["", *(f"{name}\n{figure}" for name in found.errors for figure in ("bias", "spread", "covers, %"))]
@@ -281,9 +234,6 @@ def _print_study(found: Any) -> None:
 
 def _print_one(found: Any) -> None:
     """Print one delivery, value by value."""
-    from clubface import units
-    from clubface.cli.tables import print_numbers
-
     rows = []
     for label, name, unit, digits in ROWS:
         value, deviation = found.get(name, unit)
@@ -300,9 +250,6 @@ def _print_one(found: Any) -> None:
 def _print_many(found: Any) -> None:
     """Print a table of swings, and the mean of each standard deviation."""
     from pathlib import Path
-
-    from clubface import units
-    from clubface.cli.tables import print_numbers
 
     heads = ("swing", *(f"{label}\n{unit}" for label, _, unit, _ in SHOWN))
     rows = [

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from clubface.cli import options, output
-from clubface.cli.failures import say
-from clubface.errors import FileError
 
 app = typer.Typer(add_completion=False, help="Make and check a club file.", no_args_is_help=True)
 
@@ -19,30 +16,15 @@ def new(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the club.")] = "my-club",
     like: Annotated[
         str | None,
-        typer.Option(
-            "--like", metavar="CLUB", help="Start from this club instead of the explained template.", show_default=False
-        ),
+        options.option("--like", metavar="CLUB", text="Start from this club instead of the explained template."),
     ] = None,
-    target: Annotated[
-        str | None,
-        typer.Option(
-            "--output", "-o", metavar="FILE", help="Write it to this file instead of the screen.", show_default=False
-        ),
-    ] = None,
+    target: options.Template = None,
 ) -> None:
     """Write a template of a club file."""
     from clubface.equipment.clubs import Club, club
 
     text = Club.template(name) if like is None else club(like).replace(name=name).to_toml()
-    if target is None:
-        print(text, end="")
-        return
-    try:
-        with Path(target).open("x", encoding="utf-8") as file:
-            file.write(text)
-    except FileExistsError:
-        raise FileError(target, None, "this file exists already; it is left as it is") from None
-    say(f"wrote {target}; fill it in, then try: clubface club check {target}")
+    output.write_template(text, target, f"fill it in, then try: clubface club check {target}")
 
 
 @app.command()

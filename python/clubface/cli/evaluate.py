@@ -3,30 +3,28 @@
 from __future__ import annotations
 
 import sys
-from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from clubface.cli import given, options, output
-from clubface.cli.failures import say
+from clubface.cli.failures import say, say_written
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
 
 app = typer.Typer(add_completion=False)
 
-_MODELS = typer.Option("--models", "--model", metavar="NAME", help=options.MODELS_TEXT, show_default=False)
-_PARAMETERS = typer.Option(
+_MODELS = options.option("--models", "--model", metavar="NAME", text=options.MODELS_TEXT)
+_PARAMETERS = options.option(
     "--parameters",
     metavar="NAME|FILE",
-    help="A published parameter set or a TOML file; models that it does not fit keep theirs. Repeatable.",
-    show_default=False,
+    text="A published parameter set or a TOML file; models that it does not fit keep theirs. Repeatable.",
 )
-_NOISE = typer.Option(
-    "--noise", metavar="NAME=VALUE", help='Of the monitor, standard deviation: "launch=0.2 deg". Repeatable.'
+_NOISE = options.option(
+    "--noise", metavar="NAME=VALUE", text='Of the monitor, standard deviation: "launch=0.2 deg". Repeatable.'
 )
-_DELIVERY_NOISE = typer.Option(
-    "--delivery-noise", metavar="NAME=VALUE", help='Of the measured delivery: "face=0.3 deg". Repeatable.'
+_DELIVERY_NOISE = options.option(
+    "--delivery-noise", metavar="NAME=VALUE", text='Of the measured delivery: "face=0.3 deg". Repeatable.'
 )
 
 
@@ -38,26 +36,18 @@ def evaluate(
     ],
     models: Annotated[list[str] | None, _MODELS] = None,
     parameters: Annotated[list[str] | None, _PARAMETERS] = None,
-    setting: Annotated[list[str] | None, options.SETTING] = None,
+    setting: options.Setting = None,
     noise: Annotated[list[str] | None, _NOISE] = None,
     delivery_noise: Annotated[list[str] | None, _DELIVERY_NOISE] = None,
     resamples: Annotated[int, typer.Option("--resamples", metavar="N", help="Number of bootstrap samples.")] = 2000,
-    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Seed of the random numbers.")] = 0,
-    folder: Annotated[
-        str | None,
-        typer.Option(
-            "--output", "-o", metavar="FOLDER", help="Write report and pictures to this folder.", show_default=False
-        ),
-    ] = None,
+    seed: options.Seed = 0,
+    folder: options.Folder = None,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
     """Compare models with measured shots: how large their errors are, what these depend on, which model is best."""
     names = given.model_names(models)
-    if folder is not None:
-        # Before the work: a folder that cannot be made, or a missing library, is found at once.
-        Path(folder).mkdir(parents=True, exist_ok=True)
-        import clubface.plots as plots  # noqa: F401
+    output.prepare_folder(folder)
     from clubface.evaluation import report, tables
     from clubface.evaluation.evaluation import evaluate as compute
 
@@ -84,8 +74,7 @@ def evaluate(
             print_numbers(table.heads, table.rows, title=table.title)
             print()
         output.print_notes(tables.notes(result))
-    if files:
-        say(f"wrote {', '.join(str(each) for each in files)}")
+    say_written(files)
 
 
 def _progress() -> Any:

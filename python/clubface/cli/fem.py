@@ -9,12 +9,11 @@ import typer
 
 from clubface.cli import options, output
 from clubface.cli.failures import Interrupted, say, say_written
-from clubface.cli.fem_parts import ball as report_ball
-from clubface.cli.fem_parts import face as report_face
-from clubface.cli.fem_parts import head as report_head
-from clubface.cli.fem_progress import progress_bar, run_with_progress
-from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REBOUND, REFERENCE_ROWS, RUN_ROWS
-from clubface.errors import RunError, Told
+from clubface.cli.fem_parts import ball as report_ball, face as report_face, head as report_head
+from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REFERENCE_ROWS, RUN_ROWS
+from clubface.cli.progress import progress_bar, run_with_progress
+from clubface.cli.tables import print_numbers
+from clubface.errors import InputError, RunError, Told
 from clubface.support.folders import prepared_folder
 from clubface.units import fixed, from_si
 
@@ -31,9 +30,6 @@ Refine = Annotated[
     int, typer.Option("--refine", metavar="TIMES", help="How many times finer the mesh is along every edge, 1 to 8.")
 ]
 BallOption = Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball of finite elements.")]
-Folder = Annotated[
-    str | None, typer.Option("--output", "-o", metavar="FOLDER", help="Write tables and pictures to this folder.")
-]
 MOVING, SHAPES = 81, 51
 """Pictures of an animation, and deformed shapes to choose from for a picture of some."""
 SPEEDS, LOFTS = "30:60:5", "8:12:1"
@@ -83,7 +79,6 @@ def reference(
         output.print_json(document)
         _end(found)
         return
-    from clubface.cli.tables import print_numbers
     from clubface.fem.reference_case import other_solvers
 
     # What other solvers found is known of this case alone.
@@ -103,7 +98,7 @@ def reference(
 @app.command("run")
 def run(
     case: Annotated[str, typer.Argument(metavar="CASE", help="A built-in case, or a TOML file.")],
-    folder: Folder = None,
+    folder: options.Folder = None,
     frames: Annotated[
         int | None,
         typer.Option(
@@ -116,9 +111,7 @@ def run(
     as_json: options.Json = False,
 ) -> None:
     """Run a case: ball, head, delivery and settings in one TOML file."""
-    from clubface.errors import InputError
-    from clubface.fem import case as cases
-    from clubface.fem import files
+    from clubface.fem import case as cases, files
 
     chosen = cases.case(case)
     if animate and folder is None:
@@ -127,12 +120,10 @@ def run(
         chosen = chosen.replace(settings={"frames": MOVING if frames is None else frames})
     if folder is not None:
         prepared_folder(folder)
-    found = run_with_progress(lambda progress: chosen.run(progress))
+    found = run_with_progress(chosen.run)
     if as_json:
         output.print_json(files.document(found))
     else:
-        from clubface.cli.tables import print_numbers
-
         print_numbers(("", ""), _rows_of(found), title=chosen.description or chosen.name)
         print(_cost(found))
     if folder is not None:
@@ -143,16 +134,14 @@ def run(
 @app.command("paper")
 def paper(
     case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="A variation of the case.")] = "paper",
-    folder: Folder = None,
+    folder: options.Folder = None,
     swept: Annotated[
         bool, typer.Option("--sweep/--no-sweep", help="With --output: also redraw Fig. 8, which takes 35 runs.")
     ] = True,
     as_json: options.Json = False,
 ) -> None:
     """Run the case of Roh and Lee and print their figures beside ours; with --output redraw their Figs. 3 to 8."""
-    from clubface.fem import case as cases
-    from clubface.fem import files
-    from clubface.fem import paper as job
+    from clubface.fem import case as cases, files, paper as job
 
     base = chosen = cases.case(case)
     if folder is not None:
@@ -163,8 +152,6 @@ def paper(
     if as_json:
         output.print_json(job.document(found))
     else:
-        from clubface.cli.tables import print_numbers
-
         ours = job.table(found)
         rows = [
             [
@@ -193,7 +180,7 @@ def sweep(
     speed: Annotated[str, typer.Option("--speed", metavar="FIRST:LAST:STEP", help="Clubhead speeds, m/s.")] = SPEEDS,
     loft: Annotated[str, typer.Option("--loft", metavar="FIRST:LAST:STEP", help="Lofts, deg.")] = LOFTS,
     case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="The case that is varied.")] = "paper",
-    folder: Folder = None,
+    folder: options.Folder = None,
     workers: Annotated[
         int | None, typer.Option("--workers", help="Number of runs at a time; all cores unless given.")
     ] = None,
@@ -206,8 +193,6 @@ def sweep(
     if as_json:
         output.print_json(rows)
     else:
-        from clubface.cli.tables import print_numbers
-
         heads = ("speed\nm/s", "loft\ndeg", "ball\nm/s", "launch\ndeg", "spin\nrpm", "club after\nm/s", "peak\nN", "f")
         keys = (("speed_mps", 1), ("loft_deg", 1), ("ball_speed_mps", 1), ("launch_deg", 2), ("spin_rpm", 0),
                 ("club_speed_after_mps", 1), ("peak_force_n", 0), ("f", 4))  # fmt: skip
@@ -224,8 +209,7 @@ def export(
     folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Write to this folder.")] = "out",
 ) -> None:
     """Write a case as a keyword deck, or run it and write its shapes for ParaView."""
-    from clubface.fem import case as cases
-    from clubface.fem import keyword, vtu
+    from clubface.fem import case as cases, keyword, vtu
     from clubface.support.checks import check_choice
 
     check_choice("--format", form, ("lsdyna", "vtu"))
@@ -235,7 +219,7 @@ def export(
         say_written([keyword.write(chosen, target / f"{vtu.file_stem(chosen.name)}.k")])
         return
     wanted = chosen.replace(settings={"frames": chosen.settings.frames or 51, "fields": True})
-    found = run_with_progress(lambda progress: wanted.run(progress))
+    found = run_with_progress(wanted.run)
     say_written(vtu.write_series(found, target, chosen.name)[-1:])
     _end(found)
 
@@ -244,16 +228,12 @@ def _sweep(
     base: Case, speed: str, loft: str, folder: str | None, *, workers: int | None = None, published: bool
 ) -> tuple[list[dict[str, Any]], list[Path]]:
     """Run a case over a grid; return the rows, and with a folder the files written there."""
-    from clubface.fem import files
-    from clubface.fem import sweep as job
+    from clubface.fem import files, sweep as job
 
     speeds, lofts = job.grid(speed, "speed", "--speed"), job.grid(loft, "angle", "--loft")
     target = prepared_folder(folder) / "sweep.csv" if folder is not None else None
-    with progress_bar() as update:
-        rows = job.sweep(
-            base, speeds=speeds, lofts=lofts, output=target, workers=workers,
-            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} runs")),
-        )  # fmt: skip
+    with progress_bar("runs") as progress:
+        rows = job.sweep(base, speeds=speeds, lofts=lofts, output=target, workers=workers, progress=progress)
     if folder is None or target is None:
         return rows, []
     return rows, [target, *files.write_sweep(rows, folder, published=published)]
@@ -270,16 +250,11 @@ def _cost(found: Any) -> str:
 
 def _rows_of(found: Any) -> list[list[str]]:
     """Return the figures of a run for people."""
-    figures = {
-        **found.launch,
-        "normal_velocity": found.normal_velocity,
-        "tangential_velocity": found.tangential_velocity,
-    }
-    figures.setdefault("backspin", found.backspin)
-    shown = [row for row in RUN_ROWS if row[1] in figures and not (found.launch and row[1] in REBOUND)]
-    rows = [[label, output.number(from_si(figures[key], unit), digits)] for label, key, unit, digits in shown]
-    return rows + [
-        [label, output.number(from_si(getattr(found, key), unit), digits)] for label, key, unit, digits in FIGURE_ROWS
+    figures = found.outcome() | {key: getattr(found, key) for _, key, _, _ in FIGURE_ROWS}
+    return [
+        [label, output.number(from_si(figures[key], unit), digits)]
+        for label, key, unit, digits in (*RUN_ROWS, *FIGURE_ROWS)
+        if key in figures
     ]
 
 

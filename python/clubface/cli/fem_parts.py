@@ -8,7 +8,8 @@ import typer
 
 from clubface.cli import options, output
 from clubface.cli.failures import say, say_written
-from clubface.cli.fem_progress import progress_bar, run_with_progress
+from clubface.cli.progress import progress_bar, run_with_progress
+from clubface.cli.tables import print_numbers
 from clubface.support.folders import prepared_folder
 from clubface.units import from_si
 
@@ -40,7 +41,6 @@ def ball(
     if as_json:
         output.print_json(document)
         return
-    from clubface.cli.tables import print_numbers
 
     asked = "" if made.mass is None else output.number(from_si(made.mass, "g"), 2)
     rows = [
@@ -92,7 +92,6 @@ def head(
     if as_json:
         output.print_json(document)
         return
-    from clubface.cli.tables import print_numbers
 
     def row(label: str, unit: str, digits: int, value: float, target: str) -> list[str]:
         given = output.number(from_si(asked[target], unit), digits) if target in asked else ""
@@ -122,9 +121,7 @@ def face(
         str, typer.Option("--high", metavar="FIRST:LAST:STEP", help="Points, mm above the centre.")
     ] = "-8:8:8",
     ball: Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball of finite elements.")] = "modern",
-    folder: Annotated[
-        str | None, typer.Option("--output", "-o", metavar="FOLDER", help="Write table and picture there.")
-    ] = None,
+    folder: options.Folder = None,
     workers: Annotated[int | None, typer.Option("--workers", help="Points at a time; all cores unless given.")] = None,
     as_json: options.Json = False,
 ) -> None:
@@ -134,16 +131,13 @@ def face(
 
     toes, highs = grid(toe, "length", "--toe"), grid(high, "length", "--high")
     target = None if folder is None else prepared_folder(folder) / "face.csv"
-    with progress_bar() as update:
+    with progress_bar("points") as progress:
         rows = face_map.face_map(
-            name, toes=toes, highs=highs, with_ball=ball, output=target, workers=workers,
-            progress=update and (lambda done, whole: update(done, whole, f"{done} of {whole} points")),
-        )  # fmt: skip
+            name, toes=toes, highs=highs, with_ball=ball, output=target, workers=workers, progress=progress
+        )
     if as_json:
         output.print_json(rows)
     else:
-        from clubface.cli.tables import print_numbers
-
         shown = (("toe_mm", 1), ("high_mm", 1), ("restitution", 3), ("characteristic_time_us", 0))
         heads = ("to the toe\nmm", "above centre\nmm", "restitution", "characteristic\ntime, us")
         print_numbers(heads, [[output.number(row[key], digits) for key, digits in shown] for row in rows])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-REBOUND = ("normal_velocity", "tangential_velocity")
 RUN_ROWS: tuple[tuple[str, str, str, int], ...] = (
     ("ball speed, m/s", "ball_speed", "1", 2),
     ("launch angle, deg", "launch", "deg", 2),

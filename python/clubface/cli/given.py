@@ -8,6 +8,7 @@ from typing import Any
 from clubface.cli import options
 from clubface.cli.failures import say
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.support.checks import check_choice, check_names
 
 
 def parsed(option: str, text: str, dimension: str) -> float:
@@ -53,18 +54,22 @@ def model_names(given: Iterable[str] | None) -> list[str]:
     """Return the models asked for, in the order asked; all of the registry where none or "all" is given."""
     from clubface.equipment.models import model, models
 
-    names = [name.strip() for each in given or ["all"] for name in each.split(",") if name.strip()]
-    if not names:
+    asked = names(given or ["all"])
+    if not asked:
         raise UnknownNameError("model", "", models())
-    spread = [each for name in names for each in (models() if name == "all" else [name])]
+    spread = [each for name in asked for each in (models() if name == "all" else [name])]
     return [model(name).name for name in dict.fromkeys(spread)]
 
 
-def one_model(name: str) -> str:
-    """Return the name of a model if there is one of that name."""
-    from clubface.equipment.models import model
+def names(texts: Iterable[str] | None) -> list[str]:
+    """Return the names in texts that each hold one or several with commas, each once."""
+    return list(dict.fromkeys(name.strip() for each in texts or () for name in each.split(",") if name.strip()))
 
-    return model(name).name
+
+def one_set(head: Any, texts: Mapping[str, Any]) -> Any:
+    """Return the parameter set that the options of ``options.ONE_MODEL`` choose for a club."""
+    model = texts["model"]
+    return parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])[model]
 
 
 def parameter_sets(
@@ -103,8 +108,7 @@ def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
             raise InputError("--parameters", chosen, f"a file for {' or '.join(names)}; it holds {', '.join(models)}")
         return {name: ParameterSet.from_toml(chosen, model=name, club=family) for name in fitting}
     known = {each.name: None for name in names for each in builtin_sets(name) if each.club in (family, "any")}
-    if chosen not in known:
-        raise UnknownNameError(f"parameter set for {family}", chosen, known)
+    check_choice(f"parameter set for {family}", chosen, known)
     fitting = [
         name
         for name in names
@@ -117,9 +121,7 @@ def conditions(given: Mapping[str, str | None]) -> dict[str, Any]:
     """Return the air and wind of a flight, from the one text ``air`` and from single options, which win."""
     told = pairs(given["air"].split(","), "--air") if given["air"] is not None else {}
     single = [name for name in options.AIR if name != "air"]
-    for name in told:
-        if name not in single:
-            raise UnknownNameError("value of --air", name, single)
+    check_names("value of --air", told, single)
     told.update({name: text for name in single if (text := given[name]) is not None})
     wind = told.pop("wind", None)
     air = {name: parsed(f"--{name}", text, _air_dimension(name)) for name, text in told.items()}

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from clubface.cli import given, options, output
+from clubface.cli.progress import progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
 from clubface.errors import InputError
@@ -95,63 +94,45 @@ def identify(
     ] = None,
     target: Annotated[
         str | None,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="FILE",
-            help="Write the parameters to this TOML file, which --parameters takes elsewhere.",
-            show_default=False,
-        ),
+        options.output("FILE", "Write the parameters to this TOML file, which --parameters takes elsewhere."),
     ] = None,
-    plot: Annotated[
-        str | None,
-        typer.Option(
-            "--plot",
-            metavar="FILE",
-            help="Draw profiles and intervals: .png, .svg or .pdf.",
-            show_default=False,
-        ),
-    ] = None,
+    plot: Annotated[str | None, options.picture("profiles and intervals")] = None,
     checkpoint: Annotated[
         str | None,
-        typer.Option(
+        options.option(
             "--checkpoint",
             metavar="FILE",
-            show_default=False,
-            help="File that keeps what is finished; SHOTS-CLUB-MODEL.checkpoint.json unless given.",
+            text="File that keeps what is finished; SHOTS-CLUB-MODEL.checkpoint.json unless given.",
         ),
     ] = None,
-    resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")] = False,
+    resume: options.Resume = False,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
     """Identify parameters of a model from shots whose delivery and launch were measured."""
-    model = given.one_model(texts["model"])
+    from clubface.equipment.models import model as model_named
+
+    model = model_named(texts["model"]).name
     ties = {name: value.strip() for name, value in given.pairs(tie or (), "--tie").items()}
     read = [shots, *(texts[name] for name in ("club", "ball", "parameters", "mapping"))]
-    if target is not None:
-        if not target.endswith(".toml"):
-            raise InputError("--output", target, "a file that ends in .toml")
-        output.check_target("--output", target, read)
-    if plot is not None:
-        from clubface.plots.style import check_ending
-
-        output.check_target("--plot", str(check_ending(plot, name="--plot")), read)
+    output.check_target("--output", target, (".toml",), read)
+    output.check_picture(plot, read)
 
     from clubface.identification.run import identify as fit
 
     recorded, head = recorded_shots(shots, texts)
-    sets = given.parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])
     kept = checkpoint or f"{Path(shots).stem}-{head.name}-{model}.checkpoint.json".replace("/", " ")
-    with _progress() as progress:
+    with progress_bar(lambda done, whole, stage, best: f"{stage}, {done} of {whole}, least cost {best:.6g}") as update:
         found = fit(
-            recorded, club=head, model=model, parameters=sets[model], free=_names(free), tied=ties or None,
-            bounds=_bounds(bounds), ball=texts["ball"], only=texts["only"], mismatch=texts["mismatch"],
-            quantities=_names(quantities), cost=cost, normaliser=normaliser,
+            recorded, club=head, model=model, parameters=given.one_set(head, texts), free=_free(free),
+            tied=ties or None, bounds=_bounds(bounds), ball=texts["ball"], only=texts["only"],
+            mismatch=texts["mismatch"],
+            quantities=given.names(quantities) or None, cost=cost, normaliser=normaliser,
             noise=given.pairs(noise or (), "--noise"), population=population,
             generations=generations, refined=refined, folds=folds, bootstrap=bootstrap,
             profiles=None if profiles else (), confidence=confidence, seed=seed, accuracy=texts["accuracy"],
-            threads=threads, checkpoint=kept, resume=resume, progress=progress,
+            threads=threads, checkpoint=kept, resume=resume,
+            progress=update and (lambda stage, done, whole, best: update(done, whole, stage, best)),
         )  # fmt: skip
     try:
         _write(found, target, plot)
@@ -183,11 +164,9 @@ def _print(found: Any) -> None:
     output.print_notes([*report.remarks(found), report.effort(found)])
 
 
-def _names(given_names: Iterable[str] | None) -> str | list[str] | None:
-    names = [name.strip() for each in given_names or () for name in each.split(",") if name.strip()]
-    if names == ["all"]:
-        return "all"
-    return names or None
+def _free(texts: Iterable[str] | None) -> str | list[str] | None:
+    names = given.names(texts)
+    return "all" if names == ["all"] else names or None
 
 
 def _bounds(texts: Iterable[str] | None) -> dict[str, tuple[str, str]]:
@@ -198,22 +177,3 @@ def _bounds(texts: Iterable[str] | None) -> dict[str, tuple[str, str]]:
             raise InputError("--bounds", f"{name}={value}", "of the form name=low:high")
         found[name] = (low.strip(), high.strip())
     return found
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[str, int, int, float], object] | None]:
-    """Show the stage and the least cost on the error stream where that is a terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("starting", total=None)
-
-        def told(stage: str, done: int, total: int, best: float) -> None:
-            bar.update(task, completed=done, total=total, description=f"{stage}, least cost {best:.6g}")
-
-        yield told

@@ -2,34 +2,30 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from typing import Annotated, Any
 
 import typer
 
 from clubface.cli import given, options, output
 from clubface.cli.failures import say
+from clubface.cli.progress import progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
+from clubface.tables.writer import KINDS
 
 app = typer.Typer(add_completion=False)
 
-_PRIOR = typer.Option(
+_PRIOR = options.option(
     "--prior",
     metavar="NAME|FILE",
-    help="Deliveries believed before: elite, tour, wide or a TOML file; elite, or else tour, unless given.",
+    text="Deliveries believed before: elite, tour, wide or a TOML file; elite, or else tour, unless given.",
 )
-_NOISE = typer.Option(
-    "--noise", metavar="NAME=VALUE", help='Standard deviation of a measurement: "backspin=100 rpm". Repeatable.'
+_NOISE = options.option(
+    "--noise", metavar="NAME=VALUE", text='Standard deviation of a measurement: "backspin=100 rpm". Repeatable.'
 )
-_OUTPUT = typer.Option(
-    "--output",
-    "-o",
-    metavar="FILE",
-    help="Write the draws, CSV or Parquet; for a file of launches, a CSV file with a row for each.",
+_OUTPUT = options.output(
+    "FILE", "Write the draws, CSV or Parquet; for a file of launches, a CSV file with a row for each."
 )
 
 
@@ -42,12 +38,10 @@ def infer(
     prior: Annotated[str | None, _PRIOR] = None,
     noise: Annotated[list[str] | None, _NOISE] = None,
     samples: Annotated[int, typer.Option("--samples", metavar="N", help="Number of deliveries that are drawn.")] = 2000,
-    seed: Annotated[int, typer.Option("--seed", metavar="N", help="Seed of the random numbers.")] = 0,
+    seed: options.Seed = 0,
     target: Annotated[str | None, _OUTPUT] = None,
-    picture: Annotated[
-        str | None, typer.Option("--plot", metavar="FILE", help="Draw every pair of quantities: .png, .svg or .pdf.")
-    ] = None,
-    resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run of a file stopped.")] = False,
+    picture: Annotated[str | None, options.picture("every pair of quantities")] = None,
+    resume: options.Resume = False,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
@@ -57,8 +51,8 @@ def infer(
     dimensions = {name: outputs()[name].dimension for name in options.MEASURED_LAUNCH}
     launch = given.quantities(texts, dimensions, {})
     settings: dict[str, Any] = {
-        "model": given.one_model(texts["model"]), "ball": texts["ball"], "prior": prior, "samples": samples,
-        "seed": seed, "accuracy": texts["accuracy"], "noise": given.pairs(noise or (), "--noise"),
+        "model": texts["model"], "ball": texts["ball"], "prior": prior, "samples": samples, "seed": seed,
+        "accuracy": texts["accuracy"], "noise": given.pairs(noise or (), "--noise"),
     }  # fmt: skip
     if shots is not None:
         if launch or picture:
@@ -70,24 +64,21 @@ def infer(
         names = recorded.clubs if texts["only"] is None else None
         for note in check_club(head, names, None, texts["mismatch"]):
             say(f"note: {note}")
-        _whole_file(
-            recorded, {**settings, "club": head, **_parameters(settings["model"], head, texts)}, target, resume, as_json
-        )
+        settings |= {"club": head, "parameters": given.one_set(head, texts)}
+        _whole_file(recorded, settings, target, resume, as_json)
         return
     if texts["club"] is None:
         raise ClubfaceError("--club is missing; give the club, as in --club driver")
     head = given.club_of(texts["club"], texts["hand"])
-    if picture is not None:
-        from clubface.plots.style import check_ending
-
-        check_ending(picture)
+    output.check_target("--output", target, KINDS)
+    output.check_picture(picture)
     from clubface.inference import words
     from clubface.inference.run import infer as compute
 
     if not launch:
         measured = ", ".join(f"--{name.replace('_', '-')}" for name in options.MEASURED_LAUNCH)
         raise ClubfaceError(f"no launch is given; give at least one of {measured}")
-    found = compute(launch, club=head, **settings, **_parameters(settings["model"], head, texts))
+    found = compute(launch, club=head, parameters=given.one_set(head, texts), **settings)
     if target is not None:
         found.shots().write(target)
         say(f"wrote {target}")
@@ -105,17 +96,12 @@ def infer(
         output.print_notes(words.notes(found))
 
 
-def _parameters(model: str, head: Any, texts: dict[str, Any]) -> dict[str, Any]:
-    sets = given.parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])
-    return {"parameters": sets[model]}
-
-
 def _whole_file(recorded: Any, settings: dict[str, Any], target: str | None, resume: bool, as_json: bool) -> None:
     if target is None:
         raise ClubfaceError("--output is missing; give the CSV file to write, as in --output deliveries.csv")
     from clubface.inference.file import infer_shots
 
-    with _progress() as progress:
+    with progress_bar("launches") as progress:
         report = infer_shots(recorded, target, resume=resume, progress=progress, **settings)
     if as_json:
         output.print_json(report._asdict())
@@ -123,17 +109,3 @@ def _whole_file(recorded: Any, settings: dict[str, Any], target: str | None, res
     print(f"{report.shots - report.without} of {report.shots} launches inferred: {report.output}")
     if report.warned:
         say(f"note: {report.warned} with a remark in the last column")
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[int, int], object] | None]:
-    """Show a bar on the error stream where that is a terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TimeRemainingColumn
-
-    with Progress(BarColumn(), TaskProgressColumn(), TimeRemainingColumn(), console=Console(stderr=True)) as bar:
-        task = bar.add_task("", total=1.0)
-        yield lambda done, total: bar.update(task, completed=done / total)

@@ -25,8 +25,7 @@ def models(
     as_json: options.Json = False,
 ) -> None:
     """List the impact models, or show one with its parameters and their published values."""
-    from clubface.equipment.models import further_models, model
-    from clubface.equipment.models import models as registry
+    from clubface.equipment.models import further_models, model, models as registry
 
     if name is not None:
         found = model(name)

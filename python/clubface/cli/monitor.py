@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import options, output
+from clubface.cli import given, options, output
 from clubface.cli.monitor_live import listen, send
 from clubface.cli.tables import print_numbers, print_words
 from clubface.errors import InputError
@@ -22,58 +22,49 @@ app = typer.Typer(
 app.command("listen")(listen)
 app.command("send")(send)
 
-Hand = Annotated[
-    str | None, typer.Option("--hand", metavar="right|left", help="Hand of the player.", show_default=False)
-]
-SHOWN = 20
-"""Rejected rows that are printed."""
-
 
 @app.command("read")
 def read(
     file: Annotated[str, typer.Argument(metavar="FILE", help="A file that the monitor's program exported.")],
-    format_: Annotated[
-        str | None, typer.Option("--format", metavar="NAME", help="Layout of the file; recognised unless given.")
-    ] = None,
-    mapping: Annotated[
-        str | None,
-        typer.Option("--mapping", metavar="FILE", help="TOML file that names the columns of any other CSV file."),
-    ] = None,
-    hand: Hand = None,
+    format_: options.Format = None,
+    mapping: options.ColumnsFile = None,
+    hand: Annotated[str | None, options.option("--hand", metavar="right|left", text="Hand of the player.")] = None,
     unit: Annotated[
         list[str] | None,
-        typer.Option(
-            "--unit", metavar="NAME=UNIT", help="Unit where the file names none: speed=km/h, carry=m. Repeatable."
+        options.option(
+            "--unit", metavar="NAME=UNIT", text="Unit where the file names none: speed=km/h, carry=m. Repeatable."
         ),
     ] = None,
     club: Annotated[
         list[str] | None,
-        typer.Option(
+        options.option(
             "--club",
             metavar="CLUB|NAME=CLUB",
-            help="Refer club data to this club, or NAME=CLUB for each name in the file.",
+            text="Refer club data to this club, or NAME=CLUB for each name in the file.",
         ),
     ] = None,
-    target: Annotated[
-        str | None,
-        typer.Option("--output", "-o", metavar="FILE", help="Write one table, CSV or Parquet by its ending."),
-    ] = None,
+    target: Annotated[str | None, options.output("FILE", "Write one table, CSV or Parquet by its ending.")] = None,
     rejects: Annotated[
         str | None,
-        typer.Option("--rejects", metavar="FILE", help="Write the rows without a shot, with line and reason."),
+        options.option("--rejects", metavar="FILE", text="Write the rows without a shot, with line and reason."),
     ] = None,
     as_json: options.Json = False,
 ) -> None:
     """Read a launch monitor's file and write its shots in the units and signs of clubface."""
     from clubface import launch_monitor
+    from clubface.tables.writer import KINDS
 
-    for name, written in (("--output", target), ("--rejects", rejects)):
-        if written is not None:
-            output.check_target(name, written, [file, mapping])
+    output.check_target("--output", target, KINDS, [file, mapping])
+    output.check_target("--rejects", rejects, (".csv",), [file, mapping])
     if target is not None and rejects is not None and Path(target).resolve() == Path(rejects).resolve():
         raise InputError("--rejects", rejects, "another file than the output")
     shots = launch_monitor.read(
-        file, format=format_, hand=hand, mapping=mapping, units=dict(map(_pair, unit or ())), club=_clubs(club or [])
+        file,
+        format=format_,
+        hand=hand,
+        mapping=mapping,
+        units=given.pairs(unit or (), "--unit"),
+        club=_clubs(club or []),
     )
     if target is not None:
         shots.write(target)
@@ -84,14 +75,9 @@ def read(
         return
     _print(shots)
     print(output.counted(len(shots), "shot") + (f": {target}" if target is not None else ""))
-    if shots.rejected:
-        print(
-            output.counted(len(shots.rejected), "row") + " rejected" + (f": {rejects}" if rejects is not None else "")
-        )
-        for each in shots.rejected[:SHOWN]:
-            print(f"  line {each.line}: {each.reason}")
-        if len(shots.rejected) > SHOWN:
-            print(f"  and {len(shots.rejected) - SHOWN} more (--rejects FILE keeps all)")
+    output.print_rejected(
+        shots.rejected, "rejected" + (f": {rejects}" if rejects is not None else ""), "--rejects FILE keeps all"
+    )
     output.print_notes(shots.notes)
 
 
@@ -125,24 +111,13 @@ def formats(
         print(f"{layout['title']}; {layout['source']}")
 
 
-def _pair(text: str) -> tuple[str, str]:
-    name, found, value = text.partition("=")
-    if not found or not name.strip() or not value.strip():
-        raise InputError("--unit", text, "NAME=UNIT, as in speed=km/h")
-    return name.strip(), value.strip()
-
-
-def _clubs(given: list[str]) -> Any:
+def _clubs(texts: list[str]) -> Any:
     """Return a club, clubs by name in the file, or None."""
-    named = [each for each in given if "=" in each]
-    if not named:
-        if len(given) > 1:
-            raise InputError("--club", given[1], "one club, or NAME=CLUB for each name in the file")
-        return given[0] if given else None
-    if len(named) < len(given):
-        raise InputError("--club", next(each for each in given if "=" not in each), "NAME=CLUB, as the others")
-    pairs = (each.partition("=") for each in named)
-    return {name.strip(): club.strip() for name, _, club in pairs}
+    if any("=" in each for each in texts):
+        return given.pairs(texts, "--club")
+    if len(texts) > 1:
+        raise InputError("--club", texts[1], "one club, or NAME=CLUB for each name in the file")
+    return texts[0] if texts else None
 
 
 def _print(shots: RecordedShots) -> None:

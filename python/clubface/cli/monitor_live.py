@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import output
+from clubface.cli import options, output
 from clubface.cli.failures import say
 from clubface.errors import FileError, InputError
 from clubface.units import from_si, parse
@@ -25,20 +25,17 @@ SHOWN = (("ball_speed", "mph", 1), ("launch", "deg", 1), ("azimuth", "deg", 1), 
 def listen(
     port: Port = 921,
     target: Annotated[
-        str | None,
-        typer.Option(
-            "--output", "-o", metavar="FILE", help="Write the shots to a new table, CSV or Parquet, kept up to date."
-        ),
+        str | None, options.output("FILE", "Write the shots to a new table, CSV or Parquet, kept up to date.")
     ] = None,
     hand: Annotated[
-        str | None, typer.Option("--hand", metavar="right|left", help="Hand of the player, which the monitor is told.")
+        str | None,
+        options.option("--hand", metavar="right|left", text="Hand of the player, which the monitor is told."),
     ] = None,
     club: Annotated[
         str, typer.Option("--club", metavar="NAME", help="Club that the monitor is told, such as DR.")
     ] = "",
     count: Annotated[
-        int | None,
-        typer.Option("--shots", metavar="NUMBER", help="End after this number of shots.", show_default=False),
+        int | None, options.option("--shots", metavar="NUMBER", text="End after this number of shots.")
     ] = None,
     timeout: Annotated[
         str | None, typer.Option("--timeout", metavar='"60 s"', help="End when nothing has come for so long.")
@@ -47,12 +44,11 @@ def listen(
 ) -> None:
     """Receive the shots of launch monitors that speak GSPro Open Connect, as the simulator does."""
     from clubface.launch_monitor.open_connect import Listener, recorded
-    from clubface.tables.writer import is_parquet
+    from clubface.tables.writer import KINDS
 
-    if target is not None:
-        is_parquet(Path(target))
-        if Path(target).exists():
-            raise FileError(target, None, "this file exists already; give a new one, so that no shots are lost")
+    output.check_target("--output", target, KINDS)
+    if target is not None and Path(target).exists():
+        raise FileError(target, None, "this file exists already; give a new one, so that no shots are lost")
     wait = parse(timeout, "time", name="timeout") if timeout is not None else None
     got: list[Message] = []
     with Listener(port, hand=hand, club=club, on_problem=say) as listener:

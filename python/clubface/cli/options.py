@@ -12,13 +12,19 @@ Group = Mapping[str, tuple[Any, Any]]
 """Options by the name of their value: annotation and default."""
 
 
-def _option(*names: str, panel: str, metavar: str, text: str) -> Any:
+def option(*names: str, metavar: str, text: str, panel: str | None = None) -> Any:
+    """Return an option whose default is told, if at all, in its help ``text``."""
     return typer.Option(*names, metavar=metavar, rich_help_panel=panel, help=text, show_default=False)
+
+
+def output(metavar: str, text: str) -> Any:
+    """Return the option that names what a command writes."""
+    return option("--output", "-o", metavar=metavar, text=text)
 
 
 def text_option(name: str, panel: str, metavar: str, text: str) -> tuple[Any, None]:
     """Return the annotation and default of an option whose value is text or None."""
-    return Annotated[str | None, _option(name, panel=panel, metavar=metavar, text=text)], None
+    return Annotated[str | None, option(name, panel=panel, metavar=metavar, text=text)], None
 
 
 def _quantities(of: str, **examples: tuple[str, str]) -> dict[str, tuple[Any, None]]:
@@ -31,6 +37,20 @@ def _quantities(of: str, **examples: tuple[str, str]) -> dict[str, tuple[Any, No
 
 ClubArgument = Annotated[str, typer.Argument(metavar="CLUB", help="Name of a built-in club, or a TOML file.")]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document instead.")]
+Folder = Annotated[str | None, output("FOLDER", "Write tables and pictures to this folder.")]
+Template = Annotated[str | None, output("FILE", "Write it to this file instead of the screen.")]
+Format = Annotated[str | None, option("--format", metavar="NAME", text="Layout of the file; recognised unless given.")]
+ColumnsFile = Annotated[
+    str | None, option("--mapping", metavar="FILE", text="TOML file that names the columns of any other CSV file.")
+]
+Resume = Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")]
+Seed = Annotated[int, typer.Option("--seed", metavar="N", help="Seed of the random numbers.")]
+
+
+def picture(of: str) -> Any:
+    """Return the option that names a picture."""
+    return option("--plot", metavar="FILE", text=f"Draw {of}: .png, .svg or .pdf.")
+
 
 DELIVERY: Group = _quantities(
     "Delivery",
@@ -67,10 +87,12 @@ MEASURED_LAUNCH: Group = _quantities(
 )
 
 _EQUIPMENT, _MODEL, _AIR = "Club and ball", "Model", "Air"
-_BALL = _option(
-    "--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="A built-in ball or a TOML file; published unless given."
-)
-Ball = Annotated[str, _BALL]
+Ball = Annotated[
+    str,
+    option(
+        "--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="A built-in ball or a TOML file; published unless given."
+    ),
+]
 BALL: Group = {"ball": (Ball, "published")}
 EQUIPMENT: Group = {
     "hand": text_option("--hand", _EQUIPMENT, "right|left", "Hand of the club; its own unless given."),
@@ -78,20 +100,16 @@ EQUIPMENT: Group = {
 }
 
 MODELS_TEXT = "A model, or several with commas or repeated; all unless given."
-Models = Annotated[list[str] | None, _option("--model", panel=_MODEL, metavar="NAME", text=MODELS_TEXT)]
-_ONE_MODEL = Annotated[str, _option("--model", panel=_MODEL, metavar="NAME", text="The model; standard unless given.")]
-_SETTINGS = list[str] | None
+Models = Annotated[list[str] | None, option("--model", panel=_MODEL, metavar="NAME", text=MODELS_TEXT)]
+_ONE_MODEL = Annotated[str, option("--model", panel=_MODEL, metavar="NAME", text="The model; standard unless given.")]
 _SET_TEXT = "Change a model parameter: friction=0.4. Repeatable."
 _ACCURACY_TEXT = "Relative tolerance of a step of a contact model, 1e-13 to 1e-2."
-SETTING = _option("--set", panel=_MODEL, metavar="NAME=VALUE", text=_SET_TEXT)
+Setting = Annotated[list[str] | None, option("--set", panel=_MODEL, metavar="NAME=VALUE", text=_SET_TEXT)]
 _PARAMETERS: Group = {
     "parameters": text_option("--parameters", _MODEL, "NAME|FILE", "A published parameter set or a TOML file."),
-    "setting": (
-        Annotated[_SETTINGS, SETTING],
-        None,
-    ),
+    "setting": (Setting, None),
     "accuracy": (
-        Annotated[float | None, _option("--accuracy", panel=_MODEL, metavar="TOLERANCE", text=_ACCURACY_TEXT)],
+        Annotated[float | None, option("--accuracy", panel=_MODEL, metavar="TOLERANCE", text=_ACCURACY_TEXT)],
         None,
     ),
 }

@@ -6,17 +6,29 @@ import json
 import math
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from clubface.errors import InputError
+from clubface.cli.failures import say
+from clubface.errors import FileError, InputError
+from clubface.support.folders import prepared_folder
 from clubface.support.plain_json import plain
 
+REJECTED = 20
+"""Rows without a shot that are printed."""
 
-def check_target(name: str, target: str, inputs: Iterable[str | None] = ()) -> None:
-    """Refuse a file to write whose folder is not there or that is one of the ``inputs``, before work begins."""
+
+def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: Iterable[str | None] = ()) -> None:
+    """Refuse a file to write of another kind, whose folder is not there or that is one of the ``inputs``.
+
+    It is told before work begins. ``kinds`` are the endings a name may have.
+    """
+    if target is None:
+        return
     path = Path(target)
+    if path.suffix.lower() not in kinds:
+        raise InputError(name, target, f"a file whose name ends in {', '.join(kinds)}")
     if not path.parent.is_dir():
         raise InputError(name, target, "a file in a folder that exists")
     if path.is_dir():
@@ -24,6 +36,35 @@ def check_target(name: str, target: str, inputs: Iterable[str | None] = ()) -> N
     for given in inputs:
         if given is not None and path.exists() and os.path.exists(given) and path.samefile(given):
             raise InputError(name, target, "another file than those that are read")
+
+
+def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None:
+    """Refuse a picture to write in the same way; a missing library is told as well."""
+    if target is not None:
+        from clubface.plots.style import ENDINGS
+
+        check_target("--plot", target, ENDINGS, inputs)
+
+
+def prepare_folder(folder: str | None) -> None:
+    """Make a folder for tables and pictures; one that cannot be made, or a missing library, is told before any work."""
+    if folder is not None:
+        prepared_folder(folder)
+        import clubface.plots as plots  # noqa: F401
+
+
+def write_template(text: str, target: str | None, then: str) -> None:
+    """Write a template of a TOML file to the screen or a new file, and tell what to do ``then``."""
+    if target is None:
+        print(text, end="")
+        return
+    check_target("--output", target, (".toml",))
+    try:
+        with Path(target).open("x", encoding="utf-8") as file:
+            file.write(text)
+    except FileExistsError:
+        raise FileError(target, None, "this file exists already; it is left as it is") from None
+    say(f"wrote {target}; {then}")
 
 
 def print_json(document: Any) -> None:
@@ -42,6 +83,16 @@ def number(value: float | None, digits: int = 1) -> str:
 def counted(count: int, what: str) -> str:
     """Return "1 shot" or "3 shots"."""
     return f"{count} {what}{'s' * (count != 1)}"
+
+
+def print_rejected(rejected: Sequence[Any], what: str, remedy: str) -> None:
+    """Print how many rows gave no shot, and the first of them with line and reason; ``remedy`` tells of the others."""
+    if rejected:
+        print(f"{counted(len(rejected), 'row')} {what}")
+    for each in rejected[:REJECTED]:
+        print(f"  line {each.line}: {each.reason}")
+    if len(rejected) > REJECTED:
+        print(f"  and {len(rejected) - REJECTED} more ({remedy})")
 
 
 def terminal_width() -> int | None:

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import fields
 from typing import Annotated, Any
 
@@ -12,6 +9,7 @@ import typer
 
 from clubface.cli import given, options, output
 from clubface.cli.failures import say
+from clubface.cli.progress import progress_bar
 
 app = typer.Typer(add_completion=False)
 
@@ -27,40 +25,28 @@ def predict(
         ),
     ],
     club: Annotated[str, typer.Option("--club", metavar="CLUB", help="Name of a built-in club, or a TOML file.")],
-    target: Annotated[
-        str | None,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="FILE",
-            help="Write the launches, CSV or Parquet by its ending.",
-            show_default=False,
-        ),
-    ] = None,
+    target: Annotated[str | None, options.output("FILE", "Write the launches, CSV or Parquet by its ending.")] = None,
     rejects: Annotated[
         str | None,
-        typer.Option(
-            "--rejects", metavar="FILE", help="Write the rows that cannot be used, with reasons.", show_default=False
-        ),
+        options.option("--rejects", metavar="FILE", text="Write the rows that cannot be used, with reasons."),
     ] = None,
-    resume: Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")] = False,
+    resume: options.Resume = False,
     carry: Annotated[bool, typer.Option("--carry/--no-carry", help="Compute the flight too.")] = True,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
     """Compute the launch of every delivery in a file."""
     head = given.club_of(club, texts["hand"])
-    chosen = given.one_model(texts["model"])
-    sets = given.parameter_sets([chosen], head.parameters, texts["parameters"], texts["setting"])
+    chosen = given.one_set(head, texts)
     conditions = given.conditions(texts)
 
     from clubface.prediction.predict import predict as compute
 
-    with _progress() as progress:
+    with progress_bar(lambda part, whole, rows: f"{rows} deliveries") as update:
         report = compute(
-            deliveries, club=head, model=chosen, parameters=sets[chosen], ball=texts["ball"],
+            deliveries, club=head, model=texts["model"], parameters=chosen, ball=texts["ball"],
             accuracy=texts["accuracy"], carry=carry, output=target, rejects=rejects, resume=resume,
-            progress=progress, **conditions,
+            progress=update and (lambda part, rows: update(part, 1.0, rows)), **conditions,
         )  # fmt: skip
     if as_json:
         output.print_json({each.name: getattr(report, each.name) for each in fields(report)})
@@ -69,18 +55,3 @@ def predict(
     if report.rejected and not report.written:
         say("not one delivery could be used")
         raise typer.Exit(2)
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[float, int], object] | None]:
-    """Show a bar on the error stream where that is a terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
-
-    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("starting", total=1.0)
-        yield lambda part, rows: bar.update(task, completed=part, description=f"{rows} deliveries")

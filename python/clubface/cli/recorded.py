@@ -21,8 +21,8 @@ RECORDED: Group = {
         "--club", "Club and ball", "CLUB", "Name or TOML file; the club that the shots name unless given."
     ),
     "only": text_option("--only", _SHOTS, "NAME", "Take only the shots of the club that the file calls so."),
-    "format": text_option("--format", _SHOTS, "NAME", "Layout of the file; recognised unless given."),
-    "mapping": text_option("--mapping", _SHOTS, "FILE", "TOML file that names the columns of any other CSV file."),
+    "format": (options.Format, None),
+    "mapping": (options.ColumnsFile, None),
     "mismatch": (Annotated[str, _MISMATCH], "refuse"),
     **options.EQUIPMENT,
 }

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Annotated, Any
 
 import typer
@@ -21,13 +20,10 @@ def sensitivity(
     club: options.ClubArgument,
     wanted: Annotated[
         list[str] | None,
-        typer.Option(
-            "--output", metavar="NAME", help=f"Launch quantity, such as backspin. {_NAMES}", show_default=False
-        ),
+        options.option("--output", metavar="NAME", text=f"Launch quantity, such as backspin. {_NAMES}"),
     ] = None,
     by: Annotated[
-        list[str] | None,
-        typer.Option("--by", metavar="NAME", help=f"Input or parameter, such as toe. {_NAMES}", show_default=False),
+        list[str] | None, options.option("--by", metavar="NAME", text=f"Input or parameter, such as toe. {_NAMES}")
     ] = None,
     as_json: options.Json = False,
     **texts: Any,
@@ -35,18 +31,14 @@ def sensitivity(
     """Print how the launch changes with every input and parameter ("rpm per mm")."""
     delivery = given.delivery(texts)
     head = given.club_of(club, texts["hand"])
-    chosen = given.one_model(texts["model"])
-    sets = given.parameter_sets([chosen], head.parameters, texts["parameters"], texts["setting"])
+    chosen = given.one_set(head, texts)
 
-    from clubface.simulation.sensitivity import MAIN
-    from clubface.simulation.sensitivity import sensitivity as differentiate
+    from clubface.simulation.sensitivity import MAIN, sensitivity as differentiate
 
-    outputs, variables = _split(wanted), _split(by)
-    if outputs is None and not as_json:
-        outputs = list(MAIN)
+    outputs = given.names(wanted) or (None if as_json else MAIN)
     found = differentiate(
-        head, delivery, model=chosen, parameters=sets[chosen], ball=texts["ball"], accuracy=texts["accuracy"],
-        outputs=outputs, variables=variables,
+        head, delivery, model=chosen.model, parameters=chosen, ball=texts["ball"], accuracy=texts["accuracy"],
+        outputs=outputs, variables=given.names(by) or None,
     )  # fmt: skip
     if as_json:
         output.print_json(_document(found))
@@ -56,8 +48,8 @@ def sensitivity(
         [_per(variable, found.units[variable]), *(f"{value + 0.0:.4g}" for value in column)]
         for variable, column in zip(found.variables, found.values.T.tolist(), strict=True)
     ]
-    print_numbers(heads, rows, title=f"{head.name}, {chosen}: change of the launch")
-    output.print_notes(f"{chosen}: {text}" for text in sets[chosen].caveats)
+    print_numbers(heads, rows, title=f"{head.name}, {chosen.model}: change of the launch")
+    output.print_notes(f"{chosen.model}: {text}" for text in chosen.caveats)
 
 
 def _document(found: Any) -> dict[str, Any]:
@@ -67,11 +59,6 @@ def _document(found: Any) -> dict[str, Any]:
         for variable, value in zip(found.variables, row, strict=True)
     ]
     return {"model": found.launch.model, "club": found.launch.club.name, "derivatives": derivatives}
-
-
-def _split(chosen: Iterable[str] | None) -> list[str] | None:
-    names = [name.strip() for each in chosen or () for name in each.split(",") if name.strip()]
-    return list(dict.fromkeys(names)) or None
 
 
 def _per(variable: str, unit: str) -> str:

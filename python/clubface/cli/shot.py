@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options
+from clubface.cli import given, options, output
 
 app = typer.Typer(add_completion=False)
 
@@ -39,19 +39,13 @@ DRAWN = 1e-8
 @options.takes(options.DELIVERY, options.EQUIPMENT, options.MODELS, options.AIR)
 def shot(
     club: options.ClubArgument,
-    plot: Annotated[
-        str | None,
-        typer.Option("--plot", metavar="FILE", help="Draw forces and flight: .png, .svg or .pdf.", show_default=False),
-    ] = None,
+    plot: Annotated[str | None, options.picture("forces and flight")] = None,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
     """Compute one shot and print a row for each model."""
     delivery = given.delivery(texts)
-    if plot is not None:
-        from clubface.plots.style import check_ending
-
-        check_ending(plot, name="--plot")
+    output.check_picture(plot)
     head = given.club_of(club, texts["hand"])
     names = given.model_names(texts["model"])
     sets = given.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
@@ -77,7 +71,7 @@ def value(launch: Any, flight: Any, quantity: str, unit: str) -> float:
 
 
 def _print(launches: Mapping[str, Any], flights: Mapping[str, Any], as_json: bool) -> None:
-    from clubface.cli import output, tables
+    from clubface.cli import tables
 
     if as_json:
         rows = [

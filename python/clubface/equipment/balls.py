@@ -12,9 +12,9 @@ from dataclasses import dataclass, field
 from typing import ClassVar, Self
 
 from clubface import units
+from clubface.equipment.core import check_body
 from clubface.equipment.described import Described, Property, set_si, template_lines, to_toml
-from clubface.equipment.mass_properties import check_positive
-from clubface.errors import InputError, RuleWarning
+from clubface.errors import RuleWarning
 from clubface.support.checks import check_name, check_text
 from clubface.support.shipped import builtin_names, builtin_path, is_path
 from clubface.support.strict_toml import quoted
@@ -66,12 +66,7 @@ class Ball(Described):
         set_si(self, BALL_PROPERTIES)
         check_name(self.name)
         check_text("description", self.description)
-        for each, symbol in (("mass", "kg"), ("radius", "m"), ("inertia", "kg m2")):
-            check_positive(each, getattr(self, each), symbol)
-        shell = 2.0 / 3.0 * self.mass * self.radius * self.radius
-        if self.inertia > shell * (1.0 + 1e-9):
-            allowed = f"at most that of a thin shell of this mass and radius, {units.show(shell, 'g cm2')}"
-            raise InputError("inertia", units.show(self.inertia, "g cm2"), allowed)
+        check_body("ball", self.inputs())
         if self.mass > BALL_MASS_LIMIT * (1.0 + 1e-9):
             warn_once(
                 f"{self.name}: ball mass {units.fixed(self.mass, 'g', 2)} is above the rule limit of 45.93 g",

@@ -6,17 +6,15 @@ drivers and irons", Table 1.
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar, Self
 
 from clubface import units
-from clubface.equipment.balls import Ball as Ball
-from clubface.equipment.balls import ball as ball
+from clubface.equipment.balls import Ball as Ball, ball as ball
+from clubface.equipment.core import check_body
 from clubface.equipment.described import Described, Property, set_si, template_lines, to_toml
-from clubface.equipment.mass_properties import Tensor, check_inertia, check_positive
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning
 from clubface.support.checks import check_choice, check_name, check_text
 from clubface.support.shipped import builtin_path, is_path
@@ -127,33 +125,12 @@ class Club(Described):
         if self.hand not in (1, -1):
             raise InputError("hand", self.hand, "+1 (right) or -1 (left)")
         check_text("description", self.description)
-        check_positive("mass", self.mass, "kg")
-        check_inertia(self.inertia)
         if not 0.0 <= self.loft <= units.to_si(75.0, "deg"):
             raise InputError("loft", units.show(self.loft, "deg"), "from 0 to 75 deg")
-        for each in ("bulge", "roll"):
-            if not getattr(self, each) > 0.0:
-                raise InputError(each, getattr(self, each), 'above 0 m, or "flat" (infinite)')
-        check_positive("face_width", self.face_width, "m")
-        check_positive("face_height", self.face_height, "m")
-        self._check_face()
+        check_body("club", self.inputs())
         if self.cor is not None and not 0.0 <= self.cor <= 1.0:
             raise InputError("cor", self.cor, "from 0 to 1")
         self._warn()
-
-    def _check_face(self) -> None:
-        """Refuse radii so small that the face does not reach the corners of its outline."""
-        half_width, half_height = self.face_width / 2.0, self.face_height / 2.0
-        if half_height <= self.roll:
-            # How far the roll arc falls back at the edge of the face, which shortens the radius it is revolved with.
-            # Products, since powers of huge numbers raise OverflowError.
-            across = math.sqrt((self.roll - half_height) * (self.roll + half_height))
-            drop = half_height * half_height / (self.roll + across)
-            if half_width <= self.bulge - drop:
-                return
-        size = " x ".join(units.show(each, "mm") for each in (self.face_width, self.face_height))
-        given = f"{units.show(self.bulge, 'mm')} with a roll of {units.show(self.roll, 'mm')}"
-        raise InputError("bulge", given, f"large enough, as the roll, for a face of {size}")
 
     def _warn(self) -> None:
         if self.kind != "iron" and self.iyy > MOI_LIMIT + MOI_TOLERANCE:
@@ -173,7 +150,7 @@ class Club(Described):
         return self.cg_x, self.cg_y, self.cg_z
 
     @property
-    def inertia(self) -> Tensor:
+    def inertia(self) -> tuple[tuple[float, float, float], ...]:
         """Inertia tensor about the CG [kg m2], shape (3, 3)."""
         return (
             (self.ixx, self.ixy, self.ixz),

@@ -10,8 +10,8 @@ from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple, Self, TypeVar
 
 from clubface import units
-from clubface.errors import ClubfaceError, UnknownNameError
-from clubface.support.checks import check_choice
+from clubface.errors import ClubfaceError
+from clubface.support.checks import check_choice, check_names
 from clubface.support.strict_toml import Document, quoted
 
 HANDS = {"right": 1, "left": -1}
@@ -114,9 +114,7 @@ def set_si(subject: Any, properties: Properties) -> None:
 def changed(subject: T, changes: Mapping[str, Any]) -> T:
     """Return ``subject`` with some fields changed; a changed property loses its source."""
     names = [each.name for each in fields(subject)]  # pyright: ignore
-    for key in changes:
-        if key not in names:
-            raise UnknownNameError("field", key, names)
+    check_names("field", changes, names)
     kept = {k: v for k, v in subject.sources.items() if k not in changes}  # pyright: ignore
     return replace(subject, **{"sources": kept, **changes})  # pyright: ignore
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 
-from clubface._core import models as declared
+from clubface.equipment import core
 from clubface.equipment.backends import MODULES
 from clubface.errors import InputError, UnknownNameError
 
@@ -98,7 +98,7 @@ class Model:
 def models() -> dict[str, Model]:
     """Return all models by name, in the order of the registry."""
     found = {}
-    for entry in declared():
+    for entry in core.models():
         parameters = tuple(Parameter(**{key: each[key] for key in PARAMETER_KEYS}) for each in entry["parameters"])
         plain = {key: entry[key] for key in MODEL_KEYS}
         without = entry.get("laws_without")

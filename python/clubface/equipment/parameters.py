@@ -28,6 +28,7 @@ from typing import Any, Self
 from clubface import units
 from clubface.equipment.models import Model, Parameter, model
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.support.checks import check_choice
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document, quoted
 
@@ -75,8 +76,7 @@ class ParameterSet:
 
     def __post_init__(self) -> None:
         declared = model(self.model)
-        if self.club not in FAMILIES:
-            raise UnknownNameError("club", self.club, FAMILIES)
+        check_choice("club", self.club, FAMILIES)
         for key in (*self.values, *self.value_caveats):
             declared.parameter(key)
         missing = [each.name for each in declared.parameters if each.name not in self.values]
@@ -119,8 +119,7 @@ class ParameterSet:
     @classmethod
     def builtin(cls, model_name: str, club: str, name: str | None = None) -> ParameterSet:
         """Return the default published set of a model and family of clubs, or the one called ``name``."""
-        if club not in FAMILIES:
-            raise UnknownNameError("club", club, FAMILIES)
+        check_choice("club", club, FAMILIES)
         fitting = [each for each in builtin_sets(model_name) if club in (each.club, "any") or each.club == "any"]
         if name is None:
             fitting = [each for each in fitting if each.default]

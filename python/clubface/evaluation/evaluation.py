@@ -14,12 +14,13 @@ from clubface.errors import InputError, Told
 from clubface.evaluation import noise as noises
 from clubface.evaluation.model_errors import ModelErrors
 from clubface.evaluation.report import write
-from clubface.evaluation.statistics import Resamples, Values, error_sizes
+from clubface.evaluation.statistics import Resamples, error_sizes
 from clubface.evaluation.trends import trends
 from clubface.measured.shots import QUANTITIES, MeasuredShots, measured_shots
 from clubface.recorded.shots import RecordedShots, RejectedRow
 from clubface.simulation.impact import impact, model_names
 from clubface.simulation.inputs import parameter_set
+from clubface.support.arrays import Floats
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -110,7 +111,7 @@ def evaluate(
             raise InputError("parameters", name, f"for one of the models evaluated: {', '.join(names)}")
     sets = {name: parameter_set(name, taken.club, given.get(name)) for name in names}
 
-    def predict(name: str, delivery: Mapping[str, Values]) -> dict[str, Values]:
+    def predict(name: str, delivery: Mapping[str, Floats]) -> dict[str, Floats]:
         found = impact(
             taken.club, delivery, model=name, parameters=sets[name], ball=ball, accuracy=accuracy, threads=threads,
             on_error="nan",
@@ -149,7 +150,7 @@ def evaluate(
     )  # fmt: skip
 
 
-def _timed(compute: Callable[[], dict[str, Values]], shots: int) -> tuple[dict[str, Values], float]:
+def _timed(compute: Callable[[], dict[str, Floats]], shots: int) -> tuple[dict[str, Floats], float]:
     """Return a result and the processor time a shot; what is too short to be timed is run again."""
     began = process_time()
     result = compute()

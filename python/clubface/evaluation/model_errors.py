@@ -9,17 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from clubface.evaluation.published_accuracy import PublishedAccuracy, published
-from clubface.evaluation.statistics import Best, ErrorSize, Values
+from clubface.evaluation.statistics import Best, ErrorSize
 from clubface.evaluation.trends import Trend
 from clubface.measured.shots import MeasuredShots
 from clubface.recorded.shots import RejectedRow
+from clubface.support.arrays import Floats
 
 if TYPE_CHECKING:
     from clubface.equipment.parameters import ParameterSet
-
-FEWEST_RESAMPLES = 100
-SHORTEST = 0.02
-"""Seconds; a computation shorter than this is timed over several runs."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -54,7 +51,7 @@ class ModelErrors:
 
     shots: MeasuredShots
     parameters: dict[str, ParameterSet]
-    predicted: dict[str, dict[str, Values]]
+    predicted: dict[str, dict[str, Floats]]
     sizes: dict[str, dict[str, ErrorSize]]
     best: dict[str, Best]
     trends: dict[str, dict[str, list[Trend]]]
@@ -87,7 +84,7 @@ class ModelErrors:
         family = self.shots.club.parameters
         return {name: published()[name, family] for name in self.models if (name, family) in published()}
 
-    def errors(self, model: str, quantity: str) -> Values:
+    def errors(self, model: str, quantity: str) -> Floats:
         """Return model minus measured values, one element a shot; NaN where the value was not measured."""
         return self.predicted[model][quantity] - self.shots.launch[quantity]
 

@@ -7,15 +7,14 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.evaluation.published_accuracy import monitor_errors
 from clubface.measured.shots import QUANTITIES
 from clubface.simulation.delivery import DIMENSIONS
-
-Values = NDArray[np.float64]
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice
 
 TO_MEAN_ABSOLUTE = math.sqrt(2.0 / math.pi)
 """Mean magnitude of a normal deviate of standard deviation 1."""
@@ -32,8 +31,7 @@ def standard_deviations(given: Mapping[str, Any] | None, dimensions: Mapping[str
     """Return standard deviations, SI, from text with units or SI numbers; ``what`` names them in errors."""
     found = {}
     for name, value in (given or {}).items():
-        if name not in dimensions:
-            raise UnknownNameError(f"quantity of {what}", name, dimensions)
+        check_choice(f"quantity of {what}", name, dimensions)
         found[name] = units.parse(value, dimensions[name], name=f"{what} {name}")
         if found[name] < 0.0:
             raise InputError(f"{what} {name}", value, "a standard deviation, not negative")
@@ -51,8 +49,8 @@ def delivery_noise(given: Mapping[str, Any] | None) -> dict[str, float]:
 
 
 def floor(
-    predict: Callable[[Mapping[str, Values]], Mapping[str, Values]] | None,
-    delivery: Mapping[str, Values],
+    predict: Callable[[Mapping[str, Floats]], Mapping[str, Floats]] | None,
+    delivery: Mapping[str, Floats],
     monitor: Mapping[str, float],
     disturbance: Mapping[str, float],
     seed: int,

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
+from clubface.support.arrays import Floats
 
 CONFIDENCE = 0.95
 SIGNIFICANCE = 0.05
@@ -123,7 +123,7 @@ class Resamples:
         self.count = count
         self._shots = shots
         self._seed = seed
-        self._weights: Values | None = None
+        self._weights: Floats | None = None
         self._group = np.arange(shots)
         self.groups = shots
         """How many are drawn."""
@@ -131,7 +131,7 @@ class Resamples:
             names, self._group = np.unique(np.asarray(groups), return_inverse=True)
             self.groups = len(names)
 
-    def means(self, values: Values) -> Values:
+    def means(self, values: Floats) -> Floats:
         """Return the means of ``values``, shape [columns, shots], over each resample: [resamples, columns]."""
         if self.count * self._shots <= _KEPT:
             if self._weights is None:
@@ -139,7 +139,7 @@ class Resamples:
             return self._weights @ values.T
         return np.concatenate([weights @ values.T for weights in self._drawn()])
 
-    def _drawn(self) -> Iterator[Values]:
+    def _drawn(self) -> Iterator[Floats]:
         """Yield the weights of the shots, which add up to 1, some resamples at a time: [resamples, shots]."""
         random = np.random.default_rng(self._seed)
         step = max(1, _CHUNK // self._shots)
@@ -152,7 +152,7 @@ class Resamples:
             yield weights / weights.sum(axis=1, keepdims=True)
 
 
-def interval(resampled: Values, groups: int) -> Interval:
+def interval(resampled: Floats, groups: int) -> Interval:
     """Return the percentile interval of resampled means if ``groups`` groups were drawn; NaN for fewer than two.
 
     The ends are moved outwards by as much as Student's t distribution is wider than the normal distribution, because
@@ -181,7 +181,7 @@ def _students_t(z: float, degrees: int) -> float:
     return sum(term / degrees**power for power, term in enumerate(terms))
 
 
-def error_sizes(errors: Mapping[str, Values], resamples: Resamples) -> tuple[dict[str, ErrorSize], Best]:
+def error_sizes(errors: Mapping[str, Floats], resamples: Resamples) -> tuple[dict[str, ErrorSize], Best]:
     """Return the sizes of the errors of each model in one quantity, and the best model by paired bootstrap.
 
     Parameters
@@ -213,7 +213,7 @@ def error_sizes(errors: Mapping[str, Values], resamples: Resamples) -> tuple[dic
     return sizes, best_of(mae, dict(zip(names, absolute.T, strict=True)), different)
 
 
-def best_of(mae: Mapping[str, float], resampled: Mapping[str, Values], groups: int) -> Best:
+def best_of(mae: Mapping[str, float], resampled: Mapping[str, Floats], groups: int) -> Best:
     """Return the model with the least mean absolute error and the significance of its lead over each other.
 
     Parameters

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface.evaluation.statistics import Interval, Resamples, Values, interval
+from clubface.evaluation.statistics import Interval, Resamples, interval
+from clubface.support.arrays import Floats
 
 COVARIATES = {"speed": "mph", "path": "deg", "toe": "mm", "high": "mm", "attack": "deg", "loft": "deg", "face": "deg"}
 """The delivery quantities that errors are set against, and the unit each is read in."""
@@ -41,7 +42,7 @@ class Trend(NamedTuple):
 
 
 def trends(
-    errors: Mapping[str, Values], delivery: Mapping[str, Values], resamples: Resamples
+    errors: Mapping[str, Floats], delivery: Mapping[str, Floats], resamples: Resamples
 ) -> dict[str, list[Trend]]:
     """Return the lines of each model over the covariates that were measured and vary.
 

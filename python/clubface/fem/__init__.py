@@ -10,55 +10,26 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-from clubface.fem.balls import Ball, Piece, ball, ball_names
-from clubface.fem.derivatives import Derivatives, sensitivity, variables
-from clubface.fem.fields import ElementFields
+from clubface.fem.balls import Ball as Ball, Piece as Piece, ball as ball, ball_names as ball_names
+from clubface.fem.derivatives import Derivatives as Derivatives, sensitivity as sensitivity, variables as variables
+from clubface.fem.fields import ElementFields as ElementFields
 from clubface.fem.heads import (
-    DriverHead,
-    Hardening,
-    IronHead,
-    MeshedHead,
-    MeshHead,
-    Metal,
-    ShellHead,
-    SolidHead,
-    head,
-    head_names,
+    DriverHead as DriverHead,
+    Hardening as Hardening,
+    IronHead as IronHead,
+    MeshedHead as MeshedHead,
+    MeshHead as MeshHead,
+    Metal as Metal,
+    ShellHead as ShellHead,
+    SolidHead as SolidHead,
+    head as head,
+    head_names as head_names,
 )
-from clubface.fem.materials import Material, Maxwell, laws
-from clubface.fem.reference_case import reference
-from clubface.fem.result import Impact
-from clubface.fem.run import strike, throw
-from clubface.fem.settings import Settings
-
-__all__ = [
-    "Ball",
-    "Derivatives",
-    "DriverHead",
-    "ElementFields",
-    "Hardening",
-    "Impact",
-    "IronHead",
-    "Material",
-    "Maxwell",
-    "MeshHead",
-    "MeshedHead",
-    "Metal",
-    "Piece",
-    "Settings",
-    "ShellHead",
-    "SolidHead",
-    "ball",
-    "ball_names",
-    "head",
-    "head_names",
-    "laws",
-    "reference",
-    "sensitivity",
-    "strike",
-    "throw",
-    "variables",
-]
+from clubface.fem.materials import Material as Material, Maxwell as Maxwell, laws as laws
+from clubface.fem.reference_case import reference as reference
+from clubface.fem.result import Impact as Impact
+from clubface.fem.run import strike as strike, throw as throw
+from clubface.fem.settings import Settings as Settings
 
 _MODULES = ("case", "face_map", "files", "head_tests", "keyword", "paper", "reduced", "sweep", "vtu")
 

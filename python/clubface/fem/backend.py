@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from clubface.equipment.balls import DEFAULT_BALL as PUBLISHED
-from clubface.equipment.balls import Ball as RigidBall
-from clubface.equipment.models import Model, Parameter
+from clubface.equipment.balls import DEFAULT_BALL as PUBLISHED, Ball as RigidBall
+from clubface.equipment.models import Model
 from clubface.errors import InputError
 from clubface.fem import core
 from clubface.fem.balls import ball
 from clubface.fem.result import Impact
-from clubface.fem.run import rigid_ball, simulate, strike
+from clubface.fem.run import FRICTION, rigid_ball, simulate, strike
 from clubface.fem.settings import Settings
 from clubface.simulation.backends import Balls, Problems, Request
 from clubface.simulation.quantities import outputs
@@ -29,11 +28,7 @@ MODEL = Model(
     reference="W.-J. Roh and C.-W. Lee, Analysis of golf ball spin mechanism at impact by FEM",
     laws=("momentum", "angular_momentum", "energy", "friction_cone"),
     laws_without=None,
-    parameters=(
-        Parameter(
-            "friction", "1", "Coulomb's coefficient between ball and face", 0.35, 0.0, 2.0, "0.3 to 0.4, as measured"
-        ),
-    ),
+    parameters=(FRICTION,),
 )
 
 DEFAULT_BALL = "reference"

@@ -18,7 +18,7 @@ from clubface.fem.run import friction_value, rigid_ball, strike, throw, throw_va
 from clubface.fem.settings import Settings
 from clubface.simulation.delivery import DIMENSIONS
 from clubface.simulation.impact import impact
-from clubface.support.checks import check_choice, check_name, check_text
+from clubface.support.checks import check_choice, check_name, check_names, check_text
 from clubface.support.shipped import builtin_names, is_path, path_of
 from clubface.support.strict_toml import Document
 
@@ -67,9 +67,7 @@ class Case:
         check_text("description", self.description)
         check_choice("kind of head", self.head, HEADS)
         known = delivery_keys(self.head)
-        for key in self.delivery:
-            if key not in known:
-                raise UnknownNameError("value of the delivery", key, known)
+        check_names("value of the delivery", self.delivery, known)
         if "speed" not in self.delivery:
             raise InputError("speed", None, 'give it, as in speed = "35 m/s"')
         object.__setattr__(self, "friction", friction_value(self.friction))

@@ -10,47 +10,19 @@ from typing import Any
 
 from clubface._core import (
     fem_ball as fem_ball,
-)
-from clubface._core import (
     fem_check_law as fem_check_law,
-)
-from clubface._core import (
     fem_deformable as fem_deformable,
-)
-from clubface._core import (
     fem_driver as fem_driver,
-)
-from clubface._core import (
     fem_head as fem_head,
-)
-from clubface._core import (
     fem_head_properties as fem_head_properties,
-)
-from clubface._core import (
     fem_iron as fem_iron,
-)
-from clubface._core import (
     fem_laws as fem_laws,
-)
-from clubface._core import (
     fem_mesh as fem_mesh,
-)
-from clubface._core import (
     fem_plane as fem_plane,
-)
-from clubface._core import (
     fem_sensitivity as fem_sensitivity,
-)
-from clubface._core import (
     fem_shear as fem_shear,
-)
-from clubface._core import (
     fem_thickness_points as fem_thickness_points,
-)
-from clubface._core import (
     fem_variables as fem_variables,
-)
-from clubface._core import (
     fem_yield_stress as fem_yield_stress,
 )
 from clubface.errors import InputError, ShotError

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from clubface.equipment.clubs import Club
-from clubface.errors import InputError, ShotError, UnknownNameError
+from clubface.errors import InputError, ShotError
 from clubface.fem import core
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import THE_RUN, Progress, core_call
@@ -17,6 +17,7 @@ from clubface.fem.run import friction_value, inputs_of, one_shot
 from clubface.fem.settings import Settings, settings_of
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.quantities import outputs
+from clubface.support.checks import check_choice, check_names
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -45,10 +46,8 @@ class Derivatives(NamedTuple):
     def by(self, quantity: str, variable: str) -> float:
         """Return the derivative of one quantity by one variable [SI]."""
         names = list(self.values)
-        if quantity not in names:
-            raise UnknownNameError("quantity", quantity, names)
-        if variable not in self.variables:
-            raise UnknownNameError("variable", variable, self.variables)
+        check_choice("quantity", quantity, names)
+        check_choice("variable", variable, self.variables)
         return float(self.jacobian[names.index(quantity), self.variables.index(variable)])
 
 
@@ -118,9 +117,7 @@ def sensitivity(
     how = Settings(until_separation=True) if settings is None else settings_of(settings)
     names = (by,) if isinstance(by, str) else tuple(by)
     known = variables(club, which=made)
-    for name in names:
-        if name not in known:
-            raise UnknownNameError("variable", name, known)
+    check_names("variable", names, known)
     head, rigid = _head_of(club)
     inputs = inputs_of(one_shot(rigid, dict(as_values(delivery, values)), made))
     slopes = [_slopes(made, name) for name in names]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import json
-import math
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -12,14 +11,14 @@ from typing import Any
 
 from clubface.fem.result import FIGURES, Impact
 from clubface.support.folders import prepared_folder
+from clubface.support.plain_json import plain
 
 
 def document(found: Impact) -> dict[str, Any]:
     """Return figures and launch in the order of the table, and the inputs to which they belong, in SI units."""
     figures = {name: getattr(found, name) for name in FIGURES}
-    rebound = {} if found.launch else {"normal_velocity": found.normal_velocity, "backspin": found.backspin}
     ran = {"elements": found.elements, "stopped": found.stopped or "", "provenance": found.provenance}
-    return {**found.launch, **rebound, **figures, **ran}
+    return {**found.outcome(), **figures, **ran}
 
 
 def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool = False) -> list[Path]:
@@ -41,14 +40,12 @@ def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool 
     """
     path = prepared_folder(folder)
     figures = path / "figures.json"
-    plain = {key: _finite(value) for key, value in document(found).items()}
-    figures.write_text(json.dumps(plain, indent=2) + "\n", encoding="utf-8")
+    figures.write_text(json.dumps(plain(document(found)), indent=2) + "\n", encoding="utf-8")
     tables = [_columns(path / f"{name}.csv", getattr(found, name)) for name in ("contact", "motion", "energy")]
     if not len(found.patch["time"]):
         return [figures, *tables]
     from clubface import plots
-    from clubface.fem.figures import impact as pictures
-    from clubface.fem.figures import section as sections
+    from clubface.fem.figures import impact as pictures, section as sections
 
     drawn = [plots.save(pictures.impact_figure(found), path / "impact.png")]
     drawn.append(plots.save(pictures.patch_figure(found), path / "patch.png"))
@@ -102,7 +99,3 @@ def _columns(path: Path, arrays: Mapping[str, Any]) -> Path:
         writer.writerow(columns)
         writer.writerows(zip(*columns.values(), strict=True))
     return path
-
-
-def _finite(value: Any) -> Any:
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -10,8 +10,7 @@ from clubface.equipment.clubs import Club, club
 from clubface.errors import RunError
 from clubface.fem.balls import Ball, Piece
 from clubface.fem.core import Progress
-from clubface.fem.heads import MeshedHead
-from clubface.fem.heads import head as meshed
+from clubface.fem.heads import MeshedHead, head as meshed
 from clubface.fem.heads.read import Design
 from clubface.fem.materials import Material
 from clubface.fem.result import Impact
@@ -85,9 +84,9 @@ def restitution(
         speed=approach, loft=0.0, toe=across, high=up,
     )  # fmt: skip
     _check_complete(found)
+    launch = found.outcome()
     flies, follows, spin = (
-        np.array([found.launch[f"{name}_{axis}"] for axis in "xyz"])
-        for name in ("velocity", "club_velocity", "club_spin")
+        np.array([launch[f"{name}_{axis}"] for axis in "xyz"]) for name in ("velocity", "club_velocity", "club_spin")
     )
     lever = found.attitude @ (cg + face_point(across, up, rigid.bulge, rigid.roll))
     normal = found.attitude @ found.axes[0]

@@ -9,8 +9,9 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.fem import core
+from clubface.support.checks import check_choice, check_names
 
 
 class Law(NamedTuple):
@@ -41,9 +42,7 @@ class Law(NamedTuple):
 
     def given(self, constants: Mapping[str, Any]) -> dict[str, float]:
         """Return the constants [SI] in the order of the core, with checks; they may be text with units."""
-        for name in constants:
-            if name not in self.constants:
-                raise UnknownNameError(f"constant of {self.name}", name, self.constants)
+        check_names(f"constant of {self.name}", constants, self.constants)
         names = list(self.constants)
         last = max((names.index(name) for name in constants), default=0)
         groups = -(-max(last + 1 - self.needed, 0) // self.group)
@@ -133,8 +132,7 @@ class Material:
     maxwell: tuple[Maxwell, ...] = field(default=())
 
     def __post_init__(self) -> None:
-        if self.law not in laws():
-            raise UnknownNameError("law", self.law, laws())
+        check_choice("law", self.law, laws())
         values = laws()[self.law].given(self.constants)
         object.__setattr__(self, "constants", MappingProxyType(values))
         object.__setattr__(self, "poisson", units.parse(self.poisson, units.DIMENSIONLESS, name="poisson"))

@@ -36,7 +36,7 @@ def paper(which: str | os.PathLike[str] | Case = "paper", progress: Progress | N
 
 def table(found: Impact) -> dict[str, float]:
     """Return the computed values of Roh and Lee's figures, under the keys of ``PUBLISHED``."""
-    launch = found.launch
+    launch = found.outcome()
     return {
         "ball_speed_mps": launch["ball_speed"],
         "launch_deg": units.from_si(launch["launch"], "deg"),
@@ -70,7 +70,7 @@ def spin_factor(found: Impact) -> float:
     approach = sum(found.relative_velocity()[:1, 1])
     if not approach > 0.0:
         return math.nan
-    return float(_rolling_factor(found.launch["backspin"], 0.5 * found.ball.diameter, approach))
+    return float(_rolling_factor(found.outcome()["backspin"], 0.5 * found.ball.diameter, approach))
 
 
 def document(found: Impact) -> dict[str, Any]:

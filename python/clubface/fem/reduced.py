@@ -72,7 +72,7 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
     if found.equipment is None or found.stopped is not None:
         raise InputError("impact", Told("one with a plane, or one that ended early"), "a complete impact with a head")
     club, ball = found.equipment
-    wanted = np.log([found.launch["ball_speed"], _peak(found)])
+    wanted = np.log([found.outcome()["ball_speed"], _peak(found)])
     names = LAWS[model]
     set_ = ParameterSet.builtin(model, club.parameters)
     place = np.log([float(set_.values[name]) for name in names])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from clubface.fem.balls import Ball
@@ -16,24 +17,7 @@ if TYPE_CHECKING:
     from clubface.fem.heads import MeshedHead
     from clubface.fem.settings import Settings
     from clubface.simulation.inputs import Shots
-
-FIGURES = (
-    "peak_force",
-    "peak_force_time",
-    "contact_time",
-    "tangential_max",
-    "tangential_min",
-    "reversal_time",
-    "spin_max",
-    "contraction",
-    "contraction_time",
-    "f_prime",
-    "f",
-    "energy_error",
-    "steps",
-    "step",
-    "wall",
-)
+    from clubface.simulation.launch import Launch
 
 
 class Impact:
@@ -211,14 +195,26 @@ class Impact:
         """Spin of the ball about the toe direction after the impact [rad/s]."""
         return float(self.axes[2] @ self._ball_spin)
 
-    @property
-    def launch(self) -> dict[str, float]:
-        """Launch quantities in world axes [SI], as those of the other models; empty for a ball thrown at a plane."""
-        if self._launch is None:
-            return {}
-        from clubface.simulation.quantities import outputs
+    @cached_property
+    def launch(self) -> Launch | None:
+        """The launch, as by the other models, NaN if the run ended early; None for a ball thrown at a plane."""
+        if self._shots is None:
+            return None
+        import numpy as np
 
-        return dict(zip(outputs(), map(float, self._launch), strict=True))
+        from clubface.equipment.parameters import ParameterSet
+        from clubface.simulation.launch import Launch
+
+        parameters = ParameterSet(model="fem", club="any", name="as given", values={"friction": self.friction})
+        problems = [(0, "the run", self.stopped)] if self.stopped else []
+        return Launch(np.asarray(self._launch).reshape(-1, 1), self._shots, "fem", parameters, problems=problems)
+
+    def outcome(self) -> dict[str, float]:
+        """Return the quantities of the launch, or velocities and spin after a throw at a plane, by name [SI]."""
+        if self.launch is None:
+            names = ("normal_velocity", "tangential_velocity", "backspin")
+            return {name: getattr(self, name) for name in names}
+        return {name: float(self.launch.get(name)) for name in self.launch.quantities()}
 
     def relative_velocity(self) -> NDArray[Any]:
         """Return the velocity of the ball relative to the CG of the head, or to the plane [m/s], shape (records, 3).
@@ -249,6 +245,9 @@ class Impact:
     def __repr__(self) -> str:
         state = f", stopped: {self.stopped}" if self.stopped else ""
         return f"<finite element impact of {self.ball.name}: {self.steps} steps in {self.wall:.2f} s{state}>"
+
+
+FIGURES = tuple(Impact.__annotations__)
 
 
 def _fields(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.equipment.balls import Ball as RigidBall
 from clubface.equipment.clubs import Club
+from clubface.equipment.models import Parameter
 from clubface.errors import EdgeWarning, InputError, RuleWarning
 from clubface.fem import core
 from clubface.fem.balls import Ball, ball
@@ -24,6 +25,10 @@ from clubface.support.warning import warn_once
 
 if TYPE_CHECKING:
     from clubface.simulation.inputs import Shots
+
+FRICTION = Parameter(
+    "friction", "1", "Coulomb's coefficient between ball and face", 0.35, 0.0, 10.0, "0.3 to 0.4, as measured"
+)
 
 
 def simulate(
@@ -157,6 +162,6 @@ def rigid_ball(made: Ball) -> RigidBall:
 def friction_value(value: Any) -> float:
     """Return a coefficient of friction, checked."""
     mu = units.parse(value, units.DIMENSIONLESS, name="friction")
-    if not 0.0 <= mu <= 10.0:
-        raise InputError("friction", mu, "0 to 10")
+    if not FRICTION.lower <= mu <= FRICTION.upper:
+        raise InputError("friction", mu, f"{FRICTION.lower:g} to {FRICTION.upper:g}")
     return mu

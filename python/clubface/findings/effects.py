@@ -6,7 +6,8 @@ import numpy as np
 
 from clubface.benchmark_data import BenchmarkShots
 from clubface.benchmark_data.impacts import LAUNCH, launches, restitution_offsets
-from clubface.benchmark_data.recipe import Recipe, Values, recipe
+from clubface.benchmark_data.recipe import Recipe, recipe
+from clubface.support.arrays import Floats
 
 EFFECTS = ("ball", "face", "shaft", "all")
 """Restitution scatters from ball to ball; it falls off the centre of the face; the tip of the shaft; all three."""
@@ -33,7 +34,7 @@ def effect_sizes(shots: BenchmarkShots) -> dict[str, dict[str, float]]:
     return found
 
 
-def _launches(of: Recipe, shots: BenchmarkShots, offsets: Values) -> dict[str, Values]:
+def _launches(of: Recipe, shots: BenchmarkShots, offsets: Floats) -> dict[str, Floats]:
     """Return the launch of every shot by the model that made it."""
     launch = {name: np.empty(len(shots)) for name in LAUNCH}
     for model in of.mixture:

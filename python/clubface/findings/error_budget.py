@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface.benchmark_data import BenchmarkShots
 from clubface.benchmark_data.measured import captured
@@ -17,8 +16,7 @@ from clubface.benchmark_data.recipe import recipe
 from clubface.equipment.parameters import ParameterSet
 from clubface.measured.shots import QUANTITIES
 from clubface.simulation.impact import impact
-
-Values = NDArray[np.float64]
+from clubface.support.arrays import Floats
 
 SOURCES = {
     "all": "as measured",
@@ -33,7 +31,7 @@ SOURCES = {
 def error_budget(shots: BenchmarkShots, parameters: ParameterSet) -> dict[str, dict[str, float]]:
     """Return the mean absolute error that each of ``SOURCES`` makes alone, by source and launch quantity, SI."""
 
-    def launch(delivery: Mapping[str, Values]) -> dict[str, Values]:
+    def launch(delivery: Mapping[str, Floats]) -> dict[str, Floats]:
         found = impact(shots.club, delivery, model=parameters.model, parameters=parameters, on_error="nan")
         return {name: np.asarray(getattr(found, name)) for name in QUANTITIES}
 
@@ -53,7 +51,7 @@ def error_budget(shots: BenchmarkShots, parameters: ParameterSet) -> dict[str, d
     }
 
 
-def extrapolated(shots: BenchmarkShots) -> dict[str, Values]:
+def extrapolated(shots: BenchmarkShots) -> dict[str, Floats]:
     """Return the true deliveries as straight lines through frames without noise give them."""
     quiet = recipe(shots.club)._replace(position_noise=0.0, attitude_noise=0.0, time_noise=0.0)
     return captured(quiet, shots.truth.deliveries, np.random.default_rng(quiet.seed))

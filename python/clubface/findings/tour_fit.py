@@ -1,8 +1,8 @@
 """One parameter set for all twelve clubs of the published tour averages, and how well it does on clubs left out.
 
-The dynamic loft is published for two clubs. For the others it is, for every candidate set anew, the loft with which the
-model gives the published launch angle: their launch angle is then no prediction, but ball speed and spin are, and the
-loft carries no other model's errors.
+The dynamic loft of two clubs is published with the averages of an older season. For the others it is, for every
+candidate set anew, the loft with which the model gives the published launch angle: their launch angle is then no
+prediction, but ball speed and spin are, and the loft carries no other model's errors.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import club
@@ -21,9 +20,8 @@ from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import input_dimensions
+from clubface.support.arrays import Floats
 from clubface.tour.averages import Average, averages, published_lofts
-
-Values = NDArray[np.float64]
 
 FREE = {
     "standard": ("cor",),
@@ -74,10 +72,10 @@ class TourFit(NamedTuple):
     parameters: ParameterSet
     free: tuple[str, ...]
     clubs: tuple[str, ...]
-    lofts: Values
-    errors: dict[str, Values]
-    left_out: dict[str, Values]
-    carry: Values
+    lofts: Floats
+    errors: dict[str, Floats]
+    left_out: dict[str, Floats]
+    carry: Floats
 
     def mean_absolute_error(self, quantity: str, *, left_out: bool = False) -> float:
         """Return the mean over the clubs of the absolute error, SI."""
@@ -98,9 +96,10 @@ class Bag:
         self.speed = np.array([each.club_speed for each in rows])
         self.attack = np.array([each.attack for each in rows])
         self.launch = np.array([each.launch for each in rows])
-        self.loft = np.array([published_lofts().get(each.club, np.nan) for each in rows])
+        lofts = published_lofts("pga-2019")
+        self.loft = np.array([lofts.get(each.club, np.nan) for each in rows])
 
-    def errors(self, parameters: ParameterSet) -> tuple[dict[str, Values], Values]:
+    def errors(self, parameters: ParameterSet) -> tuple[dict[str, Floats], Floats]:
         """Return model less published, and the lofts; the launch angle is NaN where the loft was solved."""
         solved = np.isnan(self.loft)
         loft = np.where(solved, self.launch, self.loft)
@@ -115,7 +114,7 @@ class Bag:
             "launch": np.where(solved, np.nan, found.launch - self.launch),
         }, loft
 
-    def residuals(self, parameters: ParameterSet) -> Values:
+    def residuals(self, parameters: ParameterSet) -> Floats:
         """Return the errors in units of ``SCALES``, those of solved lofts left out; an impossible shot is far off."""
         errors, _ = self.errors(parameters)
         known = ~np.isnan(self.loft)
@@ -127,7 +126,7 @@ class Bag:
         """Return the sum of squared residuals."""
         return float(np.sum(self.residuals(parameters) ** 2))
 
-    def hit(self, loft: Values, parameters: ParameterSet) -> Launch:
+    def hit(self, loft: Floats, parameters: ParameterSet) -> Launch:
         """Return the launches of all clubs, delivered at their published speeds and attack angles."""
         return impact(
             "driver", {**self.inputs, "speed": self.speed, "attack": self.attack, "loft": loft},
@@ -166,11 +165,11 @@ def _solved(bag: Bag, start: ParameterSet, names: Sequence[str]) -> ParameterSet
     sizes = np.array([max(abs(float(start.values[each.name])), 0.01 * (each.upper - each.lower)) for each in declared])
     lower, upper = (np.array([getattr(each, end) for each in declared]) / sizes for end in ("lower", "upper"))
 
-    def at(point: Values) -> ParameterSet:
+    def at(point: Floats) -> ParameterSet:
         values = {name: float(value) for name, value in zip(names, np.clip(point, lower, upper) * sizes, strict=True)}
         return ParameterSet(model=start.model, club="any", name=start.name, values={**start.values, **values})
 
-    def residuals(point: Values) -> Values:
+    def residuals(point: Floats) -> Floats:
         return bag.residuals(at(point))
 
     first = np.clip(np.array([float(start.values[name]) for name in names]) / sizes, lower + 1e-6, upper - 1e-6)

@@ -6,5 +6,3 @@ describes the method.
 
 from clubface.identification.result import Identification as Identification
 from clubface.identification.run import identify as identify
-
-__all__ = ["Identification", "identify"]

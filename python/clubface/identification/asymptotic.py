@@ -9,21 +9,15 @@ likelihood estimates under nonstandard conditions, Proc. 5th Berkeley Symp. 1 (1
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from clubface.identification.cost import Cost
 from clubface.identification.identifiability import Identifiability
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 
-def errors_of_minimum(
-    simulator: Simulator, cost: Cost, point: NDArray[np.float64], told: Identifiability
-) -> NDArray[np.float64]:
+def errors_of_minimum(simulator: Simulator, cost: Cost, point: Floats, told: Identifiability) -> Floats:
     """Return the standard errors of the coordinates of the minimum ``point`` of a cost, shape (free,).
 
     Deviations are taken as independent and normally distributed, with the standard deviations of ``told``. An error is
@@ -44,7 +38,7 @@ def errors_of_minimum(
     return np.where(np.isfinite(told.errors), np.sqrt(np.diag(covariance)), np.inf)
 
 
-def _moments(cost: Cost, noise: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _moments(cost: Cost, noise: Floats) -> tuple[Floats, Floats]:
     """Return, a quantity, the mean curvature of the loss and the variance of its slope where deviations are normal."""
     from scipy.special import ndtr
 

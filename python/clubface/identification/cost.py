@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.evaluation.noise import MONITOR
 from clubface.simulation.quantities import outputs
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice, check_names
 
 Loss = Literal["absolute", "squares", "huber"]
 
@@ -52,11 +52,11 @@ class Cost:
     """
 
     loss: Loss
-    measured: NDArray[np.float64]
-    weights: NDArray[np.float64]
-    knees: NDArray[np.float64]
+    measured: Floats
+    weights: Floats
+    knees: Floats
 
-    def of(self, simulated: NDArray[np.float64]) -> NDArray[np.float64]:
+    def of(self, simulated: Floats) -> Floats:
         """Return the cost of launches of shape (quantities, ..., shots), shape (...); infinite where one is NaN."""
         total = np.zeros(simulated.shape[1:-1])
         for quantity in range(len(simulated)):
@@ -74,11 +74,11 @@ class Cost:
         """Return the sum of absolute deviations, each in the unit in which its loss is 1."""
         return Cost("absolute", self.measured, np.sqrt(self.weights), self.knees)
 
-    def value(self, simulated: NDArray[np.float64]) -> float:
+    def value(self, simulated: Floats) -> float:
         """Return the cost of launches of shape (quantities, shots)."""
         return float(self.of(simulated[:, None, :])[0])
 
-    def _losses(self, deviations: NDArray[np.float64], knee: float) -> NDArray[np.float64]:
+    def _losses(self, deviations: Floats, knee: float) -> Floats:
         sizes = np.abs(deviations)
         if self.loss == "absolute":
             return sizes
@@ -89,7 +89,7 @@ class Cost:
 
 def cost_of(
     kind: str,
-    launches: NDArray[np.float64],
+    launches: Floats,
     quantities: tuple[str, ...],
     *,
     noise: Mapping[str, Any] | None = None,
@@ -119,10 +119,8 @@ def cost_of(
     InputError
         A normaliser is below the noise of its quantity, so that the mean says nothing about the size of the values.
     """
-    if kind not in LOSSES:
-        raise UnknownNameError("cost", kind, LOSSES)
-    if normaliser not in NORMALISERS:
-        raise UnknownNameError("normaliser", normaliser, NORMALISERS)
+    check_choice("cost", kind, LOSSES)
+    check_choice("normaliser", normaliser, NORMALISERS)
     deviations = noise_of(quantities, noise)
     there = np.isfinite(launches)
     measured = np.where(there, launches, 0.0)
@@ -135,12 +133,10 @@ def cost_of(
     return Cost(LOSSES[kind], measured, there * each[:, None], HUBER * deviations)
 
 
-def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None) -> NDArray[np.float64]:
+def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None) -> Floats:
     """Return the standard deviation of each quantity [SI]: :data:`NOISE`, with the values ``given`` replaced."""
     given = dict(given or {})
-    for name in given:
-        if name not in quantities:
-            raise UnknownNameError("quantity with noise", name, quantities)
+    check_names("quantity with noise", given, quantities)
     found = []
     for name in quantities:
         told = given.get(name, NOISE.get(name))
@@ -154,12 +150,8 @@ def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None
 
 
 def _normalisers(
-    measured: NDArray[np.float64],
-    there: NDArray[np.bool_],
-    quantities: tuple[str, ...],
-    normaliser: str,
-    noise: NDArray[np.float64],
-) -> NDArray[np.float64]:
+    measured: Floats, there: NDArray[np.bool_], quantities: tuple[str, ...], normaliser: str, noise: Floats
+) -> Floats:
     values = np.abs(measured) if normaliser == "absolute" else measured
     means = np.abs(values.sum(axis=1) / there.sum(axis=1))
     for name, mean, least in zip(quantities, means, noise, strict=True):

@@ -14,10 +14,10 @@ from clubface import units
 from clubface.equipment.models import model
 from clubface.identification.profile import CHI_SQUARE_95
 from clubface.plots.style import COLOURS, WIDTH, legend_above, styled
+from clubface.support.arrays import Floats
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
     from clubface.identification.result import Identification
 
@@ -79,7 +79,7 @@ def _draw(axes: Axes, of: Identification, place: int, name: str) -> None:
     axes.locator_params(axis="x", nbins=4)
 
 
-def _between(where: NDArray[np.float64], rise: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _between(where: Floats, rise: Floats) -> tuple[Floats, Floats]:
     """Return a curve through the places of a profile, its root linear between them as where its interval ends."""
     place = np.linspace(0.0, len(where) - 1.0, FINE * (len(where) - 1) + 1)
     lowest = float(np.argmin(rise))

@@ -6,20 +6,19 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
-from clubface.equipment.models import Parameter
-from clubface.equipment.models import model as model_named
+from clubface.equipment.models import Parameter, model as model_named
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice, check_names
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 ALL = "all"
 """Asks for every parameter of the model."""
@@ -51,15 +50,15 @@ class FreeParameters:
 
     fixed: ParameterSet
     names: tuple[str, ...]
-    lower: NDArray[np.float64]
-    upper: NDArray[np.float64]
+    lower: Floats
+    upper: Floats
     logarithmic: NDArray[np.bool_]
     tied: Mapping[str, str]
 
     def __len__(self) -> int:
         return len(self.names)
 
-    def values(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    def values(self, points: Floats) -> Floats:
         """Return parameter values [SI] at points of the unit cube, both of shape (..., free)."""
         linear = self.lower + points * (self.upper - self.lower)
         if self.logarithmic.any():
@@ -67,7 +66,7 @@ class FreeParameters:
             linear = np.where(self.logarithmic, np.exp(low + points * (high - low)), linear)
         return np.clip(linear, self.lower, self.upper)
 
-    def points(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    def points(self, values: Floats) -> Floats:
         """Return the points of the unit cube at parameter values [SI], both of shape (..., free)."""
         points = (values - self.lower) / (self.upper - self.lower)
         if self.logarithmic.any():
@@ -76,12 +75,12 @@ class FreeParameters:
             points = np.where(self.logarithmic, (np.log(positive) - low) / (high - low), points)
         return np.clip(points, 0.0, 1.0)
 
-    def slopes(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    def slopes(self, points: Floats) -> Floats:
         """Return the derivatives of the values by the coordinates, shape (..., free)."""
         low, high = self._logarithms()
         return np.where(self.logarithmic, self.values(points) * (high - low), self.upper - self.lower)
 
-    def columns(self, points: NDArray[np.float64], shots: int) -> list[Any]:
+    def columns(self, points: Floats, shots: int) -> list[Any]:
         """Return the columns of the core for points of shape (n, free): each point is repeated for all shots."""
         values = self.values(points)
         found = []
@@ -90,7 +89,7 @@ class FreeParameters:
             found.append(value if place is None else np.repeat(values[:, place], shots))
         return found
 
-    def single(self, point: NDArray[np.float64]) -> list[float]:
+    def single(self, point: Floats) -> list[float]:
         """Return the value of every parameter at one point, as the core takes them."""
         values = self.values(point)
         places = ((self._place(name), value) for name, value in self.fixed.values.items())
@@ -101,7 +100,7 @@ class FreeParameters:
         order = list(self.fixed.values)
         return [[place for place, each in enumerate(order) if self.tied.get(each, each) == name] for name in self.names]
 
-    def parameters(self, point: NDArray[np.float64], **told: Any) -> ParameterSet:
+    def parameters(self, point: Floats, **told: Any) -> ParameterSet:
         """Return the set at one point; ``told`` are its name, source and the like."""
         values = dict(zip(self.fixed.values, self.single(point), strict=True))
         return ParameterSet(model=self.fixed.model, club=self.fixed.club, values=values, **told)
@@ -114,7 +113,7 @@ class FreeParameters:
         leader = self.tied.get(name, name)
         return self.names.index(leader) if leader in self.names else None
 
-    def _logarithms(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def _logarithms(self) -> tuple[Floats, Floats]:
         """Return the logarithms of the bounds; 0 and 1 where they are not used."""
         return (
             np.log(np.where(self.logarithmic, self.lower, 1.0)),
@@ -158,14 +157,11 @@ def free_parameters(
     tied = dict(tied or {})
     for follower, leader in tied.items():
         declared.parameter(follower)
-        if leader not in asked:
-            raise UnknownNameError(f"free parameter for {follower} to follow", leader, asked)
+        check_choice(f"free parameter for {follower} to follow", leader, asked)
         if follower in asked:
             raise InputError(f"tied {follower}", leader, "a parameter that is not free itself")
     chosen = [each for each in declared.parameters if each.name in asked]
-    for name in bounds or {}:
-        if name not in asked:
-            raise UnknownNameError("free parameter with bounds", name, asked)
+    check_names("free parameter with bounds", bounds or {}, asked)
     pairs = np.array([_bounds(each, (bounds or {}).get(each.name), tied, fixed.model) for each in chosen])
     lower, upper = pairs[:, 0], pairs[:, 1]
     return FreeParameters(

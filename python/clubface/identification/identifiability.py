@@ -7,14 +7,11 @@ A direction of the unit cube along which no launch changes by more than these de
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 NORMAL_95 = 1.959963984540054
 NULL = 1e-9
@@ -42,7 +39,7 @@ class Direction:
         Which parameters change along the direction, and how well it is known.
     """
 
-    vector: NDArray[np.float64]
+    vector: Floats
     error: float
     words: str
 
@@ -75,10 +72,10 @@ class Identifiability:
     """
 
     names: tuple[str, ...]
-    noise: NDArray[np.float64]
+    noise: Floats
     directions: tuple[Direction, ...]
-    errors: NDArray[np.float64]
-    correlations: NDArray[np.float64]
+    errors: Floats
+    correlations: Floats
 
     @property
     def weak(self) -> tuple[Direction, ...]:
@@ -93,7 +90,7 @@ class Identifiability:
         )
 
 
-def identifiability(simulator: Simulator, point: NDArray[np.float64], noise: NDArray[np.float64]) -> Identifiability:
+def identifiability(simulator: Simulator, point: Floats, noise: Floats) -> Identifiability:
     """Return Fisher's information of the shots near ``point``; ``noise`` [SI] has one value a quantity."""
     _, derivatives = simulator.derivatives(point)
     there = np.isfinite(simulator.shots.launches)
@@ -119,7 +116,7 @@ def identifiability(simulator: Simulator, point: NDArray[np.float64], noise: NDA
     return Identifiability(names, noise, tuple(directions), errors, correlations)
 
 
-def scatter(deviations: NDArray[np.float64], noise: NDArray[np.float64]) -> NDArray[np.float64]:
+def scatter(deviations: Floats, noise: Floats) -> Floats:
     """Return the standard deviation to assume for each quantity [SI]: the scatter of its deviations or its noise.
 
     The larger of the two is taken, because a model whose error exceeds the noise is known less well. ``deviations`` has
@@ -130,7 +127,7 @@ def scatter(deviations: NDArray[np.float64], noise: NDArray[np.float64]) -> NDAr
         return np.maximum(noise, 1.4826 * np.nanmedian(np.abs(deviations), axis=1))
 
 
-def _direction(names: tuple[str, ...], vector: NDArray[np.float64], error: float) -> Direction:
+def _direction(names: tuple[str, ...], vector: Floats, error: float) -> Direction:
     """Name what moves along a direction, the strongest first and upwards."""
     order = np.argsort(-np.abs(vector), kind="stable")
     vector = vector * (np.sign(vector[order[0]]) or 1.0)

@@ -8,12 +8,11 @@ and follows the edge past kinks until the cost rises again; a general linear pro
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 STEPS_PER_COORDINATE = 60
 """Steps after which the point reached is returned; a few per coordinate are usual."""
@@ -28,16 +27,11 @@ class _Active(NamedTuple):
     place: int
     side: int
 
-    def normal(self, rows: NDArray[np.float64]) -> NDArray[np.float64]:
+    def normal(self, rows: Floats) -> Floats:
         return np.eye(rows.shape[1])[self.place] if self.side else rows[self.place]
 
 
-def least_absolute(
-    deviations: NDArray[np.float64],
-    rows: NDArray[np.float64],
-    lower: NDArray[np.float64],
-    upper: NDArray[np.float64],
-) -> NDArray[np.float64]:
+def least_absolute(deviations: Floats, rows: Floats, lower: Floats, upper: Floats) -> Floats:
     """Return the step in the box that minimises the sum of |deviations + rows step|.
 
     Parameters
@@ -66,13 +60,7 @@ def least_absolute(
     return np.clip(step / scales, lower, upper)
 
 
-def _descend(
-    deviations: NDArray[np.float64],
-    rows: NDArray[np.float64],
-    low: NDArray[np.float64],
-    high: NDArray[np.float64],
-    slope: NDArray[np.float64],
-) -> NDArray[np.float64]:
+def _descend(deviations: Floats, rows: Floats, low: Floats, high: Floats, slope: Floats) -> Floats:
     free = len(low)
     point, active = np.zeros(free), [_Active(place, 1) for place in range(free) if high[place] <= low[place]]
     for _ in range(STEPS_PER_COORDINATE * free):
@@ -93,9 +81,7 @@ def _descend(
     return point
 
 
-def _direction(
-    gradient: NDArray[np.float64], active: list[_Active], rows: NDArray[np.float64]
-) -> NDArray[np.float64] | None:
+def _direction(gradient: Floats, active: list[_Active], rows: Floats) -> Floats | None:
     """Return a direction of descent, with the constraint it leaves taken out of ``active``; None at the minimum."""
     scale = float(np.max(np.abs(gradient))) + 1.0
     if not active:
@@ -120,13 +106,7 @@ def _direction(
 
 
 def _edge(
-    left: NDArray[np.float64],
-    changes: NDArray[np.float64],
-    slope: float,
-    point: NDArray[np.float64],
-    direction: NDArray[np.float64],
-    low: NDArray[np.float64],
-    high: NDArray[np.float64],
+    left: Floats, changes: Floats, slope: float, point: Floats, direction: Floats, low: Floats, high: Floats
 ) -> tuple[float, _Active | None]:
     """Return how far the cost falls along a direction, and the constraint met there."""
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -8,27 +8,17 @@ the bounds.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from clubface.identification.cost import Cost
 from clubface.identification.least_absolute import least_absolute
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 HUBER_ROUNDS = 8
 """Reweightings of a step of the robust cost; the next linearisation goes on from there."""
 
 
-def best_step(
-    cost: Cost,
-    simulated: NDArray[np.float64],
-    derivatives: NDArray[np.float64],
-    lower: NDArray[np.float64],
-    upper: NDArray[np.float64],
-) -> NDArray[np.float64]:
+def best_step(cost: Cost, simulated: Floats, derivatives: Floats, lower: Floats, upper: Floats) -> Floats:
     """Return the step between ``lower`` and ``upper``, shape (free,), that minimises the cost of linear launches.
 
     Parameters
@@ -65,19 +55,12 @@ def best_step(
     return step
 
 
-def linear_cost(
-    cost: Cost, simulated: NDArray[np.float64], derivatives: NDArray[np.float64], step: NDArray[np.float64]
-) -> float:
+def linear_cost(cost: Cost, simulated: Floats, derivatives: Floats, step: Floats) -> float:
     """Return the cost after a step if the launches were linear."""
     return cost.value(simulated + np.einsum("qfs,f->qs", derivatives, step))
 
 
-def _least_squares(
-    deviations: NDArray[np.float64],
-    rows: NDArray[np.float64],
-    lower: NDArray[np.float64],
-    upper: NDArray[np.float64],
-) -> NDArray[np.float64]:
+def _least_squares(deviations: Floats, rows: Floats, lower: Floats, upper: Floats) -> Floats:
     """Minimise the sum of squares of deviations + rows step in the box."""
     from scipy.optimize import lsq_linear
 

@@ -7,16 +7,13 @@ the profile likelihood, Bioinformatics 25 (2009) 1923-1929.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from clubface.identification.cost import cost_of
 from clubface.identification.refine import refine
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 CHI_SQUARE_95 = 3.841458820694124
 """95% quantile of chi-square with one degree of freedom."""
@@ -48,8 +45,8 @@ class Profile:
     """
 
     name: str
-    values: NDArray[np.float64]
-    rise: NDArray[np.float64]
+    values: Floats
+    rise: Floats
     interval: tuple[float, float]
     closed: tuple[bool, bool]
 
@@ -76,7 +73,7 @@ class Profiler:
         Standard errors of the coordinates of the unit cube.
     """
 
-    def __init__(self, simulator: Simulator, noise: NDArray[np.float64], errors: NDArray[np.float64]) -> None:
+    def __init__(self, simulator: Simulator, noise: Floats, errors: Floats) -> None:
         shots = simulator.shots
         given = dict(zip(shots.quantities, noise.tolist(), strict=True))
         self.simulator = simulator
@@ -84,11 +81,11 @@ class Profiler:
         self.values_measured = int(np.isfinite(shots.launches).sum())
         self.errors = np.where(np.isfinite(errors), np.minimum(errors, WIDEST), WIDEST)
 
-    def most_likely(self, fit: NDArray[np.float64]) -> NDArray[np.float64]:
+    def most_likely(self, fit: Floats) -> Floats:
         """Return the most likely point, which is that of least squares, starting from the fit by another cost."""
         return refine(self.simulator, self.cost, fit).point
 
-    def profile(self, place: int, optimum: NDArray[np.float64]) -> Profile:
+    def profile(self, place: int, optimum: Floats) -> Profile:
         """Return the profile of the parameter at ``place`` of the free ones, from the most likely point."""
         centre = float(optimum[place])
         least = self.cost.value(self.simulator.launch(optimum))
@@ -110,7 +107,7 @@ class Profiler:
             (low_closed, high_closed),
         )  # fmt: skip
 
-    def _side(self, place: int, sign: float, optimum: NDArray[np.float64], least: float) -> list[tuple[float, float]]:
+    def _side(self, place: int, sign: float, optimum: Floats, least: float) -> list[tuple[float, float]]:
         """Return places and costs from the optimum outwards, until the rise is clear or a bound is reached."""
         held = np.arange(len(optimum)) == place
         point = optimum
@@ -128,7 +125,7 @@ class Profiler:
         return found
 
 
-def _crossing(where: NDArray[np.float64], rise: NDArray[np.float64], side: int) -> tuple[float, bool]:
+def _crossing(where: Floats, rise: Floats, side: int) -> tuple[float, bool]:
     """Return where the rise passes 3.84 for the last time on one side, and whether it does.
 
     A profile may pass it, and fall below it again further out: what lies there is as likely.

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.identification.cost import Cost
 from clubface.identification.linear_step import best_step, linear_cost
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 FIRST_RADIUS = 0.1
 """How far the first step may go, in parts of the range of each parameter."""
@@ -43,7 +42,7 @@ class Refined(NamedTuple):
         Linearisations made.
     """
 
-    point: NDArray[np.float64]
+    point: Floats
     cost: float
     steps: int
 
@@ -51,16 +50,16 @@ class Refined(NamedTuple):
 class Linear(NamedTuple):
     """Launches at a point, shape (quantities, shots), and their derivatives, shape (quantities, free, shots)."""
 
-    simulated: NDArray[np.float64]
-    derivatives: NDArray[np.float64]
+    simulated: Floats
+    derivatives: Floats
 
 
 def refine(
     simulator: Simulator,
     cost: Cost,
-    start: NDArray[np.float64],
+    start: Floats,
     *,
-    radius: NDArray[np.float64] | float = FIRST_RADIUS,
+    radius: Floats | float = FIRST_RADIUS,
     first: Linear | None = None,
     held: NDArray[np.bool_] | None = None,
     fall: float = SMALLEST_FALL,
@@ -100,8 +99,8 @@ def refine(
 def _descend(
     simulator: Simulator,
     cost: Cost,
-    start: NDArray[np.float64],
-    radius: NDArray[np.float64] | float,
+    start: Floats,
+    radius: Floats | float,
     first: Linear | None,
     held: NDArray[np.bool_] | None,
     fall: float,
@@ -137,9 +136,7 @@ def _descend(
     return Refined(point, value, steps)
 
 
-def _within(
-    here: Linear, cost: Cost, lower: NDArray[np.float64], upper: NDArray[np.float64], held: NDArray[np.bool_] | None
-) -> NDArray[np.float64]:
+def _within(here: Linear, cost: Cost, lower: Floats, upper: Floats, held: NDArray[np.bool_] | None) -> Floats:
     """Return the best step in a box of which some sides may have no width."""
     moving = upper > lower if held is None else (upper > lower) & ~held
     step = np.zeros(len(lower))

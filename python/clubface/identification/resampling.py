@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.identification.cost import Cost
 from clubface.identification.refine import Linear, refine
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 FOLDS = 5
 BOOTSTRAP = 200
@@ -37,9 +36,7 @@ class Refits:
         Standard errors of the coordinates of the optimum; infinite where the shots do not determine one.
     """
 
-    def __init__(
-        self, simulator: Simulator, cost: Cost, optimum: NDArray[np.float64], errors: NDArray[np.float64]
-    ) -> None:
+    def __init__(self, simulator: Simulator, cost: Cost, optimum: Floats, errors: Floats) -> None:
         self.simulator = simulator
         self.cost = cost
         self.optimum = optimum
@@ -47,7 +44,7 @@ class Refits:
         self.values = int(np.isfinite(simulator.shots.launches).sum())
         self._linear = Linear(*simulator.derivatives(optimum))
 
-    def to(self, counts: NDArray[np.int64]) -> NDArray[np.float64]:
+    def to(self, counts: NDArray[np.int64]) -> Floats:
         """Return the fit to shots that count as often as ``counts`` says, shape (shots,)."""
         used = np.flatnonzero(counts)
         first = Linear(self._linear.simulated[:, used], self._linear.derivatives[:, :, used])
@@ -56,7 +53,7 @@ class Refits:
         return refine(part, cost, self.optimum, radius=REACH * self.errors, first=first, fall=NEAR / self.values).point
 
 
-def interval_of(samples: NDArray[np.float64], confidence: float, groups: int) -> NDArray[np.float64]:
+def interval_of(samples: Floats, confidence: float, groups: int) -> Floats:
     """Return the ends of the intervals of bootstrapped parameters, shape (2, free), when ``groups`` groups were drawn.
 
     The ends are percentiles. They are moved outwards by as much as Student's t distribution is wider than the normal
@@ -72,9 +69,7 @@ def interval_of(samples: NDArray[np.float64], confidence: float, groups: int) ->
     return np.quantile(samples, [1.0 - part, part], axis=0, method="median_unbiased")
 
 
-def held_out(
-    refits: Refits, folds: int, seed: int, once: Callable[[str, Callable[[], Any]], Any]
-) -> NDArray[np.float64]:
+def held_out(refits: Refits, folds: int, seed: int, once: Callable[[str, Callable[[], Any]], Any]) -> Floats:
     """Return launches of all shots, shape (quantities, shots), each by a fit to the other folds.
 
     Groups of shots are dealt to folds at random. ``once`` returns a part by name, computed where it is not yet known.
@@ -91,9 +86,7 @@ def held_out(
     return predicted
 
 
-def bootstrap(
-    refits: Refits, samples: int, seed: int, once: Callable[[str, Callable[[], Any]], Any]
-) -> NDArray[np.float64]:
+def bootstrap(refits: Refits, samples: int, seed: int, once: Callable[[str, Callable[[], Any]], Any]) -> Floats:
     """Return fits to groups drawn with replacement, shape (samples, free): B. Efron, Annals of Statistics 7 (1979)."""
     groups = refits.simulator.shots.groups
     count = int(groups.max()) + 1

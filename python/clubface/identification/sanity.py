@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,9 +12,7 @@ from clubface.identification.free_parameters import FreeParameters
 from clubface.identification.identifiability import Identifiability, identifiability
 from clubface.identification.profile import Profile
 from clubface.identification.simulator import Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 AT_BOUND = 1e-4
 """A parameter within this part of its range of a bound meets it."""
@@ -27,7 +24,7 @@ REFERENCE_SPEED, SPEED_POWER = 50.0, 1.2
 """Hertz: the peak force grows with the speed [m/s] to the power 6/5."""
 
 
-def check_information(simulator: Simulator, point: NDArray[np.float64], noise: NDArray[np.float64]) -> list[str]:
+def check_information(simulator: Simulator, point: Floats, noise: Floats) -> list[str]:
     """Refuse shots that cannot determine the free parameters, and return remarks about few shots.
 
     The message names what the shots leave open. ``point`` is one at which the parameters are tried, such as that of the
@@ -60,15 +57,13 @@ def check_information(simulator: Simulator, point: NDArray[np.float64], noise: N
     return notes
 
 
-def _open(simulator: Simulator, point: NDArray[np.float64], noise: NDArray[np.float64]) -> str:
+def _open(simulator: Simulator, point: Floats, noise: Floats) -> str:
     """Name the directions that the shots leave open."""
     told = identifiability(simulator, point, noise)
     return "; ".join(each.words for each in told.directions if each.strength in ("none", "unknown"))
 
 
-def fit_warnings(
-    simulator: Simulator, point: NDArray[np.float64], told: Identifiability, costs: list[float]
-) -> list[str]:
+def fit_warnings(simulator: Simulator, point: Floats, told: Identifiability, costs: list[float]) -> list[str]:
     """Return the warnings about a fit: bounds met, unphysical contacts, what is not identified, a doubtful search."""
     free = simulator.free
     found = list(_bounds(free, point)) + _contacts(simulator, point)
@@ -100,7 +95,7 @@ def apart(intervals: Mapping[str, tuple[float, float]], profiles: Mapping[str, P
     ]
 
 
-def _bounds(free: FreeParameters, point: NDArray[np.float64]) -> list[str]:
+def _bounds(free: FreeParameters, point: Floats) -> list[str]:
     found = []
     for each, place, low, high in zip(free.declared(), point, free.lower, free.upper, strict=True):
         side, bound = ("lower", low) if place < AT_BOUND else ("upper", high)
@@ -110,7 +105,7 @@ def _bounds(free: FreeParameters, point: NDArray[np.float64]) -> list[str]:
     return found
 
 
-def _contacts(simulator: Simulator, point: NDArray[np.float64]) -> list[str]:
+def _contacts(simulator: Simulator, point: Floats) -> list[str]:
     times, forces = simulator.contact(point)
     if not np.isfinite(times).all():
         return []

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 POPULATION, GENERATIONS, REFINED = 200, 100, 5
 """Those of Caldwell and McPhee (2023), section 2.3."""
@@ -28,16 +27,16 @@ class Population(NamedTuple):
     """
 
     generation: int
-    points: NDArray[np.float64]
-    costs: NDArray[np.float64]
+    points: Floats
+    costs: Floats
 
-    def best(self, count: int) -> NDArray[np.float64]:
+    def best(self, count: int) -> Floats:
         """Return the ``count`` best points, best first, shape (count, free)."""
         return self.points[np.argsort(self.costs, kind="stable")[:count]]
 
 
 def search(
-    costs_of: Callable[[NDArray[np.float64]], NDArray[np.float64]],
+    costs_of: Callable[[Floats], Floats],
     free: int,
     *,
     population: int = POPULATION,
@@ -93,5 +92,5 @@ def search(
     return survivors
 
 
-def _array(individuals: Any, name: str) -> NDArray[np.float64]:
+def _array(individuals: Any, name: str) -> Floats:
     return np.asarray(individuals.get(name), dtype=np.float64)

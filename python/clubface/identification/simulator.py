@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from clubface.identification.free_parameters import FreeParameters
 from clubface.identification.prepared import PreparedShots
 from clubface.simulation import core
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 MOST_ROWS = 1 << 18
 """Impacts of one call, so that memory stays below 200 MB; a generation of the usual search, 110 000, is one call."""
@@ -75,13 +72,13 @@ class Simulator:
         self.threads = threads
         self.effort = effort or Effort()
         self._places = shots.output_places()
-        self._tiled: dict[int, list[float | NDArray[np.float64]]] = {}
+        self._tiled: dict[int, list[float | Floats]] = {}
 
     def of(self, shots: PreparedShots) -> Simulator:
         """Return the same for other shots; what it computes is counted together."""
         return Simulator(shots, self.free, accuracy=self.accuracy, threads=self.threads, effort=self.effort)
 
-    def launches(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    def launches(self, points: Floats) -> Floats:
         """Return the launch quantities [SI] at points of shape (n, free), shape (quantities, n, shots).
 
         A shot that cannot be computed is NaN.
@@ -92,11 +89,11 @@ class Simulator:
         self.effort.add(len(points), count)
         return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
 
-    def launch(self, point: NDArray[np.float64]) -> NDArray[np.float64]:
+    def launch(self, point: Floats) -> Floats:
         """Return the launch quantities [SI] at one point, shape (quantities, shots)."""
         return self.launches(point[None, :])[:, 0, :]
 
-    def derivatives(self, point: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def derivatives(self, point: Floats) -> tuple[Floats, Floats]:
         """Return the launch quantities at a point, shape (quantities, shots), and their derivatives by its coordinates.
 
         The latter have the shape (quantities, free, shots). They are exact: dual numbers through the model.
@@ -118,7 +115,7 @@ class Simulator:
             start += len(group)
         return table[:, 0], by_point
 
-    def contact(self, point: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def contact(self, point: Floats) -> tuple[Floats, Floats]:
         """Return contact times [s] and peak forces [N] of the shots; NaN for a model without a time scale."""
         from clubface.simulation.quantities import outputs
 
@@ -129,14 +126,14 @@ class Simulator:
         )  # fmt: skip
         return found[order.index("contact_time")], found[order.index("peak_force")]
 
-    def _block(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _block(self, points: Floats) -> Floats:
         count, shots = len(points), len(self.shots)
         inputs = self._inputs(count)
         parameters = self.free.columns(points, shots)
         found, _ = core.impact(self.free.fixed.model, inputs, parameters, count * shots, self.accuracy, self.threads)
         return found[self._places].reshape(len(self._places), count, shots)
 
-    def _inputs(self, count: int) -> list[float | NDArray[np.float64]]:
+    def _inputs(self, count: int) -> list[float | Floats]:
         """Return the columns of the deliveries, repeated for ``count`` sets of parameters; the last ones are kept."""
         if count not in self._tiled:
             tiled = [each if isinstance(each, float) else np.tile(each, count) for each in self.shots.columns]

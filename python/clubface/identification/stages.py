@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from statistics import NormalDist
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -22,9 +22,7 @@ from clubface.identification.result import Deviation, Identification
 from clubface.identification.sanity import apart, fit_warnings
 from clubface.identification.search import Population, search
 from clubface.identification.simulator import Effort, Simulator
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 FEWEST_GROUPS = 10
 """Fewer groups of shots than these can be drawn in too few ways for a bootstrap alone."""
@@ -54,7 +52,7 @@ class Stages:
         self,
         simulator: Simulator,
         cost: Cost,
-        noise: NDArray[np.float64],
+        noise: Floats,
         settings: Mapping[str, Any],
         checkpoint: Checkpoint,
         progress: Progress | None,
@@ -74,7 +72,7 @@ class Stages:
         begun = None if kept is None else Population(kept[0], np.array(kept[1]), np.array(kept[2]))
         effort = Effort() if kept is None else self.checkpoint.spent
 
-        def costs_of(points: NDArray[np.float64]) -> NDArray[np.float64]:
+        def costs_of(points: Floats) -> Floats:
             effort.add(len(points), shots)
             return self.cost.of(self.simulator.launches(points))
 
@@ -91,14 +89,14 @@ class Stages:
             seed=self.settings["seed"], begun=begun, after_generation=keep,
         )  # fmt: skip
 
-    def refine(self, survivors: Population) -> list[tuple[NDArray[np.float64], float]]:
+    def refine(self, survivors: Population) -> list[tuple[Floats, float]]:
         """Return the points and costs at which the refinements of the best survivors end."""
         starts = survivors.best(self.settings["refined"])
         found = []
         for place, start in enumerate(starts):
             once = self._telling("refinement", len(starts))
 
-            def compute(start: NDArray[np.float64] = start) -> list[Any]:
+            def compute(start: Floats = start) -> list[Any]:
                 end = refine(self.simulator, self.cost, start)
                 self.best = min(self.best, end.cost)
                 return [end.point.tolist(), end.cost]
@@ -147,9 +145,7 @@ class Stages:
             warnings=warnings, notes=notes, settings=dict(self.settings),
         )  # fmt: skip
 
-    def _resampled(
-        self, point: NDArray[np.float64], told: Identifiability
-    ) -> tuple[NDArray[np.float64] | None, NDArray[np.float64]]:
+    def _resampled(self, point: Floats, told: Identifiability) -> tuple[Floats | None, Floats]:
         """Return held-out launches and bootstrapped parameters [SI], none of either where none is asked for."""
         folds, count, seed = (self.settings[name] for name in ("folds", "bootstrap", "seed"))
         free = self.simulator.free
@@ -162,9 +158,7 @@ class Stages:
                 samples = free.values(bootstrap(refits, count, seed, self._telling("bootstrap", count)))
         return held, samples
 
-    def _profiles(
-        self, point: NDArray[np.float64], noise: NDArray[np.float64], told: Identifiability
-    ) -> dict[str, Profile]:
+    def _profiles(self, point: Floats, noise: Floats, told: Identifiability) -> dict[str, Profile]:
         names = self.settings["profiles"]
         if not names:
             return {}
@@ -184,11 +178,7 @@ class Stages:
         return found
 
     def _intervals(
-        self,
-        point: NDArray[np.float64],
-        told: Identifiability,
-        samples: NDArray[np.float64],
-        profiles: Mapping[str, Profile],
+        self, point: Floats, told: Identifiability, samples: Floats, profiles: Mapping[str, Profile]
     ) -> dict[str, tuple[float, float]]:
         """Return an interval a parameter.
 
@@ -233,9 +223,7 @@ def _span(of: Parameter, interval: tuple[float, float]) -> str:
     return " to ".join(units.show(end, unit, 4) for end in interval)
 
 
-def _deviation(
-    measured: NDArray[np.float64], simulated: NDArray[np.float64], held: NDArray[np.float64] | None
-) -> Deviation:
+def _deviation(measured: Floats, simulated: Floats, held: Floats | None) -> Deviation:
     there = np.isfinite(measured)
     off = (simulated - measured)[there]
     return Deviation(

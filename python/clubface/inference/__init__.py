@@ -7,5 +7,3 @@ from clubface.inference.expectation import UnreachableLaunchError as Unreachable
 from clubface.inference.posterior import Posterior as Posterior
 from clubface.inference.prior import Prior as Prior
 from clubface.inference.run import infer as infer
-
-__all__ = ["Posterior", "Prior", "UnreachableLaunchError", "infer"]

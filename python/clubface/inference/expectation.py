@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
 from clubface.measured.shots import QUANTITIES
-
-Values = NDArray[np.float64]
+from clubface.support.arrays import Floats
 
 DRAWS = 4000
 """Deliveries of the prior whose launches tell what it expects."""
@@ -21,7 +19,7 @@ class UnreachableLaunchError(InputError):
     """A launch so far from those of the prior that no delivery can be inferred for it."""
 
 
-def expected_launches(predict: Callable[[Values], Values], dimensions: int, seed: int) -> Values:
+def expected_launches(predict: Callable[[Floats], Floats], dimensions: int, seed: int) -> Floats:
     """Return launches of the prior, shape (draws, quantities), without those that cannot be computed.
 
     ``predict`` computes the launches of points of a standard normal prior, shape (n, dimensions).
@@ -30,7 +28,7 @@ def expected_launches(predict: Callable[[Values], Values], dimensions: int, seed
     return found[np.isfinite(found).all(axis=1)]
 
 
-def surprise(expected: Values, target: Values, scale: Values, seed: int) -> float:
+def surprise(expected: Floats, target: Floats, scale: Floats, seed: int) -> float:
     """Return the probability of a launch that lies further from the mean of the ``expected`` launches than ``target``.
 
     The distance is measured with the covariance of the expected launches, to which the noise of the measurement is
@@ -46,7 +44,7 @@ def surprise(expected: Values, target: Values, scale: Values, seed: int) -> floa
     return float((1.0 + further.sum()) / (1.0 + len(expected)))
 
 
-def unreachable(measured: Mapping[str, float], expected: Values, who: str) -> UnreachableLaunchError:
+def unreachable(measured: Mapping[str, float], expected: Floats, who: str) -> UnreachableLaunchError:
     """Return the error for a launch that the prior ``who`` cannot reach; ``expected`` are the launches it expects."""
     given = ", ".join(f"{name} {units.show(value, QUANTITIES[name], 4)}" for name, value in measured.items())
     told = ", ".join(

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
+from clubface.support.arrays import Floats
 
 PER_STAGE = 4000
 """Draws from which a proposal is made."""
@@ -59,7 +59,7 @@ class Sample(NamedTuple):
         Largest fraction of the total weight that a single draw has. If it is near 1, the sample rests on one draw.
     """
 
-    points: Values
+    points: Floats
     effective: float
     draws: int
     evaluations: int
@@ -81,18 +81,18 @@ class Proposal(NamedTuple):
         Degrees of freedom.
     """
 
-    mean: Values
-    root: Values
+    mean: Floats
+    root: Floats
     freedom: float
 
-    def draw(self, random: np.random.Generator, count: int) -> Values:
+    def draw(self, random: np.random.Generator, count: int) -> Floats:
         """Return draws, shape [count, dimensions]."""
         normal = random.standard_normal((count, self.mean.size))
         if math.isfinite(self.freedom):
             normal /= np.sqrt(random.chisquare(self.freedom, count) / self.freedom)[:, None]
         return self.mean + normal @ self.root.T
 
-    def log_density(self, points: Values) -> Values:
+    def log_density(self, points: Floats) -> Floats:
         """Return the logarithm of the density at each point."""
         size = self.mean.size
         squares = np.sum(np.linalg.solve(self.root, (points - self.mean).T) ** 2, axis=0)
@@ -110,7 +110,7 @@ def standard_normal(dimensions: int) -> Proposal:
 
 
 def sample(
-    log_likelihood: Callable[[Values], Values],
+    log_likelihood: Callable[[Floats], Floats],
     dimensions: int,
     *,
     size: int,
@@ -165,7 +165,7 @@ def sample(
 
 
 def _collected(
-    log_likelihood: Callable[[Values], Values],
+    log_likelihood: Callable[[Floats], Floats],
     prior: Proposal,
     proposal: Proposal,
     random: np.random.Generator,
@@ -197,25 +197,25 @@ def _collected(
     )
 
 
-def normalised(logs: Values) -> Values:
+def normalised(logs: Floats) -> Floats:
     """Return weights that add up to 1 from their logarithms."""
     weights = np.exp(logs - logs.max())
     return weights / weights.sum()
 
 
-def effective(weights: Values) -> float:
+def effective(weights: Floats) -> float:
     """Return the effective number of draws with normalised ``weights`` (Kish)."""
     return float(1.0 / np.sum(weights**2))
 
 
-def systematic(weights: Values, size: int, random: np.random.Generator) -> NDArray[np.int64]:
+def systematic(weights: Floats, size: int, random: np.random.Generator) -> NDArray[np.int64]:
     """Return the places of ``size`` draws chosen by weight, in random order."""
     ticks = (random.random() + np.arange(size)) / size
     places = np.minimum(np.searchsorted(np.cumsum(weights), ticks), weights.size - 1)
     return random.permutation(places)
 
 
-def _power(base: Values, likelihood: Values, reached: float) -> float:
+def _power(base: Floats, likelihood: Floats, reached: float) -> float:
     """Return the largest power, from that ``reached`` to 1, at which enough draws are effective."""
 
     def enough(power: float) -> bool:
@@ -230,7 +230,7 @@ def _power(base: Values, likelihood: Values, reached: float) -> float:
     return low
 
 
-def _fitted(points: Values, weights: Values) -> Proposal:
+def _fitted(points: Floats, weights: Floats) -> Proposal:
     """Return the t proposal with mean and covariance of weighted draws, the latter inflated."""
     mean = weights @ points
     centred = points - mean

@@ -6,16 +6,17 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.inference.importance import Sample
-from clubface.inference.prior import Prior, Values
+from clubface.inference.prior import Prior
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.delivery import DIMENSIONS
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
     import pandas
@@ -64,7 +65,7 @@ class Posterior:
         Seed of the random numbers.
     """
 
-    deliveries: dict[str, Values]
+    deliveries: dict[str, Floats]
     launch: dict[str, float]
     noise: dict[str, float]
     prior: Prior
@@ -100,8 +101,7 @@ class Posterior:
 
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
         """Return the central interval that holds ``confidence`` of the draws of a quantity."""
-        if name not in self.deliveries:
-            raise UnknownNameError("quantity of the delivery", name, self.deliveries)
+        check_choice("quantity of the delivery", name, self.deliveries)
         if not 0.0 < confidence < 1.0:
             raise InputError("confidence", confidence, "between 0 and 1")
         low, high = np.quantile(self.deliveries[name], [0.5 - confidence / 2, 0.5 + confidence / 2])
@@ -113,7 +113,7 @@ class Posterior:
         return {name: max(0.0, 1.0 - each / self.prior.deviation[name]) for name, each in self.deviation.items()}
 
     @property
-    def correlation(self) -> NDArray[np.float64]:
+    def correlation(self) -> Floats:
         """Correlation of the quantities, in the order of ``names``."""
         return np.atleast_2d(np.corrcoef(np.stack(list(self.deliveries.values()))))
 

@@ -23,16 +23,15 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.simulation.delivery import DIMENSIONS
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice, check_names
 from clubface.support.shipped import is_path
 from clubface.support.strict_toml import Document
-
-Values = NDArray[np.float64]
 
 NAMED = ("elite", "tour", "wide")
 """The priors that come with the package."""
@@ -70,16 +69,13 @@ class Prior:
         if list(self.mean) != list(self.deviation):
             raise InputError("deviation", list(self.deviation), f"for the same quantities: {', '.join(self.mean)}")
         for name in self.mean:
-            if name not in DIMENSIONS:
-                raise UnknownNameError("quantity of a delivery", name, DIMENSIONS)
+            check_choice("quantity of a delivery", name, DIMENSIONS)
             if not (np.isfinite(self.mean[name]) and self.deviation[name] > 0.0):
                 raise InputError(name, self.deviation[name], "a positive standard deviation; leave out what is known")
         if "speed" not in self.mean:
             raise InputError("speed", None, "give it: it must be among the quantities of the prior")
         for pair, value in self.correlations.items():
-            for name in pair:
-                if name not in self.mean:
-                    raise UnknownNameError("quantity of a correlation", name, self.mean)
+            check_names("quantity of a correlation", pair, self.mean)
             if len(set(pair)) != 2 or not -1.0 < value < 1.0:
                 raise InputError(f"correlation of {' and '.join(pair)}", value, "of two quantities, between -1 and 1")
         try:
@@ -93,14 +89,14 @@ class Prior:
         """The quantities that are uncertain."""
         return tuple(self.mean)
 
-    def _matrix(self) -> Values:
+    def _matrix(self) -> Floats:
         places = {name: place for place, name in enumerate(self.mean)}
         found = np.eye(len(places))
         for (one, other), value in self.correlations.items():
             found[places[one], places[other]] = found[places[other], places[one]] = value
         return found
 
-    def deliveries(self, standard: Values) -> dict[str, Values]:
+    def deliveries(self, standard: Floats) -> dict[str, Floats]:
         """Return the deliveries that belong to standard normal deviates, shape (n, quantities)."""
         root = np.linalg.cholesky(self._matrix())
         scaled = standard @ root.T
@@ -187,18 +183,21 @@ def elite(club_name: str) -> Prior:
 def tour(head: Club) -> Prior:
     """Return the published tour averages of a built-in club, with the spreads of elite golfers.
 
-    Speed and attack are published. The dynamic loft of most clubs is the one with which ``standard`` gives the
-    published launch angle. All other means and the spreads are those of the benchmark shots: of the driver for woods,
-    and of the 7-iron for the other clubs.
+    Speed and attack are published. Where a dynamic loft is published, with averages of another year, it is that one;
+    for the other clubs it is the one with which ``standard`` gives the published launch angle. All other means and the
+    spreads are those of the benchmark shots: of the driver for woods, and of the 7-iron for the other clubs.
     """
-    from clubface.tour.averages import averages, dynamic_loft
+    from clubface.tour.averages import averages, published_lofts, solve_loft
 
     known = {each.club: each for each in averages()}
     if head.name not in known:
         raise InputError("prior", "tour", f"for one of {', '.join(known)}; for {head.name} give a file")
     of = elite("driver" if head.parameters == "driver" else "7-iron")
     average = known[head.name]
-    published = {"speed": average.club_speed, "attack": average.attack, "loft": dynamic_loft(average)}
+    loft = published_lofts("pga-2019").get(head.name)
+    if loft is None:
+        loft = solve_loft(head.name, average.club_speed, average.attack, average.launch, model="standard")
+    published = {"speed": average.club_speed, "attack": average.attack, "loft": loft}
     return Prior(
         name=f"tour averages, {head.name}",
         mean={**of.mean, **published},

@@ -11,18 +11,19 @@ import numpy as np
 
 from clubface import units
 from clubface.equipment.balls import Ball
-from clubface.equipment.clubs import Club
-from clubface.equipment.clubs import club as club_named
+from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import reduced_model
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.evaluation.noise import MONITOR, standard_deviations
 from clubface.inference.expectation import expected_launches, surprise, unreachable
 from clubface.inference.importance import sample
 from clubface.inference.posterior import Posterior
-from clubface.inference.prior import Prior, Values, prior_of
+from clubface.inference.prior import Prior, prior_of
 from clubface.measured.shots import QUANTITIES
 from clubface.simulation.impact import Parameters, impact
 from clubface.simulation.inputs import parameter_set
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_names
 
 NOISE = {"ball_speed": 0.25, **MONITOR}
 """Standard deviations of the measured launch [SI] by default: those that Caldwell and McPhee (2023) quote for their
@@ -96,7 +97,7 @@ def infer(
     target = np.array(list(measured.values()))
     scale = np.array([deviations[name] for name in measured])
 
-    def predict(standard: Values) -> Values:
+    def predict(standard: Floats) -> Floats:
         delivery = before.deliveries(standard)
         possible = delivery["speed"] > 0.0
         delivery["speed"] = np.where(possible, delivery["speed"], before.mean["speed"])
@@ -108,7 +109,7 @@ def infer(
         values[~possible] = np.nan
         return values
 
-    def log_likelihood(standard: Values) -> Values:
+    def log_likelihood(standard: Floats) -> Floats:
         return -0.5 * np.sum(((predict(standard) - target) / scale) ** 2, axis=1)
 
     try:
@@ -135,9 +136,7 @@ def infer(
 def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
     """Return the measured quantities, SI, total spin and axis as backspin and sidespin."""
     dimensions = {**_DIMENSIONS, **_POLAR}
-    for name in launch:
-        if name not in dimensions:
-            raise UnknownNameError("launch value", name, dimensions)
+    check_names("launch value", launch, dimensions)
     given = {
         name: units.parse(value, dimensions[name], name=name) for name, value in launch.items() if value is not None
     }

@@ -10,7 +10,7 @@ from clubface.errors import FileError
 from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, heading
 from clubface.launch_monitor.formats import Format, side_of
 from clubface.tables.headings import listed, shot_words
-from clubface.tables.spelling import plain, unit_symbol
+from clubface.tables.spelling import plain, unit_of_column, unit_symbol
 from clubface.units import symbols, unit
 
 _WORD = re.compile(r"[^\W\d_]|[°%]")
@@ -136,11 +136,7 @@ def _unit(
     """Return the unit of a column, None where it has none and so is another column; and whether it was assumed."""
     dimension = _dimension(quantity)
     if told is not None:
-        symbol = unit_symbol(told)
-        if symbol is None or unit(symbol).dimension != dimension:
-            allowed = " or ".join(symbols(dimension))
-            raise FileError(*place, f"the column {shown.strip()!r} is in {told!r}; it must be in {allowed}", shown)
-        return symbol, False
+        return unit_of_column(told, dimension, shown.strip(), place), False
     given = units.get(quantity) or units.get(dimension)
     if given is not None:
         return unit(given, name=f"the unit of {quantity}", dimension=dimension).symbol, False

@@ -223,7 +223,6 @@ def _units(units: Mapping[str, str]) -> dict[str, str]:
     dimensions = shot_words().dimensions
     known = [*dict.fromkeys(dimensions.values()), *dimensions]
     for name, symbol in units.items():
-        if name not in known:
-            raise UnknownNameError("quantity or dimension", name, known)
+        check_choice("quantity or dimension", name, known)
         unit(symbol, name=f"the unit of {name}", dimension=dimensions.get(name, name))
     return dict(units)

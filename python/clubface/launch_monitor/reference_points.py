@@ -11,19 +11,17 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from clubface.equipment.clubs import Club
-from clubface.equipment.clubs import club as club_named
+from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.described import HANDS
 from clubface.errors import UnknownNameError
 from clubface.launch_monitor.formats import CG, CONTACT, FACE, UNKNOWN
 from clubface.recorded.shots import RecordedShots
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 CLOSE = 1e-14
 """Angle to which the face at its centre is found [rad]."""
@@ -100,13 +98,13 @@ def _club(which: Any) -> Club:
     return which if isinstance(which, Club) else club_named(which)
 
 
-def _hands(shots: RecordedShots, which: Club) -> NDArray[np.float64]:
+def _hands(shots: RecordedShots, which: Club) -> Floats:
     if shots.hand is None:
         return np.full(len(shots), float(which.hand))
     return np.array([float(HANDS[each]) for each in shots.hand])
 
 
-def _put(deliveries: dict[str, NDArray[np.float64]], rows: NDArray[np.intp], found: Mapping[str, Any]) -> None:
+def _put(deliveries: dict[str, Floats], rows: NDArray[np.intp], found: Mapping[str, Any]) -> None:
     for name, values in found.items():
         deliveries[name][rows] = values
 
@@ -123,7 +121,7 @@ def _told(what: str, which: Club, known: NDArray[np.bool_], needed: str) -> str:
     return f"{what} of {which.name}{more}"
 
 
-def _at_face_centre(some: Mapping[str, Any], which: Club, hand: NDArray[np.float64]) -> dict[str, Any]:
+def _at_face_centre(some: Mapping[str, Any], which: Club, hand: Floats) -> dict[str, Any]:
     """Return loft and face angle at the face centre where those at the point of contact are given."""
     count = len(hand)
     toe, high = (some.get(name, np.full(count, np.nan)) for name in ("toe", "high"))
@@ -149,7 +147,7 @@ def _at_face_centre(some: Mapping[str, Any], which: Club, hand: NDArray[np.float
     }
 
 
-def _normal(toe: NDArray[np.float64], high: NDArray[np.float64], which: Club) -> NDArray[np.float64]:
+def _normal(toe: Floats, high: Floats, which: Club) -> Floats:
     """Return the outward normal at points of the face in face axes: outward, up the face, to the toe; shape (n, 3).
 
     The roll arc is revolved about the axis parallel to the face's vertical that lies the bulge behind the face centre.
@@ -164,7 +162,7 @@ def _normal(toe: NDArray[np.float64], high: NDArray[np.float64], which: Club) ->
     return np.stack([cos_up * cos_out, sin_up, cos_up * sin_out], axis=1)
 
 
-def _at_cg(some: Mapping[str, Any], which: Club, hand: NDArray[np.float64]) -> dict[str, Any]:
+def _at_cg(some: Mapping[str, Any], which: Club, hand: Floats) -> dict[str, Any]:
     """Return speed, attack angle and path of the centre of gravity where those of the face centre are given."""
     count = len(hand)
     closure = some.get("closure", np.full(count, np.nan))
@@ -189,40 +187,38 @@ def _at_cg(some: Mapping[str, Any], which: Club, hand: NDArray[np.float64]) -> d
     }
 
 
-def _filled(some: Mapping[str, Any], name: str, count: int, default: float) -> NDArray[np.float64]:
+def _filled(some: Mapping[str, Any], name: str, count: int, default: float) -> Floats:
     values = some.get(name, np.full(count, np.nan))
     return np.where(np.isnan(values), default, values)
 
 
-def _about_x(lie: NDArray[np.float64]) -> NDArray[np.float64]:
+def _about_x(lie: Floats) -> Floats:
     """Return the rotation of the reference pose by the lie, toe up; shape (n, 3, 3)."""
     zero, one = np.zeros_like(lie), np.ones_like(lie)
     rows = [[one, zero, zero], [zero, np.cos(lie), np.sin(lie)], [zero, -np.sin(lie), np.cos(lie)]]
     return np.moveaxis(np.array(rows), -1, 0)
 
 
-def _about_y(angle: NDArray[np.float64]) -> NDArray[np.float64]:
+def _about_y(angle: Floats) -> Floats:
     """Return the rotation that turns x towards z, to the right; shape (n, 3, 3)."""
     zero, one = np.zeros_like(angle), np.ones_like(angle)
     rows = [[np.cos(angle), zero, -np.sin(angle)], [zero, one, zero], [np.sin(angle), zero, np.cos(angle)]]
     return np.moveaxis(np.array(rows), -1, 0)
 
 
-def _about_z(angle: NDArray[np.float64]) -> NDArray[np.float64]:
+def _about_z(angle: Floats) -> Floats:
     """Return the rotation that turns x towards y, up; shape (n, 3, 3)."""
     zero, one = np.zeros_like(angle), np.ones_like(angle)
     rows = [[np.cos(angle), -np.sin(angle), zero], [np.sin(angle), np.cos(angle), zero], [zero, zero, one]]
     return np.moveaxis(np.array(rows), -1, 0)
 
 
-def _tilted(static_loft: float, lie: NDArray[np.float64]) -> NDArray[np.float64]:
+def _tilted(static_loft: float, lie: Floats) -> Floats:
     """Return the rotation from face axes to the reference pose tilted by the lie; shape (n, 3, 3)."""
     return _about_x(lie) @ _about_z(np.full_like(lie, static_loft))
 
 
-def _turned(
-    loft: NDArray[np.float64], face: NDArray[np.float64], lie: NDArray[np.float64], static_loft: float
-) -> NDArray[np.float64]:
+def _turned(loft: Floats, face: Floats, lie: Floats, static_loft: float) -> Floats:
     """Return the rotation from the tilted reference pose to the delivered attitude; shape (n, 3, 3).
 
     The face normal is turned back to azimuth 0, about z until its elevation is the loft, and right by the face angle.

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import Club
-from clubface.errors import InputError, UnknownNameError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.errors import InputError
+from clubface.support.checks import check_choice
 
 MISMATCH = ("refuse", "note")
 """What shots of another club may do."""
@@ -63,8 +61,7 @@ def check_club(
     mismatch
         "refuse" or "note".
     """
-    if mismatch not in MISMATCH:
-        raise UnknownNameError("mismatch", mismatch, MISMATCH)
+    check_choice("mismatch", mismatch, MISMATCH)
     found = _other_name(club, names) or _other_loft(club, lofts)
     if found is None:
         return []

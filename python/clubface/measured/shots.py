@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Self
+from typing import Any, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import Club, club
@@ -16,9 +17,6 @@ from clubface.launch_monitor import read, refer
 from clubface.measured.other_club import check_club
 from clubface.recorded.shots import RecordedShots, RejectedRow
 from clubface.simulation.delivery import DIMENSIONS
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 QUANTITIES = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
 """The launch quantities on which models are compared, in the order of the published tables, and their usual units."""

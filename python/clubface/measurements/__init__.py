@@ -11,11 +11,9 @@ from __future__ import annotations
 from functools import cache
 
 from clubface.errors import UnknownNameError
-from clubface.measurements.file import KINDS, read
-from clubface.measurements.published import PublishedTable
+from clubface.measurements.file import KINDS as KINDS, read as read
+from clubface.measurements.published import PublishedTable as PublishedTable
 from clubface.support.shipped import DATA, builtin_names
-
-__all__ = ["KINDS", "PublishedTable", "names", "read", "subjects", "table"]
 
 _FOLDER = "measurements"
 

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
+from clubface.support.checks import check_choice
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -50,8 +51,7 @@ class PublishedTable:
         return len(next(iter(self.columns.values())))
 
     def __getitem__(self, column: str) -> NDArray[Any]:
-        if column not in self.columns:
-            raise UnknownNameError("column", column, self.columns)
+        check_choice("column", column, self.columns)
         return self.columns[column]
 
     def get(self, column: str, unit: str) -> NDArray[np.float64]:

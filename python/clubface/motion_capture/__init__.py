@@ -6,27 +6,11 @@
 
 from __future__ import annotations
 
-from clubface.motion_capture.captured import CapturedDelivery
-from clubface.motion_capture.estimators import ESTIMATORS
-from clubface.motion_capture.joined import join
-from clubface.motion_capture.mapping import MarkerMap
-from clubface.motion_capture.mapping_file import template
-from clubface.motion_capture.markers import FacePoint
-from clubface.motion_capture.recording import Recording, read_c3d, write_c3d
-from clubface.motion_capture.shots import CapturedSwings, read_swings
-from clubface.motion_capture.swing import read_swing
-
-__all__ = [
-    "ESTIMATORS",
-    "CapturedDelivery",
-    "CapturedSwings",
-    "FacePoint",
-    "MarkerMap",
-    "Recording",
-    "join",
-    "read_c3d",
-    "read_swing",
-    "read_swings",
-    "template",
-    "write_c3d",
-]
+from clubface.motion_capture.captured import CapturedDelivery as CapturedDelivery
+from clubface.motion_capture.estimators import ESTIMATORS as ESTIMATORS
+from clubface.motion_capture.joined import join as join
+from clubface.motion_capture.mapping_file import MarkerMap as MarkerMap, template as template
+from clubface.motion_capture.markers import FacePoint as FacePoint
+from clubface.motion_capture.recording import Recording as Recording, read_c3d as read_c3d, write_c3d as write_c3d
+from clubface.motion_capture.shots import CapturedSwings as CapturedSwings, read_swings as read_swings
+from clubface.motion_capture.swing import read_swing as read_swing

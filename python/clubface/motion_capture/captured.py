@@ -11,10 +11,11 @@ import numpy as np
 
 from clubface import units
 from clubface.equipment.clubs import Club
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.rotations import Array
 from clubface.simulation.delivery import DIMENSIONS, Delivery
+from clubface.support.checks import check_choice
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -75,8 +76,7 @@ class CapturedDelivery:
 
     def interval(self, name: str, level: float = 0.95) -> tuple[float, float]:
         """Return the limits [SI] between which a value lies with the probability ``level``."""
-        if name not in QUANTITIES:
-            raise UnknownNameError("delivery value", name, QUANTITIES)
+        check_choice("delivery value", name, QUANTITIES)
         if not 0.0 < level < 1.0:
             raise InputError("level", level, "between 0 and 1")
         half = NormalDist().inv_cdf(0.5 + 0.5 * level) * self.uncertainty[name]
@@ -85,8 +85,7 @@ class CapturedDelivery:
 
     def get(self, name: str, unit: str) -> tuple[float, float]:
         """Return a value of the delivery and its standard deviation in another unit."""
-        if name not in QUANTITIES:
-            raise UnknownNameError("delivery value", name, QUANTITIES)
+        check_choice("delivery value", name, QUANTITIES)
         units.unit(unit, name=name, dimension=DIMENSIONS[name])
         return units.from_si(getattr(self.delivery, name), unit), units.from_si(self.uncertainty[name], unit)
 

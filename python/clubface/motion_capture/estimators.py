@@ -12,8 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.motion_capture.rotations import Array
+from clubface.support.checks import check_choice
 
 TIME = 0.01
 """Seconds; the unit of time of the fits, so that their coefficients are of one size."""
@@ -145,8 +146,7 @@ ESTIMATORS = {
 
 def estimator(name: str) -> Estimator:
     """Return an estimator; a :class:`UnknownNameError` lists their names."""
-    if name not in ESTIMATORS:
-        raise UnknownNameError("estimator", name, ESTIMATORS)
+    check_choice("estimator", name, ESTIMATORS)
     return ESTIMATORS[name]
 
 

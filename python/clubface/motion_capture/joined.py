@@ -8,16 +8,13 @@ Wunsch, Journal of Molecular Biology 48 (1970) 443-453).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
 from clubface.recorded.shots import RecordedShots, RejectedRow
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from clubface.support.arrays import Floats
 
 SAME = {"ball_speed": 1.5, "launch": units.to_si(2.0, "deg"), "speed": 2.5}
 """Differences [SI] beyond which two measurements are not of the same shot.
@@ -78,7 +75,7 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
     )  # fmt: skip
 
 
-def _differences(captured: RecordedShots, measured: RecordedShots) -> dict[str, NDArray[np.float64]]:
+def _differences(captured: RecordedShots, measured: RecordedShots) -> dict[str, Floats]:
     """Return how much each shot of one table differs from each of the other, in parts of what is allowed."""
     first, second = ({**each.deliveries, **each.launches} for each in (captured, measured))
     found = {}
@@ -90,7 +87,7 @@ def _differences(captured: RecordedShots, measured: RecordedShots) -> dict[str, 
     return found
 
 
-def _costs(differences: dict[str, NDArray[np.float64]]) -> NDArray[np.float64]:
+def _costs(differences: dict[str, Floats]) -> Floats:
     """Return what each pair costs, 0 to 1: the mean square of its differences, infinite where one is too large."""
     every = np.array(list(differences.values()))
     there = np.isfinite(every)
@@ -101,7 +98,7 @@ def _costs(differences: dict[str, NDArray[np.float64]]) -> NDArray[np.float64]:
     return np.where((squares > 1.0).any(axis=0), np.inf, costs)
 
 
-def _aligned(costs: NDArray[np.float64]) -> NDArray[np.int64]:
+def _aligned(costs: Floats) -> NDArray[np.int64]:
     """Return the pairs, in order, whose costs and those of the rows left alone are least; shape (pairs, 2)."""
     rows, columns = costs.shape
     total = np.empty((rows + 1, columns + 1))

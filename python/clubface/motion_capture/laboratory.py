@@ -6,7 +6,7 @@ import numpy as np
 
 from clubface import units
 from clubface.errors import FileError
-from clubface.motion_capture.mapping import MarkerMap
+from clubface.motion_capture.mapping_file import MarkerMap
 from clubface.motion_capture.recording import Recording
 from clubface.motion_capture.rigid_body import visible
 from clubface.motion_capture.rotations import Array

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+import os
+from typing import Any, Self
 
 from clubface import units
 from clubface.errors import ClubfaceError, InputError
 from clubface.motion_capture.markers import FacePoint, Markers, Point
 from clubface.support.strict_toml import Document, quoted
 
-M = TypeVar("M", bound=Markers)
 TABLES = {
     "cluster": None,
     "face": None,
@@ -23,8 +23,40 @@ SEEN = "seen"
 """Stands for the position of a marker that the calibration places."""
 
 
-def from_document(kind: type[M], document: Document) -> M:
-    """Return the mapping that a TOML document describes; every error names file and line."""
+class MarkerMap(Markers):
+    """The markers of a laboratory; its attributes are those of :class:`Markers`."""
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Self:
+        """Read a mapping file; ``template`` shows its form. Every error names file and line."""
+        return cls._from(Document.read(path))
+
+    @classmethod
+    def from_text(cls, text: str, path: str = "<mapping>") -> Self:
+        """Read the text of a mapping file; ``path`` names it in errors."""
+        return cls._from(Document(text, path))
+
+    @classmethod
+    def _from(cls, document: Document) -> Self:
+        given = _given(document)
+        try:
+            return cls(**given)
+        except ClubfaceError as error:
+            name = getattr(error, "parameter", "")
+            raise document.wrap(error, "laboratory" if name in ("target", "up") else "") from None
+
+    def to_toml(self) -> str:
+        """Return the text of a mapping file that reads back as this mapping, lengths to 1 nm."""
+        return _to_toml(self)
+
+
+def marker_map(which: str | os.PathLike[str] | MarkerMap) -> MarkerMap:
+    """Return the mapping that is given as the path of its file, or as a :class:`MarkerMap` itself."""
+    return which if isinstance(which, MarkerMap) else MarkerMap.read(which)
+
+
+def _given(document: Document) -> dict[str, Any]:
+    """Return the values that a TOML document gives."""
     data = document.data
     document.check_keys(data, [*TABLES, "club"], ["cluster", "ball"])
     document.check_text(data, ["club"])
@@ -59,12 +91,7 @@ def from_document(kind: type[M], document: Document) -> M:
         read.unit(laboratory["unit"])
     if "target" in laboratory:
         given["target"] = read.target(laboratory["target"])
-    try:
-        return kind(**given)
-    except ClubfaceError as error:
-        name = getattr(error, "parameter", "")
-        table = "laboratory" if name in ("target", "up") else ""
-        raise document.wrap(error, table) from None
+    return given
 
 
 class _Reader:
@@ -156,9 +183,7 @@ def template() -> str:
     return TEMPLATE
 
 
-def to_toml(mapping: Markers) -> str:
-    """Return the text of a mapping file; see :meth:`MarkerMap.to_toml`."""
-
+def _to_toml(mapping: MarkerMap) -> str:
     def length(value: float) -> str:
         return quoted(f"{round(units.from_si(value, 'mm'), 6):.10g} mm")
 

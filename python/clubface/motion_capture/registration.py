@@ -11,7 +11,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.face import face_point, nearest
 from clubface.errors import FileError
 from clubface.motion_capture.attitude import face_axes
-from clubface.motion_capture.mapping import MarkerMap
+from clubface.motion_capture.mapping_file import MarkerMap
 from clubface.motion_capture.recording import Recording
 from clubface.motion_capture.rigid_body import FEWEST, degrees_of_freedom, fit_poses, pose_information, visible
 from clubface.motion_capture.rotations import Array, skew

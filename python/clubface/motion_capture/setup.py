@@ -13,10 +13,9 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError
-from clubface.motion_capture.estimators import ROUGHNESS, check_roughness
-from clubface.motion_capture.estimators import estimator as estimator_of
+from clubface.motion_capture.estimators import ROUGHNESS, check_roughness, estimator as estimator_of
 from clubface.motion_capture.laboratory import to_world
-from clubface.motion_capture.mapping import MarkerMap, marker_map
+from clubface.motion_capture.mapping_file import MarkerMap, marker_map
 from clubface.motion_capture.recording import Recording, read_c3d
 from clubface.motion_capture.registration import Registration, calibrated, given_positions
 from clubface.motion_capture.rotations import Array

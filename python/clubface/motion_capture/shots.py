@@ -13,7 +13,7 @@ import numpy as np
 from clubface.equipment.clubs import Club
 from clubface.errors import FileError, InputError
 from clubface.motion_capture.captured import CapturedDelivery
-from clubface.motion_capture.mapping import MarkerMap
+from clubface.motion_capture.mapping_file import MarkerMap
 from clubface.motion_capture.recording import read_c3d
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.setup import Options, prepare

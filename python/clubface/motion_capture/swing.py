@@ -16,7 +16,7 @@ from clubface.motion_capture.approach import follow
 from clubface.motion_capture.ball_flight import Launched, RestingBall, flight, resting_places
 from clubface.motion_capture.captured import CapturedDelivery
 from clubface.motion_capture.impact_frame import find_impact
-from clubface.motion_capture.mapping import MarkerMap
+from clubface.motion_capture.mapping_file import MarkerMap
 from clubface.motion_capture.recording import Recording, read_c3d
 from clubface.motion_capture.reduction import QUANTITIES, with_covariance
 from clubface.motion_capture.rigid_body import visible

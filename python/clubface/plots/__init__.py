@@ -3,9 +3,9 @@
 Every function returns a matplotlib ``Figure``; :func:`save` writes it as PNG, SVG or PDF by the file's ending.
 """
 
-from clubface.plots.shot import force_histories as force_histories
-from clubface.plots.shot import shot_figure as shot_figure
-from clubface.plots.shot import trajectories as trajectories
+from clubface.plots.shot import (
+    force_histories as force_histories,
+    shot_figure as shot_figure,
+    trajectories as trajectories,
+)
 from clubface.plots.style import save as save
-
-__all__ = ["force_histories", "save", "shot_figure", "trajectories"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Iterable
 from functools import wraps
@@ -93,8 +94,10 @@ def _index(model: str) -> int:
 
 def legend_above(figure: Figure, lines: Iterable[Any], *, title: str | None = None) -> None:
     """Put one legend, with the title of the figure, above all panels, where it covers nothing."""
+    handles = list(lines)
+    columns = math.ceil(len(handles) / math.ceil(len(handles) / 9)) if handles else 1
     legend = figure.legend(
-        handles=list(lines), loc="outside upper left", ncols=9, columnspacing=1.3, title=title, alignment="left"
+        handles=handles, loc="outside upper left", ncols=columns, columnspacing=1.3, title=title, alignment="left"
     )
     legend.get_title().set_fontsize(8.5)
 

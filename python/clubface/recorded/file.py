@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.errors import FileError
 from clubface.recorded.shots import POINTS, SIDES, RecordedShots, RejectedRow
@@ -16,9 +17,6 @@ from clubface.tables.headings import HAND, Column, Layout, layout, listed, plain
 from clubface.tables.reader import open_table
 from clubface.tables.rows import Chunk
 from clubface.units import to_si
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 CLUB_HEADINGS = ("club", "club_name", "club_type")
 CHUNK_ROWS = 16384

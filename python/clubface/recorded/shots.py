@@ -9,18 +9,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.equipment.described import HANDS
-from clubface.errors import InputError, Told, UnknownNameError
+from clubface.errors import InputError, Told
 from clubface.simulation.quantities import inputs
-from clubface.support.checks import check_choice
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice, check_names
 from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, heading_of, shot_words
 from clubface.tables.writer import write_columns
 from clubface.units import SI_UNITS, from_si
 
 if TYPE_CHECKING:
     import pandas
-    from numpy.typing import NDArray
 
 SPEED_AT = ("cg", "face", "unknown")
 FACE_AT = ("face", "contact", "unknown")
@@ -83,8 +84,8 @@ class RecordedShots:
         :func:`clubface.launch_monitor.refer` refers both to where models want them.
     """
 
-    deliveries: dict[str, NDArray[np.float64]]
-    launches: dict[str, NDArray[np.float64]]
+    deliveries: dict[str, Floats]
+    launches: dict[str, Floats]
     clubs: NDArray[Any] | None = None
     hand: NDArray[Any] | None = None
     rows: NDArray[np.int64]
@@ -139,7 +140,7 @@ class RecordedShots:
             rows=self.rows[index],
         )
 
-    def delivery(self) -> dict[str, NDArray[np.float64]]:
+    def delivery(self) -> dict[str, Floats]:
         """Return what :func:`impact` takes as ``delivery``: the deliveries, and the hand as +1 or -1."""
         given = dict(self.deliveries)
         if self.hand is not None:
@@ -187,7 +188,7 @@ class RecordedShots:
         write_columns(columns, Path(path))
 
 
-def with_both_spins(launches: Mapping[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:
+def with_both_spins(launches: Mapping[str, Floats]) -> dict[str, Floats]:
     """Return launches with backspin and sidespin where total spin and axis were measured, and the reverse.
 
     A measured value stays as it is; only shots that lack both of a pair get it from the other.
@@ -211,10 +212,8 @@ def with_both_spins(launches: Mapping[str, NDArray[np.float64]]) -> dict[str, ND
     return found
 
 
-def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, NDArray[np.float64]]:
-    for name in given:
-        if name not in known:
-            raise UnknownNameError("quantity", name, known)
+def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, Floats]:
+    check_names("quantity", given, known)
     return {name: _of_length(np.asarray(values, dtype=np.float64), name, count) for name, values in given.items()}
 
 

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.simulation import core
 from clubface.simulation.quantities import flight_inputs
+from clubface.support.checks import check_names
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,9 +70,7 @@ def air_of(values: Air | Mapping[str, Any] | None) -> Air:
         return values
     if not isinstance(values, Mapping):
         raise InputError("air", values, "an Air or a mapping of its values")
-    for name in values:
-        if name not in Air.__dataclass_fields__:
-            raise UnknownNameError("value of the air", name, Air.__dataclass_fields__)
+    check_names("value of the air", values, Air.__dataclass_fields__)
     return Air(**values)
 
 

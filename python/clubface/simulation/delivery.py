@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields, replace
 from typing import Any, Self
 
 from clubface import units
-from clubface.errors import UnknownNameError
+from clubface.support.checks import check_names
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,9 +66,7 @@ class Delivery:
     def replace(self, **changes: Any) -> Self:
         """Return the delivery with some values changed."""
         names = [each.name for each in fields(self)]
-        for name in changes:
-            if name not in names:
-                raise UnknownNameError("delivery value", name, names)
+        check_names("delivery value", changes, names)
         return replace(self, **changes)
 
 

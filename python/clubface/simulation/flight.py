@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from functools import cache
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from clubface.simulation import core
@@ -12,7 +11,7 @@ from clubface.simulation.air import Air
 from clubface.simulation.flight_inputs import flight_columns, flight_error
 from clubface.simulation.launch import Comparison, Launch
 from clubface.simulation.quantities import Quantity, flight_inputs, flight_outputs
-from clubface.simulation.results import Problem, Result, Varied, first_error, index_of, problems_of
+from clubface.simulation.results import Result, Varied, first_error, index_of
 from clubface.simulation.run_options import check_on_error, thread_count
 from clubface.support.version import __version__
 
@@ -87,20 +86,11 @@ class Flight(Result):
         """Return the quantities by name, with unit and meaning."""
         return flight_outputs()
 
-    @classmethod
-    def _rows(cls) -> dict[str, int]:
-        return _rows()
-
     def _headline(self) -> str:
         return f"flight after launch by {self.launch.model}" if self.launch is not None else "flight"
 
     @property
-    def problems(self) -> tuple[Problem, ...]:  # pyright: ignore[reportIncompatibleVariableOverride]
-        """The flights without a result and why."""
-        return problems_of(self._found, self.shape)
-
-    @property
-    def varied(self) -> Mapping[str, Varied]:  # pyright: ignore[reportIncompatibleVariableOverride]
+    def varied(self) -> Mapping[str, Varied]:
         """The inputs that were given as arrays, by name; those of the impact where there was one."""
         found = dict(self.launch.varied) if self.launch is not None else {}
         for name, values in self._varied.items():
@@ -221,8 +211,3 @@ def _sorted_problems(
             name, message = reason.parameter, reason.reason
         every.append((row, name, "there is no launch to fly" if lost and reason is None else message))
     return every, new
-
-
-@cache
-def _rows() -> dict[str, int]:
-    return {name: row for row, name in enumerate(flight_outputs())}

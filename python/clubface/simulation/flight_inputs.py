@@ -7,12 +7,13 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface import units
-from clubface.errors import InputError, ShotError, UnknownNameError
+from clubface.errors import InputError, ShotError
 from clubface.simulation.air import Air, air_of
 from clubface.simulation.inputs import common_shape
 from clubface.simulation.launch import Launch
 from clubface.simulation.launch_terms import vectors
 from clubface.simulation.quantities import flight_inputs, flight_outputs
+from clubface.support.checks import check_names
 from clubface.support.memory import check_request
 
 if TYPE_CHECKING:
@@ -123,7 +124,5 @@ def _wind(wind: Any) -> Mapping[str, Any]:
 def _group(what: str, values: Any, known: Any) -> dict[str, Any]:
     if not isinstance(values, Mapping):
         raise InputError(what, values, f"a mapping of {', '.join(known)}")
-    for name in values:
-        if name not in known:
-            raise UnknownNameError(f"value of the {what}", name, known)
+    check_names(f"value of the {what}", values, known)
     return {name: value for name, value in values.items() if value is not None}

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import model as model_named
-from clubface.equipment.models import models
-from clubface.errors import InputError, UnknownNameError
+from clubface.equipment.models import model as model_named, models
+from clubface.errors import InputError
 from clubface.simulation import core
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
@@ -20,6 +19,7 @@ from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import Quantity, in_unit
 from clubface.simulation.results import Series
 from clubface.simulation.run_options import tolerance
+from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -142,8 +142,7 @@ class History(Series):
 
     def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
         """Return a quantity by name, in ``unit`` where one is given: ``get("time", "us")``."""
-        if name not in self.quantities:
-            raise UnknownNameError("quantity", name, self.quantities)
+        check_choice("quantity", name, self.quantities)
         value = self._arrays[name]
         return value if unit is None else in_unit(value, self.quantities[name], unit)
 

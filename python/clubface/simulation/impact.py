@@ -11,7 +11,7 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import models
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.simulation.backends import Request, backend_of
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.inputs import as_values, broadcast, equipment, parameter_set, shot_error, shots, value_of
@@ -19,6 +19,7 @@ from clubface.simulation.launch import Comparison, Launch
 from clubface.simulation.quantities import outputs
 from clubface.simulation.results import first_error
 from clubface.simulation.run_options import check_on_error, thread_count, tolerance
+from clubface.support.checks import check_names
 
 ALL = "all"
 ModelNames = str | Iterable[str]
@@ -161,7 +162,5 @@ def _compare(model: ModelNames, parameters: Any, **shot: Any) -> Comparison:
         parameters = {}
     if not isinstance(parameters, Mapping):
         raise InputError("parameters", parameters, "a mapping of model names to parameters, for several models")
-    for name in parameters:
-        if name not in names:
-            raise UnknownNameError("model among the parameters", name, names)
+    check_names("model among the parameters", parameters, names)
     return Comparison({name: impact(model=name, parameters=parameters.get(name), **shot) for name in names})

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +12,7 @@ from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet
 from clubface.simulation.inputs import Shots
 from clubface.simulation.quantities import Quantity, input_columns, inputs, outputs
-from clubface.simulation.results import Problem, Result, Varied, problems_of
+from clubface.simulation.results import Result, Varied
 from clubface.support.version import __version__
 
 if TYPE_CHECKING:
@@ -113,10 +112,6 @@ class Launch(Result):
         """Return the quantities by name, with unit and meaning."""
         return outputs()
 
-    @classmethod
-    def _rows(cls) -> dict[str, int]:
-        return _rows()
-
     def _headline(self) -> str:
         return f"launch by {self.model} ({self.parameters.name}): {self.club.name}, ball {self.ball.name}"
 
@@ -131,12 +126,7 @@ class Launch(Result):
         return self._shots.ball
 
     @property
-    def problems(self) -> tuple[Problem, ...]:  # pyright: ignore[reportIncompatibleVariableOverride]
-        """The shots without a launch and why."""
-        return problems_of(list(self._found), self.shape)
-
-    @property
-    def varied(self) -> Mapping[str, Varied]:  # pyright: ignore[reportIncompatibleVariableOverride]
+    def varied(self) -> Mapping[str, Varied]:
         """The inputs and parameters that were given as arrays, by name."""
         found = {}
         for name, values in self._shots.varied.items():
@@ -215,11 +205,6 @@ class Comparison(dict[str, Launch]):
 
     def __repr__(self) -> str:
         return "\n".join(map(repr, self.values()))
-
-
-@cache
-def _rows() -> dict[str, int]:
-    return {name: row for row, name in enumerate(outputs())}
 
 
 def _number(name: str, value: Any, varied: Mapping[str, Any]) -> Any:

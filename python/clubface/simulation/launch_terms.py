@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.simulation.inputs import common_shape
 from clubface.simulation.quantities import flight_inputs, outputs
+from clubface.support.checks import check_names
 from clubface.support.memory import check_request
 
 MONITOR = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis")
@@ -25,9 +26,7 @@ def vectors(values: Mapping[str, Any]) -> dict[str, Any]:
     """
     inputs = flight_inputs()
     known = [*MONITOR, *(name for name, each in inputs.items() if each.group in ("launch", "ball"))]
-    for name in values:
-        if name not in known:
-            raise UnknownNameError("launch value", name, known)
+    check_names("launch value", values, known)
     given = {name: value for name, value in values.items() if name in inputs}
     terms = {
         name: units.parse_values(value, outputs()[name].dimension, name=name)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from clubface import units
-from clubface.errors import ShotError, UnknownNameError
+from clubface.errors import ShotError
 from clubface.simulation.quantities import Quantity, in_unit
+from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
     import pandas
@@ -62,17 +64,12 @@ class Result:
     ----------
     shape
         The shape the inputs broadcast to; () for a single shot.
-    varied
-        The inputs that were given as arrays, by name.
-    problems
-        The shots without a result (their values are NaN) and why.
     """
 
     _kind: ClassVar[str] = "result"
     shape: tuple[int, ...]
-    varied: Mapping[str, Varied]
-    problems: tuple[Problem, ...]
     _values: NDArray[Any]
+    _found: Sequence[tuple[int, str, str]]
 
     @classmethod
     def quantities(cls) -> Mapping[str, Quantity]:
@@ -80,8 +77,9 @@ class Result:
         raise NotImplementedError
 
     @classmethod
+    @cache
     def _rows(cls) -> dict[str, int]:
-        raise NotImplementedError
+        return {name: row for row, name in enumerate(cls.quantities())}
 
     def _headline(self) -> str:
         raise NotImplementedError
@@ -90,6 +88,16 @@ class Result:
     def provenance(self) -> dict[str, Any]:
         """What the result was computed from and with."""
         raise NotImplementedError
+
+    @property
+    def varied(self) -> Mapping[str, Varied]:
+        """The inputs and parameters that were given as arrays, by name."""
+        raise NotImplementedError
+
+    @property
+    def problems(self) -> tuple[Problem, ...]:
+        """The shots without a result and why."""
+        return tuple(Problem(index_of(row, self.shape), name, reason) for row, name, reason in self._found)
 
     @property
     def units(self) -> dict[str, str]:
@@ -115,8 +123,7 @@ class Result:
 
     def get(self, name: str, unit: str | None = None) -> Any:
         """Return a quantity by name, in ``unit`` where one is given: ``get("backspin", "rpm")``."""
-        if name not in self.quantities():
-            raise UnknownNameError("quantity", name, self.quantities())
+        check_choice("quantity", name, self.quantities())
         value = getattr(self, name)
         return value if unit is None else in_unit(value, self.quantities()[name], unit)
 
@@ -275,11 +282,6 @@ def flattened(provenance: Mapping[str, Any], prefix: str = "") -> dict[str, str]
         else:
             flat[prefix + key] = value if isinstance(value, str) else json.dumps(value, default=str)
     return flat
-
-
-def problems_of(found: list[tuple[int, str, str]], shape: tuple[int, ...]) -> tuple[Problem, ...]:
-    """Give the core's problems the index of their shot in a batch of ``shape``."""
-    return tuple(Problem(index_of(row, shape), name, reason) for row, name, reason in found)
 
 
 def index_of(row: int, shape: tuple[int, ...]) -> tuple[int, ...]:

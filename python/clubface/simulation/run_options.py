@@ -5,7 +5,8 @@ from __future__ import annotations
 from operator import index
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
+from clubface.support.checks import check_choice
 
 MOST_THREADS = 1024
 """More than any machine has cores; a slip of the keyboard shall not start a million."""
@@ -13,8 +14,7 @@ MOST_THREADS = 1024
 
 def check_on_error(on_error: object) -> None:
     """Refuse a word that is not "raise" or "nan"."""
-    if on_error not in ("raise", "nan"):
-        raise UnknownNameError("on_error", on_error, ("raise", "nan"))
+    check_choice("on_error", on_error, ("raise", "nan"))
 
 
 def thread_count(threads: object) -> int:

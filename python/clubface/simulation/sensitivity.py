@@ -9,18 +9,17 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import model as model_named
-from clubface.equipment.models import reduced_model
+from clubface.equipment.models import model as model_named, reduced_model
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, UnitError, UnknownNameError
+from clubface.errors import InputError, UnitError
 from clubface.simulation import core
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import as_values, equipment, parameter_set, shot_error, shots, single
 from clubface.simulation.launch import Launch
-from clubface.simulation.quantities import Quantity, inputs
-from clubface.simulation.quantities import outputs as launch_outputs
+from clubface.simulation.quantities import Quantity, inputs, outputs as launch_outputs
 from clubface.simulation.run_options import tolerance
+from clubface.support.checks import check_choice, check_names
 
 if TYPE_CHECKING:
     import pandas
@@ -151,10 +150,8 @@ class Sensitivity:
         return f"{name} [{self._shown[name]}]"
 
     def _place(self, output: str, variable: str) -> tuple[int, int]:
-        if output not in self._rows:
-            raise UnknownNameError("output", output, self.outputs)
-        if variable not in self._columns:
-            raise UnknownNameError("variable", variable, self.variables)
+        check_choice("output", output, self.outputs)
+        check_choice("variable", variable, self.variables)
         return self.outputs.index(output), self.variables.index(variable)
 
 
@@ -234,18 +231,14 @@ def _chosen(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) ->
         names = [names] if isinstance(names, str) else list(names)
     except TypeError:
         raise InputError(f"{what}s", names, "a list of names") from None
-    for name in names:
-        if name not in known:
-            raise UnknownNameError(what, name, known)
+    check_names(what, names, known)
     if len(set(names)) < len(names):
         raise InputError(f"{what}s", names, "a list of different names")
     return names
 
 
 def _shown_units(quantities: Mapping[str, Quantity], given: Mapping[str, str]) -> dict[str, str]:
-    for name in given:
-        if name not in quantities:
-            raise UnknownNameError("output or variable", name, quantities)
+    check_names("output or variable", given, quantities)
     shown = {}
     for name, each in quantities.items():
         if name in given:

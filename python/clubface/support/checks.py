@@ -25,6 +25,13 @@ def check_choice(parameter: str, value: object, known: Iterable[str]) -> None:
         raise UnknownNameError(parameter, value, known)
 
 
+def check_names(what: str, names: Iterable[object], known: Iterable[str]) -> None:
+    """Refuse names of which one is not among the ``known``; ``what`` each is."""
+    known = tuple(known)
+    for name in names:
+        check_choice(what, name, known)
+
+
 def is_count(value: object, least: int, most: int) -> bool:
     """Tell a whole number within limits from anything else, ``True`` and ``False`` among it."""
     return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most

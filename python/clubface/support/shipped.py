@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from clubface.errors import UnknownNameError
+from clubface.support.checks import check_choice
 
 DATA = Path(__file__).parent.parent / "data"
 
@@ -19,8 +19,7 @@ def builtin_names(folder: str) -> tuple[str, ...]:
 def builtin_path(what: str, name: object, folder: str, known: Iterable[str] | None = None) -> Path:
     """Return the file of the description in ``data/<folder>`` that is called ``name``; ``what`` it is, for errors."""
     names = tuple(known or builtin_names(folder))
-    if name not in names:
-        raise UnknownNameError(what, name, names)
+    check_choice(what, name, names)
     return DATA / folder / f"{name}.toml"
 
 

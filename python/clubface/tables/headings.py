@@ -9,7 +9,7 @@ from typing import NamedTuple
 from clubface import units
 from clubface.errors import FileError
 from clubface.simulation.quantities import flight_outputs, input_dimensions, inputs, outputs
-from clubface.tables.spelling import bracketed, plain, unit_symbol
+from clubface.tables.spelling import bracketed, plain, unit_of_column
 
 SYNONYMS = {
     "speed": ("club_speed", "clubhead_speed", "club_head_speed", "head_speed"),
@@ -139,7 +139,7 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
     used: dict[str, Column] = {}
     passed, notes = [], []
     for place, heading in enumerate(named):
-        name, unit = _split(heading, path, line, words)
+        name, unit = _split(heading, words)
         quantity = words.names.get(name)
         if quantity is None:
             passed.append(heading)
@@ -150,9 +150,12 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
         if quantity in used:
             message = f"the columns {used[quantity].heading!r} and {heading!r} both give the {quantity}"
             raise FileError(path, line, message, heading)
-        used[quantity] = Column(place, heading, quantity, _unit_of(quantity, unit, heading, (path, line), words))
-        if unit is None and used[quantity].unit != "1":
-            notes.append(f"the column {heading!r} names no unit and is taken in {used[quantity].unit}")
+        dimension = words.dimensions[quantity]
+        if unit is not None:
+            symbol = unit_of_column(unit, dimension, heading, (path, line))
+        elif (symbol := units.SI_UNITS[dimension]) != "1":
+            notes.append(f"the column {heading!r} names no unit and is taken in {symbol}")
+        used[quantity] = Column(place, heading, quantity, symbol)
     return Layout(named, tuple(used.values()), tuple(passed), tuple(notes))
 
 
@@ -169,8 +172,8 @@ def listed(headings: Sequence[str]) -> str:
     return "there are: " + ", ".join(shown) + (", ..." if len(headings) > 12 else "")
 
 
-def _split(heading: str, path: str, line: int | None, words: Vocabulary) -> tuple[str, str | None]:
-    """Return the name in lower case and the unit of a heading: ``club_speed_mph``, ``Club speed [mph]``."""
+def _split(heading: str, words: Vocabulary) -> tuple[str, str | None]:
+    """Return the name in lower case and the unit of a heading, known or not: ``club_speed_mph``, ``Speed [mph]``."""
     before, told = bracketed(heading)
     name = plain_name(before)
     if told is None:
@@ -179,12 +182,7 @@ def _split(heading: str, path: str, line: int | None, words: Vocabulary) -> tupl
             if plain_name(short) in words.names:
                 return plain_name(short), unit
         return name, None
-    unit = unit_symbol(told)
-    if told and unit is None and name in words.names:
-        allowed = " or ".join(units.symbols(words.dimensions[words.names[name]]))
-        message = f"the column {heading!r} is in the unknown unit {told!r}; it must be in {allowed}"
-        raise FileError(path, line, message, heading)
-    return name, unit
+    return name, told or None
 
 
 def plain_name(name: str) -> str:
@@ -200,16 +198,6 @@ def _near(name: str, known: Collection[str]) -> str | None:
         if len(each) > 3 and (near := get_close_matches(each, known, 1, 0.8)):
             return near[0]
     return None
-
-
-def _unit_of(quantity: str, unit: str | None, heading: str, place: tuple[str, int | None], words: Vocabulary) -> str:
-    dimension = words.dimensions[quantity]
-    if unit is None:
-        return units.SI_UNITS[dimension]
-    if units.unit(unit).dimension != dimension:
-        allowed = " or ".join(units.symbols(dimension))
-        raise FileError(*place, f"the column {heading!r} is in {unit}; {quantity} must be in {allowed}", heading)
-    return unit
 
 
 def _reversed(synonyms: Mapping[str, Sequence[str]]) -> dict[str, str]:

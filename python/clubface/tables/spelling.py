@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 
-from clubface.errors import UnitError
+from clubface.errors import FileError, UnitError
 from clubface.units import unit
 
 _UNITS = {
@@ -40,3 +40,11 @@ def unit_symbol(text: str) -> str | None:
         except UnitError:
             continue
     return None
+
+
+def unit_of_column(text: str, dimension: str, heading: str, place: tuple[str, int | None]) -> str:
+    """Return the symbol of the unit that a heading names; one that is unknown or does not fit is an error."""
+    try:
+        return unit(unit_symbol(text) or text, name=f"the unit of the column {heading!r}", dimension=dimension).symbol
+    except UnitError as error:
+        raise FileError(*place, str(error), heading) from None

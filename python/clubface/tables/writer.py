@@ -12,10 +12,11 @@ from typing import Any, Protocol
 
 from clubface.errors import FileError
 from clubface.support.resuming import unfinished
-from clubface.tables.parquet import ENDINGS as PARQUET
-from clubface.tables.parquet import write_parquet
+from clubface.tables.parquet import ENDINGS as PARQUET, write_parquet
 from clubface.tables.rows import Chunk, Reader, Reject
 
+KINDS = (".csv", ".tsv", *PARQUET)
+"""How the name of a table may end."""
 DIGITS = 9
 """Significant digits in a CSV file, far below the error of any model."""
 
@@ -103,11 +104,9 @@ class RejectsWriter:
 
 def is_parquet(path: Path) -> bool:
     """Tell from the ending whether to write Parquet or CSV; another ending is an error."""
-    if path.suffix.lower() in PARQUET:
-        return True
-    if path.suffix.lower() in (".csv", ".txt", ".tsv"):
-        return False
-    raise FileError(str(path), None, "the name must end in .csv or .parquet")
+    if path.suffix.lower() not in KINDS:
+        raise FileError(str(path), None, f"the name must end in {' or '.join(KINDS)}")
+    return path.suffix.lower() in PARQUET
 
 
 def open_text(path: Path, keep: int | None) -> io.TextIOWrapper:

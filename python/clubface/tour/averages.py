@@ -1,45 +1,52 @@
-"""The published tour averages, club by club, and what every model makes of them.
+"""The published averages of the tours, club by club, and what every model makes of them.
 
-Each club of the built-in set is delivered at its published speed and attack angle. Its dynamic loft is published
-for two clubs only; for the others it is that with which the ``standard`` model gives the published launch angle, and
-every model uses it. For those clubs the launch angle of ``standard`` is thus no prediction.
+Each club is delivered at its published speed and attack angle. Where its dynamic loft is published, every model uses
+that. For every other club each model gets the loft with which it launches the ball at the published angle: its launch
+angle is then no prediction, but ball speed, spin and carry are, and the loft carries no other model's errors.
 """
 
 from __future__ import annotations
 
-import csv
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cache, cached_property
-from typing import Any, NamedTuple
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface import units
+from clubface import measurements, units
 from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import CLUB_NAMES
 from clubface.equipment.models import model, models
 from clubface.errors import InputError
+from clubface.measurements import PublishedTable
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
 from clubface.simulation.launch import Launch
-from clubface.support.shipped import DATA
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice
+from clubface.tour.spin_ratio import FLATTENED, RIGID, loft_of_ratio, spin_ratio, spin_ratio_of
 
-Values = NDArray[np.float64]
-
-SOURCE = "PGA Tour averages published by TrackMan (2023): trackman.com/blog/golf/introducing-updated-tour-averages"
-LOFT_MODEL = "standard"
-"""The model whose launch angle fixes the lofts that are not published."""
+TABLES = {"pga-2023": None, "pga-2019": "PGA Tour", "lpga-2019": "LPGA Tour"}
+"""The published tables that models are compared with, each with the group whose published dynamic lofts belong to it.
+The LPGA Tour's of 2023 is not among them, since one of its spins looks misprinted."""
+DEFAULT_TABLE = "pga-2023"
 
 QUANTITIES = {"ball_speed": "mph", "launch": "deg", "spin": "rpm", "carry": "yd"}
 """What is compared, and the unit it is read in. Spin is the total spin, as launch monitors report it."""
-STEEPEST = units.to_si(78.0, "deg")
-"""The largest dynamic loft [rad] that is tried."""
-_DIMENSIONS = {
-    "club_speed": "speed", "attack": "angle", "ball_speed": "speed", "smash": "dimensionless", "launch": "angle",
-    "spin": "angular rate", "loft": "angle", "height": "length", "land": "angle", "carry": "length",
-}  # fmt: skip
+
+LOWEST, STEEPEST = units.to_si(-20.0, "deg"), units.to_si(78.0, "deg")
+"""The dynamic lofts [rad] between which one is looked for."""
+SLOPE = 0.85
+"""Change of the launch angle with the loft, for the first step of the search."""
+FAR_APART = 1e-3
+TRIES = 16
+RESOLUTION, COARSE_RESOLUTION = 1e-10, 1e-5
+"""How closely a solved loft gives its launch angle [rad]: by a reduced model, and by one that takes long."""
+REACHED = 2e-5
+"""What is further off [rad] after all tries is out of reach; the steps of contact models alone make some 1e-6."""
 
 
 class Average(NamedTuple):
@@ -51,47 +58,41 @@ class Average(NamedTuple):
         Its name, that of a built-in club.
     club_speed, attack
         Delivery [m/s, rad].
-    ball_speed, smash, launch, spin
-        Launch [m/s, 1, rad, rad/s].
-    height, land, carry
-        Flight: apex [m], landing angle [rad], carry [m].
+    ball_speed, launch, spin
+        Launch [m/s, rad, rad/s].
+    apex, landing_angle, carry
+        Flight [m, rad, m].
     """
 
     club: str
     club_speed: float
     attack: float
     ball_speed: float
-    smash: float
     launch: float
     spin: float
-    height: float
-    land: float
+    apex: float
+    landing_angle: float
     carry: float
 
 
-def averages() -> list[Average]:
-    """Read the published averages that come with the package, driver to pitching wedge."""
-    return [Average(**row) for row in _rows("tour_averages.csv")]
+def averages(table: str = DEFAULT_TABLE) -> list[Average]:
+    """Return the rows of a table of ``TABLES``, driver to pitching wedge, for which there is a built-in club."""
+    found = _table(table)
+    rows = zip(*(found[name].tolist() for name in Average._fields), strict=True)
+    return [row for row in map(Average._make, rows) if row.club in CLUB_NAMES]
 
 
-@cache
-def published_lofts() -> dict[str, float]:
-    """Return the dynamic lofts [rad] that are published, by club; those of the other clubs are not."""
-    return {row["club"]: row["loft"] for row in _rows("tour_lofts.csv")}
+def published_lofts(table: str) -> dict[str, float]:
+    """Return the published dynamic lofts [rad] that belong to a table of ``TABLES``, by club."""
+    _table(table)
+    lofts = measurements.table("dynamic-lofts")
+    rows = zip(lofts["group"], lofts["club"], lofts["dynamic_loft"], strict=True)
+    return {str(club): float(loft) for group, club, loft in rows if group == TABLES[table]}
 
 
-def _rows(name: str) -> list[dict[str, Any]]:
-    """Read a table of clubs, SI."""
-    with (DATA / name).open(newline="") as file:
-        return [_row(row) for row in csv.DictReader(line for line in file if not line.startswith("#"))]
-
-
-def _row(row: dict[str, str]) -> dict[str, Any]:
-    found: dict[str, Any] = {}
-    for heading, text in row.items():
-        name, unit = units.parse_column_name(heading, ("club",))
-        found[name] = text if name == "club" else units.parse(f"{text} {unit or ''}", _DIMENSIONS[name], name=heading)
-    return found
+def _table(name: str) -> PublishedTable:
+    check_choice("table of tour averages", name, TABLES)
+    return measurements.table(name)
 
 
 @dataclass(frozen=True)
@@ -100,12 +101,16 @@ class Tour:
 
     Attributes
     ----------
+    table
+        The published table.
     averages
-        The published averages.
-    lofts
-        Dynamic loft of each club [rad].
+        Its rows.
     loft_is_published
-        Whether it is published, or solved with ``LOFT_MODEL``.
+        For which clubs the dynamic loft is published; for the others each model has its own.
+    lofts
+        Dynamic loft with which each club is delivered [rad], by model: published, or solved.
+    solved_lofts
+        Dynamic loft [rad] with which each model launches as published, of every club.
     launches
         The launches of each model, one a club.
     values
@@ -114,17 +119,24 @@ class Tour:
         Carry [m] of the flight model from the published ball speed, launch angle and spin.
     """
 
+    table: PublishedTable
     averages: tuple[Average, ...]
-    lofts: Values
-    loft_is_published: tuple[bool, ...]
+    loft_is_published: NDArray[np.bool_]
+    lofts: dict[str, Floats]
+    solved_lofts: dict[str, Floats]
     launches: dict[str, list[Launch]]
-    values: dict[str, dict[str, Values]]
-    carry_of_published: Values
+    values: dict[str, dict[str, Floats]]
+    carry_of_published: Floats
 
     @property
     def clubs(self) -> list[str]:
         """The clubs, in the order of the published table."""
         return [each.club for each in self.averages]
+
+    @property
+    def left_out(self) -> list[str]:
+        """The clubs of the published table that have no built-in head."""
+        return [str(club) for club in self.table["club"] if club not in self.clubs]
 
     @property
     def models(self) -> list[str]:
@@ -137,70 +149,149 @@ class Tour:
         return QUANTITIES
 
     @cached_property
-    def published(self) -> dict[str, Values]:
+    def published(self) -> dict[str, Floats]:
         """The published value of each quantity."""
         return {name: np.array([getattr(each, name) for each in self.averages]) for name in QUANTITIES}
 
-    def errors(self, model_name: str) -> dict[str, Values]:
+    def is_fitted(self, quantity: str) -> NDArray[np.bool_]:
+        """Return for which clubs a quantity is no prediction: the launch angle from which the loft was solved."""
+        return ~self.loft_is_published if quantity == "launch" else np.zeros(len(self.averages), dtype=bool)
+
+    def errors(self, model_name: str) -> dict[str, Floats]:
         """Return model less published, by quantity."""
         return {name: self.values[model_name][name] - self.published[name] for name in QUANTITIES}
 
+    def predicted(self, model_name: str, quantity: str) -> Floats:
+        """Return the errors of one quantity for the clubs for which it is a prediction."""
+        return self.errors(model_name)[quantity][~self.is_fitted(quantity)]
+
     def mean_absolute_error(self, model_name: str) -> dict[str, float]:
-        """Return the mean over the clubs of the absolute error, by quantity."""
-        return {name: float(np.abs(error).mean()) for name, error in self.errors(model_name).items()}
+        """Return the mean of the absolute error over the clubs, by quantity; NaN where none of them is a prediction."""
+        return mean_absolute_error([self], model_name)
+
+    def published_ratios(self, model_name: str) -> Floats:
+        """Return I w / (m R v_t) of the published launches along faces of the model's lofts."""
+        balls = [each.ball for each in self.launches[model_name]]
+        return self._over_launches(spin_ratio, balls, self.lofts[model_name])
+
+    def own_ratios(self, model_name: str) -> Floats:
+        """Return I w / (m R v_t) of the model's launches."""
+        pairs = zip(self.launches[model_name], self.lofts[model_name].tolist(), strict=True)
+        return np.array([spin_ratio_of(launch, loft) for launch, loft in pairs])
+
+    @cached_property
+    def possible_lofts(self) -> tuple[Floats, Floats]:
+        """The least and the largest dynamic loft [rad] that the published launch allows a ball, flattened or round."""
+        balls = [each.ball for each in self.launches[self.models[0]]]
+        low, high = (self._over_launches(loft_of_ratio, balls, limit) for limit in (RIGID, FLATTENED))
+        return low, high
+
+    def _over_launches(self, of: Callable[..., object], balls: Iterable[Ball], last: object) -> Floats:
+        rows = zip(balls, self.averages, np.broadcast_to(np.asarray(last), len(self.averages)).tolist(), strict=True)
+        return np.array([of(ball, each.ball_speed, each.launch, each.spin, value) for ball, each, value in rows])
 
 
-def tour(model_names: Iterable[str] | None = None, *, ball: str | os.PathLike[str] | Ball | None = None) -> Tour:
+def mean_absolute_error(results: Iterable[Tour], model_name: str) -> dict[str, float]:
+    """Return the mean absolute error of a model over all rows of several tables, by quantity."""
+    results = list(results)
+    found = {}
+    for name in QUANTITIES:
+        errors = np.concatenate([each.predicted(model_name, name) for each in results])
+        found[name] = float(np.abs(errors).mean()) if errors.size else float("nan")
+    return found
+
+
+def tour(
+    model_names: Iterable[str] | None = None,
+    *,
+    table: str = DEFAULT_TABLE,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Tour:
     """Deliver every club of the published averages and compute its launch and flight by every model.
 
     Parameters
     ----------
     model_names
         Which models; all of the registry unless given.
+    table
+        A table of ``TABLES``.
     ball
         As for :func:`clubface.impact`.
+    progress
+        Called with the number of clubs done and of all, over all models.
     """
     names = [model(name).name for name in (models() if model_names is None else model_names)]
     if not names:
         raise InputError("model_names", names, "at least one model")
-    rows = tuple(averages())
-    is_published = tuple(each.club in published_lofts() for each in rows)
-    lofts = np.array([dynamic_loft(each) for each in rows])
-    launches = {
-        name: [
+    rows, known = tuple(averages(table)), published_lofts(table)
+    given = np.array([known.get(each.club, np.nan) for each in rows])
+    solved: dict[str, Floats] = {}
+    lofts: dict[str, Floats] = {}
+    launches: dict[str, list[Launch]] = {}
+    for place, name in enumerate(names):
+        found = []
+        for index, each in enumerate(rows):
+            found.append(solve_loft(each.club, each.club_speed, each.attack, each.launch, model=name, ball=ball))
+            if progress is not None:
+                progress(place * len(rows) + index + 1, len(names) * len(rows))
+        solved[name] = np.array(found)
+        lofts[name] = np.where(np.isnan(given), solved[name], given)
+        launches[name] = [
             impact(each.club, speed=each.club_speed, attack=each.attack, loft=loft, model=name, ball=ball)
-            for each, loft in zip(rows, lofts.tolist(), strict=True)
+            for each, loft in zip(rows, lofts[name].tolist(), strict=True)
         ]
-        for name in names
-    }
-    return Tour(rows, lofts, is_published, launches, {k: _compared(v) for k, v in launches.items()}, _flown(rows))
+    return Tour(
+        table=_table(table),
+        averages=rows,
+        loft_is_published=~np.isnan(given),
+        lofts=lofts,
+        solved_lofts=solved,
+        launches=launches,
+        values={name: _compared(hits) for name, hits in launches.items()},
+        carry_of_published=_flown(rows),
+    )
 
 
-def dynamic_loft(average: Average) -> float:
-    """Return the dynamic loft [rad]: published, or that with which ``standard`` gives the published launch angle."""
-    if average.club in published_lofts():
-        return published_lofts()[average.club]
-    return solve_loft(average.club, average.club_speed, average.attack, average.launch)
+def solve_loft(
+    club: str,
+    speed: float,
+    attack: float,
+    launch: float,
+    *,
+    model: str,
+    ball: str | os.PathLike[str] | Ball | None = None,
+) -> float:
+    """Return the dynamic loft [rad] with which a model launches the ball at the angle ``launch`` [rad].
 
-
-def solve_loft(club: str, speed: float, attack: float, launch: float, *, resolution: float = 1e-10) -> float:
-    """Return the dynamic loft [rad] with which ``standard`` launches the ball at the angle ``launch`` [rad].
-
-    Each round computes a row of lofts in one batch and keeps the interval in which the launch angle passes its target,
-    until it is narrower than ``resolution`` [rad].
+    Secants; tries closer together than ``FAR_APART`` keep the slope, which the steps of contact models would spoil.
     """
-    low, high = launch, max(launch, STEEPEST)
-    while high - low > resolution or high <= launch:
-        tried = np.linspace(low, high, 65)
-        found = impact(club, speed=speed, attack=attack, loft=tried, model=LOFT_MODEL).launch
-        above = np.flatnonzero(found >= launch)
-        if not above.size or above[0] == 0:
-            raise InputError("launch", units.show(launch, "deg", 4), f"a launch angle {club} can reach at this speed")
-        low, high = float(tried[above[0] - 1]), float(tried[above[0]])
-    return 0.5 * (low + high)
+    resolution = RESOLUTION if model in models() else COARSE_RESOLUTION
+    loft, slope = _within(launch + (1.0 / SLOPE - 1.0) * (launch - attack)), SLOPE
+    tried: list[tuple[float, float]] = []
+    while len(tried) < TRIES:
+        found = impact(club, speed=speed, attack=attack, loft=loft, model=model, ball=ball)
+        tried.append((float(found.launch) - launch, loft))
+        missing = tried[-1][0]
+        if abs(missing) <= resolution:
+            break
+        if len(tried) > 1 and abs(loft - tried[-2][1]) > FAR_APART:
+            slope = (missing - tried[-2][0]) / (loft - tried[-2][1])
+        following = _within(loft - missing / slope)
+        if following == loft:
+            break
+        loft = following
+    missing, loft = min(tried, key=lambda each: abs(each[0]))
+    if abs(missing) > REACHED:
+        raise InputError("launch", units.show(launch, "deg", 4), f"a launch angle {club} can reach at this speed")
+    return loft
 
 
-def _compared(launches: list[Launch]) -> dict[str, Values]:
+def _within(loft: float) -> float:
+    return min(max(loft, LOWEST), STEEPEST)
+
+
+def _compared(launches: list[Launch]) -> dict[str, Floats]:
     return {
         "ball_speed": np.array([each.ball_speed for each in launches]),
         "launch": np.array([each.launch for each in launches]),
@@ -209,7 +300,7 @@ def _compared(launches: list[Launch]) -> dict[str, Values]:
     }
 
 
-def _flown(rows: Iterable[Average]) -> Values:
+def _flown(rows: Iterable[Average]) -> Floats:
     """Return the carry from each published launch, taken as straight and with pure backspin."""
     return np.array(
         [fly({"ball_speed": each.ball_speed, "launch": each.launch, "backspin": each.spin}).carry for each in rows]

@@ -5,13 +5,15 @@ from __future__ import annotations
 import csv
 import io
 import json
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
 from clubface import units
 from clubface.equipment.balls import DEFAULT_BALL
-from clubface.tour.averages import LOFT_MODEL, QUANTITIES, SOURCE, Tour
+from clubface.tour.averages import QUANTITIES, TABLES, Tour, mean_absolute_error
+from clubface.tour.spin_ratio import FLATTENED, RIGID
 
 TITLES = {"ball_speed": "Ball speed", "launch": "Launch angle", "spin": "Spin", "carry": "Carry"}
 DIGITS = {"ball_speed": 1, "launch": 1, "spin": 0, "carry": 1}
@@ -19,22 +21,30 @@ MEAN = "mean |error|"
 FITTED = "fitted"
 FLIGHT_ONLY = "flight only"
 """The carry from the published launch: the share of the flight model in the errors of carry."""
+POSSIBLE = "possible"
+"""The lofts that the published launch allows."""
+LOFTS = "dynamic loft in degrees, published, possible with the published launch, and with which a model launches so"
+RATIOS = "I w / (m R v_t) of the published launch from the delivered loft, and of the model's own launch"
 
 
 def notes(result: Tour) -> list[str]:
     """Return what a reader of the comparison must know."""
-    published = [club for club, given in zip(result.clubs, result.loft_is_published, strict=True) if given]
     caveats: dict[str, list[str]] = {}
     for name, launches in result.launches.items():
         for caveat in dict.fromkeys(text for launch in launches for text in launch.parameters.caveats):
             caveats.setdefault(caveat, []).append(name)
     balls = dict.fromkeys(launch.ball.name for launches in result.launches.values() for launch in launches)
     return [
-        f"Published: {SOURCE}.",
+        f"Published: {result.table.title}. {result.table.source}.",
+        *([f"In doubt: {result.table.caveat}"] if result.table.caveat else []),
+        *([f"Left out, as there is no head for it: {', '.join(result.left_out)}."] if result.left_out else []),
         *([] if list(balls) == [DEFAULT_BALL] else [f"Ball: {', '.join(balls)}."]),
-        f"Dynamic loft is published for {' and '.join(published)} only, in older tables. For every other club it is"
-        f" solved from the published launch angle with the {LOFT_MODEL} model and used by every model, so that there"
-        f" the launch angle of {LOFT_MODEL} is no prediction ('{FITTED}').",
+        _notes_on_lofts(result),
+        f"I w / (m R v_t) is {RIGID:.0f} for a ball that stays round and {FLATTENED} to 0.95 for one that is flattened;"
+        " over the face of first touch, which turns with its head, it is larger."
+        f" '{POSSIBLE}' are the lofts with which the published launch has {RIGID:.0f} to {FLATTENED}. With a loft"
+        " further outside than the head turns, half a degree for woods and one for irons, its figures cannot belong to"
+        " one shot.",
         "Only driver and 7-iron are measured heads (not those of the tour); the other clubs are a plausible parametric"
         " set, and each uses the published parameters of driver or 7-iron.",
         "Impact at the face centre, path and face square. Carries of the models are flights of their own launches;"
@@ -43,9 +53,16 @@ def notes(result: Tour) -> list[str]:
     ]
 
 
-def is_fitted(result: Tour, index: int, model_name: str, quantity: str) -> bool:
-    """Tell whether a value is no prediction: the launch angle from which the loft of this club was solved."""
-    return quantity == "launch" and model_name == LOFT_MODEL and not result.loft_is_published[index]
+def _notes_on_lofts(result: Tour) -> str:
+    published = [club for club, given in zip(result.clubs, result.loft_is_published, strict=True) if given]
+    solved = (
+        "each model has the loft with which it launches the ball at the published angle, so that its launch angle is no"
+        f" prediction there ('{FITTED}')."
+    )
+    if not published:
+        older = " and ".join(name for name, group in TABLES.items() if group is not None)
+        return f"No dynamic loft is published that belongs to these averages (only to {older}): {solved}"
+    return f"Dynamic loft is published for {' and '.join(published)} only, and used by every model. Elsewhere {solved}"
 
 
 def comparison(result: Tour, quantity: str, *, signed: bool) -> tuple[list[str], list[list[str]]]:
@@ -62,22 +79,59 @@ def comparison(result: Tour, quantity: str, *, signed: bool) -> tuple[list[str],
     columns = {name: result.values[name][quantity] for name in result.models}
     if quantity == "carry":
         columns = {FLIGHT_ONLY: result.carry_of_published, **columns}
-    published = result.published[quantity]
+    published, fitted = result.published[quantity], result.is_fitted(quantity)
     rows = []
     for index, club in enumerate(result.clubs):
         given = units.from_si(published[index], unit)
-        cells = {name: units.from_si(values[index], unit) for name, values in columns.items()}
+        cells = [units.from_si(values[index], unit) for values in columns.values()]
         shown = [
-            FITTED if signed and is_fitted(result, index, name, quantity)
-            else _signed(cell - given, digits) if signed
-            else f"{cell:.{digits}f}"
-            for name, cell in cells.items()
-        ]  # fmt: skip
+            FITTED if signed and fitted[index] else _signed(cell - given, digits) if signed else f"{cell:.{digits}f}"
+            for cell in cells
+        ]
         rows.append([club, f"{given:.{digits}f}", *shown])
-    means = {name: units.from_si(float(np.abs(each - published).mean()), unit) for name, each in columns.items()}
-    fitted = [name for name in columns if any(is_fitted(result, i, name, quantity) for i in range(len(result.clubs)))]
-    rows.append([MEAN, "", *(FITTED if name in fitted else f"{mean:.{digits}f}" for name, mean in means.items())])
+    errors = [units.from_si(np.abs(each - published)[~fitted], unit) for each in columns.values()]
+    rows.append([MEAN, "", *(f"{each.mean():.{digits}f}" if each.size else FITTED for each in errors)])
     return ["club", "published", *columns], rows
+
+
+def lofts(result: Tour) -> tuple[list[str], list[list[str]]]:
+    """Return headings and rows of the dynamic lofts [deg]: published, possible, and as each model needs them."""
+    low, high = (units.from_si(each, "deg") for each in result.possible_lofts)
+    rows = []
+    for index, (club, given) in enumerate(zip(result.clubs, result.loft_is_published, strict=True)):
+        published = f"{units.from_si(result.lofts[result.models[0]][index], 'deg'):.1f}" if given else ""
+        solved = [f"{units.from_si(result.solved_lofts[name][index], 'deg'):.1f}" for name in result.models]
+        rows.append([club, published, f"{low[index]:.1f}–{high[index]:.1f}", *solved])
+    return ["club", "published", POSSIBLE, *result.models], rows
+
+
+def ratios(result: Tour) -> tuple[list[str], list[list[str]]]:
+    """Return headings and rows of I w / (m R v_t) by model: of the published launch with its loft, and of its own."""
+    pairs = [(result.published_ratios(name), result.own_ratios(name)) for name in result.models]
+    rows = [
+        [club, *(f"{published[index]:.2f}, {own[index]:.2f}" for published, own in pairs)]
+        for index, club in enumerate(result.clubs)
+    ]
+    return ["club", *result.models], rows
+
+
+def summary(results: Iterable[Tour]) -> tuple[list[str], list[list[str]]]:
+    """Return headings and rows of each model's mean absolute errors over all rows of several tables."""
+    results = list(results)
+    heads = [f"{TITLES[name].lower()} ({unit})" for name, unit in QUANTITIES.items()]
+    rows = []
+    for model in results[0].models:
+        means = mean_absolute_error(results, model)
+        values = {name: units.from_si(mean, QUANTITIES[name]) for name, mean in means.items()}
+        rows.append(
+            [model, *(FITTED if np.isnan(value) else f"{value:.{DIGITS[name]}f}" for name, value in values.items())]
+        )
+    return ["model", *heads], rows
+
+
+def compared(result: Tour) -> dict[str, str]:
+    """Return the quantities of which at least one club is a prediction, and their units."""
+    return {name: unit for name, unit in QUANTITIES.items() if not result.is_fitted(name).all()}
 
 
 def _signed(value: float, digits: int) -> str:
@@ -87,20 +141,20 @@ def _signed(value: float, digits: int) -> str:
 
 def as_markdown(result: Tour) -> str:
     """Return the whole comparison as a Markdown page."""
-    lines = ["# Every model beside the published tour averages", "", *(f"* {note}" for note in notes(result)), ""]
+    lines = [f"# Every model beside the {result.table.title}", "", *(f"* {note}" for note in notes(result)), ""]
     lines += ["## Deliveries", ""]
-    lofts = [
+    delivered = [
         [
             each.club,
             f"{units.from_si(each.club_speed, 'mph'):.0f}",
             f"{units.from_si(each.attack, 'deg'):.1f}",
-            f"{units.from_si(loft, 'deg'):.2f}",
-            "published" if given else f"solved with {LOFT_MODEL}",
         ]
-        for each, loft, given in zip(result.averages, result.lofts, result.loft_is_published, strict=True)
+        for each in result.averages
     ]
-    lines += _markdown_table(["club", "club speed (mph)", "attack (deg)", "dynamic loft (deg)", "loft is"], lofts)
-    for quantity, unit in QUANTITIES.items():
+    lines += _markdown_table(["club", "club speed (mph)", "attack (deg)"], delivered)
+    for title, table in ((LOFTS, lofts(result)), (RATIOS, ratios(result))):
+        lines += [f"## {title[0].upper()}{title[1:]}", "", *_markdown_table(*table)]
+    for quantity, unit in compared(result).items():
         for signed, what in ((False, ""), (True, ", model less published")):
             heads, rows = comparison(result, quantity, signed=signed)
             lines += [f"## {TITLES[quantity]}{what} ({unit})", ""]
@@ -119,15 +173,24 @@ def _markdown_table(heads: list[str], rows: list[list[str]]) -> list[str]:
 def records(result: Tour) -> list[dict[str, Any]]:
     """Return one record a club and model: delivery, published values, the model's and its errors; units in the keys."""
     found = []
+    possible = [units.from_si(each, "deg") for each in result.possible_lofts]
+    ratios_of = {name: (result.published_ratios(name), result.own_ratios(name)) for name in result.models}
     for index, each in enumerate(result.averages):
         for name in result.models:
+            published_ratio, own_ratio = ratios_of[name]
             record: dict[str, Any] = {
+                "averages": result.table.name,
                 "club": each.club,
                 "model": name,
                 "club_speed_mph": units.from_si(each.club_speed, "mph"),
                 "attack_deg": units.from_si(each.attack, "deg"),
-                "loft_deg": units.from_si(result.lofts[index], "deg"),
-                "loft_source": "published" if result.loft_is_published[index] else f"solved with {LOFT_MODEL}",
+                "loft_deg": units.from_si(result.lofts[name][index], "deg"),
+                "solved_loft_deg": units.from_si(result.solved_lofts[name][index], "deg"),
+                "loft_source": "published" if result.loft_is_published[index] else f"solved with {name}",
+                "possible_loft_least_deg": possible[0][index],
+                "possible_loft_most_deg": possible[1][index],
+                "published_spin_ratio": published_ratio[index],
+                "spin_ratio": own_ratio[index],
             }
             for quantity, unit in QUANTITIES.items():
                 given = float(units.from_si(result.published[quantity][index], unit))
@@ -135,9 +198,14 @@ def records(result: Tour) -> list[dict[str, Any]]:
                 record[f"published_{quantity}_{unit}"] = given
                 record[f"{quantity}_{unit}"] = computed
                 record[f"{quantity}_error_{unit}"] = computed - given
-            record["carry_from_published_launch_yd"] = float(units.from_si(result.carry_of_published[index], "yd"))
-            found.append({key: round(cell, 6) if isinstance(cell, float) else cell for key, cell in record.items()})
+            record["carry_from_published_launch_yd"] = units.from_si(result.carry_of_published[index], "yd")
+            found.append({key: cell if isinstance(cell, str) else _rounded(cell) for key, cell in record.items()})
     return found
+
+
+def _rounded(value: float) -> float | None:
+    """Return a number to six decimals; JSON has none for NaN."""
+    return None if np.isnan(value) else round(float(value), 6)
 
 
 def as_csv(result: Tour) -> str:
@@ -151,17 +219,23 @@ def as_csv(result: Tour) -> str:
 
 
 def document(result: Tour) -> dict[str, Any]:
-    """Return everything as one document for JSON."""
+    """Return everything as one document for JSON; a quantity that no club predicts has no mean error."""
     return {
+        "averages": result.table.name,
         "notes": notes(result),
-        "mean_absolute_error": {
-            name: {
-                f"{quantity}_{QUANTITIES[quantity]}": round(float(units.from_si(mean, QUANTITIES[quantity])), 6)
-                for quantity, mean in result.mean_absolute_error(name).items()
-            }
-            for name in result.models
-        },
+        "mean_absolute_error": mean_errors([result]),
         "rows": records(result),
+    }
+
+
+def mean_errors(results: list[Tour]) -> dict[str, dict[str, float | None]]:
+    """Return the mean absolute errors over several tables by model, units in the keys."""
+    return {
+        model: {
+            f"{name}_{QUANTITIES[name]}": _rounded(units.from_si(mean, QUANTITIES[name]))
+            for name, mean in mean_absolute_error(results, model).items()
+        }
+        for model in results[0].models
     }
 
 

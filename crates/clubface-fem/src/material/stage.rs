@@ -106,9 +106,9 @@ impl<P: Pack, L: PointLaw<P>> Stage<P, L> {
 impl<P: Pack, L: PointLaw<P>> StressStage<P> for Stage<P, L> {
     fn stress(&self, points: &mut Points<P>) {
         if self.branching.count == 0 {
-            P::outline(Stress::<_, _, false>(self, points));
+            P::outline(Stress(&Unbranched(self), points));
         } else {
-            P::outline(Stress::<_, _, true>(self, points));
+            P::outline(Stress(self, points));
         }
     }
     fn energy(&self, points: &mut EnergyPoints<P>) {
@@ -120,32 +120,85 @@ impl<P: Pack, L: PointLaw<P>> StressStage<P> for Stage<P, L> {
     }
 }
 
+/// Second Piola-Kirchhoff stress at a point, as of [`PointLaw::second_piola`].
+trait PointStress<P: Pack> {
+    fn at(
+        &self,
+        at: &Deformation<P>,
+        pressure: P,
+        weight: P,
+        state: &mut StateVariables<P::Real>,
+        lane: usize,
+    ) -> Symmetric<P>;
+}
+
+impl<P: Pack, L: PointLaw<P>> PointStress<P> for Stage<P, L> {
+    #[inline(always)]
+    fn at(
+        &self,
+        at: &Deformation<P>,
+        pressure: P,
+        weight: P,
+        state: &mut StateVariables<P::Real>,
+        lane: usize,
+    ) -> Symmetric<P> {
+        let Branching { decays, count, add_work } = &self.branching;
+        let branches = Branches { decays: &decays[..*count], add_work: *add_work };
+        let kinematics = Kinematics::of(*at);
+        let elastic = self.law.update(&kinematics.c, state, lane);
+        let stress = add_branches(&kinematics, elastic, &branches, state, lane);
+        kinematics.second_piola(&stress, pressure, weight)
+    }
+}
+
+/// A stage without branches.
+struct Unbranched<'a, P, L>(&'a Stage<P, L>);
+
+impl<P: Pack, L: PointLaw<P>> PointStress<P> for Unbranched<'_, P, L> {
+    #[inline(always)]
+    fn at(
+        &self,
+        at: &Deformation<P>,
+        pressure: P,
+        weight: P,
+        state: &mut StateVariables<P::Real>,
+        lane: usize,
+    ) -> Symmetric<P> {
+        self.0.law.second_piola(at, pressure, weight, state, lane)
+    }
+}
+
 // Two references each, so that they travel in registers.
 
-/// [`StressStage::stress`] of a law with branches, or without.
-struct Stress<'a, 'b, P: Pack, L, const BRANCHED: bool>(&'a Stage<P, L>, &'a mut Points<'b, P>);
+/// [`StressStage::stress`].
+struct Stress<'a, 'b, P: Pack, L>(&'a L, &'a mut Points<'b, P>);
 
-impl<P: Pack, L: PointLaw<P>, const BRANCHED: bool> Computation for Stress<'_, '_, P, L, BRANCHED> {
+impl<P: Pack, L: PointStress<P>> Computation for Stress<'_, '_, P, L> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
         let Points { lane, step, state, deformations, pressures, weights, stresses } = self.1;
-        let Stage { law, branching } = self.0;
-        let branches =
-            Branches { decays: &branching.decays[..branching.count], add_work: branching.add_work };
-        let count = stresses.len();
-        assert!(deformations.len() == count && pressures.len() == count && weights.len() == count);
-        for i in 0..count {
-            let at = *lane + i * *step;
-            stresses[i] = if BRANCHED {
-                let kinematics = Kinematics::of(deformations[i]);
-                let elastic = law.update(&kinematics.c, state, at);
-                let stress = add_branches(&kinematics, elastic, &branches, state, at);
-                kinematics.second_piola(&stress, pressures[i], weights[i])
-            } else {
-                law.second_piola(&deformations[i], pressures[i], weights[i], state, at)
-            };
-        }
+        stresses_of(self.0, *lane, *step, state, deformations, pressures, weights, stresses);
+    }
+}
+
+/// Stresses of some [`Points`]: as arguments, lists are known not to overlap, so that nothing is read twice.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+fn stresses_of<P: Pack>(
+    law: &impl PointStress<P>,
+    lane: usize,
+    step: usize,
+    state: &mut StateVariables<P::Real>,
+    deformations: &[Deformation<P>],
+    pressures: &[P],
+    weights: &[P],
+    stresses: &mut [Symmetric<P>],
+) {
+    let count = stresses.len();
+    assert!(deformations.len() == count && pressures.len() == count && weights.len() == count);
+    for i in 0..count {
+        stresses[i] = law.at(&deformations[i], pressures[i], weights[i], state, lane + i * step);
     }
 }
 

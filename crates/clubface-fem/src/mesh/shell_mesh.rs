@@ -21,6 +21,7 @@ pub struct ShellMesh<R> {
 
 /// How far a quadrilateral is from folding: the smallest of the triangles at its corners over half its area. This is 1
 /// for a parallelogram and 0 with an angle of 180 degrees.
+#[inline]
 pub(super) fn convexity([a, b, c, d]: [Vec3<f64>; 4]) -> f64 {
     let out = (c - a).cross(d - b);
     let corners = [(d, a, b), (a, b, c), (b, c, d), (c, d, a)];

@@ -65,10 +65,16 @@ fn a_face_must_reach_the_corners_of_its_outline() {
 
 #[test]
 fn masses_and_sizes_must_be_positive() {
-    let of_club = ["speed", "club_mass", "bulge", "roll", "face_width", "face_height"];
-    for name in of_club.into_iter().chain(["ball_mass", "ball_radius", "ball_inertia"]) {
-        assert_fault(&[(name, 0.0)], name, "0 must be above 0");
-        assert_fault(&[(name, -0.25)], name, "-0.25 must be above 0");
+    for (unit, names) in [
+        ("m/s", &["speed"][..]),
+        ("kg", &["club_mass", "ball_mass"]),
+        ("m", &["bulge", "roll", "face_width", "face_height", "ball_radius"]),
+        ("kg m2", &["ball_inertia"]),
+    ] {
+        for name in names {
+            assert_fault(&[(name, 0.0)], name, &format!("0 must be above 0 {unit}"));
+            assert_fault(&[(name, -0.25)], name, &format!("-0.25 must be above 0 {unit}"));
+        }
     }
 }
 
@@ -127,19 +133,22 @@ fn an_inertia_must_be_that_of_a_body() {
     // 2843 + 4085 < 9000 g cm2.
     let (input, message) = fault(&[("iyy", 9000e-7)]);
     assert_eq!(input, "ixx");
-    for text in ["yy 9.0000e-4", "larger than the sum of the other two"] {
-        assert!(message.contains(text), "{message}");
-    }
-    // Just a body: a flat one, whose moments add up.
-    let flat = [("ixx", 2e-4), ("izz", 3e-4), ("iyy", 4.999e-4), ("ixy", 0.0), ("ixz", 0.0), ("iyz", 0.0)];
-    assert_eq!(check(&played(Club::Driver).with(&flat).0), Ok(()));
+    assert!(message.contains("yy 9.0000e-4") && message.contains("triangle inequality"), "{message}");
+}
+
+#[test]
+fn the_moments_of_a_flat_plate_add_up_and_no_body_is_flatter() {
+    let plate = |iyy| [("ixx", 1e-4), ("izz", 2e-4), ("iyy", iyy), ("ixy", 0.0), ("ixz", 0.0), ("iyz", 0.0)];
+    // 1e-4 + 2e-4 rounds to the number above 3e-4.
+    assert_eq!(check(&played(Club::Driver).with(&plate(1e-4 + 2e-4)).0), Ok(()));
+    assert_eq!(fault(&plate(3.000_001e-4)).0, "ixx");
 }
 
 #[test]
 fn a_ball_cannot_have_more_inertia_than_its_mass_at_its_surface() {
     let (input, message) = fault(&[("ball_inertia", 2e-5)]);
     assert_eq!(input, "ball_inertia");
-    assert!(message.starts_with("0.00002 must not exceed 2/3 m R^2"), "{message}");
+    assert!(message.starts_with("0.00002 kg m2 must not exceed 2/3 m R^2"), "{message}");
 }
 
 /// One end of each parameter of each model beyond its bound.

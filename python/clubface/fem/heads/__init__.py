@@ -2,27 +2,12 @@
 
 from __future__ import annotations
 
-from clubface.fem.heads.driver import DriverHead
-from clubface.fem.heads.hardening import Hardening
-from clubface.fem.heads.iron import IronHead
-from clubface.fem.heads.meshed import MeshedHead
-from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.read import head, head_names
-from clubface.fem.heads.shells import Part, ShellHead
-from clubface.fem.heads.solid import SolidHead
-from clubface.fem.heads.user_mesh import Group, MeshHead
-
-__all__ = [
-    "DriverHead",
-    "Group",
-    "Hardening",
-    "IronHead",
-    "MeshHead",
-    "MeshedHead",
-    "Metal",
-    "Part",
-    "ShellHead",
-    "SolidHead",
-    "head",
-    "head_names",
-]
+from clubface.fem.heads.driver import DriverHead as DriverHead
+from clubface.fem.heads.hardening import Hardening as Hardening
+from clubface.fem.heads.iron import IronHead as IronHead
+from clubface.fem.heads.meshed import MeshedHead as MeshedHead
+from clubface.fem.heads.metal import Metal as Metal
+from clubface.fem.heads.read import head as head, head_names as head_names
+from clubface.fem.heads.shells import Part as Part, ShellHead as ShellHead
+from clubface.fem.heads.solid import SolidHead as SolidHead
+from clubface.fem.heads.user_mesh import Group as Group, MeshHead as MeshHead

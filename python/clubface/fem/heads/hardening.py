@@ -9,7 +9,8 @@ from itertools import pairwise
 from typing import Any
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
+from clubface.support.checks import check_names
 
 MAX_POINTS = 8
 
@@ -59,9 +60,7 @@ class Hardening:
             return given
         if isinstance(given, Mapping):
             known = [each.name for each in fields(cls) if each.name != "table"]
-            for name in given:
-                if name not in known:
-                    raise UnknownNameError("key of hardening", name, known)
+            check_names("key of hardening", given, known)
             return cls(**given)
         if isinstance(given, Sequence) and not isinstance(given, str):
             if not given:

@@ -9,8 +9,7 @@ from typing import Any, TypeVar
 
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.fem.heads.driver import SHAPE, TARGETS, WALLS, DriverHead
-from clubface.fem.heads.iron import GROOVES, IronHead
-from clubface.fem.heads.iron import SHAPE as IRON_SHAPE
+from clubface.fem.heads.iron import GROOVES, SHAPE as IRON_SHAPE, IronHead
 from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import MASS_KEYS, parsed_places

@@ -6,7 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
+from clubface.support.checks import check_names
 
 
 def parsed(
@@ -29,9 +30,7 @@ def parsed(
     dimension
         That of a key, as of :mod:`clubface.units`.
     """
-    for key in values:
-        if key not in known:
-            raise UnknownNameError(f"value of {table}", key, known)
+    check_names(f"value of {table}", values, known)
     for key in required:
         if key not in values:
             raise InputError(f"{table}.{key}", None, "give it with its unit")

@@ -6,9 +6,12 @@ the monitor and sends launches to a simulator.
 
 from __future__ import annotations
 
-from clubface.launch_monitor.open_connect.listener import Listener
-from clubface.launch_monitor.open_connect.messages import Message, MessageError, from_json, recorded
-from clubface.launch_monitor.open_connect.outgoing import heartbeat, to_json
-from clubface.launch_monitor.open_connect.sender import Reply, Sender
-
-__all__ = ["Listener", "Message", "MessageError", "Reply", "Sender", "from_json", "heartbeat", "recorded", "to_json"]
+from clubface.launch_monitor.open_connect.listener import Listener as Listener
+from clubface.launch_monitor.open_connect.messages import (
+    Message as Message,
+    MessageError as MessageError,
+    from_json as from_json,
+    recorded as recorded,
+)
+from clubface.launch_monitor.open_connect.outgoing import heartbeat as heartbeat, to_json as to_json
+from clubface.launch_monitor.open_connect.sender import Reply as Reply, Sender as Sender

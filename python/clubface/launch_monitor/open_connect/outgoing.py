@@ -6,9 +6,10 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError
 from clubface.launch_monitor.open_connect.fields import BALL, CLUB, HANDS, VERSION
 from clubface.simulation.launch import Launch
+from clubface.support.checks import check_choice
 from clubface.units import from_si, parse, to_si, unit
 
 
@@ -76,8 +77,7 @@ def reply(code: int, message: str, player: Mapping[str, str] | None = None) -> d
 
 def player(hand: str, club: str = "") -> dict[str, str]:
     """Return what an answer of code 201 says of the player: ``hand`` "right" or "left", and the club's short name."""
-    if hand not in HANDS:
-        raise UnknownNameError("hand", hand, HANDS)
+    check_choice("hand", hand, HANDS)
     return {"Handed": HANDS[hand], "Club": club}
 
 

@@ -5,23 +5,13 @@
 
 from __future__ import annotations
 
-from clubface.motion_capture.synthetic.files import calibration_map, positions_map, synthesize, truth
-from clubface.motion_capture.synthetic.golfer import random_chain, random_swing
-from clubface.motion_capture.synthetic.laboratory import Cameras
-from clubface.motion_capture.synthetic.path import Chain, Turn, motion
-from clubface.motion_capture.synthetic.synthetic_swing import SyntheticSwing, swing
-
-__all__ = [
-    "Cameras",
-    "Chain",
-    "SyntheticSwing",
-    "Turn",
-    "calibration_map",
-    "motion",
-    "positions_map",
-    "random_chain",
-    "random_swing",
-    "swing",
-    "synthesize",
-    "truth",
-]
+from clubface.motion_capture.synthetic.files import (
+    calibration_map as calibration_map,
+    positions_map as positions_map,
+    synthesize as synthesize,
+    truth as truth,
+)
+from clubface.motion_capture.synthetic.golfer import random_chain as random_chain, random_swing as random_swing
+from clubface.motion_capture.synthetic.laboratory import Cameras as Cameras
+from clubface.motion_capture.synthetic.path import Chain as Chain, Turn as Turn, motion as motion
+from clubface.motion_capture.synthetic.synthetic_swing import SyntheticSwing as SyntheticSwing, swing as swing

@@ -10,7 +10,7 @@ import numpy as np
 
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError
-from clubface.motion_capture.mapping import MarkerMap
+from clubface.motion_capture.mapping_file import MarkerMap
 from clubface.motion_capture.recording import write_c3d
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import BALL, CLUSTERS, FACE, Cameras, kind_of

@@ -81,7 +81,7 @@ impl<R: Real> Indexed<R> {
                 let lane = start + i * P::LANES;
                 let constants = Constants::at(constants, lane);
                 elements[i] = self.element(lane, &constants);
-                run.set(i, elements[i].gradient(&constants), constants.volume());
+                stress.set(&mut run, i, lane, elements[i].gradient(&constants), constants.volume());
             }
             stress.compute(&mut run, count, start, P::LANES);
             for i in 0..count {

@@ -204,6 +204,7 @@ unsafe fn walk<P: Pack>(
                         low = high;
                     }
                 }
+                let lane = (column * nk + start) * BLOCK + first;
                 for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
                     // The loops from here to the forces compute more than they load: time to fetch what the next ones
                     // need.
@@ -211,9 +212,10 @@ unsafe fn walk<P: Pack>(
                         prefetch(block, RUN);
                     }
                     let constants = Constants::new(&block.0, first);
-                    points.set(layer, element.gradient(&constants), constants.volume());
+                    let gradient = element.gradient(&constants);
+                    stress.set(&mut points, layer, lane + layer * BLOCK, gradient, constants.volume());
                 }
-                stress.compute(&mut points, run.len(), (column * nk + start) * BLOCK + first, BLOCK);
+                stress.compute(&mut points, run.len(), lane, BLOCK);
                 for (block, stress) in run.iter().zip(&mut points.stresses) {
                     *stress = on_bases(&Constants::new(&block.0, first), stress);
                 }

@@ -43,36 +43,36 @@ impl<P: Pack> Run<P> {
             stresses: [Symmetric::diagonal(P::zero()); RUN],
         }
     }
-    /// Sets the gradient and the reference volume (m3) of a pack.
-    #[inline(always)]
-    pub fn set(&mut self, which: usize, gradient: Mat3<P>, volume: P) {
-        self.deformations[which] = Deformation::new(gradient);
-        self.weights[which] = -volume;
-    }
 }
 
 impl<P: Pack> Stress<'_, P> {
+    /// Sets the gradient and the reference volume (m3) of a pack, whose lanes begin with one counted over all blocks.
+    #[inline(always)]
+    pub fn set(&mut self, run: &mut Run<P>, which: usize, lane: usize, gradient: Mat3<P>, volume: P) {
+        let deformation = Deformation::new(gradient);
+        let ratio = deformation.volume;
+        self.ratios = self.ratios.and(ratio);
+        let mut pressure = self.bulk * (ratio - 1.0);
+        if let Some(drag) = &mut self.drag {
+            pressure += drag.pressure(lane, ratio);
+        }
+        run.deformations[which] = deformation;
+        run.pressures[which] = pressure;
+        run.weights[which] = -volume;
+    }
+
     /// Stresses of the first `count` packs of a run, which begins with a lane, counted over all blocks; the next packs
     /// begin `step` lanes further. State variables move on by a step.
     #[inline(always)]
     pub fn compute(&mut self, run: &mut Run<P>, count: usize, lane: usize, step: usize) {
-        let Run { deformations, weights, pressures, stresses } = run;
-        for i in 0..count {
-            let ratio = deformations[i].volume;
-            self.ratios = self.ratios.and(ratio);
-            pressures[i] = self.bulk * (ratio - 1.0);
-            if let Some(drag) = &mut self.drag {
-                pressures[i] += drag.pressure(lane + i * step, ratio);
-            }
-        }
         self.stage.stress(&mut Points {
             lane,
             step,
             state: self.state,
-            deformations: &deformations[..count],
-            pressures: &pressures[..count],
-            weights: &weights[..count],
-            stresses: &mut stresses[..count],
+            deformations: &run.deformations[..count],
+            pressures: &run.pressures[..count],
+            weights: &run.weights[..count],
+            stresses: &mut run.stresses[..count],
         });
     }
 }

@@ -4,7 +4,7 @@ use super::modes::CORNERS;
 use super::patch::{gather, ShellPatch};
 use super::quadrilateral::{Across, Quadrilateral, Resultants};
 use super::response::Response;
-use super::section::Section;
+use super::section::{ElasticSection, Section, SectionResponse};
 use crate::block::BLOCK;
 use crate::material::Numbers;
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
@@ -39,9 +39,21 @@ pub struct AssembleForces<'a, R> {
 impl<R: Real> PackKernel<R> for AssembleForces<'_, R> {
     type Output = ();
     #[inline(always)]
-    fn run<P: Pack<Real = R>>(self) {
-        let patch = self.patch;
-        let response = Response::new(&patch.points, &patch.material);
+    fn run<P: Pack<Real = R>>(mut self) {
+        // Chosen once for all elements: most sections are elastic, and the loop over points is large.
+        let points = std::mem::take(&mut self.patch.points);
+        match Response::<P>::new(&points, &self.patch.material) {
+            Response::Elastic => self.assemble::<P>(&ElasticSection),
+            Response::Points(layers) => self.assemble::<P>(&layers),
+        }
+        self.patch.points = points;
+    }
+}
+
+impl<R: Real> AssembleForces<'_, R> {
+    #[inline(always)]
+    fn assemble<P: Pack<Real = R>>(&mut self, response: &impl SectionResponse<P>) {
+        let patch = &mut *self.patch;
         let elastic = patch.material.elastic.splat::<P>();
         let (plate, shear) = (elastic.plate(), elastic.shear());
         let dt = P::from_f64(self.dt);

@@ -2,6 +2,7 @@
 
 mod forces;
 mod interface;
+mod layers;
 mod material;
 mod modes;
 mod patch;

@@ -4,10 +4,10 @@
 //! the angular velocity, its position the rotation vector summed up, which nothing reads. Stresses, or their
 //! resultants, are kept in the frame of the element and grow by the strain of every step.
 
+use super::layers::Layers;
 use super::material::ShellMaterial;
 use super::modes::CORNERS;
 use super::quadrature::Rule;
-use super::response::Layers;
 use super::section::ElasticSection;
 use crate::block::BLOCK;
 use crate::material::{eight_alike, Eight};

@@ -144,30 +144,26 @@ impl<P: Pack> Across<P> {
     }
 }
 
+/// A section that answers to strain.
+pub trait SectionResponse<P: Pack> {
+    /// Membrane forces and bending moments over width after a strain increment, for the area of the elements; the
+    /// state variables move on.
+    fn respond(
+        &self,
+        section: &Section<P>,
+        increment: &Increment<P>,
+        area: P,
+        state: &mut Numbers<P::Real>,
+    ) -> [[P; 3]; 2];
+}
+
 /// An elastic section: its resultants are all of its state variables.
 pub struct ElasticSection;
 
 impl ElasticSection {
     /// Numbers of state.
     pub const LENGTH: usize = ACROSS + 6;
-    /// As of [`Response::respond`].
-    #[inline(always)]
-    pub fn respond<P: Pack>(
-        section: &Section<P>,
-        increment: &Increment<P>,
-        state: &mut Numbers<P::Real>,
-    ) -> [[P; 3]; 2] {
-        let (n, m) = (section.stress(&increment.membrane), section.stress(&increment.curvature));
-        let (mut membrane, mut bending): ([P; 3], [P; 3]) = (state.load(ACROSS), state.load(ACROSS + 3));
-        for i in 0..3 {
-            membrane[i] = section.thickness.mul_add(n[i], membrane[i]);
-            bending[i] = section.moment.mul_add(m[i], bending[i]);
-        }
-        state.store(ACROSS, membrane);
-        state.store(ACROSS + 3, bending);
-        [membrane, bending]
-    }
-    /// As of [`Response::sides`].
+    /// As of [`super::response::Response::sides`].
     #[inline(always)]
     pub fn sides<P: Pack>(section: &Section<P>, state: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
         let (membrane, bending): ([P; 3], [P; 3]) = (state.load(ACROSS), state.load(ACROSS + 3));
@@ -179,11 +175,32 @@ impl ElasticSection {
         }
         ([outer, inner], P::zero())
     }
-    /// As of [`Response::energy`].
+    /// As of [`super::response::Response::energy`].
     #[inline(always)]
     pub fn energy<P: Pack>(section: &Section<P>, area: P, state: &Numbers<P::Real>) -> (P, P) {
         let membrane = section.energy(&state.load(ACROSS)) / section.thickness;
         let bending = section.energy(&state.load(ACROSS + 3)) / section.moment;
         ((membrane + bending) * area, P::zero())
+    }
+}
+
+impl<P: Pack> SectionResponse<P> for ElasticSection {
+    #[inline(always)]
+    fn respond(
+        &self,
+        section: &Section<P>,
+        increment: &Increment<P>,
+        _area: P,
+        state: &mut Numbers<P::Real>,
+    ) -> [[P; 3]; 2] {
+        let (n, m) = (section.stress(&increment.membrane), section.stress(&increment.curvature));
+        let (mut membrane, mut bending): ([P; 3], [P; 3]) = (state.load(ACROSS), state.load(ACROSS + 3));
+        for i in 0..3 {
+            membrane[i] = section.thickness.mul_add(n[i], membrane[i]);
+            bending[i] = section.moment.mul_add(m[i], bending[i]);
+        }
+        state.store(ACROSS, membrane);
+        state.store(ACROSS + 3, bending);
+        [membrane, bending]
     }
 }
