@@ -127,7 +127,7 @@ def the_sweep() -> None:
 
 def modern() -> None:
     """What `modern` was fitted to, and what it predicts."""
-    for speed in (30.0, 37.0, 43.5, 50.0, 57.0):
+    for speed in (10.0, 30.0, 38.1, 43.6, 50.0, 57.0):
         found = fem.throw("modern", speed=speed, settings=END)
         force, time = found.contact["normal"], found.contact["time"]
         lasting = np.ptp(time[force > 0.01 * force.max()]) * 1e6

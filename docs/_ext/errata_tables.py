@@ -11,6 +11,7 @@ from sphinx.application import Sphinx
 import clubface
 from clubface import benchmark_data, units
 from clubface.benchmark_data.recipe import recipe
+from clubface.equipment.balls import published_ball
 from clubface.evaluation.contradictions import contradictions
 from clubface.evaluation.published_accuracy import published
 from clubface.measured.shots import QUANTITIES
@@ -78,7 +79,7 @@ class AreaReadings(CoreTable):
         ):
             row = [words]
             for club in benchmark_data.CLUBS:
-                shot = clubface.impact(club, mean_delivery(club), model="area", **of(club))
+                shot = clubface.impact(club, mean_delivery(club), model="area", ball=published_ball(), **of(club))
                 row += [
                     f"{shot.get('launch', 'deg'):.1f}", f"{shot.get('backspin', 'rpm'):.0f}",
                     f"{shot.get('contact_time', 'us'):.0f}",
@@ -93,7 +94,7 @@ class AreaReadings(CoreTable):
 def as_printed(club: str) -> dict[str, Any]:
     """Return what makes :func:`clubface.impact` compute the printed values of a club, in scaled masses."""
     shear_modulus, area_damping = PRINTED_AREA[club]
-    held = {**clubface.club(club).inputs(), **clubface.ball(None).inputs()}
+    held = {**clubface.club(club).inputs(), **published_ball().inputs()}
     masses = {
         name: SCALE * value
         for name, value in held.items()

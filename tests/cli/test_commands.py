@@ -11,8 +11,8 @@ from command_line import assert_mistake
 pytest.importorskip("typer")
 pytest.importorskip("rich")
 
-from clubface.equipment.balls import ball_names
 from clubface.cli.app import COMMANDS
+from clubface.equipment.balls import ball_names
 
 
 def test_every_command_has_help_and_says_json_where_it_computes(clubface_):

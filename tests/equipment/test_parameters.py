@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, strategies as st
 
 import clubface
-from clubface.equipment.balls import published_ball
 from clubface.equipment import parameters
+from clubface.equipment.balls import published_ball
 from clubface.equipment.models import model, models
 from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import FileError, InputError, UnitError, UnknownNameError
@@ -281,7 +281,11 @@ def test_scaled_masses_and_forces_give_the_same_motion():
     )
     small = {"shear_modulus": 5.40e7 / 50, "area_damping": 20.0}
     other = clubface.impact(
-        "driver", {**scaled("driver", 0.02), **delivery}, model="area", accuracy=1e-9, parameters=small,
+        "driver",
+        {**scaled("driver", 0.02), **delivery},
+        model="area",
+        accuracy=1e-9,
+        parameters=small,
         ball=published_ball(),
     )
     assert other.backspin == pytest.approx(plain.backspin, rel=1e-6)

@@ -64,7 +64,10 @@ def test_the_rings_of_the_7_iron_differ_from_slip_by_more_than_both_errors():
     assert units.from_si(spin.allowed, "rpm") == pytest.approx(1236, rel=1e-12)
     assert units.from_si(launch.allowed, "deg") == pytest.approx(2.58, rel=1e-12)
     shots = benchmark_data.load("7-iron").measured.deliveries
-    means = [np.mean(clubface.impact("7-iron", shots, model=name, ball=published_ball()).backspin) for name in ("slip", "rings")]
+    means = [
+        np.mean(clubface.impact("7-iron", shots, model=name, ball=published_ball()).backspin)
+        for name in ("slip", "rings")
+    ]
     assert spin.difference == pytest.approx(means[0] - means[1], rel=1e-12)
     assert units.from_si(spin.difference, "rpm") == pytest.approx(-1900, abs=50)
     assert units.from_si(launch.difference, "deg") == pytest.approx(3.6, abs=0.1)

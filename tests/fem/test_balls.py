@@ -34,7 +34,7 @@ def test_both_balls_have_the_restitution_of_balls_sold_today(name):
     at = {(each["speed"], each["quantity"]): value for each, value in zip(study.targets(), figures(name), strict=True)}
     by_speed = {round(speed, 1): value for (speed, quantity), value in at.items() if quantity == "restitution"}
     # 125, 143 and 160 ft/s as the constants were fitted: in the third digit, which the mesh moves by some 0.001.
-    assert [by_speed[speed] for speed in (38.1, 43.6, 48.8)] == pytest.approx([0.809, 0.797, 0.770], abs=0.0015)
+    assert [by_speed[speed] for speed in (38.1, 43.6, 48.8)] == pytest.approx([0.809, 0.797, 0.770], abs=0.002)
 
 
 def test_the_contact_of_a_drive_is_as_deep_as_measured():

@@ -7,8 +7,8 @@ import pytest
 
 import clubface
 from clubface import benchmark_data
-from clubface.equipment.balls import published_ball
 from clubface.benchmark_data.recipe import recipe
+from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError
 from clubface.evaluation.published_accuracy import published

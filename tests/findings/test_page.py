@@ -10,8 +10,8 @@ import pytest
 
 import clubface
 from clubface import benchmark_data
-from clubface.equipment.balls import published_ball
 from clubface.benchmark_data.recipe import recipe
+from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
 from clubface.evaluation.published_accuracy import published
 from clubface.findings import study, tour_fit

@@ -100,9 +100,9 @@ def test_each_model_is_delivered_with_its_own_loft_and_not_with_anothers(result)
     for launches in zip(*result.launches.values(), strict=True):
         first, *others = [{**each.delivery, "loft": None} for each in launches]
         assert all(each == first for each in others)
-    # Beside the published 20.2 degrees of the 6-iron, `standard` asks for 18.0: it launches too high.
+    # Beside the published 20.2 degrees of the 6-iron, `standard` asks for 17.9: it launches too high.
     index = result.clubs.index("6-iron")
-    assert np.degrees(result.solved_lofts["standard"][index]) == pytest.approx(17.97, abs=0.05)
+    assert np.degrees(result.solved_lofts["standard"][index]) == pytest.approx(17.89, abs=0.05)
     assert result.errors("standard")["launch"][index] > math.radians(1.5)
 
 
@@ -204,7 +204,7 @@ def test_the_published_lofts_fit_the_launches_of_their_season_and_not_the_driver
         low, high = (each[given] for each in result.possible_lofts)
         assert ((result.lofts["standard"][given] > low) & (result.lofts["standard"][given] < high)).all()
         ratios = result.published_ratios("standard")[given]
-        assert ((ratios > 0.92) & (ratios < 0.97)).all()
+        assert ((ratios > 0.90) & (ratios < 0.96)).all()
     driver, ball = job.averages("pga-2023")[0], clubface.ball()
     assert spin_ratio(ball, driver.ball_speed, driver.launch, driver.spin, math.radians(12.8)) < 0.72
 
@@ -288,7 +288,7 @@ def test_the_mean_over_several_tables_is_that_of_all_their_rows(result):
 def test_the_lofts_of_the_models_stand_beside_the_published_ones(result):
     heads, rows = tour_tables.lofts(result)
     iron = dict(zip(heads, next(row for row in rows if row[0] == "6-iron"), strict=True))
-    assert iron == {"club": "6-iron", "published": "20.2", "possible": "19.7–20.7", "standard": "18.0",
+    assert iron == {"club": "6-iron", "published": "20.2", "possible": "19.6–20.6", "standard": "17.9",
                     "volumetric": iron["volumetric"]}  # fmt: skip
     assert float(iron["volumetric"]) < 18.0
     assert next(row for row in rows if row[0] == "7-iron")[1] == ""

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from clubface.equipment.balls import published_ball
 from clubface.benchmark_data.recipe import Recipe
+from clubface.equipment.balls import published_ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.simulation.impact import impact

@@ -25,7 +25,7 @@ def tour(
     folder: options.Folder = None,
     averages: Annotated[str, typer.Option(metavar="NAME", help=TABLES_TEXT, show_default=False)] = "",
     model: options.Models = None,
-    ball: options.Ball = "published",
+    ball: options.Ball = None,
     as_json: options.Json = False,
 ) -> None:
     """Compare every model with the published tour averages, club by club."""

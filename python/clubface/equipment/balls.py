@@ -109,7 +109,9 @@ class Ball(Described):
         """Write the ball as TOML text, which :meth:`from_text` reads back exactly."""
         text = to_toml(self, BALL_PROPERTIES, {})
         for name, values in self.parameters.items():
-            text += "\n".join(["", f"[parameters.{name}]", *(f"{key} = {value!r}" for key, value in values.items()), ""])
+            text += "\n".join(
+                ["", f"[parameters.{name}]", *(f"{key} = {value!r}" for key, value in values.items()), ""]
+            )
         if not isinstance(self.construction, Construction):
             return text
         # Keys of the file itself cannot follow a table.
@@ -132,6 +134,7 @@ class Ball(Described):
     def from_text(cls, text: str, path: str = "<text>") -> Self:
         """Read what TOML text describes; ``path`` names it in errors."""
         return cls.from_document(Document(text, path))
+
     @classmethod
     def builtin(cls, name: str) -> Self:
         """Return a ball that comes with the package, such as ``"conforming"``."""

@@ -105,8 +105,14 @@ class ParameterSet:
         new = {key: _parsed(value, declared.parameter(key)) for key, value in changes.items()}
         kept = {key: text for key, text in self.value_caveats.items() if key not in changes}
         source = self.source + (f"; changed: {', '.join(changes)}" if changes else "")
-        return replace(self, values={**self.values, **new}, value_caveats=kept, source=source, default=False,
-                       unchosen=self.unchosen - changes.keys())
+        return replace(
+            self,
+            values={**self.values, **new},
+            value_caveats=kept,
+            source=source,
+            default=False,
+            unchosen=self.unchosen - changes.keys(),
+        )
 
     def of_ball(self, name: str, values: Mapping[str, float]) -> Self:
         """Return the set with the values that the ball called ``name`` has for the model, where nobody chose one."""

@@ -10,7 +10,14 @@ from functools import cached_property
 from typing import Any
 
 from clubface import units
-from clubface.equipment.balls import DEFAULT_BALL, FOLDER, KEYS, Ball as RigidBall, ball_names as all_names, check_friction
+from clubface.equipment.balls import (
+    DEFAULT_BALL,
+    FOLDER,
+    KEYS,
+    Ball as RigidBall,
+    ball_names as all_names,
+    check_friction,
+)
 from clubface.equipment.pieces import Construction
 from clubface.errors import ClubfaceError, InputError
 from clubface.fem import core

@@ -51,9 +51,7 @@ class Derivatives(NamedTuple):
         return float(self.jacobian[names.index(quantity), self.variables.index(variable)])
 
 
-def variables(
-    club: str | os.PathLike[str] | Club | ShellHead, *, which: AnyBall = None
-) -> list[str]:
+def variables(club: str | os.PathLike[str] | Club | ShellHead, *, which: AnyBall = None) -> list[str]:
     """Return the variables of a launch's derivatives: delivery, club, friction, and constants of the ball.
 
     A piece of the ball has its outer "radius" (a smaller "core.radius" means a thicker cover), the elastic constants of

@@ -10,7 +10,7 @@ from typing import Any
 from clubface import units
 from clubface.errors import InputError, RunError
 from clubface.fem import head_tests
-from clubface.fem.balls import Ball, ball
+from clubface.fem.balls import ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head
 from clubface.fem.heads.read import Design

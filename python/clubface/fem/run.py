@@ -28,7 +28,11 @@ if TYPE_CHECKING:
 AnyBall = str | os.PathLike[str] | Ball | RigidBall | None
 
 FRICTION = Parameter(
-    "friction", "1", "Coulomb's coefficient between ball and face", FRICTION_OF_A_BALL, *FRICTION_LIMITS,
+    "friction",
+    "1",
+    "Coulomb's coefficient between ball and face",
+    FRICTION_OF_A_BALL,
+    *FRICTION_LIMITS,
     "that of the ball, unless it is given; 0.3 to 0.4 are measured",
 )
 

@@ -10,10 +10,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from clubface.equipment.balls import published_ball
 from clubface.benchmark_data import BenchmarkShots
 from clubface.benchmark_data.measured import captured
 from clubface.benchmark_data.recipe import recipe
+from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
 from clubface.measured.shots import QUANTITIES
 from clubface.simulation.impact import impact

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.equipment.balls import published_ball
 from clubface.benchmark_data import CLUBS, BenchmarkShots, load
 from clubface.benchmark_data.impacts import true_parameters
 from clubface.benchmark_data.recipe import recipe
+from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError
 from clubface.evaluation import Evaluation
