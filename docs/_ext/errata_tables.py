@@ -52,7 +52,9 @@ class LayerSpinTable(CoreTable):
         """One row a reading."""
         columns: dict[str, list[float]] = {}
         for club in benchmark_data.CLUBS:
-            history = clubface.history(club, mean_delivery(club), model="volumetric", accuracy=1e-10)
+            history = clubface.history(
+                club, mean_delivery(club), model="volumetric", accuracy=1e-10, ball=published_ball()
+            )
             spins = layer_spins(history)
             of = published()["volumetric", club]
             columns[club] = [history.launch.total_spin]

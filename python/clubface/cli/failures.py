@@ -107,7 +107,7 @@ def _misused(error: Any) -> int:
 def show_warnings() -> None:
     """Show warnings as notes of one line.
 
-    That the ball of the published models is a little below the rule limit is said by ``clubface clubs``, not each time.
+    That the ball `published` is a little below the rule limit is said by ``clubface clubs``, not each time.
     """
     warnings.filterwarnings("ignore", message="published: ball diameter", category=RuleWarning)
 

@@ -57,10 +57,8 @@ def body(document: Document, radius: float, mass: float | None) -> Body:
         total += density * _volume(inner, outer)
         inertia += density * _second_moment(inner, outer)
         outer = inner
-    if mass is None:
-        density = _number(document, core, 0, "density", "density")
-    else:
-        density = (mass - total) / _volume(0.0, outer)
+    left = None if mass is None else (mass - total) / _volume(0.0, outer)
+    density = _number(document, core, 0, "density", "density") if left is None else left
     if not density > 0.0:
         raise document.error("the layers around it leave the core no mass", "mass")
     return Body(total + density * _volume(0.0, outer), inertia + density * _second_moment(0.0, outer))

@@ -207,12 +207,17 @@ class Ball:
     @cached_property
     def rigid(self) -> RigidBall:
         """The ball as the other models see it: mass, radius and inertia of the mesh."""
-        found = {key: self.properties()[key] for key in ("mass", "radius", "inertia")}
+        found = self.properties()
         with without_warnings():
             return RigidBall(
-                name=self.name, **found, friction=self.friction, parameters={MODEL_NAME: {"friction": self.friction}},
+                name=self.name,
+                mass=found["mass"],
+                radius=found["radius"],
+                inertia=found["inertia"],
+                friction=self.friction,
+                parameters={MODEL_NAME: {"friction": self.friction}},
                 construction=self,
-            )  # fmt: skip
+            )
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Ball:

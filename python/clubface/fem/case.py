@@ -58,7 +58,7 @@ class Case:
     head: str
     delivery: Mapping[str, Any]
     club: Club | MeshedHead | None = None
-    friction: float | None = None
+    friction: Any = None
     settings: Settings = field(default_factory=Settings)
     description: str = ""
 

@@ -62,7 +62,7 @@ class Options(TypedDict, total=False):
 
     estimator: str
     roughness: float
-    ball: str | os.PathLike[str] | Ball
+    ball: str | os.PathLike[str] | Ball | None
     hand: str | None
     target: str | None
     up: str | None
@@ -96,7 +96,7 @@ def prepare(
     roughness
         For the smoother: how much the path may depart from a quartic.
     ball
-        The ball, whose radius is used; the published one if left out.
+        The ball, whose radius is used; `modern` if left out.
     hand
         "right" or "left"; that of the club if left out.
     target, up

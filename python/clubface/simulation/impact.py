@@ -85,7 +85,7 @@ def impact(
         values that changes the published set of the club's family, which is used where nothing is given. For
         several models, a mapping of model names to these.
     ball
-        A built-in name, the path of a TOML file, or a :class:`Ball`; left out, the ball of the published models.
+        A built-in name, the path of a TOML file, or a :class:`Ball`; left out, ``modern``.
     accuracy
         Relative tolerance of a step of a contact model; left out, the launch is correct to 1e-4.
     hand
