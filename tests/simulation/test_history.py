@@ -67,4 +67,5 @@ def test_cover_and_core_of_a_layered_ball_turn_by_themselves():
 
 def test_a_ball_in_one_piece_turns_as_a_whole():
     of = clubface.history("driver", speed="108 mph", loft="13 deg", model="area")
-    assert of.cover_spin == pytest.approx(of.ball_spin) and (of.core_spin == of.cover_spin).all()
+    assert of.cover_spin == pytest.approx(of.ball_spin)
+    assert (of.core_spin == of.cover_spin).all()

@@ -87,8 +87,8 @@ impl Frame {
         if let (true, Some(core)) = (layered(N), core) {
             let cover = touch.ball.inertia - core.inertia;
             core_spin = Vec3::of(y, CORE_SPIN);
-            spin_energy = 0.5 * cover * surface_spin.norm_squared()
-                + 0.5 * core.inertia * core_spin.norm_squared();
+            spin_energy =
+                0.5 * cover * surface_spin.norm_squared() + 0.5 * core.inertia * core_spin.norm_squared();
             layer_energy = 0.5 * core.stiffness * Vec3::of(y, TWIST).norm_squared();
         }
         let mut work = [0.0; LEDGER];
