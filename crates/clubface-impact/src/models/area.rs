@@ -17,7 +17,7 @@ const SLIDING_SPEED: f64 = 0.01;
 parameters! {
     /// Parameters of the contact-area model.
     Area {
-        shear_modulus ["Pa"] = 5.40e7 in 1e6 ..= 1e9, "effective shear modulus G",
+        shear_modulus ["Pa"] = 5.40e7 in 1e6 ..= 1e10, "effective shear modulus G",
             "Caldwell and McPhee (2023), Table 10, driver, corrected by 1/100 (as printed a drive lasts 82 us)";
         poisson ["1"] = 0.398 in 0.0 ..= 0.499, "effective Poisson's ratio",
             "Caldwell and McPhee (2023), Table 10, driver";
@@ -25,8 +25,8 @@ parameters! {
             "Caldwell and McPhee (2023), Table 10, driver";
         friction ["1"] = 0.0486 in 0.0 ..= 2.0, "coefficient of friction mu (the published lambda)",
             "Caldwell and McPhee (2023), Table 10, driver";
-        area_damping ["N s/m2"] = 0.0 in 0.0 ..= 1000.0, "contact-area coefficient eta",
-            "0: the printed 1.32e5 gives 20 kN at first touch; to be identified within 0-1000";
+        area_damping ["N s/m2"] = 0.0 in 0.0 ..= 1e6, "contact-area coefficient eta",
+            "0: the printed 1.32e5 gives 20 kN at first touch";
     }
 }
 

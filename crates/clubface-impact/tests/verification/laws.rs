@@ -16,7 +16,7 @@ fn value(p: &Parameter, published: f64, place: f64) -> f64 {
         // rolling (Stronge, Impact Mechanics, 2000, section 3.3); up to 0.95 it never does.
         "cor" => 0.95 * place,
         // Half of the shots without, since laws depend on it.
-        "area_damping" => p.upper * (2.0 * place - 1.0).max(0.0),
+        "area_damping" => 1000.0 * (2.0 * place - 1.0).max(0.0),
         _ => p.lower + (p.upper - p.lower) * place,
     }
 }
