@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple
 
 from clubface import units
-from clubface.errors import ClubfaceError, InputError
+from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.support.strict_toml import Document, quoted
 
 
@@ -90,8 +90,11 @@ def _tables(document: Document) -> Sequence[Mapping[str, Any]]:
 def _number(document: Document, piece: Mapping[str, Any], number: int, key: str, dimension: str) -> float:
     try:
         if key not in piece:
-            raise InputError(f"{key} of {piece.get('name', 'a piece')}", None, "give it")
+            told = InputError(f"{key} of {piece.get('name', 'the piece')}", None, "give it")
+            raise document.error(str(told), "", "pieces", number)
         return units.parse(piece[key], dimension, name=key)
+    except FileError:
+        raise
     except ClubfaceError as error:
         raise document.wrap(error, "pieces", number) from error
 
