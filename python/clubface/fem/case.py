@@ -42,8 +42,8 @@ class Case:
     ball
         The ball.
     head
-        "plane" (rigid and at rest), "rigid" (the head of ``club``) or "meshed". In a file a rigid head may name a meshed
-        one instead of a club (``meshed``); it then has that head's mass, CG, inertia and face.
+        "plane" (rigid and at rest), "rigid" (the head of ``club``) or "meshed". In a file, a rigid head may name a
+        meshed one (``meshed``) instead of a club; it then has the mass, CG, inertia and face of that head.
     club
         For a head: a club, or a meshed head.
     delivery
@@ -170,7 +170,7 @@ def _head(document: Document, table: Mapping[str, Any], folder: Path) -> Club | 
     if "meshed" not in table:
         return _read(document, head if table["kind"] == MESHED else club, table.get("club"), folder, "club", "head")
     if table["kind"] != RIGID:
-        told = f"a head of kind {table['kind']} has no meshed; leave it out, or set kind = \"{RIGID}\""
+        told = f'a head of kind {table["kind"]} has no meshed; leave it out, or set kind = "{RIGID}"'
         raise document.error(told, "meshed", "head")
     if "club" in table:
         raise document.error("give club or meshed, not both", "meshed", "head")

@@ -55,7 +55,9 @@ def models_figure(found: Impact) -> Figure:
 def contacts(found: Impact) -> dict[str, History]:
     """Return the same impact by every contact model."""
     if found.equipment is None:
-        raise InputError("impact", Told("one with a plane"), "one with a head, which the contact models can strike with")
+        raise InputError(
+            "impact", Told("one with a plane"), "one with a head, which the contact models can strike with"
+        )
     club, ball = found.equipment
     named = [name for name, each in models().items() if each.kind == "contact"]
     return {name: history(club, found.given, model=name, ball=ball) for name in named}
