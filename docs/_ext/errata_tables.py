@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from core_tables import CoreTable, markdown_table
 from sphinx.application import Sphinx
@@ -14,13 +12,8 @@ from clubface.benchmark_data.recipe import recipe
 from clubface.evaluation.contradictions import contradictions
 from clubface.evaluation.published_accuracy import published
 from clubface.measured.shots import QUANTITIES
-from clubface.simulation.layers import layer_spins
 
 MEAN_DELIVERY = ("speed", "attack", "loft")
-PRINTED_AREA = {"driver": (5.40e9, 1.32e5), "7-iron": (5.24e9, 2.06e5)}
-"""G [Pa] and eta as printed in Table 10 of Caldwell and McPhee (2023)."""
-SCALE = 1e-3
-"""What masses, inertias and forces are multiplied by to bring these into the bounds; the motion stays the same."""
 
 
 def mean_delivery(club: str) -> dict[str, float]:
@@ -52,10 +45,9 @@ class LayerSpinTable(CoreTable):
         columns: dict[str, list[float]] = {}
         for club in benchmark_data.CLUBS:
             history = clubface.history(club, mean_delivery(club), model="volumetric", accuracy=1e-10)
-            spins = layer_spins(history)
             of = published()["volumetric", club]
             columns[club] = [history.launch.total_spin]
-            columns[club] += [float(np.linalg.norm(each)) for each in (spins.cover_at_take_off, spins.core_at_take_off)]
+            columns[club] += [float(np.linalg.norm(spin[-1])) for spin in (history.cover_spin, history.core_spin)]
             columns[club] += [of.mean["backspin"], of.mae["backspin"]]
         words = (
             "all angular momentum over the inertia", "the cover alone", "the core alone", "published mean",
@@ -74,7 +66,7 @@ class AreaReadings(CoreTable):
         for words, of in (
             ("G / 100, η = 0 (default)", lambda club: {}),
             ("G / 100, η / 1000", lambda club: {"parameters": "three-dimensional-impact-models/eta-in-thousandths"}),
-            ("G and η as printed", as_printed),
+            ("G and η as printed", lambda club: {"parameters": "three-dimensional-impact-models/as-printed"}),
         ):
             row = [words]
             for club in benchmark_data.CLUBS:
@@ -88,18 +80,6 @@ class AreaReadings(CoreTable):
             f"{club}: {what}" for club in benchmark_data.CLUBS for what in ("launch, deg", "spin, rpm", "contact, µs")
         ]
         return markdown_table(["parameters", *heads], rows)
-
-
-def as_printed(club: str) -> dict[str, Any]:
-    """Return what makes :func:`clubface.impact` compute the printed values of a club, in scaled masses."""
-    shear_modulus, area_damping = PRINTED_AREA[club]
-    held = {**clubface.club(club).inputs(), **clubface.ball(None).inputs()}
-    masses = {
-        name: SCALE * value
-        for name, value in held.items()
-        if "mass" in name or name.startswith("i") or "inertia" in name
-    }
-    return {**masses, "parameters": {"shear_modulus": SCALE * shear_modulus, "area_damping": SCALE * area_damping}}
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

@@ -48,3 +48,24 @@ def test_only_single_shots_by_contact_models_have_a_history():
         clubface.history("driver", speed=[50.0, 51.0])
     with pytest.raises(ShotError, match=r"52\.5 mm"):
         clubface.history("driver", speed=50.0, toe=0.06)
+
+
+def test_cover_and_core_of_a_layered_ball_turn_by_themselves():
+    """Both together have the ball's angular momentum, and their difference winds up the spring between them."""
+    shot = {"speed": "88.95 mph", "attack": "-5.5 deg", "loft": "25.65 deg", "toe": "8 mm", "face": "3 deg"}
+    of = clubface.history("7-iron", shot, model="volumetric", accuracy=1e-12)
+    values, ball = of.launch.parameters.values, of.launch.ball
+    core_part = (1.0 - values["cover_thickness"] / ball.radius) ** 5  # equal densities
+    both = core_part * of.core_spin + (1.0 - core_part) * of.cover_spin
+    assert both == pytest.approx(of.ball_spin, rel=1e-12, abs=1e-9)
+    assert (of.core_spin[0] == 0.0).all()
+    twisting = of.cover_spin - of.core_spin
+    lost = values["layer_damping"] * (twisting**2).sum(axis=1)
+    # Some 2000 steps, trapezoids: 1e-4 leaves room for both.
+    assert np.trapezoid(lost, of.time) == pytest.approx(of.layer_work[-1], rel=1e-4)
+
+
+def test_a_ball_in_one_piece_turns_as_a_whole():
+    of = clubface.history("driver", speed="108 mph", loft="13 deg", model="area")
+    assert of.cover_spin == pytest.approx(of.ball_spin)
+    assert (of.core_spin == of.cover_spin).all()

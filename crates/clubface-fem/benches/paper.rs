@@ -6,8 +6,8 @@
 
 #![allow(missing_docs)]
 
-#[path = "../tests/fem/shells/delivered.rs"]
-mod delivered;
+#[path = "../tests/fem/first_touch.rs"]
+mod first_touch;
 
 use clubface_fem::ball::{BallConstruction, BallPiece};
 use clubface_fem::cases::{ball_against_deformable_head, ball_against_rigid_head};
@@ -52,7 +52,7 @@ fn run(make: &(dyn Fn() -> Simulation<f64> + Sync), options: &Options, threads: 
     let found = pool.install(|| impact.run(options, &mut |_| true)).expect("the options are valid");
     assert!(found.stopped.is_none(), "{:?}", found.stopped);
     let (v, figures) = (found.ball.velocity, found.records.summary(impact.radius));
-    let told = format!(
+    let text = format!(
         "{} steps, {:.1} us each; ball {:.2} m/s, {:.0} rpm, {:.0} N, energies off by {:.0e}",
         found.steps,
         found.wall * 1e6 / found.steps as f64,
@@ -61,7 +61,7 @@ fn run(make: &(dyn Fn() -> Simulation<f64> + Sync), options: &Options, threads: 
         figures.peak_force,
         figures.energy_error,
     );
-    (found.wall, told)
+    (found.wall, text)
 }
 
 /// The least of some.
@@ -92,7 +92,7 @@ fn main() {
     let start = Instant::now();
     let head = driver.mesh().expect("Roh and Lee's head").head;
     println!("head meshed in {:.3} s", start.elapsed().as_secs_f64());
-    let touch = delivered::delivered(&head, 0.0, 0.0);
+    let touch = first_touch::delivered(&head, 0.0, 0.0);
     let shells = || {
         ball_against_deformable_head(&head, &ball(), &touch, FRICTION, &Environment::native())
             .expect("Roh and Lee's case")
@@ -109,13 +109,13 @@ fn main() {
         [("Roh and Lee's case", &shells, &whole), ("rigid head until separation", &rigid, &short)];
     for (name, make, options) in cases {
         for threads in [1, 2] {
-            let mut told = String::new();
+            let mut text = String::new();
             let time = least(|| {
                 let (time, figures) = run(make, options, threads);
-                told = figures;
+                text = figures;
                 time
             });
-            println!("{name}, {threads} threads: {time:.3} s; {told}");
+            println!("{name}, {threads} threads: {time:.3} s; {text}");
         }
     }
     println!("contact at the peak: {:.1}% of a step on one thread", 100.0 * contact_share(shells()));

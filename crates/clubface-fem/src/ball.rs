@@ -75,11 +75,8 @@ impl<R: Kernels> BallConstruction<R> {
     /// [`FemError::Input`] that names the first value that is not allowed.
     pub fn check(&self) -> Result<(), FemError> {
         if self.pieces.is_empty() || self.pieces.len() > MAX_PIECES {
-            return Err(FemError::input(
-                "pieces",
-                self.pieces.len(),
-                format!("it must be from 1 to {MAX_PIECES}"),
-            ));
+            let allowed = format!("it must be from 1 to {MAX_PIECES}");
+            return Err(FemError::input("pieces", self.pieces.len(), allowed));
         }
         if !(2..=96).contains(&self.cube) || self.cube % 2 == 1 {
             return Err(FemError::input("ball.cube", self.cube, "it must be an even number from 2 to 96"));
@@ -91,18 +88,12 @@ impl<R: Kernels> BallConstruction<R> {
             if !(radius > inside + 1e-5 && radius < 0.1) {
                 let allowed =
                     "it must be at least 0.01 mm more than that of the piece inside, and below 100 mm";
-                return Err(FemError::input(
-                    format!("radius of {name}"),
-                    format!("{} mm", radius * 1e3),
-                    allowed,
-                ));
+                let value = format!("{} mm", radius * 1e3);
+                return Err(FemError::input(format!("radius of {name}"), value, allowed));
             }
             if !(1..=48).contains(&piece.layers) {
-                return Err(FemError::input(
-                    format!("{name}.layers"),
-                    piece.layers,
-                    "it must be from 1 to 48",
-                ));
+                let allowed = "it must be from 1 to 48";
+                return Err(FemError::input(format!("{name}.layers"), piece.layers, allowed));
             }
             // The mass of the ball decides the density of the core.
             if self.mass.is_some() && inside == 0.0 {
@@ -114,11 +105,8 @@ impl<R: Kernels> BallConstruction<R> {
         }
         if let Some(mass) = self.mass {
             if !(mass > 0.0 && mass < 1.0) {
-                return Err(FemError::input(
-                    "ball.mass",
-                    format!("{} g", mass * 1e3),
-                    "it must be above 0 and below 1000 g",
-                ));
+                let allowed = "it must be above 0 and below 1000 g";
+                return Err(FemError::input("ball.mass", format!("{} g", mass * 1e3), allowed));
             }
         }
         Ok(())
@@ -200,11 +188,8 @@ impl<R: Kernels> BallConstruction<R> {
         }
         let density = core_mass / volume[0];
         if density.re() <= 100.0 {
-            return Err(FemError::input(
-                "ball.mass",
-                format!("{:.2} g", target * 1e3),
-                format!("this leaves the core a density of {:.0} kg/m3, and at least 100 is needed; make the pieces around it lighter or thinner", density.re()),
-            ));
+            let allowed = format!("this leaves the core a density of {:.0} kg/m3, and at least 100 is needed; make the pieces around it lighter or thinner", density.re());
+            return Err(FemError::input("ball.mass", format!("{:.2} g", target * 1e3), allowed));
         }
         materials[0].density = density;
         Ok(materials)

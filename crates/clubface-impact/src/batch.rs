@@ -35,10 +35,8 @@ impl Batch<'_> {
             [("inputs", INPUT_COUNT, self.inputs), ("parameters", info.parameters.len(), self.parameters)];
         for (name, count, columns) in wanted {
             if columns.len() != count {
-                return Err(ImpactError::new(
-                    name,
-                    format!("{} columns given, {count} needed", columns.len()),
-                ));
+                let message = format!("{} columns given, {count} needed", columns.len());
+                return Err(ImpactError::new(name, message));
             }
             for column in columns {
                 if let Column::Values(values) = column {

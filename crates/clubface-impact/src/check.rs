@@ -49,11 +49,8 @@ pub fn check_ball(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
         positive(name, value)?;
     }
     if shot.ball.inertia > 2.0 / 3.0 * shot.ball.mass * shot.ball.radius.powi(2) * ROUNDING {
-        return Err(fault(
-            "ball_inertia",
-            shot.ball.inertia,
-            "kg m2 must not exceed 2/3 m R^2, that of a thin shell",
-        ));
+        let allowed = "kg m2 must not exceed 2/3 m R^2, that of a thin shell";
+        return Err(fault("ball_inertia", shot.ball.inertia, allowed));
     }
     Ok(())
 }
@@ -227,10 +224,8 @@ pub fn check_parameters(info: &ModelInfo, values: &[f64]) -> Result<(), ImpactEr
 fn check_inertia(inertia: &[f64; 6]) -> Result<(), ImpactError> {
     let [xx, yy, zz, xy, xz, yz] = *inertia;
     if !is_positive_definite(inertia) {
-        return Err(inertia_fault(
-            inertia,
-            "is not positive definite; check units and signs of the products of inertia",
-        ));
+        let allowed = "is not positive definite; check units and signs of the products of inertia";
+        return Err(inertia_fault(inertia, allowed));
     }
     // The second moments of mass, trace/2 - I, are positive for any real body, but for a plate, which has one of 0.
     let half = (xx + yy + zz) / 2.0 * ROUNDING;

@@ -105,23 +105,38 @@ impl ModelInfo {
     }
 }
 
-/// Parameters over one kind of number.
+/// What consists of some scalars, such as the parameters of a model or the constants of a material.
 pub trait FromValues<S> {
-    /// From values in the order of [`ModelInfo::parameters`].
+    /// From values in the order of its table.
     fn from_values(values: &[S]) -> Self;
 }
 
-/// Declares the parameters of a model: a struct of scalars, its table, and how to read it from a slice.
+/// Declares a struct of scalars, and how it is read from a slice in the order of its fields.
 #[macro_export]
-macro_rules! parameters {
-    ($(#[$doc:meta])* $name:ident {
-        $($field:ident [$unit:literal] = $default:literal in $lower:literal ..= $upper:literal, $meaning:literal, $source:expr;)+
-    }) => {
+macro_rules! scalars {
+    ($(#[$doc:meta])* $name:ident { $($field:ident $meaning:literal;)+ }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
         pub struct $name<S> {
             $(#[doc = $meaning] pub $field: S,)+
         }
+        impl<S: Copy> $crate::description::FromValues<S> for $name<S> {
+            #[inline(always)]
+            fn from_values(values: &[S]) -> Self {
+                let [$($field),+] = *values else { unreachable!("the number of values has been checked") };
+                Self { $($field),+ }
+            }
+        }
+    };
+}
+
+/// Declares the parameters of a model: a struct of scalars and its table.
+#[macro_export]
+macro_rules! parameters {
+    ($(#[$doc:meta])* $name:ident {
+        $($field:ident [$unit:literal] = $default:literal in $lower:literal ..= $upper:literal, $meaning:literal, $source:expr;)+
+    }) => {
+        $crate::scalars! { $(#[$doc])* $name { $($field $meaning;)+ } }
         impl $name<()> {
             /// Its parameters, in order.
             pub const PARAMETERS: &'static [$crate::description::Parameter] = &[$($crate::description::Parameter {
@@ -133,15 +148,6 @@ macro_rules! parameters {
                 upper: $upper,
                 source: $source,
             },)+];
-        }
-        impl<S: Copy> $crate::description::FromValues<S> for $name<S> {
-            #[inline(always)]
-            fn from_values(values: &[S]) -> Self {
-                let [$($field),+] = *values else {
-                    unreachable!("the registry checks the number of parameters")
-                };
-                Self { $($field),+ }
-            }
         }
     };
 }

@@ -16,11 +16,6 @@ pub trait Describe: 'static {
 
 /// A model with its parameters over a scalar.
 pub trait Model<S: Scalar>: FromValues<S> {
-    /// From first touch to launch; a contact model shows every step to the recorder.
-    fn impact<R: Recorder<S>>(
-        &self,
-        touch: &FirstTouch<S>,
-        accuracy: Accuracy,
-        recorder: &mut R,
-    ) -> Impact<S>;
+    /// From first touch to launch; a contact model shows every step to the recorder `record`.
+    fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, accuracy: Accuracy, record: &mut R) -> Impact<S>;
 }

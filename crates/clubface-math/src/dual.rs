@@ -3,8 +3,8 @@
 //! `Dual<f64, N>` carries N derivatives of one shot; over a pack, either N derivatives of several shots, or (all
 //! lanes holding the same shot) N times the lanes derivatives of one.
 
-use crate::scalar::{Computation, Scalar};
-use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use crate::scalar::{operators, Computation, Scalar};
+use core::ops::Neg;
 
 /// A value and its derivatives in `N` directions.
 #[derive(Clone, Copy, Debug)]
@@ -27,13 +27,6 @@ impl<S: Scalar, const N: usize> Dual<S, N> {
         let mut dual = Self::constant(value);
         dual.tangent[index] = S::one();
         dual
-    }
-    /// The same number with more directions, in which its derivatives are zero.
-    #[inline(always)]
-    pub fn widen<const M: usize>(self) -> Dual<S, M> {
-        let mut wide = Dual::constant(self.value);
-        wide.tangent[..N].copy_from_slice(&self.tangent);
-        wide
     }
     /// Product with a number that does not depend on the variables.
     #[inline(always)]
@@ -61,44 +54,40 @@ impl<S: Scalar, const N: usize> Dual<S, N> {
     }
 }
 
-impl<S: Scalar, const N: usize> Add for Dual<S, N> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        let mut tangent = self.tangent;
+operators! { [S: Scalar, const N: usize] Dual<S, N>;
+    Add add Self => Self, |a, b| {
+        let mut tangent = a.tangent;
         for i in 0..N {
-            tangent[i] += other.tangent[i];
+            tangent[i] += b.tangent[i];
         }
-        Self { value: self.value + other.value, tangent }
-    }
-}
-impl<S: Scalar, const N: usize> Sub for Dual<S, N> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        let mut tangent = self.tangent;
+        Self { value: a.value + b.value, tangent }
+    };
+    Sub sub Self => Self, |a, b| {
+        let mut tangent = a.tangent;
         for i in 0..N {
-            tangent[i] -= other.tangent[i];
+            tangent[i] -= b.tangent[i];
         }
-        Self { value: self.value - other.value, tangent }
-    }
+        Self { value: a.value - b.value, tangent }
+    };
+    Mul mul Self => Self, |a, b| a.chain2(b, a.value * b.value, b.value, a.value);
+    Div div Self => Self, |a, b| {
+        let (quotient, inverse) = (a.value / b.value, b.value.recip());
+        a.chain2(b, quotient, inverse, -(quotient * inverse))
+    };
+    Add add f64 => Self, |a, b| Self { value: a.value + b, tangent: a.tangent };
+    Sub sub f64 => Self, |a, b| Self { value: a.value - b, tangent: a.tangent };
+    Mul mul f64 => Self, |a, b| a.scale(S::from_f64(b));
+    Div div f64 => Self, |a, b| {
+        let mut tangent = a.tangent;
+        for i in 0..N {
+            tangent[i] = tangent[i] / b;
+        }
+        Self { value: a.value / b, tangent }
+    };
+    &mut AddAssign add_assign +;
+    &mut SubAssign sub_assign -;
 }
-impl<S: Scalar, const N: usize> Mul for Dual<S, N> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        self.chain2(other, self.value * other.value, other.value, self.value)
-    }
-}
-impl<S: Scalar, const N: usize> Div for Dual<S, N> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        let quotient = self.value / other.value;
-        let inverse = other.value.recip();
-        self.chain2(other, quotient, inverse, -(quotient * inverse))
-    }
-}
+
 impl<S: Scalar, const N: usize> Neg for Dual<S, N> {
     type Output = Self;
     #[inline(always)]
@@ -108,50 +97,6 @@ impl<S: Scalar, const N: usize> Neg for Dual<S, N> {
             tangent[i] = -tangent[i];
         }
         Self { value: -self.value, tangent }
-    }
-}
-impl<S: Scalar, const N: usize> Add<f64> for Dual<S, N> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: f64) -> Self {
-        Self { value: self.value + other, tangent: self.tangent }
-    }
-}
-impl<S: Scalar, const N: usize> Sub<f64> for Dual<S, N> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: f64) -> Self {
-        Self { value: self.value - other, tangent: self.tangent }
-    }
-}
-impl<S: Scalar, const N: usize> Mul<f64> for Dual<S, N> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: f64) -> Self {
-        self.scale(S::from_f64(other))
-    }
-}
-impl<S: Scalar, const N: usize> Div<f64> for Dual<S, N> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: f64) -> Self {
-        let mut tangent = self.tangent;
-        for i in 0..N {
-            tangent[i] = tangent[i] / other;
-        }
-        Self { value: self.value / other, tangent }
-    }
-}
-impl<S: Scalar, const N: usize> AddAssign for Dual<S, N> {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-impl<S: Scalar, const N: usize> SubAssign for Dual<S, N> {
-    #[inline(always)]
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
     }
 }
 

@@ -1,8 +1,7 @@
 //! 3 x 3 matrices: closed forms, since a library's pivoted factorisation costs ten times as much at this size.
 
-use crate::scalar::Scalar;
+use crate::scalar::{operators, Scalar};
 use crate::vec3::Vec3;
-use core::ops::{Add, Mul};
 
 /// A matrix by rows.
 #[derive(Clone, Copy, Debug)]
@@ -87,25 +86,13 @@ impl<S: Scalar> Mat3<S> {
     }
 }
 
-impl<S: Scalar> Mul<Vec3<S>> for Mat3<S> {
-    type Output = Vec3<S>;
-    #[inline(always)]
-    fn mul(self, v: Vec3<S>) -> Vec3<S> {
-        Vec3::new(self.rows[0].dot(v), self.rows[1].dot(v), self.rows[2].dot(v))
-    }
-}
-impl<S: Scalar> Mul for Mat3<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, o: Self) -> Self {
-        let t = o.transpose();
-        Self::from_columns(self * t.rows[0], self * t.rows[1], self * t.rows[2])
-    }
-}
-impl<S: Scalar> Add for Mat3<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, o: Self) -> Self {
-        Self::from_rows(self.rows[0] + o.rows[0], self.rows[1] + o.rows[1], self.rows[2] + o.rows[2])
-    }
+operators! { [S: Scalar] Mat3<S>;
+    Mul mul Vec3<S> => Vec3<S>, |m, v| Vec3::new(m.rows[0].dot(v), m.rows[1].dot(v), m.rows[2].dot(v));
+    Mul mul Self => Self, |a, b| {
+        let columns = b.transpose().rows;
+        Self::from_columns(a * columns[0], a * columns[1], a * columns[2])
+    };
+    Add add Self => Self, |a, b| {
+        Self::from_rows(a.rows[0] + b.rows[0], a.rows[1] + b.rows[1], a.rows[2] + b.rows[2])
+    };
 }

@@ -202,3 +202,33 @@ pub trait Scalar:
         Self::select(self.gt(zero), self * self.sqrt(), zero)
     }
 }
+
+/// Operators of a type, each always inlined: `Trait method Right => Result, |left, right| value;`, or of those that
+/// change their left side `&mut Trait method operator;`.
+macro_rules! operators {
+    (@one [$($generics:tt)*] $type:ty, $trait:ident $method:ident $right:ty, $result:ty, $a:ident $b:ident $value:expr) => {
+        impl<$($generics)*> core::ops::$trait<$right> for $type {
+            type Output = $result;
+            #[inline(always)]
+            fn $method(self, $b: $right) -> $result {
+                let $a = self;
+                $value
+            }
+        }
+    };
+    (@assigning [$($generics:tt)*] $type:ty, $trait:ident $method:ident $operator:tt) => {
+        impl<$($generics)*> core::ops::$trait for $type {
+            #[inline(always)]
+            fn $method(&mut self, other: Self) {
+                *self = *self $operator other;
+            }
+        }
+    };
+    ($generics:tt $type:ty; $(
+        $trait:ident $method:ident $right:ty => $result:ty, |$a:ident, $b:ident| $value:expr;
+    )* $(&mut $assigning:ident $assign:ident $operator:tt;)*) => {
+        $($crate::scalar::operators! { @one $generics $type, $trait $method $right, $result, $a $b $value })*
+        $($crate::scalar::operators! { @assigning $generics $type, $assigning $assign $operator })*
+    };
+}
+pub(crate) use operators;

@@ -1,7 +1,7 @@
 //! Vectors in space.
 
-use crate::scalar::Scalar;
-use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+use crate::scalar::{operators, Scalar};
+use core::ops::Neg;
 
 /// A vector with components along x, y, z (or x', y', z').
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,37 +81,17 @@ impl<S: Scalar> Vec3<S> {
     }
 }
 
-impl<S: Scalar> Add for Vec3<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, o: Self) -> Self {
-        Self::new(self.x + o.x, self.y + o.y, self.z + o.z)
-    }
+operators! { [S: Scalar] Vec3<S>;
+    Add add Self => Self, |a, b| Self::new(a.x + b.x, a.y + b.y, a.z + b.z);
+    Sub sub Self => Self, |a, b| Self::new(a.x - b.x, a.y - b.y, a.z - b.z);
+    Mul mul S => Self, |v, s| Self::new(v.x * s, v.y * s, v.z * s);
+    &mut AddAssign add_assign +;
 }
-impl<S: Scalar> AddAssign for Vec3<S> {
-    #[inline(always)]
-    fn add_assign(&mut self, o: Self) {
-        *self = *self + o;
-    }
-}
-impl<S: Scalar> Sub for Vec3<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, o: Self) -> Self {
-        Self::new(self.x - o.x, self.y - o.y, self.z - o.z)
-    }
-}
+
 impl<S: Scalar> Neg for Vec3<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
         Self::new(-self.x, -self.y, -self.z)
-    }
-}
-impl<S: Scalar> Mul<S> for Vec3<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, s: S) -> Self {
-        Self::new(self.x * s, self.y * s, self.z * s)
     }
 }

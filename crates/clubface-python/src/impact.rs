@@ -142,7 +142,9 @@ fn history_arrays<'py>(py: Python<'py>, history: &History, launch: &[f64]) -> Py
         time normal_force force_y force_z penetration sliding_y sliding_z contact_area kinetic_energy layer_energy
         normal_work friction_work layer_work
     }
-    vectors! { ball_position ball_velocity ball_spin club_position club_velocity club_spin club_attitude }
+    vectors! {
+        ball_position ball_velocity ball_spin cover_spin core_spin club_position club_velocity club_spin club_attitude
+    }
     if !history.rings.is_empty() {
         macro_rules! rings {
             ($($name:literal => $value:expr;)+) => {

@@ -31,7 +31,7 @@ fn model(info: &ModelInfo) -> Value {
 }
 
 /// Leaves a description of all that can be computed: `models`, `inputs`, `outputs`, `flight_inputs`, `flight_outputs`,
-/// as the functions of these names tell Python. A default that is not a number is null.
+/// as the functions of these names give Python. A default that is not a number is null.
 #[no_mangle]
 pub extern "C" fn describe() -> u32 {
     let models: Vec<Value> = registry::ALL.iter().map(|each| model(each.info())).collect();

@@ -21,14 +21,14 @@ thread_local! {
 }
 
 /// Leaves a result for the caller to read.
-fn tell(text: &Value) {
+fn answer(text: &Value) {
     TEXT.set(text.to_string());
 }
 
 /// Leaves a result or an error, and says which.
 fn finish(result: Result<Value, Value>) -> u32 {
     let failed = result.is_err();
-    tell(&result.unwrap_or_else(|error| error));
+    answer(&result.unwrap_or_else(|error| error));
     u32::from(failed)
 }
 

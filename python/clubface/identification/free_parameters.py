@@ -137,7 +137,7 @@ def free_parameters(
     names
         Those that are; "all" for every one; left out, those that the publication identified.
     bounds
-        Pairs of values, text with a unit or SI, by name; left out, those of the registry.
+        Pairs of values, text with a unit or SI, by name; left out, those of ``identification.toml``, else of the model.
     tied
         Parameters that follow a free one, by name; left out, as the publication had it where ``names`` is left out.
     """
@@ -162,7 +162,8 @@ def free_parameters(
             raise InputError(f"tied {follower}", leader, "a parameter that is not free itself")
     chosen = [each for each in declared.parameters if each.name in asked]
     check_names("free parameter with bounds", bounds or {}, asked)
-    pairs = np.array([_bounds(each, (bounds or {}).get(each.name), tied, fixed.model) for each in chosen])
+    given = {**default[2], **(bounds or {})}
+    pairs = np.array([_bounds(each, given.get(each.name), tied, fixed.model) for each in chosen])
     lower, upper = pairs[:, 0], pairs[:, 1]
     return FreeParameters(
         fixed=fixed, names=tuple(each.name for each in chosen), lower=lower, upper=upper,
@@ -171,11 +172,12 @@ def free_parameters(
 
 
 @cache
-def published_choice(model: str) -> tuple[tuple[str, ...], Mapping[str, str]]:
-    """Return the parameters of a model that its publication identified (none: all), and what it tied."""
+def published_choice(model: str) -> tuple[tuple[str, ...], Mapping[str, str], Mapping[str, list[str]]]:
+    """Return the parameters of a model that its publication identified (none: all), what it tied, and bounds."""
     document = Document.read(DATA / "identification.toml")
     entry = document.data.get(model, {})
-    return tuple(entry.get("free", ())), MappingProxyType(entry.get("tied", {}))
+    tied, bounds = (MappingProxyType(entry.get(key, {})) for key in ("tied", "bounds"))
+    return tuple(entry.get("free", ())), tied, bounds
 
 
 def _bounds(of: Parameter, given: Any, tied: Mapping[str, str], model: str) -> tuple[float, float]:

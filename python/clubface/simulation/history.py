@@ -42,6 +42,8 @@ _VECTORS = {
     "ball_position": ("m", "centre of the ball from the clubhead's CG at first touch"),
     "ball_velocity": ("m/s", "velocity of the ball"),
     "ball_spin": ("rad/s", "angular velocity of the ball: all its angular momentum over its inertia"),
+    "cover_spin": ("rad/s", "angular velocity of the cover of a ball with two layers, else of the ball"),
+    "core_spin": ("rad/s", "angular velocity of the core of a ball with two layers, else of the ball"),
     "club_position": ("m", "clubhead's CG from where it was at first touch"),
     "club_velocity": ("m/s", "velocity of the clubhead's CG"),
     "club_spin": ("rad/s", "angular velocity of the clubhead"),
@@ -80,7 +82,7 @@ class History(Series):
         [m2], shape (n,).
     kinetic_energy, layer_energy, normal_work, friction_work, layer_work
         The energy balance [J], shape (n,).
-    ball_position, ball_velocity, ball_spin, club_position, club_velocity, club_spin
+    ball_position, ball_velocity, ball_spin, cover_spin, core_spin, club_position, club_velocity, club_spin
         Motion of both bodies [m, m/s, rad/s], shape (n, 3).
     club_attitude
         Quaternion w, x, y, z, shape (n, 4).
@@ -106,6 +108,8 @@ class History(Series):
     ball_position: Any
     ball_velocity: Any
     ball_spin: Any
+    cover_spin: Any
+    core_spin: Any
     club_position: Any
     club_velocity: Any
     club_spin: Any

@@ -1,6 +1,6 @@
 //! A ball that is hit by a deformable head.
 
-use super::approach::check_approach;
+use super::rigid_face::check_approach;
 use crate::ball::BallConstruction;
 use crate::contact::{BallSide, Contact, DeformableContact, FaceSide};
 use crate::element::Kernels;

@@ -1,6 +1,5 @@
 //! Cases: a ball and what it meets.
 
-mod approach;
 mod deformable_head;
 mod rigid_face;
 

@@ -1,6 +1,5 @@
 //! A ball against a rigid face.
 
-use super::approach::check_approach;
 use crate::ball::BallConstruction;
 use crate::contact::{Plane, RigidContact, RigidHead, RigidSurface};
 use crate::element::Kernels;
@@ -8,7 +7,7 @@ use crate::environment::Environment;
 use crate::error::FemError;
 use crate::solve::{springs_for_stable_step, Simulation, Structure};
 use clubface_impact::first_touch::FirstTouch;
-use clubface_math::{Mat3, Row, Vec3};
+use clubface_math::{Mat3, Real, Row, Vec3};
 
 /// A ball thrown at a rigid plane, at `speed` (m/s) and `angle` (rad) from the normal, up the plane.
 ///
@@ -81,4 +80,17 @@ fn against_rigid<R: Kernels, T: RigidSurface<R> + 'static>(
         ball_stable_step: stable,
         clock: environment.clock,
     })
+}
+
+/// Refuses a head that moves away from the ball.
+///
+/// # Errors
+/// [`FemError::Input`] with the speed of approach.
+pub(super) fn check_approach<R: Real>(touch: &FirstTouch<R>) -> Result<(), FemError> {
+    let approach = touch.approach().re();
+    if approach > 0.0 {
+        return Ok(());
+    }
+    let allowed = "it must be above 0, but the face moves away from the ball";
+    Err(FemError::input("speed of approach", format!("{approach:.2} m/s"), allowed))
 }

@@ -9,7 +9,8 @@
 use super::search_interval::SearchIntervals;
 use super::surface::{Projection, Surface};
 use super::{
-    Contact, ContactEnergy, ContactMethod, Grooves, NodeState, PenaltySprings, Penetration, Resultant,
+    Contact, ContactEnergy, ContactMethod, Grooves, NodeState, PenaltyContact, PenaltySprings, Penetration,
+    Resultant,
 };
 use crate::material::{cross, dot};
 use clubface_math::{Real, Row, Vec3};
@@ -54,8 +55,7 @@ pub struct FaceSide<'a, R> {
 
 /// Contact of ball nodes with a deformable face.
 pub struct DeformableContact<R> {
-    coefficient: R,
-    springs: PenaltySprings,
+    penalty: PenaltyContact<R>,
     /// Ball nodes, face positions, face rotations.
     nodes: Vec<u32>,
     candidates: Vec<Candidate<R>>,
@@ -70,8 +70,6 @@ pub struct DeformableContact<R> {
     centre: u32,
     /// Whether nodes under load have passed the edge, or come back below the surface.
     passed_edge: bool,
-    resultant: Resultant<R>,
-    energy: ContactEnergy,
 }
 
 impl<R: Real> DeformableContact<R> {
@@ -122,8 +120,7 @@ impl<R: Real> DeformableContact<R> {
             .map(|(c, &n)| (gap(c, n), c.quad))
             .fold((f64::INFINITY, 0), |best, next| if next.0 < best.0 { next } else { best });
         Self {
-            coefficient,
-            springs,
+            penalty: PenaltyContact::new(coefficient, springs),
             forces: vec![Row::zero(); nodes.len()],
             nodes,
             intervals: SearchIntervals::new(candidates.len()),
@@ -133,27 +130,17 @@ impl<R: Real> DeformableContact<R> {
             mobilities,
             centre: nearest.1,
             passed_edge: false,
-            resultant: Resultant::default(),
-            energy: ContactEnergy::default(),
         }
     }
 
     /// Distance between ball and face, m.
     #[must_use]
     pub fn clearance(&self, positions: &[Row<R>]) -> R {
-        self.candidates
-            .iter()
-            .zip(&self.nodes)
-            .filter_map(|(c, &n)| {
-                self.surface.projection_from(positions, positions[n as usize].vec(), c.quad)
-            })
-            .fold(R::from_f64(f64::INFINITY), |least, projection| {
-                if projection.gap.re() < least.re() {
-                    projection.gap
-                } else {
-                    least
-                }
-            })
+        let away = |(c, &n): (&Candidate<R>, &u32)| {
+            self.surface.projection_from(positions, positions[n as usize].vec(), c.quad)
+        };
+        let gaps = self.candidates.iter().zip(&self.nodes).filter_map(away).map(|projection| projection.gap);
+        gaps.fold(R::from_f64(f64::INFINITY), |least, gap| if gap.re() < least.re() { gap } else { least })
     }
 }
 
@@ -165,7 +152,7 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
         self.candidates.get(index).map_or(0.0, |candidate| candidate.area)
     }
     fn set_method(&mut self, method: ContactMethod) {
-        self.springs.multiplier = method.multiplier();
+        self.penalty.springs.multiplier = method.multiplier();
     }
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64) {
         let balls = self.candidates.len();
@@ -185,8 +172,7 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
                 }
             }
         }
-        self.resultant = Resultant::default();
-        self.energy.stored = 0.0;
+        self.penalty.begin_step();
         for (index, candidate) in self.candidates.iter_mut().enumerate() {
             if !self.intervals.due(index) {
                 continue;
@@ -232,21 +218,9 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
             }
             // The reduced mass of node and face gives the stability that the node's mass gives against a rigid face.
             let mass = (candidate.mass.recip() + mobility).recip();
-            let penetration = Penetration {
-                mass,
-                area: candidate.area,
-                gap: projection.gap,
-                normal: projection.normal,
-                velocity,
-            };
-            let total = penetration.force(
-                self.springs,
-                self.coefficient,
-                &mut candidate.state,
-                dt,
-                &mut self.resultant,
-                &mut self.energy,
-            );
+            let Projection { gap, normal, .. } = projection;
+            let penetration = Penetration { mass, area: candidate.area, gap, normal, velocity };
+            let total = penetration.force(&mut self.penalty, &mut candidate.state, dt);
             self.touching.push(index as u32);
             on_ball[index] = Row::from_vec(total);
             distribute(&projection, &corners, total, on_nodes);
@@ -264,10 +238,10 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
         &self.forces
     }
     fn resultant(&self) -> Resultant<R> {
-        self.resultant
+        self.penalty.resultant
     }
     fn energy(&self) -> ContactEnergy {
-        self.energy
+        self.penalty.energy
     }
     fn nearest(&self, positions: &[Row<R>], point: Vec3<R>) -> (R, Vec3<R>) {
         self.surface

@@ -10,7 +10,9 @@ mod surface;
 
 pub use deformable::{BallSide, DeformableContact, FaceSide};
 pub use grooves::Grooves;
-pub use penalty::{ContactMethod, NodeState, PenaltySprings, Penetration, TANGENTIAL_STIFFNESS};
+pub use penalty::{
+    ContactMethod, NodeState, PenaltyContact, PenaltySprings, Penetration, TANGENTIAL_STIFFNESS,
+};
 pub use rigid::{Plane, RigidContact, RigidSurface};
 pub use rigid_head::RigidHead;
 pub use search_interval::SearchIntervals;

@@ -74,6 +74,31 @@ impl ContactMethod {
     }
 }
 
+/// What a contact by penalty springs has but for its nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct PenaltyContact<R> {
+    /// Coefficient of friction.
+    pub coefficient: R,
+    /// Springs.
+    pub springs: PenaltySprings,
+    /// Sum of the forces of the current step.
+    pub resultant: Resultant<R>,
+    /// Energies.
+    pub energy: ContactEnergy,
+}
+
+impl<R: Real> PenaltyContact<R> {
+    /// Before the first step.
+    pub fn new(coefficient: R, springs: PenaltySprings) -> Self {
+        Self { coefficient, springs, resultant: Resultant::default(), energy: ContactEnergy::default() }
+    }
+    /// Begins another step.
+    pub fn begin_step(&mut self) {
+        self.resultant = Resultant::default();
+        self.energy.stored = 0.0;
+    }
+}
+
 /// State of the contact of one node.
 #[derive(Clone, Copy, Debug)]
 pub struct NodeState<R> {
@@ -115,15 +140,8 @@ pub struct Penetration<R> {
 impl<R: Real> Penetration<R> {
     /// Force on the node, N. Adds to the sum and to the energies, and updates the state of the node.
     #[inline(always)]
-    pub fn force(
-        &self,
-        springs: PenaltySprings,
-        coefficient: R,
-        state: &mut NodeState<R>,
-        dt: f64,
-        sum: &mut Resultant<R>,
-        energy: &mut ContactEnergy,
-    ) -> Vec3<R> {
+    pub fn force(&self, contact: &mut PenaltyContact<R>, state: &mut NodeState<R>, dt: f64) -> Vec3<R> {
+        let PenaltyContact { coefficient, springs, resultant: sum, energy } = contact;
         let reference = springs.step.unwrap_or(dt);
         let stiffness = self.mass * (springs.stiffness / (reference * reference));
         let closing = -self.normal.dot(self.velocity);
@@ -142,7 +160,7 @@ impl<R: Real> Penetration<R> {
         let tangential = stiffness * TANGENTIAL_STIFFNESS;
         let carried = state.multiplier.reject(self.normal);
         let trial = (state.spring - self.velocity * (tangential * dt)).reject(self.normal) + carried;
-        let most = coefficient * pressing;
+        let most = *coefficient * pressing;
         let size = trial.norm();
         let (mut friction, mut heat) = (trial, 0.0);
         if size.re() > most.re() {

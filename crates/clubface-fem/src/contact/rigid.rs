@@ -1,7 +1,9 @@
 //! Nodes of the ball against a rigid surface: penalty springs, and Coulomb friction that sticks.
 
 use super::search_interval::SearchIntervals;
-use super::{Contact, ContactEnergy, ContactMethod, NodeState, PenaltySprings, Penetration, Resultant};
+use super::{
+    Contact, ContactEnergy, ContactMethod, NodeState, PenaltyContact, PenaltySprings, Penetration, Resultant,
+};
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};
 
@@ -53,45 +55,36 @@ struct Candidate<R> {
 pub struct RigidContact<R, T> {
     /// The surface.
     pub surface: T,
-    coefficient: R,
-    springs: PenaltySprings,
+    penalty: PenaltyContact<R>,
     nodes: Vec<u32>,
     candidates: Vec<Candidate<R>>,
     intervals: SearchIntervals,
     forces: Vec<Row<R>>,
-    resultant: Resultant<R>,
-    energy: ContactEnergy,
 }
 
 impl<R: Real, T: RigidSurface<R>> RigidContact<R, T> {
     /// Contact of `nodes` with a coefficient of friction, given the masses of all nodes (kg) and the parts of the
     /// surface that belong to them (m2).
     pub fn new(surface: T, coefficient: R, nodes: Vec<u32>, masses: &[R], areas: &[f64]) -> Self {
-        let candidates: Vec<_> = nodes
-            .iter()
-            .map(|&n| Candidate {
-                mass: masses[n as usize],
-                area: areas[n as usize],
-                state: NodeState::free(),
-            })
-            .collect();
+        let candidate = |&n: &u32| {
+            let (mass, area) = (masses[n as usize], areas[n as usize]);
+            Candidate { mass, area, state: NodeState::free() }
+        };
+        let candidates: Vec<_> = nodes.iter().map(candidate).collect();
         Self {
             surface,
-            coefficient,
-            springs: PenaltySprings::default(),
+            penalty: PenaltyContact::new(coefficient, PenaltySprings::default()),
             forces: vec![Row::zero(); nodes.len()],
             nodes,
             intervals: SearchIntervals::new(candidates.len()),
             candidates,
-            resultant: Resultant::default(),
-            energy: ContactEnergy::default(),
         }
     }
 
     /// The same contact with other springs.
     #[must_use]
     pub fn with_springs(mut self, springs: PenaltySprings) -> Self {
-        self.springs = springs;
+        self.penalty.springs = springs;
         self
     }
 }
@@ -104,11 +97,10 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
         self.candidates.get(index).map_or(0.0, |candidate| candidate.area)
     }
     fn set_method(&mut self, method: ContactMethod) {
-        self.springs.multiplier = method.multiplier();
+        self.penalty.springs.multiplier = method.multiplier();
     }
     fn assemble(&mut self, positions: &[Row<R>], velocities: &[Row<R>], dt: f64) {
-        self.resultant = Resultant::default();
-        self.energy.stored = 0.0;
+        self.penalty.begin_step();
         for (index, candidate) in self.candidates.iter_mut().enumerate() {
             if !self.intervals.due(index) {
                 continue;
@@ -125,28 +117,21 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
             }
             let penetration =
                 Penetration { mass: candidate.mass, area: candidate.area, gap, normal, velocity };
-            let total = penetration.force(
-                self.springs,
-                self.coefficient,
-                &mut candidate.state,
-                dt,
-                &mut self.resultant,
-                &mut self.energy,
-            );
+            let total = penetration.force(&mut self.penalty, &mut candidate.state, dt);
             *force = Row::from_vec(total);
             self.surface.apply_force(-total, x);
         }
         self.surface.advance(dt);
-        self.energy.bodies = self.surface.kinetic_energy();
+        self.penalty.energy.bodies = self.surface.kinetic_energy();
     }
     fn forces(&self) -> &[Row<R>] {
         &self.forces
     }
     fn resultant(&self) -> Resultant<R> {
-        self.resultant
+        self.penalty.resultant
     }
     fn energy(&self) -> ContactEnergy {
-        self.energy
+        self.penalty.energy
     }
     fn nearest(&self, _positions: &[Row<R>], point: Vec3<R>) -> (R, Vec3<R>) {
         self.surface.nearest(point)

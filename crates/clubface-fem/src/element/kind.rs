@@ -1,10 +1,21 @@
-//! Kinds of solid elements, by name.
+//! Kinds of solid elements by name, and the numbers that elements are compiled for: all kernels are made here, once,
+//! whoever calls them.
+//!
+//! Patches are generic over their numbers, and whoever made one of plain numbers would compile its kernels again. The
+//! functions of [`Kernels`] are not generic.
 
-use super::kernels::Kernels;
+use super::hex_full::full_patches;
+use super::hex_one_point::solid_patches;
 use super::patch::Patch;
+use super::shell::{ShellMaterial, ShellPatch, ShellRows};
 use crate::error::FemError;
-use crate::material::Material;
-use crate::mesh::SolidMesh;
+use crate::material::{Material, Number, DERIVATIVES};
+use crate::mesh::{ShellMesh, SolidMesh};
+use clubface_math::Dual;
+use std::ops::Range;
+
+/// Some patches of elements.
+pub type Patches<R> = Vec<Box<dyn Patch<R>>>;
 
 /// Kinds of solid elements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -38,16 +49,65 @@ impl Element {
             .ok_or_else(|| FemError::unknown("element", name, known.map(Self::name)))
     }
 
-    /// Patches of some elements of a mesh, of one material, in their undeformed shape.
+    /// Patches of some elements of a mesh, of one material, in their undeformed shape. Where one-point elements follow
+    /// each other as in a lattice, the patches are lattices, and those that differ by a rotation share their constants
+    /// and follow each other.
     pub fn patches<R: Kernels>(
         self,
         mesh: &SolidMesh<R>,
-        elements: std::ops::Range<usize>,
+        elements: Range<usize>,
         material: &Material<R>,
-    ) -> Vec<Box<dyn Patch<R>>> {
-        match self {
-            Self::OnePoint => R::hex_one_point(mesh, elements, material),
-            Self::FullyIntegrated => R::hex_full(mesh, elements, material),
-        }
+    ) -> Patches<R> {
+        R::solid(self, mesh, elements, material)
     }
 }
+
+/// A number that elements are made of.
+pub trait Kernels: Number {
+    /// As of [`Element::patches`].
+    fn solid(
+        kind: Element,
+        mesh: &SolidMesh<Self>,
+        elements: Range<usize>,
+        material: &Material<Self>,
+    ) -> Patches<Self>;
+    /// A patch of some shells, free of stress.
+    fn shell(
+        mesh: &ShellMesh<Self>,
+        elements: Range<usize>,
+        material: ShellMaterial<Self>,
+        rows: ShellRows,
+    ) -> Box<dyn Patch<Self>>;
+}
+
+fn boxed<R: Number, P: Patch<R> + 'static>(patches: Vec<P>) -> Patches<R> {
+    patches.into_iter().map(|patch| -> Box<dyn Patch<R>> { Box::new(patch) }).collect()
+}
+
+macro_rules! kernels {
+    ($($number:ty),+) => {
+        $(impl Kernels for $number {
+            fn solid(
+                kind: Element,
+                mesh: &SolidMesh<Self>,
+                elements: Range<usize>,
+                material: &Material<Self>,
+            ) -> Patches<Self> {
+                match kind {
+                    Element::OnePoint => boxed(solid_patches(mesh, elements, material)),
+                    Element::FullyIntegrated => boxed(full_patches(mesh, elements, material)),
+                }
+            }
+            fn shell(
+                mesh: &ShellMesh<Self>,
+                elements: Range<usize>,
+                material: ShellMaterial<Self>,
+                rows: ShellRows,
+            ) -> Box<dyn Patch<Self>> {
+                Box::new(ShellPatch::<Self>::new(mesh, elements, material, rows))
+            }
+        })+
+    };
+}
+
+kernels!(f64, Dual<f64, DERIVATIVES>);

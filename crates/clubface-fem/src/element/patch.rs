@@ -3,7 +3,7 @@
 use super::field::Scratch;
 use super::output::OutputSink;
 use crate::moments::{Moments, Origin};
-use clubface_math::{Real, Row};
+use clubface_math::{Pack, Real, Row};
 
 /// Ratios of current to reference volume between which the laws hold.
 pub const RATIOS: (f64, f64) = (0.3, 2.5);
@@ -13,7 +13,7 @@ pub const RATIOS: (f64, f64) = (0.3, 2.5);
 pub struct Energy {
     /// Elastic.
     pub strain: f64,
-    /// Of the modes that one-point elements cannot feel.
+    /// Of the hourglass modes, in which the point of one-point elements has no strain.
     pub hourglass: f64,
     /// Done on viscoelastic branches: stored there or turned into heat.
     pub viscous: f64,
@@ -118,4 +118,36 @@ pub trait Patch<R: Real>: Send + Sync {
 pub fn parts(count: usize, most: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
     let parts = count.div_ceil(most);
     (0..parts).map(move |part| part * count / parts..(part + 1) * count / parts)
+}
+
+/// Smallest and largest ratio of current to reference volume of some elements.
+#[derive(Clone, Copy)]
+pub struct Ratios<P> {
+    least: P,
+    most: P,
+}
+
+impl<P: Pack> Ratios<P> {
+    /// Of undeformed elements.
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self { least: P::one(), most: P::one() }
+    }
+    /// With those of a pack.
+    #[inline(always)]
+    pub fn and(self, ratio: P) -> Self {
+        Self { least: self.least.min(ratio), most: self.most.max(ratio) }
+    }
+    /// Whether the laws hold for all of them.
+    #[inline(always)]
+    pub fn valid(self) -> bool {
+        (0..P::LANES).all(|lane| self.least.lane(lane) >= RATIOS.0 && self.most.lane(lane) <= RATIOS.1)
+    }
+    /// Both, of all lanes.
+    #[inline(always)]
+    pub fn range(self) -> (f64, f64) {
+        (0..P::LANES).fold((1.0, 1.0), |(least, most): (f64, f64), lane| {
+            (least.min(self.least.lane(lane)), most.max(self.most.lane(lane)))
+        })
+    }
 }

@@ -104,11 +104,8 @@ impl<R: Real> Driver<R> {
         self.metal.check("metal")?;
         if self.fineness.0.iter().any(|n| !(4..=400).contains(n)) {
             let value = format!("{:?}", self.fineness.0);
-            return Err(FemError::input(
-                "elements",
-                value,
-                "each of the three numbers must be from 4 to 400",
-            ));
+            let allowed = "each of the three numbers must be from 4 to 400";
+            return Err(FemError::input("elements", value, allowed));
         }
         Ok(())
     }

@@ -46,11 +46,8 @@ impl<R: Kernels> DeformableHead<R> for ShellHead<R> {
             }
         }
         if !self.parts.iter().any(|part| part.face && !part.elements.is_empty()) {
-            return Err(FemError::input(
-                "face",
-                "empty",
-                "at least one element must belong to the face, which the ball touches",
-            ));
+            let allowed = "at least one element must belong to the face, which the ball touches";
+            return Err(FemError::input("face", "empty", allowed));
         }
         self.shells.check_size()?;
         self.shells.check_edges()?;

@@ -36,19 +36,13 @@ impl<R: Kernels> DeformableHead<R> for SolidHead<R> {
             if volume <= 0.0 || volume.is_nan() {
                 let name = format!("element {element} of the head");
                 let allowed = "its volume must be above 0; make the blade thicker or the mesh finer there";
-                return Err(FemError::input(
-                    name,
-                    format!("inverted (volume {:.3} mm3)", volume * 1e9),
-                    allowed,
-                ));
+                let value = format!("inverted (volume {:.3} mm3)", volume * 1e9);
+                return Err(FemError::input(name, value, allowed));
             }
         }
         if self.face.is_empty() {
-            return Err(FemError::input(
-                "face",
-                "empty",
-                "at least one side of an element must belong to the face, which the ball touches",
-            ));
+            let allowed = "at least one side of an element must belong to the face, which the ball touches";
+            return Err(FemError::input("face", "empty", allowed));
         }
         self.check_face()
     }

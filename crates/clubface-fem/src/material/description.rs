@@ -80,7 +80,7 @@ impl Description {
     /// Checks the number of constants.
     ///
     /// # Errors
-    /// [`FemError::Input`] that tells which are needed.
+    /// [`FemError::Input`] that says which are needed.
     pub(super) fn check_count(&self, count: usize) -> Result<(), FemError> {
         let fits = (self.needed..=self.constants.len()).contains(&count);
         if fits && (count - self.needed).is_multiple_of(self.group) {
@@ -94,17 +94,13 @@ impl Description {
     }
 }
 
-/// Declares the constants of a law: a struct of numbers, its table, and how to read it from a slice.
+/// Declares the constants of a law: a struct of numbers and its table.
 #[macro_export]
 macro_rules! constants {
     ($(#[$doc:meta])* $name:ident {
         $($field:ident [$dimension:literal] in $least:literal ..= $most:literal, $meaning:literal;)+
     }) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug)]
-        pub struct $name<S> {
-            $(#[doc = $meaning] pub $field: S,)+
-        }
+        $crate::material::scalars! { $(#[$doc])* $name { $($field $meaning;)+ } }
         impl $name<()> {
             /// Its constants, in order.
             pub const CONSTANTS: &'static [$crate::material::Constant] = &[$($crate::material::Constant {
@@ -114,16 +110,6 @@ macro_rules! constants {
                 least: $least,
                 most: $most,
             },)+];
-        }
-        impl<S: Copy> $name<S> {
-            /// From constants in the order of the table.
-            #[inline(always)]
-            pub fn from_slice(constants: &[S]) -> Self {
-                let [$($field),+] = *constants else {
-                    unreachable!("the table checks the number of constants")
-                };
-                Self { $($field),+ }
-            }
         }
         impl<R: $crate::material::Number> $name<R> {
             /// As a law of materials.

@@ -5,7 +5,7 @@
 //! stiff in compression as in tension (Bažant, J. Eng. Mater. Technol. 120, 1998: Padé approximants without the cost
 //! of principal axes): 0.7% off at 10% strain, 2.7% at 20%.
 
-use super::{Card, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};
+use super::{Card, Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric};
 use crate::constants;
 use clubface_math::{Pack, Scalar};
 
@@ -78,7 +78,7 @@ impl Family for Hencky<()> {
     type Over<P: Pack> = Elastic<Invariants<Hencky<P>>>;
     #[inline(always)]
     fn over<P: Pack>(constants: &[P]) -> Self::Over<P> {
-        Elastic(Invariants(Hencky::from_slice(constants)))
+        Elastic(Invariants(Hencky::from_values(constants)))
     }
     fn shear<S: Scalar>(constants: &[S]) -> S {
         constants[0]

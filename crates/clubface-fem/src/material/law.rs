@@ -80,6 +80,7 @@ pub trait PointLaw<P: Pack>: Copy + 'static {
     /// As of [`Inelastic::update`].
     fn update(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> Symmetric<P>;
     /// Second Piola-Kirchhoff stress with `pressure`, `dW/dJ`, times a weight; the state variables move on.
+    #[inline(always)]
     fn second_piola(
         &self,
         at: &Deformation<P>,
@@ -87,11 +88,16 @@ pub trait PointLaw<P: Pack>: Copy + 'static {
         weight: P,
         state: &mut StateVariables<P::Real>,
         lane: usize,
-    ) -> Symmetric<P>;
+    ) -> Symmetric<P> {
+        let kinematics = Kinematics::of(*at);
+        kinematics.second_piola(&self.update(&kinematics.c, state, lane), pressure, weight)
+    }
     /// As of [`Inelastic::energy`].
     fn energy(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> [P; 2];
     /// As of [`Inelastic::plastic_strain`].
-    fn plastic_strain(&self, state: &mut StateVariables<P::Real>, lane: usize) -> P;
+    fn plastic_strain(&self, _state: &mut StateVariables<P::Real>, _lane: usize) -> P {
+        P::zero()
+    }
 }
 
 /// An elastic law at the points of a pack.
@@ -118,10 +124,6 @@ impl<P: Pack, L: Isochoric<P> + 'static> PointLaw<P> for Elastic<L> {
     fn energy(&self, c: &Symmetric<P>, _: &mut StateVariables<P::Real>, _: usize) -> [P; 2] {
         [self.0.energy(c), P::zero()]
     }
-    #[inline(always)]
-    fn plastic_strain(&self, _: &mut StateVariables<P::Real>, _: usize) -> P {
-        P::zero()
-    }
 }
 
 /// An inelastic law at the points of a pack.
@@ -132,18 +134,6 @@ impl<P: Pack, L: Inelastic<P> + 'static> PointLaw<P> for WithState<L> {
     #[inline(always)]
     fn update(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> Symmetric<P> {
         self.0.update(c, &mut state.every_step(lane))
-    }
-    #[inline(always)]
-    fn second_piola(
-        &self,
-        at: &Deformation<P>,
-        pressure: P,
-        weight: P,
-        state: &mut StateVariables<P::Real>,
-        lane: usize,
-    ) -> Symmetric<P> {
-        let kinematics = Kinematics::of(*at);
-        kinematics.second_piola(&self.update(&kinematics.c, state, lane), pressure, weight)
     }
     #[inline(always)]
     fn energy(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> [P; 2] {

@@ -26,6 +26,7 @@ mod viscous;
 mod von_mises;
 
 pub use body::Material;
+pub use clubface_impact::{description::FromValues, scalars};
 pub use deformation::{Deformation, Kinematics};
 pub use description::{Card, Constant, Description};
 pub use family::{Entry, Family, Law, DERIVATIVES};

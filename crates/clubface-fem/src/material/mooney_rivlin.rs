@@ -1,6 +1,6 @@
 //! Rubber after Mooney (1940) and Rivlin (1948): `W = C10 (I1 - 3) + C01 (I2 - 3)`, the core of Roh and Lee's ball.
 
-use super::{Card, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};
+use super::{Card, Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric};
 use crate::constants;
 use clubface_math::{Pack, Scalar};
 
@@ -59,7 +59,7 @@ impl Family for MooneyRivlin<()> {
     type Over<P: Pack> = Elastic<Invariants<MooneyRivlin<P>>>;
     #[inline(always)]
     fn over<P: Pack>(constants: &[P]) -> Self::Over<P> {
-        Elastic(Invariants(MooneyRivlin::from_slice(constants)))
+        Elastic(Invariants(MooneyRivlin::from_values(constants)))
     }
     fn shear<S: Scalar>(constants: &[S]) -> S {
         (constants[0] + constants[1]) * 2.0

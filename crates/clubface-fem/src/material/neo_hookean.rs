@@ -1,6 +1,6 @@
 //! The simplest rubber, `W = mu/2 (I1 - 3)` (Treloar, 1943).
 
-use super::{Card, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};
+use super::{Card, Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric};
 use crate::constants;
 use clubface_math::{Pack, Scalar};
 
@@ -45,7 +45,7 @@ impl Family for NeoHookean<()> {
     type Over<P: Pack> = Elastic<Invariants<NeoHookean<P>>>;
     #[inline(always)]
     fn over<P: Pack>(constants: &[P]) -> Self::Over<P> {
-        Elastic(Invariants(NeoHookean::from_slice(constants)))
+        Elastic(Invariants(NeoHookean::from_values(constants)))
     }
     fn shear<S: Scalar>(constants: &[S]) -> S {
         constants[0]

@@ -2,8 +2,8 @@
 //! derivatives stay exact.
 //!
 //! By the theorem of Cayley and Hamilton every function of a tensor is a combination of its first three powers: all
-//! that is computed here are the three factors, from the tensor's invariants. A square root has the invariants of its
-//! square to tell its own, which Newton's method finds, and with them it is a rational function of its square (Hoger
+//! that is computed here are the three factors, from the tensor's invariants. The invariants of a
+//! square root follow from those of its square by Newton's method, and with them it is a rational function of its square (Hoger
 //! and Carlson, Q. Appl. Math. 42, 1984). Roots bring the stretches near one, where series converge.
 
 use clubface_math::{Computation, Scalar};

@@ -76,7 +76,7 @@ const ROUNDS: usize = 8;
 /// equations leave open.
 const REGULARISATION: f64 = 0.1;
 
-/// Tunes a head: `body` tells which elements may change their thickness, within the factors `scales`; `up` is the
+/// Tunes a head: `body` says which elements may change their thickness, within the factors `scales`; `up` is the
 /// direction up the face.
 pub fn tune<R: Real>(
     mesh: &mut ShellMesh<R>,

@@ -46,7 +46,7 @@ pub(super) struct GatherLists {
 }
 
 /// Gather lists of `count` nodes without those that `skip` names. `forces` gives for each patch, and the contact at the
-/// end, the nodes on which its forces act; `subcycled` tells which of them are subcycled. The first `patches` of them
+/// end, the nodes on which its forces act; `subcycled` says which of them are subcycled. The first `patches` of them
 /// get lists of the nodes on which they alone act.
 pub(super) fn gather_lists<'a>(
     count: usize,

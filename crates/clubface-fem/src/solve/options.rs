@@ -46,18 +46,12 @@ impl Options {
     /// [`FemError::Input`] that names the first value that is not allowed.
     pub fn check(&self) -> Result<(), FemError> {
         if !(self.duration > 0.0 && self.duration <= LONGEST) {
-            return Err(FemError::input(
-                "duration",
-                format!("{} us", self.duration * 1e6),
-                "it must be above 0 and at most 100000 us",
-            ));
+            let allowed = "it must be above 0 and at most 100000 us";
+            return Err(FemError::input("duration", format!("{} us", self.duration * 1e6), allowed));
         }
         if let Some(safety) = self.safety.filter(|safety| !(*safety > 0.0 && *safety <= 1.0)) {
-            return Err(FemError::input(
-                "safety",
-                safety,
-                "it must be above 0 and at most 1 (the stable step)",
-            ));
+            let allowed = "it must be above 0 and at most 1 (the stable step)";
+            return Err(FemError::input("safety", safety, allowed));
         }
         if self.interval.is_nan() || self.interval <= 0.0 || self.energy_every == 0 {
             return Err(FemError::input("interval", format!("{} s", self.interval), "it must be above 0"));

@@ -14,7 +14,7 @@ const SPINS_BEFORE_SLEEP: usize = 2500;
 /// Spins before a waiting worker claims tasks that others have not begun: they are held up, by other programs or by
 /// their tasks. Not at once, since data that moves from core to core takes longer.
 const SPINS_BEFORE_STEALING: usize = 150;
-/// Stage number that tells workers to leave.
+/// Stage number at which workers leave.
 const SHUTDOWN: u32 = u32::MAX;
 /// The half of a queue's number that counts its tasks.
 const REMAINING: u64 = u32::MAX as u64;
@@ -175,7 +175,7 @@ impl Drop for Done<'_> {
     }
 }
 
-/// Tells the workers to leave.
+/// Lets the workers leave.
 struct Shutdown<'a>(&'a WorkerPool<'a>);
 
 impl Drop for Shutdown<'_> {

@@ -1,24 +1,15 @@
 //! The contact law of one node, and the search for nodes in contact.
 
-use clubface_fem::contact::{
-    ContactEnergy, NodeState, PenaltySprings, Penetration, Resultant, SearchIntervals,
-};
+use clubface_fem::contact::{NodeState, PenaltyContact, PenaltySprings, Penetration, SearchIntervals};
 use clubface_math::Vec3;
 
 /// Force along the normal of a node just below the face that arrives, or leaves, at a speed.
 fn pressing(gap: f64, closing: f64) -> f64 {
     let (normal, velocity) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(-closing, 3.0, 0.0));
     let penetration = Penetration { mass: 1e-5, area: 1e-6, gap, normal, velocity };
-    let mut sum = Resultant::default();
-    penetration.force(
-        PenaltySprings::default(),
-        0.35,
-        &mut NodeState::free(),
-        5e-7,
-        &mut sum,
-        &mut ContactEnergy::default(),
-    );
-    sum.normal
+    let mut contact = PenaltyContact::new(0.35, PenaltySprings::default());
+    penetration.force(&mut contact, &mut NodeState::free(), 5e-7);
+    contact.resultant.normal
 }
 
 #[test]

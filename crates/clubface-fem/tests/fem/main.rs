@@ -2,6 +2,7 @@
 
 mod ball_on_plane;
 mod contact;
+mod first_touch;
 mod materials;
 mod meshes;
 mod messages;
@@ -9,4 +10,6 @@ mod quadrature;
 mod shared_constants;
 mod shells;
 mod solver;
+mod support;
 mod verification;
+mod worker_pool;

@@ -5,16 +5,19 @@ use clubface_fem::solve::Options;
 use clubface_fem::FemError;
 
 #[test]
-fn an_input_is_told_with_its_value_and_what_it_must_be() {
+fn an_input_is_named_with_its_value_and_what_it_must_be() {
     let options = Options { safety: Some(2.0), ..Options::default() };
     let said = options.check().expect_err("beyond the stable step").to_string();
     assert_eq!(said, "safety is 2; it must be above 0 and at most 1 (the stable step)");
+    for method in [ContactMethod::Penalty, ContactMethod::AugmentedLagrange] {
+        assert_eq!(ContactMethod::from_name(method.name()), Ok(method));
+    }
     let said = ContactMethod::from_name("glue").expect_err("unknown").to_string();
     assert_eq!(said, "contact is \"glue\"; it must be one of penalty, augmented-lagrange");
 }
 
 #[test]
-fn an_error_of_the_energies_is_told_whatever_it_is() {
+fn an_error_of_the_energies_is_stated_whatever_it_is() {
     let said = |percent, edge| {
         let (element, part, microseconds) = (7, "cover".into(), 12.3);
         FemError::Energy { element, part, percent, edge, microseconds }.to_string()
@@ -29,17 +32,14 @@ fn an_error_of_the_energies_is_told_whatever_it_is() {
 }
 
 #[test]
-fn a_lost_element_is_told_in_words_whatever_its_volume() {
+fn a_lost_element_is_described_in_words_whatever_its_volume() {
     let said = |ratio| {
         let (element, part, microseconds) = (7, "cover".into(), 12.3);
         FemError::ElementLost { element, part, ratio, microseconds }.to_string()
     };
     for (ratio, words) in [(0.294, "had 0.29 times"), (2.6, "had 2.60 times its original volume at 12 us")] {
-        assert!(
-            said(ratio).starts_with("element 7 of cover ") && said(ratio).contains(words),
-            "{}",
-            said(ratio)
-        );
+        let said = said(ratio);
+        assert!(said.starts_with("element 7 of cover ") && said.contains(words), "{said}");
     }
     for ratio in [-0.1, 2e283, f64::INFINITY, f64::NAN] {
         assert!(said(ratio).contains("was turned inside out"), "{}", said(ratio));

@@ -1,6 +1,6 @@
 //! Equations of motion during contact.
 
-use super::law::{ContactLaw, Core};
+use super::law::{ContactLaw, Core, Indentation, Sliding};
 use super::state::*;
 use crate::face::{tangents, Face};
 use crate::first_touch::FirstTouch;
@@ -69,8 +69,8 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
     pub fn normal_force(&self, t: &ContactPoint<S>) -> S {
         let apart = t.depth.le(S::zero());
         let depth = S::select(apart, S::zero(), t.depth);
-        let (depth, rate) = (Dual::<S, 0>::constant(depth), Dual::constant(t.rate));
-        let force = self.law.normal_force(depth, rate, Dual::constant(t.curvature), self.radius).value;
+        let [depth, rate, curvature] = [depth, t.rate, t.curvature].map(Dual::<S, 0>::constant);
+        let force = self.law.normal_force(Indentation { depth, rate, curvature, radius: self.radius }).value;
         S::select(apart, S::zero(), force)
     }
 
@@ -82,9 +82,9 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
                 return force;
             }
         }
-        let (force, rate) = (Dual::<S, 0>::constant(normal_force), Dual::constant(t.rate));
-        let w = Dual::constant(t.sliding.norm_squared());
-        t.sliding * -self.law.drag(force, rate, self.radius, w).value
+        let [normal_force, rate, w] =
+            [normal_force, t.rate, t.sliding.norm_squared()].map(Dual::<S, 0>::constant);
+        t.sliding * -self.law.drag(Sliding { normal_force, rate, radius: self.radius, w }).value
     }
 
     /// Contact area, m2: zero when apart.

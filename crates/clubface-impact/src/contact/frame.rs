@@ -34,6 +34,10 @@ pub struct Frame {
     pub ball_velocity: [f64; 3],
     /// Ball angular velocity (all its angular momentum over its inertia), rad/s.
     pub ball_spin: [f64; 3],
+    /// Angular velocity of the cover of a layered ball, else of the ball, rad/s.
+    pub cover_spin: [f64; 3],
+    /// Angular velocity of the core of a layered ball, else of the ball, rad/s.
+    pub core_spin: [f64; 3],
     /// Clubhead CG, m.
     pub club_position: [f64; 3],
     /// Clubhead velocity, m/s.
@@ -79,10 +83,12 @@ impl Frame {
         let surface_spin = Vec3::of(y, BALL_SPIN);
         let mut spin_energy = 0.5 * touch.ball.inertia * surface_spin.norm_squared();
         let mut layer_energy = 0.0;
+        let mut core_spin = surface_spin;
         if let (true, Some(core)) = (layered(N), core) {
             let cover = touch.ball.inertia - core.inertia;
-            spin_energy = 0.5 * cover * surface_spin.norm_squared()
-                + 0.5 * core.inertia * Vec3::of(y, CORE_SPIN).norm_squared();
+            core_spin = Vec3::of(y, CORE_SPIN);
+            spin_energy =
+                0.5 * cover * surface_spin.norm_squared() + 0.5 * core.inertia * core_spin.norm_squared();
             layer_energy = 0.5 * core.stiffness * Vec3::of(y, TWIST).norm_squared();
         }
         let mut work = [0.0; LEDGER];
@@ -105,6 +111,8 @@ impl Frame {
             ball_position: touch.world_velocity(common + relative * (1.0 - share)).array(),
             ball_velocity: touch.world_velocity(ball.velocity).array(),
             ball_spin: touch.world_spin(ball.spin).array(),
+            cover_spin: touch.world_spin(attitude.matrix() * surface_spin).array(),
+            core_spin: touch.world_spin(attitude.matrix() * core_spin).array(),
             club_position: touch.world_velocity(common - relative * share).array(),
             club_velocity: touch.world_velocity(club.velocity).array(),
             club_spin: touch.world_spin(club.spin).array(),

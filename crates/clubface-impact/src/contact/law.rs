@@ -3,33 +3,44 @@
 use super::state::ContactPoint;
 use clubface_math::{Dual, Scalar, Vec3};
 
+/// A ball that has entered a face.
+#[derive(Clone, Copy, Debug)]
+pub struct Indentation<S, const K: usize> {
+    /// Penetration, m, positive.
+    pub depth: Dual<S, K>,
+    /// Its time derivative, m/s.
+    pub rate: Dual<S, K>,
+    /// Mean curvature of the face, 1/m.
+    pub curvature: Dual<S, K>,
+    /// Radius of the ball, m.
+    pub radius: S,
+}
+
+/// A ball that slides on a face.
+#[derive(Clone, Copy, Debug)]
+pub struct Sliding<S, const K: usize> {
+    /// Normal force, N.
+    pub normal_force: Dual<S, K>,
+    /// Time derivative of the penetration, m/s.
+    pub rate: Dual<S, K>,
+    /// Radius of the ball, m.
+    pub radius: S,
+    /// Squared sliding speed, m2/s2.
+    pub w: Dual<S, K>,
+}
+
 /// A contact law: forces from the state of contact.
 pub trait ContactLaw<S: Scalar> {
     /// Tolerance of a Rosenbrock step at which launch is correct to 1e-4.
     const FAST_TOLERANCE: f64;
 
-    /// Normal force, N, never negative. `depth`: penetration, m, positive; `rate`: its time derivative, m/s;
-    /// `curvature`: mean curvature of the face, 1/m; `radius`: of the ball, m. Derivatives carry through for implicit
-    /// steps.
-    fn normal_force<const K: usize>(
-        &self,
-        depth: Dual<S, K>,
-        rate: Dual<S, K>,
-        curvature: Dual<S, K>,
-        radius: S,
-    ) -> Dual<S, K>;
+    /// Normal force, N, never negative. Derivatives carry through for implicit steps.
+    fn normal_force<const K: usize>(&self, at: Indentation<S, K>) -> Dual<S, K>;
 
-    /// Friction per sliding speed, N s/m, as a function of normal force, N, rate of penetration, m/s, and squared
-    /// sliding speed `w`, m2/s2: the force on the ball is minus this times the sliding velocity.
-    fn drag<const K: usize>(
-        &self,
-        normal_force: Dual<S, K>,
-        rate: Dual<S, K>,
-        radius: S,
-        w: Dual<S, K>,
-    ) -> Dual<S, K>;
+    /// Friction per sliding speed, N s/m: the force on the ball is minus this times the sliding velocity.
+    fn drag<const K: usize>(&self, at: Sliding<S, K>) -> Dual<S, K>;
 
-    /// Friction on the ball, N, of a law that remembers the sliding distance `slip` along y' and z', m, or nothing
+    /// Friction on the ball, N, of a law that depends on the sliding distance `slip` along y' and z', m, or nothing
     /// for a law that is all in [`ContactLaw::drag`].
     fn remembered(&self, _point: &ContactPoint<S>, _normal_force: S, _slip: [S; 2]) -> Option<Vec3<S>> {
         None

@@ -1,7 +1,7 @@
 //! The contact force linearised at one state, and the implicit step that it makes possible.
 
 use super::dynamics::Contact;
-use super::law::ContactLaw;
+use super::law::{ContactLaw, Indentation, Sliding};
 use super::state::*;
 use clubface_math::ode::StiffSystem;
 use clubface_math::{Dual, Mat3, Scalar, Vec3};
@@ -159,11 +159,12 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         let apart = t.depth.le(S::zero());
         let depth = S::select(apart, S::zero(), t.depth);
         let (depth, rate) = (Dual::<S, 2>::variable(depth, 0), Dual::variable(t.rate, 1));
-        let force = self.law.normal_force(depth, rate, Dual::constant(t.curvature), self.radius);
+        let (curvature, radius) = (Dual::constant(t.curvature), self.radius);
+        let force = self.law.normal_force(Indentation { depth, rate, curvature, radius });
         let force = Dual::select(apart, Dual::zero(), force);
-        let square = Dual::<S, 3>::variable(t.sliding.norm_squared(), 2);
-        let (load, rate) = (Dual::variable(force.value, 0), Dual::variable(t.rate, 1));
-        let drag = self.law.drag(load, rate, self.radius, square);
+        let w = Dual::<S, 3>::variable(t.sliding.norm_squared(), 2);
+        let (normal_force, rate) = (Dual::variable(force.value, 0), Dual::variable(t.rate, 1));
+        let drag = self.law.drag(Sliding { normal_force, rate, radius, w });
         Slopes {
             force: force.value,
             force_by_depth: force.tangent[0],

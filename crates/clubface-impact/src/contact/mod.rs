@@ -17,7 +17,7 @@ mod state;
 pub use dynamics::Contact;
 pub use frame::Frame;
 pub use history::History;
-pub use law::{ContactLaw, Core};
+pub use law::{ContactLaw, Core, Indentation, Sliding};
 pub use linear::ContactJacobian;
 pub use recorder::{Recorder, RingFrame, Unrecorded};
 pub use run::run;

@@ -15,20 +15,30 @@ const FAST_STEPS: usize = 2_000;
 /// Steps after which a contact at a stated tolerance is given up; 1e-12 takes about 10 000.
 const TIGHT_STEPS: usize = 400_000;
 
-/// Integrates a contact and turns its end into a launch. `N`: [`SOLID`] or [`LAYERED`], or the same recorded if the
-/// recorder is active.
+/// Integrates a contact and turns its end into a launch. `N`: [`SOLID`] or [`LAYERED`]; `RECORDED`: the same recorded,
+/// for a recorder that is active.
 #[inline(always)]
-pub fn run<S, L, R, const N: usize>(
+pub fn run<S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize, const RECORDED: usize>(
     touch: &FirstTouch<S>,
     law: L,
     accuracy: Accuracy,
     recorder: &mut R,
-) -> Impact<S>
-where
-    S: Scalar,
-    L: ContactLaw<S>,
-    R: Recorder<S>,
-{
+) -> Impact<S> {
+    if R::ACTIVE {
+        run_in::<S, L, R, RECORDED>(touch, law, accuracy, recorder)
+    } else {
+        run_in::<S, L, R, N>(touch, law, accuracy, recorder)
+    }
+}
+
+/// The same in a state of `N` numbers.
+#[inline(always)]
+fn run_in<S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize>(
+    touch: &FirstTouch<S>,
+    law: L,
+    accuracy: Accuracy,
+    recorder: &mut R,
+) -> Impact<S> {
     let contact = Contact::new(touch, law);
     let start = initial::<S, N>(touch);
     if R::ACTIVE {

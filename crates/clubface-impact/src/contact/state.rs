@@ -16,9 +16,9 @@ pub const BALL_SPIN: usize = 9;
 pub const ATTITUDE: usize = 12;
 /// Number of states of a ball in one piece.
 pub const SOLID: usize = 16;
-/// Sliding distance along y' and z', m (contacts that remember it).
+/// Sliding distance along y' and z', m (of contacts with a history).
 pub const SLIP: usize = 16;
-/// Number of states of a ball in one piece on a face that remembers the sliding distance.
+/// Number of states of a ball in one piece on a face, with the sliding distance.
 pub const SLIDING: usize = 18;
 /// Angular velocity of the core, rad/s (layered ball).
 pub const CORE_SPIN: usize = 16;
@@ -32,7 +32,7 @@ pub const LAYERED: usize = 22;
 pub const LEDGER: usize = 3;
 /// Number of states of a recorded ball in one piece.
 pub const RECORDED_SOLID: usize = SOLID + LEDGER;
-/// Number of states of a recorded ball on a face that remembers the sliding distance.
+/// Number of states of a recorded ball on a face, with the sliding distance.
 pub const RECORDED_SLIDING: usize = SLIDING + LEDGER;
 /// Number of states of a recorded layered ball.
 pub const RECORDED_LAYERED: usize = LAYERED + LEDGER;
@@ -45,7 +45,7 @@ const UNMEASURED: f64 = 1e200;
 pub const fn layered(n: usize) -> bool {
     n == LAYERED || n == RECORDED_LAYERED
 }
-/// Whether contacts of `n` states remember the sliding distance.
+/// Whether contacts of `n` states have the sliding distance.
 #[must_use]
 pub const fn sliding(n: usize) -> bool {
     n == SLIDING || n == RECORDED_SLIDING

@@ -4,7 +4,7 @@
 //! 149-155) for 400 ppm of CO2. Its authors vouch for 22 ppm between 600 and 1100 hPa and 15 and 27 C; beyond that it
 //! remains a real-gas law with saturation over liquid water, far better than golf needs.
 //!
-//! The defaults are 25 C (77 F) and sea level, to which TrackMan normalises unless told otherwise (its blog,
+//! The defaults are 25 C (77 F) and sea level, to which TrackMan normalises by default (its blog,
 //! "Normalization feature explained", 2014), and so the conditions to compare published carries in. It states no
 //! humidity; 50 % is assumed here, and the whole range from dry to saturated changes the density by only 1.2 %.
 

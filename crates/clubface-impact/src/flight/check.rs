@@ -23,10 +23,8 @@ pub fn check(inputs: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
         ));
     }
     if vx == 0.0 && vy == 0.0 && vz == 0.0 {
-        return Err(ImpactError::new(
-            "velocity_x",
-            "the ball does not move: give it a launch velocity other than (0, 0, 0) m/s",
-        ));
+        let message = "the ball does not move: give it a launch velocity other than (0, 0, 0) m/s";
+        return Err(ImpactError::new("velocity_x", message));
     }
     Ok(())
 }
@@ -47,8 +45,6 @@ fn check_range(input: &FlightInput, value: f64) -> Result<(), ImpactError> {
 
 /// Error of a ball that is still in the air when the integration gives up.
 pub(super) fn never_lands() -> ImpactError {
-    ImpactError::new(
-        "wind_y",
-        "the ball does not come down: the air rises too fast for it; reduce the vertical wind",
-    )
+    let message = "the ball does not come down: the air rises too fast for it; reduce the vertical wind";
+    ImpactError::new("wind_y", message)
 }

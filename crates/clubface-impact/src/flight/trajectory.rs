@@ -117,7 +117,7 @@ pub struct Landing<S: Scalar> {
     pub landed: S::Mask,
 }
 
-/// Remembers the steps of the apex and of the landing.
+/// Keeps the steps of the apex and of the landing.
 struct ToGround<'a, S: Scalar, F> {
     flight: &'a Flight<S>,
     grounded: S::Mask,

@@ -3,11 +3,9 @@
 //! Only the impact itself is compiled for each model; what stands around it is one function for each kind of number.
 
 mod derivatives;
-mod history;
 mod launches;
 mod run;
 
 pub use derivatives::{derivatives, Differentiated};
-pub use history::history;
 pub use launches::launches;
-pub use run::MOST_PARAMETERS;
+pub use run::{history, MOST_PARAMETERS};

@@ -1,7 +1,7 @@
 //! Contact-area model of Arakawa (Caldwell and McPhee, section 2.2.3, Eqs. 17-21, letters as in the original work).
 
 use super::hertz;
-use crate::contact::{run, ContactLaw, Recorder, RECORDED_SOLID, SOLID};
+use crate::contact::{run, ContactLaw, Indentation, Recorder, Sliding, RECORDED_SOLID, SOLID};
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
 use crate::impact::{Accuracy, Impact};
@@ -17,7 +17,7 @@ const SLIDING_SPEED: f64 = 0.01;
 parameters! {
     /// Parameters of the contact-area model.
     Area {
-        shear_modulus ["Pa"] = 5.40e7 in 1e6 ..= 1e9, "effective shear modulus G",
+        shear_modulus ["Pa"] = 5.40e7 in 1e6 ..= 1e10, "effective shear modulus G",
             "Caldwell and McPhee (2023), Table 10, driver, corrected by 1/100 (as printed a drive lasts 82 us)";
         poisson ["1"] = 0.398 in 0.0 ..= 0.499, "effective Poisson's ratio",
             "Caldwell and McPhee (2023), Table 10, driver";
@@ -25,8 +25,8 @@ parameters! {
             "Caldwell and McPhee (2023), Table 10, driver";
         friction ["1"] = 0.0486 in 0.0 ..= 2.0, "coefficient of friction mu (the published lambda)",
             "Caldwell and McPhee (2023), Table 10, driver";
-        area_damping ["N s/m2"] = 0.0 in 0.0 ..= 1000.0, "contact-area coefficient eta",
-            "0: the printed 1.32e5 gives 20 kN at first touch; to be identified within 0-1000";
+        area_damping ["N s/m2"] = 0.0 in 0.0 ..= 1e6, "contact-area coefficient eta",
+            "0: the printed 1.32e5 gives 20 kN at first touch";
     }
 }
 
@@ -49,29 +49,17 @@ impl<S: Scalar> ContactLaw<S> for Area<S> {
     const FAST_TOLERANCE: f64 = 2.4e-5;
 
     #[inline(always)]
-    fn normal_force<const K: usize>(
-        &self,
-        depth: Dual<S, K>,
-        rate: Dual<S, K>,
-        curvature: Dual<S, K>,
-        radius: S,
-    ) -> Dual<S, K> {
-        let equivalent = hertz::equivalent_radius(Dual::constant(radius), curvature);
+    fn normal_force<const K: usize>(&self, at: Indentation<S, K>) -> Dual<S, K> {
+        let equivalent = hertz::equivalent_radius(Dual::constant(at.radius), at.curvature);
         let stiffness = hertz::stiffness(self.shear_modulus, self.poisson, equivalent);
-        hertz::force(stiffness, self.damping, depth, rate)
+        hertz::force(stiffness, self.damping, at.depth, at.rate)
     }
     #[inline(always)]
-    fn drag<const K: usize>(
-        &self,
-        normal_force: Dual<S, K>,
-        rate: Dual<S, K>,
-        radius: S,
-        w: Dual<S, K>,
-    ) -> Dual<S, K> {
+    fn drag<const K: usize>(&self, at: Sliding<S, K>) -> Dual<S, K> {
         // Caldwell and McPhee, Eqs. 17 and 20 with the letters put right: mu F_N + mu eta dA/dt, dA/dt = pi R xdot.
-        let growth = rate.scale(radius * PI);
+        let growth = at.rate.scale(at.radius * PI);
         let slope = Dual::constant(S::from_f64(1.0 / SLIDING_SPEED));
-        tanh_ratio(slope, w) * (normal_force + growth.scale(self.area_damping)).scale(self.friction)
+        tanh_ratio(slope, at.w) * (at.normal_force + growth.scale(self.area_damping)).scale(self.friction)
     }
     #[inline(always)]
     fn area(&self, depth: S, _curvature: S, radius: S) -> S {
@@ -82,16 +70,7 @@ impl<S: Scalar> ContactLaw<S> for Area<S> {
 
 impl<S: Scalar> Model<S> for Area<S> {
     #[inline(always)]
-    fn impact<R: Recorder<S>>(
-        &self,
-        touch: &FirstTouch<S>,
-        accuracy: Accuracy,
-        recorder: &mut R,
-    ) -> Impact<S> {
-        if R::ACTIVE {
-            run::<S, _, R, RECORDED_SOLID>(touch, *self, accuracy, recorder)
-        } else {
-            run::<S, _, R, SOLID>(touch, *self, accuracy, recorder)
-        }
+    fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, accuracy: Accuracy, record: &mut R) -> Impact<S> {
+        run::<S, _, R, SOLID, RECORDED_SOLID>(touch, *self, accuracy, record)
     }
 }

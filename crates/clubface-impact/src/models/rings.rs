@@ -3,8 +3,8 @@
 
 use super::hertz;
 use crate::contact::{
-    initial, motions, scales, Contact, ContactLaw, ContactPoint, Recorder, RingFrame, Separation, CLUB_SPIN,
-    RECORDED_SLIDING, SLIDING, VELOCITY,
+    initial, motions, scales, Contact, ContactLaw, ContactPoint, Indentation, Recorder, RingFrame,
+    Separation, Sliding, CLUB_SPIN, RECORDED_SLIDING, SLIDING, VELOCITY,
 };
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::face::tangents;
@@ -89,25 +89,13 @@ impl<S: Scalar> ContactLaw<S> for RingLaw<S> {
     const FAST_TOLERANCE: f64 = 1.5e-5;
 
     #[inline(always)]
-    fn normal_force<const K: usize>(
-        &self,
-        depth: Dual<S, K>,
-        rate: Dual<S, K>,
-        curvature: Dual<S, K>,
-        radius: S,
-    ) -> Dual<S, K> {
+    fn normal_force<const K: usize>(&self, at: Indentation<S, K>) -> Dual<S, K> {
         let Rings { shear_modulus, poisson, damping, .. } = self.parameters;
-        let equivalent = hertz::equivalent_radius(Dual::constant(radius), curvature);
-        hertz::force(hertz::stiffness(shear_modulus, poisson, equivalent), damping, depth, rate)
+        let equivalent = hertz::equivalent_radius(Dual::constant(at.radius), at.curvature);
+        hertz::force(hertz::stiffness(shear_modulus, poisson, equivalent), damping, at.depth, at.rate)
     }
     #[inline(always)]
-    fn drag<const K: usize>(
-        &self,
-        _normal_force: Dual<S, K>,
-        _rate: Dual<S, K>,
-        _radius: S,
-        _w: Dual<S, K>,
-    ) -> Dual<S, K> {
+    fn drag<const K: usize>(&self, _: Sliding<S, K>) -> Dual<S, K> {
         // All friction is remembered.
         Dual::zero()
     }
@@ -149,16 +137,11 @@ fn normal_mobility<S: Scalar>(touch: &FirstTouch<S>) -> S {
 
 impl<S: Scalar> Model<S> for Rings<S> {
     #[inline(always)]
-    fn impact<R: Recorder<S>>(
-        &self,
-        touch: &FirstTouch<S>,
-        accuracy: Accuracy,
-        recorder: &mut R,
-    ) -> Impact<S> {
+    fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, accuracy: Accuracy, record: &mut R) -> Impact<S> {
         if R::ACTIVE {
-            self.integrate::<R, RECORDED_SLIDING>(touch, accuracy, recorder)
+            self.integrate::<R, RECORDED_SLIDING>(touch, accuracy, record)
         } else {
-            self.integrate::<R, SLIDING>(touch, accuracy, recorder)
+            self.integrate::<R, SLIDING>(touch, accuracy, record)
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Two-layer ball with a volumetric normal force (Caldwell and McPhee, section 2.2.1, Eqs. 12-13), after McNally,
 //! Gonthier and Brown.
 
-use crate::contact::{run, ContactLaw, Core, Recorder, LAYERED, RECORDED_LAYERED};
+use crate::contact::{run, ContactLaw, Core, Indentation, Recorder, Sliding, LAYERED, RECORDED_LAYERED};
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
 use crate::impact::{Accuracy, Impact};
@@ -68,28 +68,16 @@ impl<S: Scalar> ContactLaw<S> for Volumetric<S> {
     const FAST_TOLERANCE: f64 = 7.5e-5;
 
     #[inline(always)]
-    fn normal_force<const K: usize>(
-        &self,
-        depth: Dual<S, K>,
-        rate: Dual<S, K>,
-        curvature: Dual<S, K>,
-        radius: S,
-    ) -> Dual<S, K> {
-        let (volume, _) = overlap(depth, curvature, Dual::constant(radius));
+    fn normal_force<const K: usize>(&self, at: Indentation<S, K>) -> Dual<S, K> {
+        let (volume, _) = overlap(at.depth, at.curvature, Dual::constant(at.radius));
         // Caldwell and McPhee, Eq. 12; never adhesive.
-        (volume.scale(self.stiffness) * (rate.scale(self.damping) + 1.0)).max(Dual::zero())
+        (volume.scale(self.stiffness) * (at.rate.scale(self.damping) + 1.0)).max(Dual::zero())
     }
     #[inline(always)]
-    fn drag<const K: usize>(
-        &self,
-        normal_force: Dual<S, K>,
-        _rate: Dual<S, K>,
-        _radius: S,
-        w: Dual<S, K>,
-    ) -> Dual<S, K> {
+    fn drag<const K: usize>(&self, at: Sliding<S, K>) -> Dual<S, K> {
         // Caldwell and McPhee, Eq. 13.
         let slope = Dual::constant(S::from_f64(4.0) / self.transition_speed);
-        tanh_ratio(slope, w) * normal_force.scale(self.friction)
+        tanh_ratio(slope, at.w) * at.normal_force.scale(self.friction)
     }
     #[inline(always)]
     fn area(&self, depth: S, curvature: S, radius: S) -> S {
@@ -106,16 +94,7 @@ impl<S: Scalar> ContactLaw<S> for Volumetric<S> {
 
 impl<S: Scalar> Model<S> for Volumetric<S> {
     #[inline(always)]
-    fn impact<R: Recorder<S>>(
-        &self,
-        touch: &FirstTouch<S>,
-        accuracy: Accuracy,
-        recorder: &mut R,
-    ) -> Impact<S> {
-        if R::ACTIVE {
-            run::<S, _, R, RECORDED_LAYERED>(touch, *self, accuracy, recorder)
-        } else {
-            run::<S, _, R, LAYERED>(touch, *self, accuracy, recorder)
-        }
+    fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, accuracy: Accuracy, record: &mut R) -> Impact<S> {
+        run::<S, _, R, LAYERED, RECORDED_LAYERED>(touch, *self, accuracy, record)
     }
 }

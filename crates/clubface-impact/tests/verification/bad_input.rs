@@ -56,11 +56,9 @@ fn a_face_must_reach_the_corners_of_its_outline() {
     for (name, value) in [("bulge", 0.05), ("roll", 0.02)] {
         let (input, message) = fault(&[(name, value)]);
         assert_eq!(input, "bulge");
-        assert!(
-            message.contains(&format!("{value} m")) && message.contains("0.105 m x 0.055 m"),
-            "{message}"
-        );
-        assert!(message.contains("larger radii or a smaller outline"), "{message}");
+        for text in [&format!("{value} m"), "0.105 m x 0.055 m", "larger radii or a smaller outline"] {
+            assert!(message.contains(text), "{message}");
+        }
     }
     assert_eq!(check(&played(Club::Driver).with(&[("bulge", 0.06), ("roll", 0.15)]).0), Ok(()));
 }
@@ -85,11 +83,8 @@ fn a_loft_of_95_degrees_is_refused() {
     for (degrees, text) in [(95.0f64, "95.00"), (-95.0, "-95.00"), (80.1, "80.10")] {
         let value = degrees.to_radians();
         assert_fault(&[("loft", value)], "loft", &format!("{text} deg dynamic loft must be within +-80 deg"));
-        assert_fault(
-            &[("static_loft", value)],
-            "static_loft",
-            &format!("{text} deg must be within +-80 deg"),
-        );
+        let message = format!("{text} deg must be within +-80 deg");
+        assert_fault(&[("static_loft", value)], "static_loft", &message);
     }
     assert_eq!(check(&played(Club::Driver).with(&[("loft", 79.9f64.to_radians())]).0), Ok(()));
 }
@@ -129,16 +124,10 @@ fn a_hand_is_right_or_left() {
 
 #[test]
 fn an_inertia_must_be_that_of_a_body() {
-    for values in [
-        vec![("ixx", -1e-4)],
-        vec![("iyy", 0.0)],
-        vec![("ixy", 1e-3)],
-        vec![("iyz", -6e-4)],
-        vec![("izz", -1e-5)],
-    ] {
-        let (input, message) = fault(&values);
+    for (name, value) in [("ixx", -1e-4), ("iyy", 0.0), ("ixy", 1e-3), ("iyz", -6e-4), ("izz", -1e-5)] {
+        let (input, message) = fault(&[(name, value)]);
         assert_eq!(input, "ixx");
-        let text = format!("{:.4e}", values[0].1);
+        let text = format!("{value:.4e}");
         assert!(message.contains(&text) && message.contains("not positive definite"), "{message}");
     }
     // 2843 + 4085 < 9000 g cm2.
@@ -174,11 +163,11 @@ fn parameters_outside_their_bounds_are_named_with_the_bounds() {
                 parameters[i] = value;
                 let error = check_parameters(info, &parameters).unwrap_err();
                 assert_eq!(error.input, p.name);
-                let expected = format!(
-                    "parameter of {} is {value}; allowed: {} to {} {}",
-                    info.name, p.lower, p.upper, p.unit
+                let allowed = format!("{} to {} {}", p.lower, p.upper, p.unit);
+                assert_eq!(
+                    error.message,
+                    format!("parameter of {} is {value}; allowed: {allowed}", info.name)
                 );
-                assert_eq!(error.message, expected);
             }
             for value in [p.lower, p.upper] {
                 let mut parameters = info.defaults();

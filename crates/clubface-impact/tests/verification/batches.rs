@@ -101,22 +101,6 @@ proptest! {
             }
         }
     }
-
-    /// A rotation of the rows puts every shot into another lane with other neighbours.
-    #[test]
-    fn the_order_of_shots_does_not_change_them((club, shots) in mixed(), shift in 0..20usize) {
-        let inputs: Vec<Inputs> = shots.iter().map(|(inputs, _)| *inputs).collect();
-        let shift = shift % inputs.len();
-        let mut rotated = inputs.clone();
-        rotated.rotate_left(shift);
-        for model in every_model() {
-            let parameters = published(model, club);
-            let (mut outputs, _) = run(model, &inputs, &parameters, Accuracy::Fast);
-            outputs.rotate_left(shift);
-            let (others, _) = run(model, &rotated, &parameters, Accuracy::Fast);
-            prop_assert_eq!(bits(&outputs), bits(&others), "{}", model.info().name);
-        }
-    }
 }
 
 /// More than a chunk of different shots on 1, 2 and 5 threads.

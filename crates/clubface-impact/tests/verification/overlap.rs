@@ -24,7 +24,7 @@ proptest! {
     /// Discs lose 1e-16 (0.5 m)^2 in areas of 1e-4 m2.
     #[test]
     fn two_spheres_share_the_volume_of_their_discs(
-        depth in 0.5e-3..12e-3f64, face in 0.1..0.6f64, radius in 0.018..0.025f64
+        depth in 0.5e-3..12e-3f64, face in 0.018..0.6f64, radius in 0.018..0.025f64
     ) {
         let (volume, circle) = overlap(depth, face.recip(), radius);
         prop_assert!((volume / by_discs(depth, face, radius) - 1.0).abs() < 1e-9);
@@ -53,14 +53,6 @@ proptest! {
         let (volume, _) = overlap(Dual::<f64, 1>::variable(depth, 0), Dual::constant(curvature), Dual::constant(radius));
         let (_, circle) = overlap(depth, curvature, radius);
         prop_assert!((volume.tangent[0] / (PI * circle) - 1.0).abs() < 1e-12);
-    }
-
-    /// Two equal balls share twice the cap of half the depth.
-    #[test]
-    fn equal_spheres_share_two_equal_caps(depth in 1e-4..10e-3f64, radius in 0.018..0.025f64) {
-        let (volume, _) = overlap(depth, radius.recip(), radius);
-        let cap = PI * (depth / 2.0).powi(2) * (3.0 * radius - depth / 2.0) / 3.0;
-        prop_assert!((volume / (2.0 * cap) - 1.0).abs() < 1e-13);
     }
 }
 

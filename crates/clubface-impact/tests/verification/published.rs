@@ -101,7 +101,6 @@ fn impulse_models_have_no_contact_time() {
 fn defaults_are_the_published_values_of_the_driver() {
     for model in every_model() {
         let info = model.info();
-
         assert_eq!(info.defaults(), published(model, Club::Driver), "{}", info.name);
         for p in info.parameters {
             assert!(p.lower <= p.default && p.default <= p.upper && !p.source.is_empty(), "{}", p.name);

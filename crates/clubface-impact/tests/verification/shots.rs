@@ -5,7 +5,7 @@ use clubface_impact::columns::Column;
 use clubface_impact::error::ImpactError;
 use clubface_impact::launch::{OUTPUTS, OUTPUT_COUNT};
 use clubface_impact::shot::{INPUTS, INPUT_COUNT};
-use clubface_impact::{registry, Accuracy, ImpactModel};
+use clubface_impact::{registry, Accuracy, ImpactModel, ModelKind};
 use clubface_math::Vec3;
 use proptest::prelude::*;
 
@@ -117,6 +117,24 @@ pub fn played(club: Club) -> Inputs {
     shot(club).with(&[("attack", f64::to_radians(attack)), ("loft", f64::to_radians(loft))])
 }
 
+/// Off-centre, across the ball, with the head turning about every axis: no value is zero.
+pub fn mishit(club: Club, hand: f64) -> Inputs {
+    played(club).with(&[
+        ("path", 0.05),
+        ("face", -0.03),
+        ("lie", 0.06),
+        ("toe", 0.015),
+        ("high", -0.008),
+        ("closure", 40.0),
+        ("pitch_rate", 12.0),
+        ("lie_rate", -8.0),
+        ("hand", hand),
+    ])
+}
+
+/// Clubs and hands of mishits.
+pub const SIDES: [(Club, f64); 3] = [(Club::Driver, 1.0), (Club::Iron, 1.0), (Club::Driver, -1.0)];
+
 /// A head without curvature, products of inertia or offset: CG `depth` (m) behind the face centre, on its normal.
 pub fn simple_head(depth: f64) -> Inputs {
     shot(Club::Driver).with(&[
@@ -182,9 +200,25 @@ pub fn changed(model: ImpactModel, mut parameters: Vec<f64>, values: &[(&str, f6
     parameters
 }
 
+/// The published parameters of a model, some changed by name where it has them.
+pub fn published_but(model: ImpactModel, club: Club, values: &[(&str, f64)]) -> Vec<f64> {
+    let known: Vec<_> = values.iter().copied().filter(|(name, _)| parameter(model, name).is_some()).collect();
+    changed(model, published(model, club), &known)
+}
+
 /// Index of a parameter, if the model has it.
 pub fn parameter(model: ImpactModel, name: &str) -> Option<usize> {
     model.info().parameters.iter().position(|parameter| parameter.name == name)
+}
+
+/// Models that resolve the contact in time.
+pub fn contacts() -> impl Iterator<Item = ImpactModel> {
+    every_model().filter(|model| model.info().kind == ModelKind::Contact)
+}
+
+/// Models that do not.
+pub fn impulses() -> impl Iterator<Item = ImpactModel> {
+    every_model().filter(|model| model.info().kind == ModelKind::Impulse)
 }
 
 /// Results of a shot.

@@ -46,7 +46,7 @@ const SAFETY: f64 = 0.9;
 const SHORTEN: f64 = 0.2;
 const LENGTHEN: f64 = 5.0;
 
-/// What the control of the steps remembers of the last one.
+/// What the control of the steps needs of the last one.
 pub(super) struct Last<S: Scalar> {
     accepted: S::Mask,
     /// Error of the last accepted step in units of the tolerance, to a power.

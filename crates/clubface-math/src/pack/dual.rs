@@ -40,18 +40,6 @@ impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
         pack
     }
     #[inline(always)]
-    fn load(values: &[Self::Real]) -> Self {
-        let values = &values[..Self::LANES];
-        // SAFETY: as many as a pack has lanes.
-        unsafe { Self::read(values.as_ptr()) }
-    }
-    #[inline(always)]
-    fn store(self, values: &mut [Self::Real]) {
-        let values = &mut values[..Self::LANES];
-        // SAFETY: as above.
-        unsafe { self.write(values.as_mut_ptr()) };
-    }
-    #[inline(always)]
     unsafe fn read(at: *const Self::Real) -> Self {
         // SAFETY: the caller's promise.
         unsafe { Self::each(|lane| at.add(lane)) }

@@ -1,49 +1,39 @@
-//! Operators that every pack has alike.
+//! What every pack of plain numbers has alike.
 
-/// Operators, elementary functions and selection of a primal type, from its few basic operations.
+/// Operators, from those between two packs.
 macro_rules! primal_operators {
     ($type:ty) => {
-        impl Add<f64> for $type {
-            type Output = Self;
-            #[inline(always)]
-            fn add(self, other: f64) -> Self {
-                self + Self::from_f64(other)
-            }
-        }
-        impl Sub<f64> for $type {
-            type Output = Self;
-            #[inline(always)]
-            fn sub(self, other: f64) -> Self {
-                self - Self::from_f64(other)
-            }
-        }
-        impl Mul<f64> for $type {
-            type Output = Self;
-            #[inline(always)]
-            fn mul(self, other: f64) -> Self {
-                self * Self::from_f64(other)
-            }
-        }
-        impl Div<f64> for $type {
-            type Output = Self;
-            #[inline(always)]
-            fn div(self, other: f64) -> Self {
-                self / Self::from_f64(other)
-            }
-        }
-        impl AddAssign for $type {
-            #[inline(always)]
-            fn add_assign(&mut self, other: Self) {
-                *self = *self + other;
-            }
-        }
-        impl SubAssign for $type {
-            #[inline(always)]
-            fn sub_assign(&mut self, other: Self) {
-                *self = *self - other;
-            }
+        $crate::scalar::operators! { [] $type;
+            Add add f64 => Self, |a, b| a + Self::from_f64(b);
+            Sub sub f64 => Self, |a, b| a - Self::from_f64(b);
+            Mul mul f64 => Self, |a, b| a * Self::from_f64(b);
+            Div div f64 => Self, |a, b| a / Self::from_f64(b);
+            &mut AddAssign add_assign +;
+            &mut SubAssign sub_assign -;
         }
     };
 }
 
-pub(super) use primal_operators;
+/// Functions of [`Scalar`](crate::Scalar), each one algorithm for all of them.
+macro_rules! primal_functions {
+    () => {
+        #[inline(always)]
+        fn primal(self) -> Self {
+            self
+        }
+        #[inline(always)]
+        fn exp(self) -> Self {
+            $crate::elementary::exp(self)
+        }
+        #[inline(always)]
+        fn sin_cos(self) -> (Self, Self) {
+            $crate::elementary::sin_cos(self)
+        }
+        #[inline(always)]
+        fn atan2(self, x: Self) -> Self {
+            $crate::elementary::atan2(self, x)
+        }
+    };
+}
+
+pub(super) use {primal_functions, primal_operators};

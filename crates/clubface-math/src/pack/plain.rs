@@ -1,8 +1,9 @@
 //! A number on its own as a pack of one lane.
 
+use super::operators::primal_functions;
 use super::row::Row;
 use super::traits::{single_quad, Lanes, Pack};
-use crate::elementary::{self, Primal};
+use crate::elementary::Primal;
 use crate::scalar::{Computation, Scalar};
 use crate::Vec3;
 
@@ -23,16 +24,13 @@ impl Lanes for f64 {
 impl Scalar for f64 {
     type Mask = bool;
     const LANES: usize = 1;
+    primal_functions!();
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value
     }
     #[inline(always)]
     fn lane(self, _index: usize) -> f64 {
-        self
-    }
-    #[inline(always)]
-    fn primal(self) -> Self {
         self
     }
     #[inline(never)]
@@ -64,20 +62,8 @@ impl Scalar for f64 {
         f64::abs(self)
     }
     #[inline(always)]
-    fn exp(self) -> Self {
-        elementary::exp(self)
-    }
-    #[inline(always)]
     fn ln(self) -> Self {
         f64::ln(self)
-    }
-    #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        elementary::sin_cos(self)
-    }
-    #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
-        elementary::atan2(self, x)
     }
 }
 
@@ -87,14 +73,6 @@ impl Pack for f64 {
     #[inline(always)]
     fn splat(value: Self) -> Self {
         value
-    }
-    #[inline(always)]
-    fn load(values: &[Self]) -> Self {
-        values[0]
-    }
-    #[inline(always)]
-    fn store(self, values: &mut [Self]) {
-        values[0] = self;
     }
     #[inline(always)]
     unsafe fn read(at: *const Self) -> Self {

@@ -52,9 +52,19 @@ pub trait Pack: Scalar {
     /// The same number in every lane.
     fn splat(value: Self::Real) -> Self;
     /// `LANES` consecutive numbers.
-    fn load(values: &[Self::Real]) -> Self;
+    #[inline(always)]
+    fn load(values: &[Self::Real]) -> Self {
+        let values = &values[..Self::LANES];
+        // SAFETY: as many as a pack has lanes.
+        unsafe { Self::read(values.as_ptr()) }
+    }
     /// Writes `LANES` consecutive numbers.
-    fn store(self, values: &mut [Self::Real]);
+    #[inline(always)]
+    fn store(self, values: &mut [Self::Real]) {
+        let values = &mut values[..Self::LANES];
+        // SAFETY: as above.
+        unsafe { self.write(values.as_mut_ptr()) };
+    }
     /// `LANES` consecutive numbers from an address, of any alignment that the number itself may have.
     ///
     /// # Safety

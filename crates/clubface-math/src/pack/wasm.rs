@@ -1,13 +1,13 @@
 //! Packs of two numbers (WebAssembly, simd128).
 
-use super::operators::primal_operators;
+use super::operators::{primal_functions, primal_operators};
 use super::row::Row;
 use super::traits::{single_quad, Lanes, Pack};
-use crate::elementary::{self, Primal};
-use crate::scalar::{Computation, Mask, Scalar};
+use crate::elementary::Primal;
+use crate::scalar::{operators, Computation, Mask, Scalar};
 use crate::Vec3;
 use core::arch::wasm32::*;
-use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use core::ops::Neg;
 
 /// Two numbers.
 #[derive(Clone, Copy, Debug)]
@@ -17,23 +17,11 @@ pub struct F64x2(v128);
 #[derive(Clone, Copy, Debug)]
 pub struct Mask2(v128);
 
-macro_rules! binary {
-    ($($trait:ident $method:ident $intrinsic:ident;)+) => {$(
-        impl $trait for F64x2 {
-            type Output = Self;
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Self($intrinsic(self.0, other.0))
-            }
-        }
-    )+};
-}
-
-binary! {
-    Add add f64x2_add;
-    Sub sub f64x2_sub;
-    Mul mul f64x2_mul;
-    Div div f64x2_div;
+operators! { [] F64x2;
+    Add add Self => Self, |a, b| Self(f64x2_add(a.0, b.0));
+    Sub sub Self => Self, |a, b| Self(f64x2_sub(a.0, b.0));
+    Mul mul Self => Self, |a, b| Self(f64x2_mul(a.0, b.0));
+    Div div Self => Self, |a, b| Self(f64x2_div(a.0, b.0));
 }
 primal_operators!(F64x2);
 
@@ -94,6 +82,7 @@ impl Lanes for F64x2 {
 impl Scalar for F64x2 {
     type Mask = Mask2;
     const LANES: usize = 2;
+    primal_functions!();
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         Self(f64x2_splat(value))
@@ -105,10 +94,6 @@ impl Scalar for F64x2 {
         } else {
             f64x2_extract_lane::<1>(self.0)
         }
-    }
-    #[inline(always)]
-    fn primal(self) -> Self {
-        self
     }
     #[inline(never)]
     fn outline<C: Computation>(computation: C) -> C::Output {
@@ -145,20 +130,8 @@ impl Scalar for F64x2 {
         Self(f64x2_abs(self.0))
     }
     #[inline(always)]
-    fn exp(self) -> Self {
-        elementary::exp(self)
-    }
-    #[inline(always)]
     fn ln(self) -> Self {
         Self::from_fn(|lane| self.lane(lane).ln())
-    }
-    #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        elementary::sin_cos(self)
-    }
-    #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
-        elementary::atan2(self, x)
     }
 }
 
@@ -181,18 +154,6 @@ impl Pack for F64x2 {
     #[inline(always)]
     fn splat(value: f64) -> Self {
         Self::from_f64(value)
-    }
-    #[inline(always)]
-    fn load(values: &[f64]) -> Self {
-        let values = &values[..Self::LANES];
-        // SAFETY: as many as a pack has lanes.
-        unsafe { Self::read(values.as_ptr()) }
-    }
-    #[inline(always)]
-    fn store(self, values: &mut [f64]) {
-        let values = &mut values[..Self::LANES];
-        // SAFETY: as above.
-        unsafe { self.write(values.as_mut_ptr()) };
     }
     #[inline(always)]
     unsafe fn read(at: *const f64) -> Self {

@@ -57,7 +57,7 @@ fn packs_hold_the_numbers_and_their_derivatives_in_their_places() {
     assert_eq!(single[24..27], plain(&[number(11), number(31), number(51)]));
 }
 
-/// Reads quads that stand apart, and tells the lanes of the whole and of each of its quads.
+/// Reads quads that stand apart, and returns the lanes of the whole and of each of its quads.
 struct Apart;
 impl PackKernel<f64> for Apart {
     type Output = (Vec<f64>, Vec<f64>);

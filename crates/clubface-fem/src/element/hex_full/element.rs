@@ -1,6 +1,6 @@
 //! The eight-node hexahedron with eight integration points and one pressure, in total Lagrangian form.
 //!
-//! Changes of shape are felt at the eight points of Gauss, the change of volume on the average over the element,
+//! Changes of shape are taken at the eight points of Gauss, the change of volume on the average over the element,
 //! which keeps nearly incompressible rubber from locking (Nagtegaal, Parks and Rice, Comput. Methods Appl. Mech. Eng.
 //! 4, 1974; Simo, Taylor and Pister, ibid. 51, 1985). With laws split into shape and volume it is the F-bar element
 //! of the mean dilatation, and its forces derive from an energy. It needs no hourglass control and costs several

@@ -1,15 +1,15 @@
-//! What the solver asks of patches of fully integrated hexahedra.
+//! What the solver asks of patches of fully integrated hexahedra: energies, and stress and strain as averages over
+//! their points.
 
-use super::element::reference_volume;
-use super::energies::Energies;
-use super::forces::AssembleForces;
-use super::output::Output;
+use super::element::{reference_volume, Point, POINTS};
+use super::forces::{AssembleForces, ElementPoints};
 use super::patch::FullPatch;
 use crate::block::BLOCK;
 use crate::element::bulk_viscosity::BulkViscosity;
-use crate::element::output::OutputSink;
+use crate::element::output::{logarithmic, ElementOutput, OutputSink};
 use crate::element::patch::{Energy, Patch};
-use clubface_math::{Real, Row};
+use crate::material::{EnergyPoints, Kinematics, PointEnergy, Symmetric};
+use clubface_math::{Pack, PackKernel, Real, Row};
 
 impl<R: Real> Patch<R> for FullPatch<R> {
     fn nodes(&self) -> &[u32] {
@@ -41,5 +41,113 @@ impl<R: Real> Patch<R> for FullPatch<R> {
     fn element_output(&mut self, positions: &[Row<R>], sink: &mut OutputSink<'_>) {
         self.load(positions);
         R::singly(Output { patch: self, sink });
+    }
+}
+
+/// Adds up energies.
+pub struct Energies<'a, R> {
+    /// Whose elements they are, their positions loaded.
+    pub patch: &'a mut FullPatch<R>,
+}
+
+impl<R: Real> PackKernel<R> for Energies<'_, R> {
+    type Output = (Energy, (f64, f64));
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) -> Self::Output {
+        let patch = self.patch;
+        let stage = patch.material.stage::<P>(patch.updates.preview());
+        let bulk = P::splat(patch.material.bulk);
+        let mut volumes = [P::zero(); POINTS];
+        let mut c = [Symmetric::diagonal(P::one()); POINTS];
+        let mut energies = [PointEnergy::zero(); POINTS];
+        let mut energy = Energy::default();
+        let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
+        for block in 0..patch.corners.len() {
+            for first in (0..BLOCK).step_by(P::LANES) {
+                let lanes = P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first));
+                let element = patch.gather::<P>(block, first);
+                let [mut strain, mut viscous, mut plastic, mut volume] = [P::zero(); 4];
+                for point in 0..POINTS {
+                    let constants = Point::<P>::load(&patch.constants[block], first, point);
+                    let at = Kinematics::new(element.gradient(point, &constants));
+                    (c[point], volumes[point]) = (at.c, constants.volume);
+                    volume += constants.volume;
+                    for lane in 0..lanes {
+                        ratios.0 = ratios.0.min(at.deformation.volume.lane(lane));
+                        ratios.1 = ratios.1.max(at.deformation.volume.lane(lane));
+                    }
+                }
+                stage.energy(&mut EnergyPoints {
+                    lane: block * POINTS * BLOCK + first,
+                    step: BLOCK,
+                    state: &mut patch.state,
+                    c: &c,
+                    energies: &mut energies,
+                });
+                for point in 0..POINTS {
+                    strain += energies[point].strain * volumes[point];
+                    viscous += energies[point].viscous * volumes[point];
+                    plastic += energies[point].plastic * volumes[point];
+                }
+                let dilation = element.volume() / volume - 1.0;
+                strain += bulk * dilation * dilation * volume * 0.5;
+                if let Some(viscosity) = &patch.viscosity {
+                    viscous += viscosity.work::<P>(block * BLOCK + first) * volume;
+                }
+                for lane in 0..lanes {
+                    energy.strain += strain.lane(lane);
+                    energy.viscous += viscous.lane(lane);
+                    energy.plastic += plastic.lane(lane);
+                }
+            }
+        }
+        (energy, ratios)
+    }
+}
+
+/// Gives stress and strain of every element.
+pub struct Output<'a, 'b, R> {
+    /// Whose elements they are, their positions loaded.
+    pub patch: &'a mut FullPatch<R>,
+    /// What takes them.
+    pub sink: &'a mut OutputSink<'b>,
+}
+
+impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
+    type Output = ();
+    #[inline(always)]
+    fn run<P: Pack<Real = R>>(self) {
+        let patch = self.patch;
+        let stage = patch.material.stage::<P>(patch.updates.preview());
+        let bulk = P::splat(patch.material.bulk);
+        let mut points = ElementPoints::empty();
+        for block in 0..patch.corners.len() {
+            // A copy: output changes nothing.
+            let mut state = patch.state.copy(block * POINTS..(block + 1) * POINTS);
+            for first in (0..BLOCK).step_by(P::LANES) {
+                let element = patch.gather::<P>(block, first);
+                points.set(&element, &patch.constants[block], first);
+                points.compute(&*stage, &mut state, first);
+                let mut plastic = P::zero();
+                let [mut stress, mut strain] = [Symmetric::diagonal(P::zero()); 2];
+                for point in 0..POINTS {
+                    let (f, volume) = (&points.gradients[point], points.volumes[point]);
+                    let at = Kinematics::of(points.deformations[point]);
+                    let cauchy = points.stresses[point].scale(at.inverse_volume).seen_through(f);
+                    stress = stress.plus(volume, &cauchy);
+                    strain = strain.plus(volume, &logarithmic(f, &at));
+                    let mut found = P::zero();
+                    stage.plastic_strain(&mut state, point * BLOCK + first, &mut found);
+                    plastic = plastic.max(found);
+                }
+                let share = points.volume.recip();
+                let pressure = bulk * (element.volume() * share - 1.0);
+                let (stress, strain) = (stress.scale(share).plus_diagonal(pressure), strain.scale(share));
+                for which in 0..P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first)) {
+                    let number = patch.first + block * BLOCK + first + which;
+                    (self.sink)(number, &ElementOutput::of([&stress; 2], [&strain; 2], plastic, which));
+                }
+            }
+        }
     }
 }

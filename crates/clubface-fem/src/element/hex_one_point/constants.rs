@@ -11,7 +11,7 @@ pub const CONSTANTS: usize = 32;
 /// vectors, what a pattern adds to each base vector in the mean gradient, stiffnesses of the patterns, volume.
 const SKEW: usize = 6;
 const MEAN: usize = 18;
-/// Numbers that tell the shape: those above, of which the first have a unit, 1/m.
+/// Numbers that describe the shape: those above, of which the first have a unit, 1/m.
 const SHAPES: usize = 27;
 const STIFFNESS: usize = 27;
 pub const VOLUME: usize = 31;

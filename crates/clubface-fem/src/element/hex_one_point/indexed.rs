@@ -1,10 +1,8 @@
 //! Elements in any arrangement: the corners of a pack are gathered from the nodes one by one.
 
 use super::constants::{Block, Constants};
-use super::element::{on_bases, Hexahedron};
-use super::side::{spread, sums, Face};
+use super::element::{on_bases, spread, sums, Face, Hexahedron, Visitor};
 use super::stress::{Run, Stress, RUN};
-use super::visitor::Visitor;
 use crate::block::BLOCK;
 use crate::mesh::CORNERS;
 use clubface_math::{Pack, Real, Row, Vec3};

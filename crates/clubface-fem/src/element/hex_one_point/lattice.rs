@@ -7,12 +7,10 @@
 
 use super::arrangement::order;
 use super::constants::{Block, Constants};
-use super::element::{on_bases, Component, Hexahedron};
+use super::element::{empty, on_bases, Component, Hexahedron, Visitor};
 use super::interior::{Advance, Interior, Kinetic};
 use super::places::{add, face, side, Places};
-use super::side::empty;
 use super::stress::{Run, Stress, RUN};
-use super::visitor::Visitor;
 use crate::block::BLOCK;
 use crate::element::field::{Field, Layout, Scratch};
 use crate::mesh::CORNERS;

@@ -3,8 +3,6 @@
 mod arrangement;
 mod constants;
 mod element;
-mod energies;
-mod forces;
 mod indexed;
 mod interface;
 mod interior;
@@ -12,8 +10,6 @@ mod lattice;
 mod output;
 mod patch;
 mod places;
-mod side;
 mod stress;
-mod visitor;
 
-pub use patch::{constant_sets, solid_patches, SolidPatch};
+pub use patch::{constant_sets, solid_patches};

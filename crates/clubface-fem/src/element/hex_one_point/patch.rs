@@ -2,9 +2,9 @@
 
 use super::arrangement::shape;
 use super::constants::{alike, constants, Block, CONSTANTS};
+use super::element::Visitor;
 use super::indexed::Indexed;
 use super::lattice::{Lattice, DEPTH};
-use super::visitor::Visitor;
 use crate::block::{Aligned, BLOCK};
 use crate::element::bulk_viscosity::BulkViscosity;
 use crate::element::patch::parts;

@@ -3,7 +3,7 @@
 //! A pack is made of quads, packs of at most four lanes, whose elements follow each other in a row.
 
 use super::arrangement::{unbroken, QUAD};
-use super::side::{spread, sums, Face, Sums};
+use super::element::{spread, sums, Face, Sums};
 use crate::element::field::Field;
 use clubface_math::{Pack, Scalar};
 

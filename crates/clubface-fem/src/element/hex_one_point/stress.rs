@@ -2,7 +2,7 @@
 //! the change of shape by the stage of the material.
 
 use crate::element::bulk_viscosity::Drag;
-use crate::element::ratios::Ratios;
+use crate::element::patch::Ratios;
 use crate::material::{Deformation, Points, StateVariables, StressStage, Symmetric};
 use clubface_math::{Mat3, Pack};
 

@@ -54,11 +54,8 @@ impl<R: Real> ShellMaterial<R> {
         }
         if !(density > 0.0 && density < 3e4) {
             let name = format!("{name}.density");
-            return Err(FemError::input(
-                name,
-                format!("{density} kg/m3"),
-                "it must be above 0 and below 30000 kg/m3",
-            ));
+            let allowed = "it must be above 0 and below 30000 kg/m3";
+            return Err(FemError::input(name, format!("{density} kg/m3"), allowed));
         }
         self.hardening.as_ref().map_or(Ok(()), |hardening| hardening.check(name))
     }

@@ -1,12 +1,10 @@
 //! The four-node shell with one point in its plane.
 
-mod energies;
 mod forces;
 mod interface;
 mod layers;
 mod material;
 mod modes;
-mod output;
 mod patch;
 mod quadrature;
 mod quadrilateral;

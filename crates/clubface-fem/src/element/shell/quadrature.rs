@@ -6,10 +6,10 @@ use crate::error::FemError;
 /// Most points.
 pub const MAX_POINTS: usize = 31;
 
-/// Points through the thickness of a metal that yields, unless told.
+/// Points through the thickness of a metal that yields, by default.
 pub const DEFAULT_POINTS: usize = 5;
 
-/// Where stress is looked at through the thickness.
+/// Where stress is evaluated through the thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// Gauss': the most accurate for their number; none on the surfaces.
@@ -38,12 +38,9 @@ impl Rule {
         if (least..=MAX_POINTS).contains(&points) {
             return Ok(rule);
         }
-        // Fewer would not feel bending, or bend too stiffly.
-        Err(FemError::input(
-            "points",
-            points,
-            format!("{name} takes {least} to {MAX_POINTS} points through the thickness"),
-        ))
+        // Fewer would not resist bending, or too much.
+        let allowed = format!("{name} takes {least} to {MAX_POINTS} points through the thickness");
+        Err(FemError::input("points", points, allowed))
     }
 
     /// Places from -1 to 1 and weights, whose sum is 2.

@@ -157,7 +157,7 @@ pub trait SectionResponse<P: Pack> {
     ) -> [[P; 3]; 2];
 }
 
-/// An elastic section: its resultants are all it needs to remember.
+/// An elastic section: its resultants are all of its state variables.
 pub struct ElasticSection;
 
 impl ElasticSection {

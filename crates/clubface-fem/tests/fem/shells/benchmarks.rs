@@ -1,22 +1,9 @@
 //! Published problems for shells, solved by letting the body come to rest.
 
-use super::support::{Body, Freedom, Loads};
+use super::support::{surface, Body, Freedom};
+use crate::support::Loads;
 use clubface_fem::element::{Isotropic, ShellMaterial};
-use clubface_fem::mesh::ShellMesh;
 use clubface_math::Vec3;
-
-/// A mesh of `counts` elements over the unit square.
-fn surface(counts: [usize; 2], thickness: f64, place: impl Fn(f64, f64) -> Vec3<f64>) -> ShellMesh<f64> {
-    let [m, n] = counts;
-    let at = |i: usize, j: usize| (j * (m + 1) + i) as u32;
-    let nodes = (0..(m + 1) * (n + 1)).map(|k| (k % (m + 1), k / (m + 1)));
-    let nodes = nodes.map(|(i, j)| place(i as f64 / m as f64, j as f64 / n as f64)).collect();
-    let quads: Vec<_> = (0..m * n)
-        .map(|e| (e % m, e / m))
-        .map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
-        .collect();
-    ShellMesh { thickness: vec![thickness; quads.len()], nodes, quads }
-}
 
 fn elastic(young: f64, poisson: f64) -> ShellMaterial<f64> {
     // The density sets the time it takes, not where it ends.

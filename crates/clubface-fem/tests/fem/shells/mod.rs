@@ -1,7 +1,6 @@
 //! Checks of shells against closed forms and published solutions.
 
 mod benchmarks;
-mod delivered;
 mod heads;
 mod patches;
 mod plates;

@@ -1,6 +1,7 @@
 //! Rigid motion and states of uniform strain.
 
 use super::support::{largest, patch, patch_of, plate, rows, titanium, POISSON, YOUNG};
+use crate::support::Random;
 use clubface_fem::element::Patch;
 use clubface_fem::material::Hardening;
 use clubface_math::{Mat3, Row, Vec3};
@@ -90,28 +91,19 @@ fn bending_patch_test() {
     assert!((energy / (density * 4e-4) - 1.0).abs() < 1e-8, "{energy}");
 }
 
-/// Numbers between -1 and 1, the same ones every time.
-fn random() -> impl FnMut() -> f64 {
-    let mut seed = 1_u64;
-    move || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 33) as f64 / f64::from(1_u32 << 30) - 1.0
-    }
-}
-
 #[test]
 fn forces_do_the_work_that_becomes_energy() {
     // A skewed, warped plate, every node displaced and turned at random.
     let mut mesh = plate(4, 0.02, 2e-3, 0.2);
-    let mut random = random();
+    let mut random = Random(1);
     for node in &mut mesh.nodes {
-        node.z = 1e-3 * random();
+        node.z = 1e-3 * random.next();
     }
     let count = mesh.nodes.len();
     let mut displacements = rows(&mesh.nodes);
     for (i, row) in displacements.iter_mut().enumerate() {
         let size = if i < count { 1e-11 } else { 1e-9 };
-        *row = Row::from_vec(Vec3::new(random(), random(), random()) * size);
+        *row = Row::from_vec(random.vector() * size);
     }
     let positions = rows(&mesh.nodes);
     let mut patch = patch(&mesh);
@@ -128,18 +120,18 @@ fn packs_of_every_width_agree() {
     // Resultants, and points of a metal that yields, over steps of half a per cent of strain. Widths differ in what the
     // CPU fuses alone.
     let mut mesh = plate(5, 0.02, 2e-3, 0.2);
-    let mut bumps = random();
-    mesh.nodes.iter_mut().for_each(|node| node.z = 1e-3 * bumps());
+    let mut bumps = Random(1);
+    mesh.nodes.iter_mut().for_each(|node| node.z = 1e-3 * bumps.next());
     let yielding = titanium().yielding(Hardening::linear(0.8e9, 1e9).saturating(0.1e9, 20.0));
     for material in [titanium(), yielding] {
         let run = |lanes: usize| -> Box<dyn Patch<f64>> {
             clubface_math::with_lanes(lanes, || {
-                let (mut patch, mut random) = (patch_of(&mesh, material.clone()), random());
+                let (mut patch, mut random) = (patch_of(&mesh, material.clone()), Random(1));
                 let positions = rows(&mesh.nodes);
                 for _ in 0..5 {
                     let velocities: Vec<Row<f64>> = (0..positions.len())
                         .map(|i| if i < mesh.nodes.len() { 20.0 } else { 5000.0 })
-                        .map(|size| Row::from_vec(Vec3::new(random(), random(), random()) * size))
+                        .map(|size| Row::from_vec(random.vector() * size))
                         .collect();
                     patch.assemble(&positions, &velocities, 1e-6);
                 }

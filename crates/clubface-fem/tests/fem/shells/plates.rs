@@ -1,6 +1,7 @@
 //! Natural frequencies of square plates.
 
-use super::support::{plate, titanium, Body, Loads, DENSITY, POISSON, YOUNG};
+use super::support::{plate, titanium, Body, DENSITY, POISSON, YOUNG};
+use crate::support::{period_of, Loads};
 use clubface_math::{Row, Vec3};
 use std::f64::consts::{PI, TAU};
 
@@ -31,24 +32,15 @@ fn frequency(n: usize, edge: Edge, coefficient: f64, shape: fn(f64) -> (f64, f64
         body.structure.velocities[count + i] = Row::from_vec(turn);
     }
     let mode = body.structure.velocities.clone();
-    let along = |body: &Body| -> f64 {
-        let pairs = body.structure.velocities.iter().zip(&mode).zip(&body.structure.masses);
-        pairs.map(|((v, w), m)| v.vec().dot(w.vec()) * m).sum()
-    };
     let rigidity = YOUNG * THICKNESS.powi(3) / 12.0 / (1.0 - POISSON * POISSON);
     let exact = coefficient / (SIDE * SIDE) * (rigidity / (DENSITY * THICKNESS)).sqrt();
-    // Three periods, between changes of sign of the momentum along the shape.
-    let (mut crossings, mut last, mut time) = (Vec::new(), f64::NAN, 0.0);
-    while time < 3.3 * TAU / exact {
+    // Of the momentum along the shape.
+    let found = period_of(body.dt, 3.3 * TAU / exact, || {
         body.step(0.0);
-        let now = along(&body);
-        if last * now < 0.0 {
-            crossings.push(time - body.dt * now / (now - last));
-        }
-        (last, time) = (now, time + body.dt);
-    }
-    let halves = (crossings.len() - 1) as f64;
-    PI * halves / (crossings[crossings.len() - 1] - crossings[0]) / exact
+        let pairs = body.structure.velocities.iter().zip(&mode).zip(&body.structure.masses);
+        pairs.map(|((v, w), m)| v.vec().dot(w.vec()) * m).sum()
+    });
+    TAU / found / exact
 }
 
 #[test]

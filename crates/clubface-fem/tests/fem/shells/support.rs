@@ -1,7 +1,7 @@
 //! Plates of shells, and what the checks do with them.
 
-use clubface_fem::contact::Contact;
-use clubface_fem::element::{Isotropic, Kernels, Patch, ShellMaterial, ShellRows, SHELL_PATCH};
+use crate::support::Loads;
+use clubface_fem::element::{parts, Isotropic, Kernels, Patch, ShellMaterial, ShellRows, SHELL_PATCH};
 use clubface_fem::environment::Environment;
 use clubface_fem::mesh::ShellMesh;
 use clubface_fem::solve::Structure;
@@ -15,25 +15,30 @@ pub fn titanium() -> ShellMaterial<f64> {
     ShellMaterial::elastic(Isotropic { young: YOUNG, poisson: POISSON }, DENSITY)
 }
 
+/// A mesh of `counts` elements over the unit square.
+pub fn surface(counts: [usize; 2], thickness: f64, place: impl Fn(f64, f64) -> Vec3<f64>) -> ShellMesh<f64> {
+    let [m, n] = counts;
+    let at = |i: usize, j: usize| (j * (m + 1) + i) as u32;
+    let nodes = (0..(m + 1) * (n + 1)).map(|k| (k % (m + 1), k / (m + 1)));
+    let nodes = nodes.map(|(i, j)| place(i as f64 / m as f64, j as f64 / n as f64)).collect();
+    let quads: Vec<_> = (0..m * n)
+        .map(|e| (e % m, e / m))
+        .map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
+        .collect();
+    ShellMesh { thickness: vec![thickness; quads.len()], nodes, quads }
+}
+
 /// A square plate of `n` by `n` elements in the plane of x and y, its inner nodes moved off the grid by up to `skew` of
 /// an element.
 pub fn plate(n: usize, side: f64, thickness: f64, skew: f64) -> ShellMesh<f64> {
     let step = side / n as f64;
-    let mut nodes = Vec::new();
-    for j in 0..=n {
-        for i in 0..=n {
-            let inner = (1..n).contains(&i) && (1..n).contains(&j);
-            let off = if inner { skew * step } else { 0.0 };
-            let (a, b) = ((3 * i + 5 * j) as f64, (7 * i + 2 * j) as f64);
-            nodes.push(Vec3::new(i as f64 * step + off * a.sin(), j as f64 * step + off * b.cos(), 0.0));
-        }
-    }
-    let at = |i: usize, j: usize| (j * (n + 1) + i) as u32;
-    let quads: Vec<_> = (0..n * n)
-        .map(|e| (e % n, e / n))
-        .map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
-        .collect();
-    ShellMesh { thickness: vec![thickness; quads.len()], nodes, quads }
+    surface([n, n], thickness, |a, b| {
+        let (i, j) = ((a * n as f64).round(), (b * n as f64).round());
+        let inner = [i, j].iter().all(|&k| 0.0 < k && k < n as f64);
+        let off = if inner { skew * step } else { 0.0 };
+        let (along, across) = ((3.0 * i + 5.0 * j).sin(), (7.0 * i + 2.0 * j).cos());
+        Vec3::new(i * step + off * along, j * step + off * across, 0.0)
+    })
 }
 
 pub fn patch(mesh: &ShellMesh<f64>) -> Box<dyn Patch<f64>> {
@@ -62,41 +67,9 @@ pub fn largest(patch: &dyn Patch<f64>, nodes: usize, chosen: impl Fn(usize) -> b
     most
 }
 
+/// Rows of positions or velocities, those of rotations zero.
 pub fn rows(nodes: &[Vec3<f64>]) -> Vec<Row<f64>> {
-    let zeros = vec![Row::zero(); nodes.len()];
-    nodes.iter().map(|p| Row::from_vec(*p)).chain(zeros).collect()
-}
-
-/// Forces that stay as they are.
-pub struct Loads {
-    nodes: Vec<u32>,
-    forces: Vec<Row<f64>>,
-}
-
-impl Loads {
-    /// Forces (N) on nodes.
-    pub fn new(loads: &[(usize, Vec3<f64>)]) -> Self {
-        Self {
-            nodes: loads.iter().map(|load| load.0 as u32).collect(),
-            forces: loads.iter().map(|load| Row::from_vec(load.1)).collect(),
-        }
-    }
-    pub fn none() -> Self {
-        Self::new(&[])
-    }
-}
-
-impl Contact<f64> for Loads {
-    fn nodes(&self) -> &[u32] {
-        &self.nodes
-    }
-    fn assemble(&mut self, _: &[Row<f64>], _: &[Row<f64>], _: f64) {}
-    fn forces(&self) -> &[Row<f64>] {
-        &self.forces
-    }
-    fn nearest(&self, _: &[Row<f64>], _: Vec3<f64>) -> (f64, Vec3<f64>) {
-        (0.0, Vec3::zero())
-    }
+    [crate::support::rows(nodes), vec![Row::zero(); nodes.len()]].concat()
 }
 
 /// A component of the displacement (0 to 2) or rotation (3 to 5) of a node.
@@ -122,18 +95,16 @@ impl Body {
         let masses = mesh.masses(std::iter::once((0..mesh.quads.len(), material.density)));
         let all = masses.translation.into_iter().chain(masses.rotation).collect();
         let rows_of = ShellRows { positions: 0, rotations: count as u32 };
-        let patches = (0..mesh.quads.len()).step_by(SHELL_PATCH).map(|start| {
-            let some = start..(start + SHELL_PATCH).min(mesh.quads.len());
-            f64::shell(mesh, some, material.clone(), rows_of)
-        });
+        let patches = parts(mesh.quads.len(), SHELL_PATCH)
+            .map(|some| f64::shell(mesh, some, material.clone(), rows_of));
         let mut structure =
-            Structure::new(rows(&mesh.nodes), all, patches.collect(), loads.nodes(), &Environment::native());
+            Structure::new(rows(&mesh.nodes), all, patches.collect(), &loads.nodes, &Environment::native());
         structure.translations = count;
-        let held = held.map(|(node, which)| {
+        let place = |(node, which): Freedom| {
             let (row, component) = (node + which / 3 * count, which % 3);
             (row, component, structure.positions[row].0[component])
-        });
-        let held = held.collect();
+        };
+        let held = held.map(place).collect();
         let dt = 0.8 * structure.stable_step(60);
         Self { structure, loads, dt, held }
     }
@@ -142,7 +113,7 @@ impl Body {
     pub fn step(&mut self, damping: f64) {
         let Self { structure, loads, dt, held } = self;
         structure.assemble(loads, *dt);
-        // Before the nodes move, so that they move as the elements are told.
+        // Before the nodes move, so that elements see the velocities with which they move.
         for v in structure.velocities.iter_mut().flat_map(|row| &mut row.0) {
             *v -= *v * damping * *dt;
         }

@@ -1,6 +1,7 @@
 //! Shells that yield, against closed forms of plasticity.
 
-use super::support::{patch_of, plate, rows, titanium, Body, Loads, DENSITY, YOUNG};
+use super::support::{patch_of, plate, rows, titanium, Body, DENSITY, YOUNG};
+use crate::support::{Loads, Random};
 use clubface_fem::element::{Isotropic, Patch, Rule, ShellMaterial};
 use clubface_fem::material::{Hardening, PlaneState, PlaneStress, Symmetric};
 use clubface_math::{Row, Vec3};
@@ -80,9 +81,9 @@ fn stress_of_the_surfaces_and_its_axes() {
         strip.step(1e-4, 0.05);
         let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
         let corners = corners.map(|[i, j]| turn * Vec3::new(strip.sides[0] * i, strip.sides[1] * j, 0.0));
-        let mut told = Vec::new();
-        strip.patch.element_output(&rows(&corners), &mut |number, felt| told.push((number, *felt)));
-        let [(0, felt)] = told[..] else { panic!("{told:?}") };
+        let mut outputs = Vec::new();
+        strip.patch.element_output(&rows(&corners), &mut |number, output| outputs.push((number, *output)));
+        let [(0, output)] = outputs[..] else { panic!("{outputs:?}") };
         for (side, bent) in [(0, 0.5 * THICKNESS * 0.05), (1, -0.5 * THICKNESS * 0.05)] {
             let strain = 1e-4 + bent;
             let along = |v: [f64; 3]| Symmetric([v[0], v[1], v[2], 0.0, 0.0, 0.0]).seen_through(&turn).0;
@@ -92,10 +93,10 @@ fn stress_of_the_surfaces_and_its_axes() {
                 let most = found.iter().zip(exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
                 assert!(most < 3e-4 * size, "{found:?} {exact:?}");
             };
-            close(felt.stress[side], along([YOUNG * strain, 0.0, 0.0]), YOUNG * 1e-4);
-            close(felt.strain[side], along([strain, -0.5 * strain, -0.5 * strain]), 1e-4);
+            close(output.stress[side], along([YOUNG * strain, 0.0, 0.0]), YOUNG * 1e-4);
+            close(output.strain[side], along([strain, -0.5 * strain, -0.5 * strain]), 1e-4);
         }
-        assert_eq!(felt.plastic_strain, 0.0);
+        assert_eq!(output.plastic_strain, 0.0);
     }
 }
 
@@ -176,11 +177,7 @@ fn bending_moment_of_a_strip_that_yields() {
 
 #[test]
 fn any_path_of_plane_strains_obeys_the_laws() {
-    let mut seed = 3_u64;
-    let mut random = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 33) as f64 / f64::from(1_u32 << 30) - 1.0
-    };
+    let mut random = Random(3);
     let table = [(0.0, YIELD), (0.01, 900e6), (0.05, 950e6)];
     let laws = [
         Hardening::perfect(YIELD),
@@ -199,7 +196,7 @@ fn any_path_of_plane_strains_obeys_the_laws() {
             };
             for size in [1e-4, 1e-3, 1e-2, 0.1].repeat(100) {
                 let before = at;
-                let increment = [random() * size, random() * size, random() * size];
+                let increment = (random.vector() * size).array();
                 let heat = metal.advance(&increment, &mut at);
                 let [x, y, xy] = at.stress;
                 let mises = (x * x - x * y + y * y + 3.0 * xy * xy).sqrt();

@@ -1,6 +1,6 @@
 //! A slender bar: period of its longitudinal vibration, and its stroke against a wall (Saint-Venant).
 
-use super::support::{block, elastic, masses, period, step, structure, ELEMENTS, SPRING};
+use crate::support::{block, elastic, masses, period, step, structure, ELEMENTS, SPRING};
 use clubface_fem::contact::{Contact, Plane, RigidContact};
 use clubface_fem::element::Element;
 use clubface_math::{Row, Vec3};
@@ -32,7 +32,7 @@ fn period_of_a_free_bar() {
 
 #[test]
 fn a_bar_strikes_a_wall() {
-    // The wall feels rho c v A until the wave returns from the far end, 2 L / c later, and the bar leaves with the
+    // The force on the wall is rho c v A until the wave returns from the far end, 2 L / c later, and the bar leaves with the
     // opposite velocity.
     let mesh = block([80, 2, 2], [LENGTH, WIDTH, WIDTH]);
     let touching: Vec<u32> =

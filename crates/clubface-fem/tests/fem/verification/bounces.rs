@@ -1,15 +1,16 @@
 //! Balls on a rigid plane: Hertz's contact, the limits of friction, and the reference case of three independent
 //! solvers.
 
-use super::support::{elastic, masses, outside, patches, rows, SPRING};
 use super::thrown::{bounce, Bounce};
+use crate::support::{elastic, masses, outside, piece, structure, SPRING};
+use clubface_fem::ball::BallConstruction;
 use clubface_fem::contact::PenaltySprings;
 use clubface_fem::element::Element;
 use clubface_fem::environment::Environment;
 use clubface_fem::material::{Material, MooneyRivlin};
 use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
 use clubface_fem::solve::Structure;
-use clubface_math::Vec3;
+use clubface_math::{Mat3, Vec3};
 
 const RADIUS: f64 = 0.02;
 
@@ -29,7 +30,6 @@ fn ball(cube: usize, layers: usize, finer: f64) -> SolidMesh {
 }
 
 fn drop(
-    element: Element,
     mesh: &SolidMesh,
     material: &Material<f64>,
     friction: f64,
@@ -37,13 +37,7 @@ fn drop(
     duration: f64,
 ) -> Bounce {
     let (surface, areas) = outside(mesh);
-    let mut body = Structure::new(
-        rows(&mesh.nodes),
-        masses(mesh, material.density),
-        patches(element, mesh, material),
-        &surface,
-        &Environment::native(),
-    );
+    let mut body = structure(Element::OnePoint, mesh, material, &surface);
     bounce(&mut body, &surface, &areas, friction, velocity, duration, SPRING)
 }
 
@@ -58,14 +52,8 @@ fn hertz(cube: usize) -> [f64; 2] {
     let depth: f64 = 0.002 * RADIUS;
     let speed = (0.8 * stiffness * depth.powf(2.5) / mass).sqrt();
     let duration = 2.943_28 * depth / speed;
-    let found = drop(
-        Element::OnePoint,
-        &mesh,
-        &elastic(young, poisson, density),
-        0.0,
-        Vec3::new(-speed, 0.0, 0.0),
-        1.3 * duration,
-    );
+    let (material, velocity) = (elastic(young, poisson, density), Vec3::new(-speed, 0.0, 0.0));
+    let found = drop(&mesh, &material, 0.0, velocity, 1.3 * duration);
     [found.peak.0 / (stiffness * depth.powf(1.5)), found.contact / duration]
 }
 
@@ -73,10 +61,8 @@ fn hertz(cube: usize) -> [f64; 2] {
 fn a_slow_ball_obeys_hertz() {
     let (coarse, fine) = (hertz(8), hertz(12));
     for i in 0..2 {
-        assert!(
-            (fine[i] - 1.0).abs() < 0.03 && (fine[i] - 1.0).abs() < (coarse[i] - 1.0).abs(),
-            "{coarse:?} {fine:?}"
-        );
+        let error = (fine[i] - 1.0).abs();
+        assert!(error < 0.03 && error < (coarse[i] - 1.0).abs(), "{coarse:?} {fine:?}");
     }
 }
 
@@ -85,14 +71,8 @@ fn sliding_is_limited_by_friction() {
     // Gross sliding: the impulse along the plane is mu times that across, and all of it turns the ball.
     let mesh = ball(8, 4, 1.0);
     let (friction, fall, along) = (0.1, 1.0, 2.0);
-    let found = drop(
-        Element::OnePoint,
-        &mesh,
-        &elastic(1e9, 0.3, 1000.0),
-        friction,
-        Vec3::new(-fall, along, 0.0),
-        4e-4,
-    );
+    let material = elastic(1e9, 0.3, 1000.0);
+    let found = drop(&mesh, &material, friction, Vec3::new(-fall, along, 0.0), 4e-4);
     let mass: f64 = masses(&mesh, 1000.0).iter().sum();
     let expected = along - friction * (fall + found.velocity.x);
     // Rounding: every node slides all the time.
@@ -103,50 +83,23 @@ fn sliding_is_limited_by_friction() {
 }
 
 fn reference(element: Element) {
-    let fineness = Fineness { cube: 12, layers: vec![6, 3] };
-    let mut mesh = cubed_sphere(&[0.0196, 0.0214], &fineness);
-    for node in &mut mesh.nodes {
-        node.x += 0.0214;
-    }
-    let core = mesh.layer.iter().filter(|&&layer| layer == 0).count();
-    let part = |elements: std::ops::Range<usize>| SolidMesh {
-        nodes: mesh.nodes.clone(),
-        elements: mesh.elements[elements.clone()].to_vec(),
-        layer: mesh.layer[elements].to_vec(),
-    };
-    let (inside, cover) = (part(0..core), part(core..mesh.elements.len()));
-    let outer = masses(&cover, 950.0);
-    let volume: f64 = masses(&inside, 1.0).iter().sum();
-    let density = (0.046 - outer.iter().sum::<f64>()) / volume;
     let law = MooneyRivlin { c10: 4e6, c01: 1e6 }.law();
-    let rubber = Material { law, bulk: 496.67e6, maxwell: vec![], density };
-    let masses: Vec<f64> = masses(&inside, density).iter().zip(&outer).map(|(a, b)| a + b).collect();
-    let inertias = masses.clone();
-    let mut elements = patches(element, &inside, &rubber);
-    elements.extend(patches(element, &cover, &elastic(350e6, 0.4, 950.0)));
-    let (surface, areas) = outside(&mesh);
-    let mut body = Structure::new(rows(&mesh.nodes), masses, elements, &surface, &Environment::native());
+    let rubber = Material { law, bulk: 496.67e6, maxwell: vec![], density: 1000.0 };
+    let cover = elastic(350e6, 0.4, 950.0);
+    let pieces = vec![piece("core", 0.0196, 6, rubber), piece("cover", 0.0214, 3, cover)];
+    let ball = BallConstruction { pieces, cube: 12, element, mass: Some(0.046) };
+    let ball = ball.mesh(&Mat3::diagonal(1.0), Vec3::new(0.0214, 0.0, 0.0)).expect("the ball is valid");
+    let (positions, native) = (ball.positions(), Environment::native());
+    let mut body = Structure::new(positions, ball.masses, ball.patches, &ball.surface, &native);
     let (s, c) = 11.5_f64.to_radians().sin_cos();
-    let found = bounce(
-        &mut body,
-        &surface,
-        &areas,
-        0.35,
-        Vec3::new(-35.0 * c, 35.0 * s, 0.0),
-        1e-3,
-        PenaltySprings::default(),
-    );
-    // As spin the angular momentum over the inertia, free of vibration: that of the whole meshed ball, two thirds of
-    // the polar moment.
-    let centre = Vec3::new(0.0214, 0.0, 0.0);
-    let inertia: f64 =
-        mesh.nodes.iter().zip(&inertias).map(|(x, m)| m * (*x - centre).norm_squared() / 1.5).sum();
-    let spin = found.angular_momentum.z / inertia * 60.0 / std::f64::consts::TAU;
+    let velocity = Vec3::new(-35.0 * c, 35.0 * s, 0.0);
+    let springs = PenaltySprings::default();
+    let found = bounce(&mut body, &ball.surface, &ball.areas, 0.35, velocity, 1e-3, springs);
+    // As spin the angular momentum over the inertia of the undeformed ball, free of vibration.
+    let spin = found.angular_momentum.z / ball.inertia * 60.0 / std::f64::consts::TAU;
     let close = |name: &str, value: f64, expected: f64, share: f64| {
-        assert!(
-            (value / expected - 1.0).abs() < share,
-            "{element:?}, {name}: {value}, expected {expected} within {share}"
-        );
+        let error = (value / expected - 1.0).abs();
+        assert!(error < share, "{element:?}, {name}: {value}, expected {expected} within {share}");
     };
     // Means of the first two solvers, which model what we do; each differs from the mean by less than a tenth of these
     // tolerances.

@@ -1,7 +1,7 @@
 //! Bulk viscosity: breathing that dies away as that of a damped oscillator does, and work that is what the pressure
 //! does.
 
-use super::support::{block, elastic, rows, step, structure, Free, ELEMENTS};
+use crate::support::{block, elastic, rows, step, structure, Loads, ELEMENTS};
 use clubface_fem::material::Material;
 use clubface_math::Vec3;
 
@@ -41,17 +41,14 @@ fn a_cube_breathes_as_a_damped_oscillator() {
         };
         let before = energy(&cube);
         for _ in 0..count {
-            step(&mut cube, &mut Free, whole / f64::from(count));
+            step(&mut cube, &mut Loads::none(), whole / f64::from(count));
         }
         let after = energy(&cube);
         // Velocities are half a step early, of 667 a period; the pressure too: half a per cent of the exponent, which
         // is 4.
         let expected = (-2.0 * decay * whole).exp();
-        assert!(
-            (after / before - expected).abs() < 0.02 * expected,
-            "{element:?}: {} {expected}",
-            after / before
-        );
+        let left = after / before;
+        assert!((left - expected).abs() < 0.02 * expected, "{element:?}: {left} {expected}");
         let lost = cube.energy().viscous / before;
         assert!((lost - (1.0 - expected)).abs() < 0.01, "{element:?}: {lost} {expected}");
     }
@@ -69,14 +66,14 @@ fn work_is_that_of_the_pressure_in_every_arrangement() {
             for x in &mut body.positions {
                 *x = rows(&[x.vec() * (1.0 + growth)])[0];
             }
-            body.assemble(&mut Free, dt);
+            body.assemble(&mut Loads::none(), dt);
             let ratio = (1.0 + growth).powi(3) - 1.0;
             let volume: f64 = size.iter().product();
             let expected = drag(&material) * ratio * ratio / dt * volume;
             let found = body.energy().viscous;
             assert!((found - expected).abs() < 1e-9 * expected, "{element:?} {counts:?}: {found} {expected}");
             // Held where it is, nothing more is done.
-            body.assemble(&mut Free, dt);
+            body.assemble(&mut Loads::none(), dt);
             assert!((body.energy().viscous - expected).abs() < 1e-9 * expected);
         }
     }

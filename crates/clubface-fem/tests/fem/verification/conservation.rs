@@ -1,15 +1,14 @@
-//! What a free ball keeps, what a run on more threads repeats, and the balance of energy.
+//! What a free ball keeps, and what a ball and a rigid head keep.
 
-use super::support::{elastic, step, structure, Free, Random, ELEMENTS};
-use clubface_fem::ball::{BallConstruction, BallPiece};
+use crate::first_touch::touch;
+use crate::support::{elastic, momenta, piece, step, structure, Loads, Random, ELEMENTS};
+use clubface_fem::ball::BallConstruction;
 use clubface_fem::cases::ball_against_rigid_head;
 use clubface_fem::element::Element;
 use clubface_fem::environment::Environment;
 use clubface_fem::material::Maxwell;
 use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
 use clubface_fem::solve::{Simulation, Structure};
-use clubface_impact::first_touch::FirstTouch;
-use clubface_impact::shot::{Shot, INPUTS};
 use clubface_math::{Row, Vec3};
 
 fn mesh() -> SolidMesh {
@@ -25,19 +24,9 @@ fn shaken(element: Element, mesh: &SolidMesh) -> Structure<f64> {
     for (v, x) in ball.velocities.iter_mut().zip(&mesh.nodes) {
         let velocity =
             Vec3::new(30.0, 5.0, -2.0) + Vec3::new(100.0, -300.0, 200.0).cross(*x) + random.vector();
-        *v = Row([velocity.x, velocity.y, velocity.z, 0.0]);
+        *v = Row::from_vec(velocity);
     }
     ball
-}
-
-/// Momentum (kg m/s) and angular momentum about the origin (kg m2/s).
-fn momenta(ball: &Structure<f64>) -> [Vec3<f64>; 2] {
-    let mut sums = [Vec3::zero(); 2];
-    for ((x, v), m) in ball.positions.iter().zip(&ball.velocities).zip(&ball.masses) {
-        sums[0] += v.vec() * *m;
-        sums[1] += x.vec().cross(v.vec()) * *m;
-    }
-    sums
 }
 
 #[test]
@@ -49,7 +38,7 @@ fn a_free_ball_keeps_momentum_and_angular_momentum() {
         let dt = ball.stable_step(60) * 0.5;
         let before = momenta(&ball);
         for _ in 0..500 {
-            step(&mut ball, &mut Free, dt);
+            step(&mut ball, &mut Loads::none(), dt);
         }
         for (after, before) in momenta(&ball).iter().zip(before) {
             assert!((*after - before).norm() < 1e-10 * before.norm(), "{after:?} {before:?}");
@@ -62,7 +51,7 @@ fn a_ball_and_a_rigid_head_keep_momentum_and_angular_momentum() {
     const MASS: f64 = 0.2;
     // As large about every axis, so that angular momentum follows from the spin whatever the attitude.
     const INERTIA: f64 = 3e-4;
-    let values = [
+    let touch = touch(&[
         ("speed", 40.0),
         ("loft", 0.3),
         ("static_loft", 0.3),
@@ -77,12 +66,8 @@ fn a_ball_and_a_rigid_head_keep_momentum_and_angular_momentum() {
         ("bulge", 0.3),
         ("roll", 0.3),
         ("hand", 1.0),
-    ];
-    let touch = FirstTouch::of(&Shot::from_inputs(
-        &INPUTS.map(|input| values.iter().find(|v| v.0 == input.name).map_or(0.0, |v| v.1)),
-    ));
-    let core =
-        BallPiece { name: "core".into(), radius: 0.0214, layers: 3, material: elastic(30e6, 0.45, 1000.0) };
+    ]);
+    let core = piece("core", 0.0214, 3, elastic(30e6, 0.45, 1000.0));
     let ball =
         BallConstruction { pieces: vec![core], cube: 4, element: Element::OnePoint, mass: Some(0.046) };
     let Simulation { mut structure, mut contact, .. } =
@@ -106,24 +91,5 @@ fn a_ball_and_a_rigid_head_keep_momentum_and_angular_momentum() {
     for [linear, angular] in &sums {
         assert!((*linear - sums[0][0]).norm() < 1e-10 * MASS * 40.0, "{linear:?} {:?}", sums[0][0]);
         assert!((*angular - sums[0][1]).norm() < 1e-10 * MASS * 40.0 * 0.03, "{angular:?} {:?}", sums[0][1]);
-    }
-}
-
-#[test]
-fn threads_do_not_change_a_bit() {
-    let mesh = mesh();
-    let run = |element: Element, threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
-        pool.install(|| {
-            let mut ball = shaken(element, &mesh);
-            let dt = ball.stable_step(60) * 0.5;
-            for _ in 0..100 {
-                step(&mut ball, &mut Free, dt);
-            }
-            ball.positions.iter().flat_map(|x| x.0.map(f64::to_bits)).collect::<Vec<_>>()
-        })
-    };
-    for element in ELEMENTS {
-        assert!(run(element, 1) == run(element, 2));
     }
 }

@@ -1,7 +1,7 @@
 //! Exact identities of elements: patch test, rigid motion, forces as derivatives of energy, packs of any width.
 
-use super::support::{
-    block, distorted_cube, elastic, forces, largest, patches, rows, structure, Free, Random, ELEMENTS,
+use crate::support::{
+    block, distorted_cube, elastic, forces, largest, patches, rows, structure, Loads, Random, ELEMENTS,
 };
 use clubface_fem::element::{Element, Energy};
 use clubface_fem::material::{Material, Maxwell, MooneyRivlin};
@@ -35,7 +35,7 @@ fn patch_test() {
         let mut patches = patches(element, &mesh, &material);
         let gradient = Random(3).gradient(0.1);
         let moved: Vec<_> = mesh.nodes.iter().map(|x| gradient * *x).collect();
-        let forces = forces(&mut patches, &rows(&moved));
+        let forces = forces(&mut patches, &rows(&moved), 0.0);
         let inner = |n: usize| (0..3).all(|axis| (1..3).contains(&(n / 4_usize.pow(axis) % 4)));
         let inside: Vec<_> = (0..64).filter(|&n| inner(n)).map(|n| forces[n]).collect();
         assert_eq!(inside.len(), 8);
@@ -44,9 +44,8 @@ fn patch_test() {
         assert!(stored.hourglass < 1e-20 * stored.strain, "{stored:?}");
         let undistorted = distorted_cube(EDGE, 0.0);
         let moved: Vec<_> = undistorted.nodes.iter().map(|x| gradient * *x).collect();
-        let density = energy(&mut super::support::patches(element, &undistorted, &material), &rows(&moved))
-            .strain
-            / EDGE.powi(3);
+        let block = energy(&mut crate::support::patches(element, &undistorted, &material), &rows(&moved));
+        let density = block.strain / EDGE.powi(3);
         assert!((stored.strain / volume / density - 1.0).abs() < 1e-10);
     }
 }
@@ -60,7 +59,7 @@ fn rigid_motion_makes_no_force() {
         let turn = Random(4).rotation();
         let moved: Vec<_> = mesh.nodes.iter().map(|x| turn * *x + Vec3::new(0.3, -0.1, 0.2)).collect();
         let scale = material.bulk * (EDGE / 3.0).powi(2);
-        assert!(largest(&forces(&mut patches, &rows(&moved))) < 1e-10 * scale);
+        assert!(largest(&forces(&mut patches, &rows(&moved), 0.0)) < 1e-10 * scale);
         // Energies are differences of invariants: rounding of the moduli times the volume.
         assert!(energy(&mut patches, &rows(&moved)).total().abs() < 1e-14 * scale * EDGE);
     }
@@ -74,7 +73,7 @@ fn forces_are_derivatives_of_energy() {
         let mut patches = patches(element, &mesh, &material);
         let mut random = Random(5);
         let mut moved: Vec<_> = mesh.nodes.iter().map(|x| *x + random.vector() * (0.05 * EDGE)).collect();
-        let forces = forces(&mut patches, &rows(&moved));
+        let forces = forces(&mut patches, &rows(&moved), 0.0);
         let stored = energy(&mut patches, &rows(&moved));
         let bent = element == Element::FullyIntegrated || stored.hourglass > 0.01 * stored.strain;
         assert!(bent, "hourglass modes must take part: {stored:?}");
@@ -136,7 +135,7 @@ fn integration_ends_with_the_step_in_which_an_element_leaves_its_law() {
             for x in body.positions.iter_mut().filter(|x| x.0[0] > EDGE - 0.5 * edge) {
                 x.0[0] += (ratio - 1.0) * edge;
             }
-            let steps = body.integrate(&mut Free, dt, 5, &mut |_, _| true);
+            let steps = body.integrate(&mut Loads::none(), dt, 5, &mut |_, _| true);
             assert_eq!(steps, if within { 5 } else { 1 }, "{kind:?} {ni} {ratio}");
         }
     }

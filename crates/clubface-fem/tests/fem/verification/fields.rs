@@ -1,6 +1,6 @@
-//! What elements feel, against the forces they exert and closed forms.
+//! Stress and strain in elements, against the forces they exert and closed forms.
 
-use super::support::{distorted_cube, elastic, patches, rows, Random, ELEMENTS};
+use crate::support::{distorted_cube, elastic, patches, rows, Random, ELEMENTS};
 use clubface_fem::element::{ElementOutput, Patch};
 use clubface_fem::material::{Deformation, Hardening, Material, Maxwell, MooneyRivlin, Symmetric, VonMises};
 use clubface_math::{Mat3, Row};
@@ -18,15 +18,18 @@ fn materials() -> [Material<f64>; 4] {
     [rubber.clone(), Material { maxwell, ..rubber }, cover, metal]
 }
 
-/// What every element feels, all of them once.
-fn felt(patches: &mut [Box<dyn Patch<f64>>], positions: &[Row<f64>], count: usize) -> Vec<ElementOutput> {
+/// Stress and strain of every element, each of them once.
+fn outputs(patches: &mut [Box<dyn Patch<f64>>], positions: &[Row<f64>], count: usize) -> Vec<ElementOutput> {
     let mut all = vec![None; count];
     for patch in patches {
-        patch.element_output(positions, &mut |number, felt| {
-            assert!(all[number].replace(*felt).is_none(), "{number} twice");
+        patch.element_output(positions, &mut |number, output| {
+            assert!(all[number].replace(*output).is_none(), "{number} twice");
         });
     }
-    all.into_iter().enumerate().map(|(n, felt)| felt.unwrap_or_else(|| panic!("{n} is missing"))).collect()
+    all.into_iter()
+        .enumerate()
+        .map(|(n, output)| output.unwrap_or_else(|| panic!("{n} is missing")))
+        .collect()
 }
 
 fn apart(a: &[f64; 6], b: &[f64; 6]) -> f64 {
@@ -35,8 +38,8 @@ fn apart(a: &[f64; 6], b: &[f64; 6]) -> f64 {
 
 #[test]
 fn stress_is_that_of_the_forces() {
-    // In a uniform deformation the stress times the volume is the sum of place times force, whatever the law and what
-    // it remembers: the second of two steps, of different directions.
+    // In a uniform deformation the stress times the volume is the sum of place times force, whatever the law and
+    // its state variables: the second of two steps, of different directions.
     let mesh = distorted_cube(EDGE, 0.2);
     let volume: f64 = (0..mesh.elements.len()).map(|e| mesh.volume(e)).sum();
     for element in ELEMENTS {
@@ -48,16 +51,9 @@ fn stress_is_that_of_the_forces() {
                 let gradient = random.gradient(0.05);
                 ratio = Deformation::new(gradient).volume;
                 moved = mesh.nodes.iter().map(|x| gradient * *x).collect();
-                let still = vec![Row::zero(); moved.len()];
-                forces = vec![clubface_math::Vec3::zero(); moved.len()];
                 // Seen before the step, without consequences for it.
-                all = felt(&mut patches, &rows(&moved), mesh.elements.len());
-                for patch in &mut patches {
-                    patch.assemble(&rows(&moved), &still, 1e-6);
-                    for (&node, force) in patch.nodes().iter().zip(patch.forces()) {
-                        forces[node as usize] += force.vec();
-                    }
-                }
+                all = outputs(&mut patches, &rows(&moved), mesh.elements.len());
+                forces = crate::support::forces(&mut patches, &rows(&moved), 1e-6);
             }
             let mut virial = [0.0; 6];
             for (x, f) in moved.iter().zip(&forces) {
@@ -67,11 +63,11 @@ fn stress_is_that_of_the_forces() {
                 }
             }
             let yields = !material.law.description().state.is_empty();
-            for felt in all {
+            for output in all {
                 // The plastic flow of a step ends within 1e-9 of the yield stress.
-                assert!(apart(&felt.stress[0], &virial) < 1e-8 * material.shear(), "{felt:?} {virial:?}");
-                assert_eq!(felt.stress[0], felt.stress[1]);
-                assert_eq!(felt.plastic_strain > 0.0, yields);
+                assert!(apart(&output.stress[0], &virial) < 1e-8 * material.shear(), "{output:?} {virial:?}");
+                assert_eq!(output.stress[0], output.stress[1]);
+                assert_eq!(output.plastic_strain > 0.0, yields);
             }
         }
     }
@@ -89,9 +85,9 @@ fn strain_is_the_logarithm_of_stretch() {
     let moved: Vec<_> = mesh.nodes.iter().map(|x| gradient * *x).collect();
     for element in ELEMENTS {
         let mut patches = patches(element, &mesh, &materials()[0]);
-        for felt in felt(&mut patches, &rows(&moved), mesh.elements.len()) {
+        for output in outputs(&mut patches, &rows(&moved), mesh.elements.len()) {
             // The root of the volume ratio is exact to 1e-10 here.
-            assert!(apart(&felt.strain[0], &exact.0) < 1e-9, "{felt:?} {exact:?}");
+            assert!(apart(&output.strain[0], &exact.0) < 1e-9, "{output:?} {exact:?}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Materials that make no sense are refused by name.
 
-use super::support::elastic;
+use crate::support::elastic;
 use clubface_fem::material::{Material, Maxwell, MooneyRivlin, NeoHookean};
 
 fn refused(material: &Material<f64>, words: &[&str]) {

@@ -13,6 +13,5 @@ mod inputs;
 mod laws;
 mod multipliers;
 mod spheres;
-mod support;
 mod thrown;
 mod viscosity;

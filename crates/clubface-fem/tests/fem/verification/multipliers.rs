@@ -1,6 +1,6 @@
 //! A node pressed on a plane: springs let it sink in by the load over their stiffness, multipliers bring it back.
 
-use super::support::rows;
+use crate::support::rows;
 use clubface_fem::contact::{
     Contact, ContactMethod, PenaltySprings, Plane, RigidContact, TANGENTIAL_STIFFNESS,
 };
@@ -65,14 +65,4 @@ fn multipliers_do_not_carry_more_than_friction_does() {
     // Half the load along the plane is left to accelerate it.
     let accelerated = 0.5 * (LOAD.y - 0.1 * -LOAD.x) / MASS * (2.95e-3_f64).powi(2);
     assert!((slid.at.y - accelerated).abs() < 0.02 * accelerated, "{:?} {accelerated}", slid.at);
-}
-
-#[test]
-fn methods_have_names() {
-    for method in [ContactMethod::Penalty, ContactMethod::AugmentedLagrange] {
-        assert_eq!(ContactMethod::from_name(method.name()), Ok(method));
-    }
-    assert!(
-        ContactMethod::from_name("glue").is_err_and(|error| error.to_string().contains("augmented-lagrange"))
-    );
 }

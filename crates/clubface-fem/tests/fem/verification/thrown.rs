@@ -1,6 +1,6 @@
 //! A body thrown at a rigid plane, and what it does there.
 
-use super::support::step;
+use crate::support::step;
 use clubface_fem::contact::{Contact, PenaltySprings, Plane, RigidContact};
 use clubface_fem::solve::Structure;
 use clubface_math::{Row, Vec3};

@@ -1,7 +1,6 @@
 //! Flight against closed forms, symmetry, published figures and itself.
 
 mod batch;
-mod event;
 mod ground;
 mod numerics;
 mod physics;

@@ -1,9 +1,13 @@
-//! Steps, lanes and derivatives.
+//! Steps, the place of an event within one, lanes and derivatives.
 
 use super::{assert_close, column, drive, flown, launch, with, INPUT_COUNT};
+use clubface_impact::ball::Ball;
 use clubface_impact::columns::Column;
+use clubface_impact::flight::event::Step;
+use clubface_impact::flight::trajectory::{Air, Flight, HEIGHT};
 use clubface_impact::flight::{fly, sensitivity, FlightBatch, FlightShot, INPUTS, OUTPUTS};
-use clubface_math::with_lanes;
+use clubface_math::ode::{Method, System, DORMAND_PRINCE};
+use clubface_math::{with_lanes, Vec3};
 
 /// Chip, wedge, 7-iron, drive, drive in wind: different numbers of steps.
 fn mixed() -> [[f64; INPUT_COUNT]; 5] {
@@ -74,11 +78,8 @@ fn derivatives_are_those_of_finite_differences() {
     let exact = sensitivity(&shot).unwrap();
     let fine = |inputs: &[f64; INPUT_COUNT]| fly(&FlightShot::from_inputs(inputs), 1e-12).outputs();
     for (j, input) in INPUTS.iter().enumerate() {
-        let size = shot[j].abs().max(if input.group == "launch" || input.name.starts_with("wind") {
-            10.0
-        } else {
-            0.0
-        });
+        let moving = input.group == "launch" || input.name.starts_with("wind");
+        let size = shot[j].abs().max(if moving { 10.0 } else { 0.0 });
         let h = 1e-5 * size;
         let (up, down) =
             (fine(&with(shot, input.name, shot[j] + h)), fine(&with(shot, input.name, shot[j] - h)));
@@ -116,5 +117,24 @@ fn derivatives_through_the_landing_are_exact_without_air() {
     for (found, derivatives) in expected {
         assert_close(found.tangent[0], derivatives[0], 1e-12);
         assert_close(found.tangent[1], derivatives[1], 1e-12);
+    }
+}
+
+/// One Runge-Kutta step of the length found must end on the ground, to rounding of heights of metres.
+#[test]
+fn an_event_is_placed_to_rounding_within_steps_of_any_length() {
+    let ball = Ball { mass: 0.0459, radius: 0.0213, inertia: 8.336e-6 };
+    let air = Air { density: 1.18, wind: Vec3::zero() };
+    let flight = Flight::new(&ball, Vec3::new(0.0, -30.0, 250.0), &air);
+    for (height, h) in [(0.5, 0.1), (2.0, 0.4), (10.0, 1.0), (20.0, 2.0)] {
+        let y = [200.0, height, 1.0, 25.0, -14.0, 2.0, 0.9];
+        let rate = flight.rhs(&y);
+        let end = DORMAND_PRINCE.attempt(&flight, &y, &rate, h);
+        assert!(end.y[HEIGHT] < 0.0);
+        let step = Step { time: 0.0, h, start: (y, rate), end: (end.y, end.rate) };
+        let (time, state) = step.at_zero_of(HEIGHT, &flight);
+        let landed = DORMAND_PRINCE.attempt(&flight, &y, &rate, time);
+        assert!(landed.y[HEIGHT].abs() < 1e-13 * height.max(1.0) * 10.0, "{:e}", landed.y[HEIGHT]);
+        assert!((landed.y[0] - state[0]).abs() < 1e-10, "{:e}", landed.y[0] - state[0]);
     }
 }

@@ -177,7 +177,7 @@ fn carry_grows_with_tailwind_altitude_and_warmth() {
     assert!(value(&with(shot, "wind_z", 5.0), "side") > 5.0);
 }
 
-/// A ball that moves with the wind feels none: seen from the ground, its flight is that in still air, carried along.
+/// A ball that moves with the wind has no wind: seen from the ground, its flight is that in still air, carried along.
 #[test]
 fn flight_in_wind_is_flight_in_still_air_seen_from_a_moving_frame() {
     let (wind, v) = (Vec3::new(-7.0, 0.0, 4.0), Vec3::new(60.0, 18.0, 2.0));

@@ -78,10 +78,8 @@ fn default_steps_give_the_spin_within_half_a_percent() {
     let finest = Resolution { rings: 20, steps_per_ring: 16, longest_step: 0.001 };
     for psi in [0.1, 0.3, 0.6, 0.8, 1.0, 1.2, 1.5, 2.0, 3.0, 4.0, 5.0] {
         let (found, converged) = (rebound_psi(psi, COARSE), rebound_psi(psi, finest));
-        assert!(
-            ((found - converged) / (psi - converged)).abs() < 0.005,
-            "psi {psi}: {found} for {converged}"
-        );
+        let error = (found - converged) / (psi - converged);
+        assert!(error.abs() < 0.005, "psi {psi}: {found} for {converged}");
     }
 }
 

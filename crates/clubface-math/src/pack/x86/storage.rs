@@ -15,16 +15,6 @@ macro_rules! storage {
             Self(unsafe { $set(value) })
         }
         #[inline(always)]
-        fn load(values: &[f64]) -> Self {
-            let values = &values[..Self::LANES];
-            Self(unsafe { $load(values.as_ptr()) })
-        }
-        #[inline(always)]
-        fn store(self, values: &mut [f64]) {
-            let values = &mut values[..Self::LANES];
-            unsafe { $store(values.as_mut_ptr(), self.0) };
-        }
-        #[inline(always)]
         unsafe fn read(at: *const f64) -> Self {
             // SAFETY: the caller's promise.
             Self(unsafe { $load(at) })

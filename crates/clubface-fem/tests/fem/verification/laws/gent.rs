@@ -2,7 +2,9 @@
 //! show that a law is one file and one line of a table.
 
 use clubface_fem::constants;
-use clubface_fem::material::{Card, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};
+use clubface_fem::material::{
+    Card, Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric,
+};
 use clubface_math::{Pack, Scalar};
 
 constants! {
@@ -48,7 +50,7 @@ impl Family for Gent<()> {
     type Over<P: Pack> = Elastic<Invariants<Gent<P>>>;
     #[inline(always)]
     fn over<P: Pack>(constants: &[P]) -> Self::Over<P> {
-        Elastic(Invariants(Gent::from_slice(constants)))
+        Elastic(Invariants(Gent::from_values(constants)))
     }
     fn shear<S: Scalar>(constants: &[S]) -> S {
         constants[0]

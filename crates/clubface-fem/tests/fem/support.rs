@@ -1,5 +1,6 @@
 //! Bodies of one material, and what the checks measure on them.
 
+use clubface_fem::ball::BallPiece;
 use clubface_fem::contact::{Contact, PenaltySprings};
 use clubface_fem::element::{Element, Patch};
 use clubface_fem::environment::Environment;
@@ -94,7 +95,7 @@ pub fn masses(mesh: &SolidMesh, density: f64) -> Vec<f64> {
 }
 
 pub fn rows(positions: &[Vec3<f64>]) -> Vec<Row<f64>> {
-    positions.iter().map(|p| Row([p.x, p.y, p.z, 0.0])).collect()
+    positions.iter().map(|p| Row::from_vec(*p)).collect()
 }
 
 /// A body of one material, whose nodes `touching` a contact will act on.
@@ -113,12 +114,12 @@ pub fn structure(
     )
 }
 
-/// Sum over patches of the forces on each node, N, at given positions.
-pub fn forces(patches: &mut [Box<dyn Patch<f64>>], positions: &[Row<f64>]) -> Vec<Vec3<f64>> {
+/// Sum over patches of the forces on each node, N, after a step of `dt` seconds to given positions.
+pub fn forces(patches: &mut [Box<dyn Patch<f64>>], positions: &[Row<f64>], dt: f64) -> Vec<Vec3<f64>> {
     let rest = vec![Row::zero(); positions.len()];
     let mut sum = vec![Vec3::zero(); positions.len()];
     for patch in patches {
-        patch.assemble(positions, &rest, 0.0);
+        patch.assemble(positions, &rest, dt);
         for (&node, force) in patch.nodes().iter().zip(patch.forces()) {
             sum[node as usize] += force.vec();
         }
@@ -130,18 +131,33 @@ pub fn largest(vectors: &[Vec3<f64>]) -> f64 {
     vectors.iter().map(|v| v.norm()).fold(0.0, f64::max)
 }
 
-/// No contact.
-pub struct Free;
+/// Forces that stay as they are.
+#[derive(Default)]
+pub struct Loads {
+    pub nodes: Vec<u32>,
+    pub forces: Vec<Row<f64>>,
+}
 
-impl Contact<f64> for Free {
+impl Loads {
+    /// Forces (N) on nodes.
+    pub fn new(loads: &[(usize, Vec3<f64>)]) -> Self {
+        let (nodes, forces) = loads.iter().map(|(node, force)| (*node as u32, Row::from_vec(*force))).unzip();
+        Self { nodes, forces }
+    }
+    pub fn none() -> Self {
+        Self::default()
+    }
+}
+
+impl Contact<f64> for Loads {
     fn nodes(&self) -> &[u32] {
-        &[]
+        &self.nodes
     }
-    fn assemble(&mut self, _positions: &[Row<f64>], _velocities: &[Row<f64>], _dt: f64) {}
+    fn assemble(&mut self, _: &[Row<f64>], _: &[Row<f64>], _: f64) {}
     fn forces(&self) -> &[Row<f64>] {
-        &[]
+        &self.forces
     }
-    fn nearest(&self, _: &[Row<f64>], _point: Vec3<f64>) -> (f64, Vec3<f64>) {
+    fn nearest(&self, _: &[Row<f64>], _: Vec3<f64>) -> (f64, Vec3<f64>) {
         (f64::INFINITY, Vec3::new(1.0, 0.0, 0.0))
     }
 }
@@ -151,25 +167,57 @@ pub fn step(structure: &mut Structure<f64>, contact: &mut dyn Contact<f64>, dt: 
     structure.advance(contact, dt);
 }
 
-/// Period of a free vibration that starts with velocities along `mode`: from the first to the last change of sign, over
-/// three periods, of the momentum along it. `about` is the period expected, s.
+/// Period of a free vibration that starts with velocities along `mode`, over three periods; `about` is the period
+/// expected, s.
 pub fn period(structure: &mut Structure<f64>, mode: &[Vec3<f64>], about: f64) -> f64 {
     let dt = structure.stable_step(60) * 0.8;
-    for (v, m) in structure.velocities.iter_mut().zip(mode) {
-        *v = Row([m.x, m.y, m.z, 0.0]);
-    }
+    structure.velocities = rows(mode);
+    period_of(dt, 3.4 * about, || {
+        step(structure, &mut Loads::none(), dt);
+        (0..mode.len()).map(|n| structure.masses[n] * structure.velocities[n].vec().dot(mode[n])).sum()
+    })
+}
+
+/// Period of what swings about zero, from the first to the last change of its sign; one value a step.
+pub fn period_of(dt: f64, duration: f64, mut next: impl FnMut() -> f64) -> f64 {
     let (mut crossings, mut last, mut time) = (Vec::new(), f64::NAN, 0.0);
-    while time < 3.4 * about {
-        step(structure, &mut Free, dt);
-        let sum: f64 =
-            (0..mode.len()).map(|n| structure.masses[n] * structure.velocities[n].vec().dot(mode[n])).sum();
-        if last * sum < 0.0 {
-            crossings.push(time - dt * sum / (sum - last));
+    while time < duration {
+        let now = next();
+        if last * now < 0.0 {
+            crossings.push(time - dt * now / (now - last));
         }
-        (last, time) = (sum, time + dt);
+        (last, time) = (now, time + dt);
     }
-    let halves = (crossings.len() - 1) as f64;
-    2.0 * (crossings[crossings.len() - 1] - crossings[0]) / halves
+    2.0 * (crossings[crossings.len() - 1] - crossings[0]) / (crossings.len() - 1) as f64
+}
+
+/// Momentum (kg m/s), and angular momentum about the origin with the spins of the shells' nodes (kg m2/s).
+pub fn momenta(s: &Structure<f64>) -> [Vec3<f64>; 2] {
+    let [mut linear, mut angular] = [Vec3::zero(); 2];
+    for (i, (v, &m)) in s.velocities.iter().zip(&s.masses).enumerate() {
+        let p = v.vec() * m;
+        if i < s.translations {
+            linear += p;
+            angular += s.positions[i].vec().cross(p);
+        } else {
+            angular += p;
+        }
+    }
+    [linear, angular]
+}
+
+/// Bits of positions and velocities.
+pub fn bits(s: &Structure<f64>) -> Vec<[u64; 4]> {
+    s.positions.iter().chain(&s.velocities).map(|row| row.0.map(f64::to_bits)).collect()
+}
+
+/// Runs something on a number of threads.
+pub fn on_threads<T: Send>(threads: usize, run: impl FnOnce() -> T + Send) -> T {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads").install(run)
+}
+
+pub fn piece<R>(name: &str, radius: R, layers: usize, material: Material<R>) -> BallPiece<R> {
+    BallPiece { name: name.into(), radius, layers, material }
 }
 
 /// Root of `f` between `a` and `b`.

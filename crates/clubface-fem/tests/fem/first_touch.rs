@@ -2,14 +2,20 @@
 
 use clubface_fem::head::{DeformableHead, ShellHead};
 use clubface_impact::first_touch::FirstTouch;
-use clubface_impact::shot::{Shot, INPUTS};
+use clubface_impact::shot::INPUTS;
+
+/// First touch of a shot with some inputs; all others are zero.
+pub fn touch(values: &[(&str, f64)]) -> FirstTouch<f64> {
+    let value = |name: &str| values.iter().find(|value| value.0 == name).map_or(0.0, |value| value.1);
+    FirstTouch::of_inputs(&INPUTS.map(|input| value(input.name)))
+}
 
 /// A head delivered at 35 m/s and its loft, `toe` metres from the face centre, turning about the vertical at `closure`
 /// (rad/s).
 pub fn delivered(head: &ShellHead<f64>, toe: f64, closure: f64) -> FirstTouch<f64> {
     let is = head.mass_properties();
     let ([x, y, z], at) = (is.inertia.rows, is.centre * -1.0);
-    let values = [
+    touch(&[
         ("speed", 35.0),
         ("loft", head.loft),
         ("toe", toe),
@@ -28,7 +34,5 @@ pub fn delivered(head: &ShellHead<f64>, toe: f64, closure: f64) -> FirstTouch<f6
         ("bulge", 0.305),
         ("roll", 0.305),
         ("hand", 1.0),
-    ];
-    let inputs = INPUTS.map(|input| values.iter().find(|v| v.0 == input.name).map_or(0.0, |v| v.1));
-    FirstTouch::of(&Shot::from_inputs(&inputs))
+    ])
 }

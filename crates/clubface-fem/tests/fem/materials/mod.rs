@@ -1,4 +1,0 @@
-//! Parts of material laws.
-
-mod hardening;
-mod stretch;
