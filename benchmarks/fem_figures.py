@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from clubface import fem
+from clubface.equipment.clubs import Club
 from clubface.fem import head_tests, paper, reduced, sweep
 from clubface.fem.case import case
 from clubface.fem.heads.read import from_toml
@@ -59,6 +60,16 @@ def the_reference() -> None:
         say(f"energy of contact, {name}", **{key: max(abs(run.energy[key])) for key in ("contact", "damping")})
 
 
+def assumed_head() -> Club:
+    """Return a rigid head of the mass of Roh and Lee's with their one moment of inertia about every axis.
+
+    Its CG lies 35 mm behind the face centre. It is that of the keyword deck that OpenRadioss ran.
+    """
+    none = dict.fromkeys(("ixy", "ixz", "iyz", "cg_z"), 0.0)
+    moments = dict.fromkeys(("ixx", "iyy", "izz"), 1526e-7)
+    return replace(fem.head("paper").club, mass=0.21, cg_x=34.3e-3, cg_y=7e-3, **moments, **none)
+
+
 def thin_middle() -> fem.MeshedHead:
     """Return Roh and Lee's head with a face thinner in the middle than at its edge."""
     design = from_toml(builtin_path("head", "paper", "fem_heads"))
@@ -73,16 +84,14 @@ def the_paper() -> None:
     variations = {
         "paper": found,
         "rigid head": paper.paper("paper-rigid"),
-        "friction 0.35": case("paper").replace(friction=0.35).run(),
-        "augmented Lagrange": case("paper").replace(settings={"contact": "augmented-lagrange"}).run(),
-        "steps of 0.76, nothing rests": case("paper").replace(settings={"safety": 0.76}).run(),
-        "face of 1.6 to 2.1 mm": case("paper").replace(club=thin_middle()).run(),
+        "rigid head with assumed CG": paper.paper(case("paper-rigid").replace(club=assumed_head())),
+        "friction 0.35": paper.paper(case("paper").replace(friction=0.35)),
+        "augmented Lagrange": paper.paper(case("paper").replace(settings={"contact": "augmented-lagrange"})),
+        "steps of 0.76, nothing rests": paper.paper(case("paper").replace(settings={"safety": 0.76})),
+        "face of 1.6 to 2.1 mm": paper.paper(case("paper").replace(club=thin_middle())),
     }
     for name, run in variations.items():
-        along = run.relative_velocity()[:, 1]
-        of_spin = {"f_of_spin": paper.spin_factor(run)}
-        slides = {"first": along[0], "least": along.min(), "last": along[-1]}
-        say(name, **paper.table(run), **of_spin, **slides, energies=run.energy_error)
+        say(name, **paper.table(run), f_of_spin=paper.spin_factor(run), energies=run.energy_error)
     say("top within 2%", **flat_top(found, 0.02))
     head = fem.head("paper")
     say("its head", restitution=head_tests.restitution(head), ct_us=head_tests.characteristic_time(head) * 1e6)

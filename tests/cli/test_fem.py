@@ -22,9 +22,10 @@ REFERENCE = [
     "tangential_max_n", "tangential_min_n", "reversal_time_s", "energy_error", "elements", "steps", "wall_s",
 ]  # fmt: skip
 PAPER = [
-    "ball_speed_mps", "launch_deg", "club_speed_after_mps", "spin_rpm", "peak_force_n", "peak_force_time_s",
-    "reversal_time_s", "contraction", "contraction_time_s", "f_prime", "f", "energy_error", "elements", "steps",
-    "wall_s",
+    "ball_speed_mps", "launch_deg", "club_speed_after_mps", "spin_rpm", "ball_spin_rpm", "section_spin_rpm",
+    "rolling_spin_rpm", "tangential_first_mps", "tangential_least_mps", "tangential_least_time_s",
+    "tangential_last_mps", "peak_force_n", "peak_force_time_s", "reversal_time_s", "contraction",
+    "contraction_time_s", "f_prime", "f", "energy_error", "elements", "steps", "wall_s", "by_contact",
 ]  # fmt: skip
 
 
@@ -48,11 +49,13 @@ def test_paper_prints_the_keys_that_were_agreed_and_draws(clubface_, paper_like,
     pytest.importorskip("matplotlib")
     ran = clubface_("fem", "paper", "--case", str(paper_like), "--json", "-o", str(tmp_path / "out"))
     assert list(ran.json) == PAPER
-    for figure in ("paper", "patch", "section", "sweep"):
+    assert list(ran.json["by_contact"]) == ["penalty", "augmented-lagrange"]
+    for figure in ("paper", "models", "patch", "section", "sweep"):
         assert (tmp_path / "out" / f"{figure}.png").stat().st_size > 10_000
     rows = (tmp_path / "out" / "sweep.csv").read_text().splitlines()
     assert len(rows) == 2 + 7 * 5
-    assert "2047" in clubface_("fem", "paper", "--case", str(paper_like)).out
+    shown = clubface_("fem", "paper", "--case", str(paper_like)).out
+    assert all(each in shown for each in ("2047", "2298", "augmented-lagrange"))
 
 
 def test_a_run_writes_figures_histories_and_pictures(clubface_, tmp_path):

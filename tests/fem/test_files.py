@@ -157,9 +157,12 @@ def test_the_reference_deck_holds_laws_velocity_and_wall(reference_deck):
 
 def test_the_deck_of_a_drive_holds_the_head(tmp_path):
     given = drive_case().replace(toe="8 mm", high="-3 mm", closure="2400 deg/s", attack="-2 deg", face="1 deg")
+    # A moment that is the same about every axis shows in any axes.
+    moments = {**dict.fromkeys(("ixx", "iyy", "izz"), 1526e-7), **dict.fromkeys(("ixy", "ixz", "iyz"), 0.0)}
+    given = given.replace(club=replace(given.club, mass=0.21, **moments))
     deck = Deck(keyword.write(given, tmp_path / "drive.k"))
     title, _, place, inertia, motion = deck.one("PART_INERTIA")
-    assert title == "Roh and Lee head: rigid"
+    assert title == "Roh and Lee head of shells: rigid"
     cg, mass = np.array(fields(place)[:3]), fields(place)[3]
     assert mass == 0.210
     spherical = [1526e-7, 0, 0, 1526e-7, 0, 1526e-7]

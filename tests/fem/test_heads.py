@@ -176,5 +176,14 @@ speed = "35 m/s"
     path.write_text(text.replace('club = "paper"', 'club = "p3"'))
     with pytest.raises(FileError, match=r"case.toml:6: unknown head of finite elements 'p3'"):
         case(path)
+    # A rigid head with the mass of a meshed one.
+    path.write_text(text.replace('"meshed"', '"rigid"').replace('club = "paper"', 'meshed = "paper"'))
+    assert case(path).club == fem.head("paper").club
+    path.write_text(text.replace('club = "paper"', 'meshed = "paper"'))
+    with pytest.raises(FileError, match=r"case.toml:6: a head of kind meshed has no meshed; leave it out"):
+        case(path)
+    path.write_text(text.replace('"meshed"', '"rigid"').replace('club = "paper"', 'club = "driver"\nmeshed = "paper"'))
+    with pytest.raises(FileError, match=r"case.toml:7: give club or meshed, not both"):
+        case(path)
     with pytest.raises(InputError, match="it must be a club"):
         case("paper-rigid").replace(club=coarse_head())

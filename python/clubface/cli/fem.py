@@ -30,8 +30,8 @@ Refine = Annotated[
     int, typer.Option("--refine", metavar="TIMES", help="How many times finer the mesh is along every edge, 1 to 8.")
 ]
 BallOption = Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball made of pieces.")]
-MOVING, SHAPES = 81, 51
-"""Pictures of an animation, and deformed shapes to choose from for a picture of some."""
+MOVING = 81
+"""Pictures of an animation."""
 SPEEDS, LOFTS = "30:60:5", "8:12:1"
 """Of Fig. 8 of Roh and Lee."""
 
@@ -140,38 +140,36 @@ def paper(
     ] = True,
     as_json: options.Json = False,
 ) -> None:
-    """Run the case of Roh and Lee and print their figures beside ours; with --output redraw their Figs. 3 to 8."""
+    """Run the case of Roh and Lee by both methods of contact, beside their figures; with --output redraw theirs."""
     from clubface.fem import case as cases, files, paper as job
 
-    base = chosen = cases.case(case)
+    chosen = cases.case(case)
     if folder is not None:
         prepared_folder(folder)
-        if base.settings.frames < 2:
-            chosen = base.replace(settings={"frames": SHAPES})
-    found = run_with_progress(lambda progress: job.paper(chosen, progress))
+    runs = run_with_progress(lambda progress: job.by_contact(chosen, progress))
     if as_json:
-        output.print_json(job.document(found))
+        output.print_json(job.document(runs))
     else:
-        ours = job.table(found)
+        tables = [job.PUBLISHED, *(job.table(found) for found in runs.values())]
         rows = [
             [
                 label,
-                output.number(from_si(job.PUBLISHED[key], unit), digits),
-                output.number(from_si(ours[key], unit), digits),
+                *(output.number(from_si(each[key], unit), digits) if key in each else "" for each in tables),
             ]
             for label, key, unit, digits in PAPER_ROWS
         ]
-        factors = (job.SPIN_FACTOR, job.spin_factor(found))
+        factors = (job.SPIN_FACTOR, *(job.spin_factor(found) for found in runs.values()))
         rows.append(["f that the spin means, Eq. (6)", *(output.number(factor, 4) for factor in factors)])
-        print_numbers(
-            ("", "Roh and Lee", "clubface"), rows, title="The case of Roh and Lee, as published and as computed"
-        )
-        print(_cost(found))
+        title = "The case of Roh and Lee, as published and as computed by each method of contact"
+        print_numbers(("", "Roh and Lee", *runs), rows, title=title)
+        for found in runs.values():
+            print(_cost(found))
     if folder is not None:
-        say_written(files.write_paper(found, folder))
-    _end(found)
+        say_written(files.write_paper(runs, folder))
+    for found in runs.values():
+        _end(found)
     if folder is not None and swept:
-        _, written = _sweep(base, SPEEDS, LOFTS, folder, published=True)
+        _, written = _sweep(chosen, SPEEDS, LOFTS, folder, published=True)
         say_written(written)
 
 

@@ -27,7 +27,7 @@ FOLDER = "fem_cases"
 PLANE, RIGID, MESHED = "plane", "rigid", "meshed"
 HEADS = (PLANE, RIGID, MESHED)
 KEYS = ("name", "description", "ball", "friction", "head", "delivery", "run")
-HEAD_KEYS = ("kind", "club")
+HEAD_KEYS = ("kind", "club", "meshed")
 PLANE_KEYS = ("speed", "angle")
 
 
@@ -42,7 +42,8 @@ class Case:
     ball
         The ball.
     head
-        "plane" (rigid and at rest), "rigid" (the head of ``club``) or "meshed".
+        "plane" (rigid and at rest), "rigid" (the head of ``club``) or "meshed". In a file, a rigid head may name a
+        meshed one (``meshed``) instead of a club; it then has the mass, CG, inertia and face of that head.
     club
         For a head: a club, or a meshed head.
     delivery
@@ -152,7 +153,7 @@ def from_document(document: Document, folder: Path) -> Case:
             description=data.get("description", ""),
             ball=_read(document, ball, data["ball"], folder, "ball", ""),
             head=kind,
-            club=_read(document, head if kind == MESHED else club, tables["head"].get("club"), folder, "club", "head"),
+            club=_head(document, tables["head"], folder),
             delivery=tables["delivery"],
             friction=data.get("friction"),
             settings=settings,
@@ -162,6 +163,18 @@ def from_document(document: Document, folder: Path) -> Case:
     except InputError as error:
         table = {"friction": "", "name": "", "description": "", "club": "head"}.get(error.parameter, "delivery")
         raise document.wrap(error, table) from error
+
+
+def _head(document: Document, table: Mapping[str, Any], folder: Path) -> Club | MeshedHead | None:
+    """Read the club or the meshed head that a case names."""
+    if "meshed" not in table:
+        return _read(document, head if table["kind"] == MESHED else club, table.get("club"), folder, "club", "head")
+    if table["kind"] != RIGID:
+        told = f'a head of kind {table["kind"]} has no meshed; leave it out, or set kind = "{RIGID}"'
+        raise document.error(told, "meshed", "head")
+    if "club" in table:
+        raise document.error("give club or meshed, not both", "meshed", "head")
+    return _read(document, head, table["meshed"], folder, "meshed", "head").club
 
 
 def _read(document: Document, reader: Callable[[str], T], name: str | None, folder: Path, key: str, table: str) -> Any:

@@ -56,15 +56,26 @@ def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool 
     return [figures, *tables, *drawn]
 
 
-def write_paper(found: Impact, folder: str | os.PathLike[str]) -> list[Path]:
-    """Write a run, and figures 3 to 7 of Roh and Lee drawn from it."""
-    from clubface import plots
-    from clubface.fem.figures import impact as pictures
+def write_paper(runs: Mapping[str, Impact], folder: str | os.PathLike[str]) -> list[Path]:
+    """Write the first run, figures 3 to 7 of Roh and Lee drawn from all, and the contact models beside the first.
 
+    Parameters
+    ----------
+    runs
+        Runs of their case by the method of contact.
+    folder
+        Made if it does not exist.
+    """
+    from clubface import plots
+    from clubface.fem.figures import models, paper as pictures
+
+    found = next(iter(runs.values()))
     written = write_run(found, folder)
     if not len(found.patch["time"]):
         return written
-    return [*written, plots.save(pictures.paper_figure(found), prepared_folder(folder) / "paper.png")]
+    path = prepared_folder(folder)
+    drawn = {"paper": pictures.paper_figure(runs), "models": models.models_figure(found)}
+    return [*written, *(plots.save(figure, path / f"{name}.png") for name, figure in drawn.items())]
 
 
 def write_sweep(
@@ -72,7 +83,7 @@ def write_sweep(
 ) -> list[Path]:
     """Draw a sweep as figure 8 of Roh and Lee, with or without their numbers."""
     from clubface import plots
-    from clubface.fem.figures import impact as pictures
+    from clubface.fem.figures import paper as pictures
 
     return [plots.save(pictures.sweep_figure(rows, published=published), prepared_folder(folder) / "sweep.png")]
 

@@ -229,6 +229,11 @@ class Impact:
         club, ball = self.equipment
         return velocity + ball.mass / club.mass * (velocity - velocity[:1])
 
+    def world_club_velocity(self) -> NDArray[Any]:
+        """Return the velocity of the clubhead's CG in world axes [m/s], shape (records, 3), from that of the ball."""
+        along = self.motion["velocity"] - self.relative_velocity() + self.frame_velocity
+        return along @ self.axes @ self.attitude.T
+
     def world_velocity(self) -> NDArray[Any]:
         """Return the velocity of the ball in world axes [m/s], shape (records, 3)."""
         along = self.motion["velocity"] + self.frame_velocity

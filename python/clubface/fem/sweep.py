@@ -94,7 +94,7 @@ def sweep(
 def row_of(point: tuple[float, float], found: Impact) -> dict[str, Any]:
     """Return one row of the table."""
     values = {
-        **paper.document(found),
+        **paper.figures(found),
         "speed_mps": point[0],
         "loft_deg": _degrees(point[1]),
         "contact_time_s": found.contact_time,

@@ -1,8 +1,7 @@
-"""Pictures of finite element impacts: histories, forces over the patch, sweeps, and the numbers of Roh and Lee."""
+"""Pictures of any finite element impact: histories, and forces over the patch."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,67 +9,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from clubface import units
-from clubface.fem.paper import LEAST_FACTOR, PUBLISHED, SPEED
 from clubface.fem.result import Impact
-from clubface.plots.style import COLOURS, DASHES, MARKERS, WIDTH, styled
+from clubface.plots.style import COLOURS, DASHES, WIDTH, styled
 
 BLUE, RED, GREEN = COLOURS[0], COLOURS[1], COLOURS[2]
-MARK: dict[str, Any] = {"color": "0.25", "marker": "x", "markersize": 5.0, "linestyle": "none", "zorder": 5}
 
-TAKE_OFF = 5.15
-"""Velocity along the face, relative to the clubhead, at take-off in Roh and Lee, section 3.2 [m/s]."""
 ENERGIES = {
     "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction", "damping": "damping",
     "hourglass": "hourglass", "contact": "contact springs",
 }  # fmt: skip
-
-
-@styled
-def paper_figure(found: Impact) -> Figure:
-    """Draw velocities, forces, spin and effective radius over time, as figures 3, 4, 6 and 7 of Roh and Lee.
-
-    Their numbers are marked.
-
-    Parameters
-    ----------
-    found
-        A run of their case, or of one like it.
-    """
-    figure = Figure(figsize=(WIDTH, 4.3), layout="constrained")
-    panels = figure.subplots(2, 3, sharex=True)
-    speed, force, radius, tangential, sliding, spin = panels.flat
-    end = _end(found)
-    when = units.from_si(found.motion["time"], "us")
-    world = np.linalg.norm(found.world_velocity(), axis=1)
-    speed.plot(when, world, color=BLUE)
-    speed.plot([end], [PUBLISHED["ball_speed_mps"]], clip_on=False, label="Roh and Lee", **MARK)
-    _name(speed, "ball speed (m/s)", "Fig. 3")
-    _forces(force, found)
-    force.plot(
-        [units.from_si(PUBLISHED["peak_force_time_s"], "us")], [units.from_si(PUBLISHED["peak_force_n"], "kN")], **MARK
-    )
-    _name(force, "force on the ball (kN)", "Fig. 4")
-    _radius(radius, found, PUBLISHED["contraction"])
-    least = units.from_si(0.5 * found.ball.diameter, "mm") * (1.0 - PUBLISHED["contraction"])
-    radius.plot([units.from_si(PUBLISHED["contraction_time_s"], "us")], [least], **MARK)
-    _name(radius, "mass centre to face (mm)", "Fig. 7")
-    tangential.plot(
-        units.from_si(found.contact["time"], "us"), found.contact["tangential"], color=RED, linestyle=DASHES[0]
-    )
-    tangential.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
-    tangential.plot([units.from_si(PUBLISHED["reversal_time_s"], "us")], [0.0], **MARK)
-    _name(tangential, "force along the face (N)", "Fig. 6")
-    sliding.plot(when, found.relative_velocity()[:, 1], color=GREEN)
-    last = units.from_si(found.last_touch, "us")
-    sliding.plot([0.0, last], [7.0, TAKE_OFF], clip_on=False, **MARK)
-    _name(sliding, "velocity along the face (m/s)", "Fig. 6")
-    spin.plot(when, units.from_si(found.motion["spin"][:, 2], "rpm"), color=GREEN)
-    spin.plot([last], [PUBLISHED["spin_rpm"]], **MARK)
-    _name(spin, "backspin (rpm)", "Fig. 6")
-    _time_axes(panels[1], end)
-    speed.legend(loc="lower right")
-    force.legend(loc="upper right")
-    return figure
 
 
 @styled
@@ -80,15 +27,15 @@ def impact_figure(found: Impact) -> Figure:
     panels = figure.subplots(2, 2, sharex=True)
     force, spin, radius, energy = panels.flat
     _forces(force, found)
-    _name(force, "force on the ball (kN)")
+    name_panel(force, "force on the ball (kN)")
     when = units.from_si(found.motion["time"], "us")
     spin.plot(when, units.from_si(found.motion["spin"][:, 2], "rpm"), color=GREEN)
-    _name(spin, "backspin (rpm)")
-    _radius(radius, found, found.contraction)
-    _name(radius, "mass centre to face (mm)")
+    name_panel(spin, "backspin (rpm)")
+    _radius(radius, found)
+    name_panel(radius, "mass centre to face (mm)")
     _energies(energy, found)
-    _name(energy, "where the kinetic energy goes (J)")
-    _time_axes(panels[1], _end(found))
+    name_panel(energy, "where the kinetic energy goes (J)")
+    time_axes(panels[1], end_of(found))
     force.legend(loc="upper right")
     return figure
 
@@ -133,50 +80,15 @@ def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
     return figure
 
 
-@styled
-def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Figure:
-    """Draw ball speed, launch angle, spin and compression factor over speed and loft, as figure 8 of Roh and Lee.
-
-    Parameters
-    ----------
-    rows
-        The rows of :func:`clubface.fem.sweep.sweep`.
-    published
-        Whether to mark their numbers: the case of 35 m/s and 11.5 deg, and the least compression factor.
-    """
-    figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
-    panels = figure.subplots(2, 2, sharex=True)
-    shown = (
-        ("ball_speed_mps", "ball speed (m/s)"), ("launch_deg", "launch angle (deg)"),
-        ("spin_rpm", "backspin (rpm)"), ("f", "compression factor f"),
-    )  # fmt: skip
-    lofts = sorted({row["loft_deg"] for row in rows})
-    for panel, (key, label) in zip(panels.flat, shown, strict=True):
-        for index, loft in enumerate(lofts):
-            points = sorted((row["speed_mps"], row[key]) for row in rows if row["loft_deg"] == loft)
-            look = {"color": COLOURS[index % len(COLOURS)], "linestyle": DASHES[index % len(DASHES)]}
-            look["marker"] = MARKERS[index % len(MARKERS)]
-            panel.plot(*zip(*points, strict=True), markersize=3, label=f"{loft:.4g}°", **look)
-        if published:
-            panel.plot([SPEED], [PUBLISHED[key]], label="Roh and Lee, 11.5°", **MARK)
-        _name(panel, label)
-    if published:
-        panels[1][1].axhline(LEAST_FACTOR, color="0.25", linewidth=0.8, linestyle=":", label="least of Roh and Lee")
-        panels[1][1].legend(handles=panels[1][1].lines[-1:], loc="lower left")
-    for panel in panels[1]:
-        panel.set_xlabel("clubhead speed (m/s)")
-    panels[0][0].legend(title="loft", ncols=2, loc="upper left")
-    return figure
-
-
-def _end(found: Impact) -> float:
+def end_of(found: Impact) -> float:
     """Return where the axis of time ends [us]: some time after the last touch, or with the run."""
     times = found.contact["time"]
     last = float(times[-1]) if len(times) else 0.0
     return units.from_si(max(min(1.25 * found.last_touch, last) or last, 1e-9), "us")
 
 
-def _time_axes(panels: Any, end: float) -> None:
+def time_axes(panels: Any, end: float) -> None:
+    """Let the axes of time of panels go from 0 to an end [us]."""
     for panel in panels:
         panel.set_xlabel("time (µs)")
         panel.set_xlim(0.0, end)
@@ -210,16 +122,16 @@ def _energies(panel: Axes, found: Impact) -> None:
     panel.legend(ncols=3, loc="upper center", columnspacing=1.0, handlelength=1.2)
 
 
-def _radius(panel: Axes, found: Impact, contraction: float) -> None:
-    motion, radius = found.motion, units.from_si(0.5 * found.ball.diameter, "mm")
-    from_face = units.from_si(motion["radius"], "mm")
-    panel.plot(units.from_si(motion["time"], "us"), from_face, color=BLUE)
+def _radius(panel: Axes, found: Impact) -> None:
+    radius = units.from_si(0.5 * found.ball.diameter, "mm")
+    from_face = units.from_si(found.motion["radius"], "mm")
+    panel.plot(units.from_si(found.motion["time"], "us"), from_face, color=BLUE)
     panel.axhline(radius, color="0.5", linewidth=0.6, zorder=1)
-    least = min(radius * (1.0 - contraction), float(np.min(from_face, initial=radius)))
-    panel.set_ylim(least - 0.08 * radius, radius * 1.05)
+    panel.set_ylim(float(np.min(from_face, initial=radius)) - 0.08 * radius, radius * 1.05)
 
 
-def _name(panel: Axes, label: str, where: str = "") -> None:
+def name_panel(panel: Axes, label: str, where: str = "") -> None:
+    """Write what a panel shows above it, and on the right where it is found."""
     panel.set_title(label, loc="left")
     if where:
         panel.set_title(where, loc="right", fontsize=7.0, color="0.4")

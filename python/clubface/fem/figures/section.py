@@ -15,6 +15,7 @@ from clubface import units
 from clubface.errors import InputError
 from clubface.fem.figures.outline import Outline
 from clubface.fem.heads import ShellHead
+from clubface.fem.nodes import node_masses
 from clubface.fem.result import Impact
 from clubface.plots.style import COLOURS, WIDTH, styled
 
@@ -43,7 +44,7 @@ class Section:
         # Each quadrangle belongs to the elements on both sides of the plane.
         _, first = np.unique(np.sort(quads, axis=1), axis=0, return_index=True)
         self._quads = quads[first]
-        self._masses = _masses(nodes, elements, mesh["piece"], mesh["density"])
+        self._masses = node_masses(mesh)
         self._found = found
         head = found.head
         self._head = None if not isinstance(head, ShellHead) else Outline(head, self._from_touch(found.head_frames[0]))
@@ -80,18 +81,6 @@ class Section:
         height = centre[1] - start[1] - found.frame_velocity[1] * time
         distance = np.interp(time, found.motion["time"], found.motion["radius"])
         return np.array([distance, height]) - centre[:2]
-
-
-def _masses(nodes: Any, elements: Any, piece: Any, density: Any) -> Any:
-    """Return each node's share of the mass, from elements taken as parallelepipeds."""
-    corner = nodes[elements]
-    edges = [corner[:, [1, 2, 5, 6]].mean(axis=1) - corner[:, [0, 3, 4, 7]].mean(axis=1),
-             corner[:, [2, 3, 6, 7]].mean(axis=1) - corner[:, [0, 1, 4, 5]].mean(axis=1),
-             corner[:, 4:].mean(axis=1) - corner[:, :4].mean(axis=1)]  # fmt: skip
-    mass = abs(np.einsum("ij,ij->i", np.cross(edges[0], edges[1]), edges[2])) * np.asarray(density)[piece]
-    shares = np.zeros(len(nodes))
-    np.add.at(shares, elements, mass[:, None] / 8.0)
-    return shares / shares.sum()
 
 
 def _compression(rest: Any, now: Any) -> Any:

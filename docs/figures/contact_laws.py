@@ -1,0 +1,158 @@
+"""Laws of simple models held against finite elements; writes area-term.svg and displaced-centre.svg, prints tables."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+import clubface
+from clubface import fem, plots, units
+from clubface.equipment.parameters import ParameterSet
+from clubface.fem.area_term import AreaTerm, area_term
+from clubface.fem.case import case
+from clubface.fem.displacement import Displacement, displaced_centre
+from clubface.fem.figures.impact import name_panel
+from clubface.fem.result import Impact
+from clubface.plots.style import COLOURS, DASHES, MARKERS, WIDTH, legend_above, styled
+
+BALL, FRICTION = "paper", 0.3
+END = fem.Settings(until_separation=True)
+ANGLES = (11.5, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0)
+SPEEDS = tuple(float(speed) for speed in range(25, 56, 5))
+SWINGS = (("driver", 8.0, 25.0, 55.0), ("driver", 12.0, 25.0, 55.0), ("7-iron", 22.0, 25.0, 45.0),
+          ("7-iron", 28.0, 25.0, 45.0))  # fmt: skip
+"""Club, loft [deg], least and largest speed [m/s]."""
+MEAN = {"driver": (48.3, 12.0), "7-iron": (39.8, 25.65)}
+"""Speed [m/s] and loft [deg] in the middle of the shots on which the published displacements were identified."""
+
+
+def throw(speed: float, angle: float, friction: float) -> Impact:
+    """Throw the ball at a plane; the angle in degrees."""
+    return fem.throw(BALL, speed=speed, angle=math.radians(angle), friction=friction, settings=END)
+
+
+def row(*cells: object) -> None:
+    """Print a row of a table."""
+    print("|", " | ".join(f"{cell:.3g}" if isinstance(cell, float) else str(cell) for cell in cells), "|", flush=True)
+
+
+@styled
+def area_figure(found: AreaTerm, friction: float, radius: float, thrown: dict[float, list[AreaTerm]]) -> Figure:
+    """Draw one contact through the law, its area, and the eta of throws over angle and friction."""
+    figure = Figure(figsize=(WIDTH, 2.6), layout="constrained")
+    force, area, eta = figure.subplots(1, 3)
+    time = units.from_si(found.time, "us")
+    force.plot(time, found.tangential, color=COLOURS[0], label="finite elements")
+    force.plot(time, friction * found.normal, color="0.5", linestyle=DASHES[2], label="$\\mu F_N$")
+    law = found.free_friction * (found.normal + found.free_damping * found.rate)
+    force.plot(time, law, color=COLOURS[1], linestyle=DASHES[1], label="the law, fitted")
+    force.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
+    force.set_ylim(top=1.75 * float(np.max(friction * found.normal)))
+    area.plot(time, found.area * 1e6, color=COLOURS[0], label="finite elements")
+    area.plot(time, math.pi * radius * found.sinking * 1e6, color=COLOURS[1], linestyle=DASHES[1], label="$\\pi R d$")
+    area.set_ylim(bottom=0.0, top=1.35e6 * float(np.max(found.area)))
+    for index, (mu, terms) in enumerate(thrown.items()):
+        style = {"color": COLOURS[index], "linestyle": DASHES[index], "marker": MARKERS[index]}
+        eta.plot(ANGLES, [term.free_damping for term in terms], label=f"friction {mu:g}", **style)
+    name_panel(force, "force along the face (N)")
+    name_panel(area, "contact area (mm²)")
+    name_panel(eta, "fitted $\\eta$ (N s/m²)")
+    for panel in (force, area):
+        panel.set_xlabel("time (µs)")
+    eta.set_xlabel("angle from the normal (deg)")
+    force.legend(loc="upper right", borderaxespad=0.0)
+    area.legend(loc="upper left", borderaxespad=0.0)
+    eta.legend(loc="upper right", borderaxespad=0.0)
+    return figure
+
+
+def the_area() -> Figure:
+    """Hold Arakawa's law against the case of Roh and Lee and against throws at a plane."""
+    row("case", "sliding", "eta, sliding", "explained", "mu, free", "eta, free", "explained", "A / (pi R d)")
+
+    def told(name: str, found: Impact) -> AreaTerm:
+        term, radius = area_term(found), 0.5 * found.ball.diameter
+        deepest = int(term.sinking.argmax())
+        row(name, *term[:6], float(term.area[deepest] / (math.pi * radius * term.sinking[deepest])))
+        return term
+
+    struck = case("paper").run()
+    drawn = told("Roh and Lee", struck)
+    thrown = {
+        mu: [told(f"{mu:g}, {angle:g} deg", throw(35.0, angle, mu)) for angle in ANGLES] for mu in (0.1, 0.2, 0.35)
+    }
+    for speed in (20.0, 50.0):
+        told(f"{FRICTION:g}, 11.5 deg, {speed:g} m/s", throw(speed, 11.5, FRICTION))
+    told("reference case", fem.reference(settings=END))
+    return area_figure(drawn, struck.friction, 0.5 * struck.ball.diameter, thrown)
+
+
+def published(club: str) -> tuple[float, Displacement]:
+    """Return the speed [m/s] and the displacement of the published set, its moment from the model's own launch."""
+    speed, loft = MEAN[club]
+    values = ParameterSet.builtin("adjusted", club).values
+    normal, up, toe = (float(values[f"dcg_{axis}"]) for axis in "xyz")
+    launch = clubface.impact(club, speed=speed, loft=math.radians(loft), model="adjusted")
+    tilt = math.radians(loft) - float(launch.launch)
+    return speed, Displacement(normal, up, toe, up + normal * math.tan(tilt))
+
+
+@styled
+def displacement_figure(curves: dict[str, tuple[list[float], list[Displacement]]]) -> Figure:
+    """Draw the displacement over speed, by club and loft, and the published ones."""
+    figure = Figure(figsize=(WIDTH, 2.9), layout="constrained")
+    panels: list[Axes] = list(figure.subplots(1, 3))
+    shown = (("normal", "along the normal (mm)"), ("up", "up the face (mm)"), ("moment", "both in one (mm)"))
+    for panel, (key, label) in zip(panels, shown, strict=True):
+        for index, (name, (speeds, found)) in enumerate(curves.items()):
+            values = [units.from_si(getattr(each, key), "mm") for each in found]
+            colour = COLOURS[index // 2] if index < 4 else "0.6"
+            style = {"color": colour, "linestyle": DASHES[index % 2], "marker": MARKERS[index], "markersize": 3.0}
+            panel.plot(speeds, values, label=name, **style)
+        for index, club in enumerate(MEAN):
+            speed, told = published(club)
+            mark = {"color": COLOURS[index], "marker": "x", "linestyle": "none", "markersize": 6.0}
+            panel.plot([speed], [units.from_si(getattr(told, key), "mm")], label=f"{club}, published", **mark)
+        panel.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
+        name_panel(panel, label)
+        panel.set_xlabel("clubhead speed (m/s)")
+    legend_above(figure, panels[0].lines[:-1])
+    return figure
+
+
+def the_displacement() -> Figure:
+    """Compute the displaced mass centre over speed and loft."""
+    row("case", "speed", "normal", "up", "toe", "moment, all mm")
+    curves: dict[str, tuple[list[float], list[Displacement]]] = {}
+
+    def add(name: str, speed: float, found: Displacement) -> None:
+        speeds, values = curves.setdefault(name, ([], []))
+        speeds.append(speed)
+        values.append(found)
+        row(name, speed, *(float(units.from_si(each, "mm")) for each in found))
+
+    for club, loft, least, largest in SWINGS:
+        for speed in SPEEDS:
+            if least <= speed <= largest:
+                delivery = {"speed": speed, "loft": math.radians(loft)}
+                found = fem.strike(club, delivery, which=BALL, friction=FRICTION, settings=END)
+                add(f"{club}, {loft:g}°", speed, displaced_centre(found))
+    for speed in SPEEDS:
+        add("plane, 12°", speed, displaced_centre(throw(speed, 12.0, FRICTION)))
+    for club in MEAN:
+        speed, told = published(club)
+        row(f"{club}, published", speed, *(float(units.from_si(each, "mm")) for each in told))
+    return displacement_figure(curves)
+
+
+def main() -> None:
+    """Compute and draw both."""
+    folder = Path(__file__).parent
+    for name, draw in (("area-term", the_area), ("displaced-centre", the_displacement)):
+        print("wrote", plots.save(draw(), folder / f"{name}.svg"))
+
+
+if __name__ == "__main__":
+    main()

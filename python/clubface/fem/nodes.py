@@ -1,0 +1,26 @@
+"""What the nodes of a ball weigh."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+def node_masses(mesh: Mapping[str, Any]) -> NDArray[Any]:
+    """Return each node's share of the mass of a ball's mesh, from elements taken as parallelepipeds."""
+    nodes, elements = mesh["nodes"], mesh["elements"].astype(int)
+    corner = nodes[elements]
+    edges = [corner[:, [1, 2, 5, 6]].mean(axis=1) - corner[:, [0, 3, 4, 7]].mean(axis=1),
+             corner[:, [2, 3, 6, 7]].mean(axis=1) - corner[:, [0, 1, 4, 5]].mean(axis=1),
+             corner[:, 4:].mean(axis=1) - corner[:, :4].mean(axis=1)]  # fmt: skip
+    mass = (
+        abs(np.einsum("ij,ij->i", np.cross(edges[0], edges[1]), edges[2])) * np.asarray(mesh["density"])[mesh["piece"]]
+    )
+    shares = np.zeros(len(nodes))
+    np.add.at(shares, elements, mass[:, None] / 8.0)
+    return shares / shares.sum()

@@ -1,0 +1,79 @@
+"""Laws of simple models held against finite elements: what a law would give is found, and moments add up."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from clubface import fem
+from clubface.errors import InputError
+from clubface.fem.area_term import area_term
+from clubface.fem.displacement import displaced_centre
+from fem_runs import coarse_drive, coarse_throw, throw_case
+
+END = fem.Settings(until_separation=True)
+
+
+def test_a_force_made_by_the_law_gives_its_eta():
+    last, friction, eta = 500e-6, 0.2, 300.0
+    time = np.linspace(0.0, last, 1001)
+    phase = math.pi * time / last
+    normal, area = 7e3 * np.sin(phase) ** 1.5, 5e-4 * np.sin(phase)
+    rate = 5e-4 * math.pi / last * np.cos(phase)
+    contact = {"time": time, "normal": normal, "area": area, "tangential": friction * (normal + eta * rate)}
+    still = {"time": time, "spin": np.zeros((1001, 3)), "radius": np.full(1001, 21.4e-3)}
+    run = SimpleNamespace(
+        stopped=None, contact_time=last, contact=contact, motion=still, friction=friction,
+        ball=SimpleNamespace(diameter=42.8e-3), relative_velocity=lambda: np.full((1001, 3), 20.0),
+    )  # fmt: skip
+    found = area_term(run)
+    assert found.sliding == 1.0
+    # The mean over a tenth of the contact takes 2% where curves bend, and more at their ends.
+    assert found.damping == pytest.approx(eta, rel=0.05)
+    assert (found.free_friction, found.free_damping) == pytest.approx((friction, eta), rel=0.05)
+    assert min(found.explained, found.free_explained) > 0.95
+
+
+def test_a_ball_that_slides_shows_no_area_term_and_one_that_sticks_seems_to():
+    sliding, sticking = (
+        area_term(fem.throw("paper", speed=35.0, angle=math.radians(angle), friction=0.2, settings=END))
+        for angle in (60.0, 11.5)
+    )
+    assert sliding.sliding == 1.0
+    # Coulomb's friction at the nodes leaves nothing for the area: 0.15 N s/m2, and 0.18 with mu free.
+    assert abs(sliding.damping) < 5.0
+    assert abs(sliding.free_damping) < 5.0
+    assert sliding.free_friction == pytest.approx(0.2, rel=1e-3)
+    # Elastic grip that reverses looks like an eta of thousands, with a mu that is not the friction: 2700 and 0.048.
+    assert sticking.sliding < 0.5
+    assert sticking.free_damping == pytest.approx(2708.0, rel=0.1)
+    assert sticking.free_friction < 0.08
+    # Where it still slides by the law's own measure the sign is the other: grip is less than mu F_N from the start.
+    assert sticking.damping < -500.0
+    # The area is half as large again as pi R d.
+    deepest = sticking.sinking.argmax()
+    assert sticking.area[deepest] / (math.pi * 21.4e-3 * sticking.sinking[deepest]) == pytest.approx(1.5, abs=0.1)
+
+
+@pytest.mark.parametrize("run", [coarse_throw, coarse_drive])
+def test_the_displaced_centre_gives_the_moment_of_the_contact(run):
+    found = run()
+    moved, radius = displaced_centre(found), 0.5 * found.ball.diameter
+    time, contact = found.contact["time"], found.contact
+    across, along = (np.trapezoid(contact[key], time) for key in ("normal", "tangential"))
+    spin = found.ball.properties()["inertia"] * found.backspin
+    # Records every 5 us, and normals that differ from that of first touch by a degree: 2% of the moment.
+    assert spin == pytest.approx((radius + moved.normal) * along + moved.up * across, rel=0.02)
+    assert spin == pytest.approx(radius * along + moved.moment * across, rel=0.02)
+    # The first is the lever of Roh and Lee's compression factor.
+    assert radius + moved.normal == pytest.approx(radius * found.f_prime, rel=0.02)
+    # Nothing moves towards the toe of a head whose CG lies behind the face centre.
+    assert abs(moved.toe) < 1e-6
+
+
+def test_runs_that_did_not_end_have_neither():
+    early = throw_case(duration=2e-4).run()
+    for figure in (area_term, displaced_centre):
+        with pytest.raises(InputError, match="a complete one"):
+            figure(early)
