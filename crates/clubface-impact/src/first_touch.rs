@@ -2,6 +2,7 @@
 
 use crate::ball::Ball;
 use crate::face::{tangents, Face};
+use crate::face_spring::FaceSpring;
 use crate::launch::Launch;
 use crate::shot::{Shot, INPUT_COUNT};
 use clubface_math::{Computation, Mat3, Scalar, Vec3};
@@ -14,6 +15,8 @@ pub struct FirstTouch<S> {
     pub attitude: Mat3<S>,
     /// Face curvatures.
     pub face: Face<S>,
+    /// Mass and spring behind the face.
+    pub spring: FaceSpring<S>,
     /// The ball.
     pub ball: Ball<S>,
     /// Clubhead mass, kg.
@@ -50,6 +53,7 @@ impl<S: Scalar> FirstTouch<S> {
         Self {
             attitude,
             face,
+            spring: FaceSpring::new(club.characteristic_time),
             ball: *ball,
             club_mass: club.mass,
             inertia: club.face_inertia(),

@@ -12,6 +12,7 @@ pub mod delivery;
 pub mod description;
 pub mod error;
 pub mod face;
+pub mod face_spring;
 pub mod first_touch;
 pub mod flight;
 pub mod impact;

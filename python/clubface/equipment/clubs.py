@@ -51,6 +51,7 @@ CLUB_PROPERTIES = {
     "roll": Property("length", "mm", 'radius of the face from sole to crown, or "flat"', "305 mm"),
     "face_width": Property("length", "mm", "width of the face, heel to toe", "105 mm"),
     "face_height": Property("length", "mm", "height of the face, along the face", "55 mm"),
+    "characteristic_time": Property("time", "us", "how long the face gives; 0 is rigid", "250 us", False),
     "cor": Property("dimensionless", "1", "coefficient of restitution, compared with the rules", "0.83", False),
 }  # fmt: skip
 
@@ -79,6 +80,8 @@ class Club(Described):
         Radii of the face [m]; ``math.inf`` is flat.
     face_width, face_height
         Outline of the face [m].
+    characteristic_time
+        Of the face [s], as the rules measure it; 0 is rigid.
     hand
         +1 right, -1 left.
     parameters
@@ -108,6 +111,7 @@ class Club(Described):
     roll: float
     face_width: float
     face_height: float
+    characteristic_time: float = 0.0
     hand: int = 1
     parameters: str = ""
     cor: float | None = None
