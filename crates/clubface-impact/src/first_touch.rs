@@ -15,6 +15,8 @@ pub struct FirstTouch<S> {
     pub attitude: Mat3<S>,
     /// Face curvatures.
     pub face: Face<S>,
+    /// Characteristic time of the face, s; 0 is rigid.
+    pub characteristic_time: S,
     /// Mass and spring behind the face.
     pub spring: FaceSpring<S>,
     /// The ball.
@@ -53,6 +55,7 @@ impl<S: Scalar> FirstTouch<S> {
         Self {
             attitude,
             face,
+            characteristic_time: club.characteristic_time,
             spring: FaceSpring::new(club.characteristic_time),
             ball: *ball,
             club_mass: club.mass,

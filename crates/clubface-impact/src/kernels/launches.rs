@@ -5,7 +5,7 @@ use crate::check::{
     check_approach, check_delivery, check_equipment, check_parameters, good_delivery, good_parameters,
     unseparated,
 };
-use crate::columns::{gather, Column, Reject, Shots, MOST_LANES};
+use crate::columns::{gather, gather_into, Column, Reject, Shots, MOST_LANES};
 use crate::contact::Unrecorded;
 use crate::description::{FromValues, ModelInfo};
 use crate::error::ImpactError;
@@ -97,7 +97,7 @@ impl<S: Lanes> Computation for Prepare<'_, '_, S> {
         let Self { batch, first, used } = self;
         let InPacks { shots, info, checks, inputs, parameters, good, faults, .. } = batch;
         *inputs = gather(shots.inputs, first, used);
-        *parameters = gather(shots.parameters, first, used);
+        gather_into(parameters, shots.parameters, first, used);
         let touch = FirstTouch::of_inputs(inputs);
         let approach = touch.approach();
         *good = checks.good(inputs, info, parameters).and(approach.gt(S::zero()));

@@ -24,6 +24,7 @@ mod one_dimension;
 mod overlap;
 mod published;
 mod quadratic_spring;
+mod response;
 mod rigid;
 mod rings;
 mod shots;
