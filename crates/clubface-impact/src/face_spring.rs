@@ -12,13 +12,17 @@
 use crate::first_touch::Motion;
 use clubface_math::{Scalar, Vec3};
 
-/// Mass that moves with the face, kg.
+/// Mass that moves with the face, kg. Restitution and contact time of titanium drivers of shells with walls of 2 to 5 mm,
+/// struck at 30, 49 and 60 m/s, are the same function of the spring to 0.002 and 3 us for any mass from 6 to 16 g.
 pub const GUIDED_MASS: f64 = 0.012;
 
-/// Compliance of the spring over the square of the characteristic time, 1/kg.
-pub const COMPLIANCE: f64 = 1.0 / (2.24 * 2.24 * 0.2);
+/// Compliance of the spring over the square of the characteristic time, 1/kg. With it the driver of Caldwell and McPhee
+/// and the ball `modern` meet the two pairs of the Equipment Rules at 160 ft/s, 239 us with 0.822 and 257 us with 0.830,
+/// to 0.001. A pendulum of 0.2 kg on that head, free and on one spring, would give 1.97: pressed at a point, a face gives
+/// more than under a ball.
+pub const COMPLIANCE: f64 = 1.17;
 
-/// Characteristic times of a face that gives, s: below, the spring would be as stiff as the ball's steel striker.
+/// Characteristic times of faces that give, s: no club lies outside.
 pub const CHARACTERISTIC_TIMES: [f64; 2] = [20e-6, 600e-6];
 
 /// Mass and spring behind the face.
