@@ -142,7 +142,14 @@ impl<S: Scalar> Response<S> {
 
     /// The impulse that brings the `wanted` change of relative velocity, or as much along the face as friction gives.
     #[inline(always)]
-    fn within_friction(&self, bodies: &Bodies<S>, gained: Mat3<S>, wanted: Vec3<S>, middle: Vec3<S>, end: Vec3<S>) -> Vec3<S> {
+    fn within_friction(
+        &self,
+        bodies: &Bodies<S>,
+        gained: Mat3<S>,
+        wanted: Vec3<S>,
+        middle: Vec3<S>,
+        end: Vec3<S>,
+    ) -> Vec3<S> {
         let free = gained.inverse() * wanted;
         let normal = free.dot(middle);
         let along = free.reject(middle);

@@ -46,24 +46,30 @@ impl Rigid {
         self.ball_velocity * self.touch.ball.mass
     }
 
-    /// Change of the momentum of both bodies, in units of the ball's.
-    pub fn momentum_error(&self) -> f64 {
-        let club = (self.club_velocity - self.touch.club_velocity) * self.club_mass;
-        (self.impulse() + club).norm() / self.impulse().norm()
+    /// Momentum of the head before impact, N s.
+    fn momentum_before(&self) -> f64 {
+        self.club_mass * self.touch.club_velocity.norm()
     }
 
-    /// Change of the angular momentum of both bodies about the contact point, in units of the ball's momentum times its
-    /// radius. Where neither body moves during an impulse, the arms stay. Where the ball moves meanwhile, by a distance
-    /// that the model knows, only the part along the impulse must vanish: no displacement of the ball changes it.
+    /// Change of the momentum of both bodies, in units of the head's.
+    pub fn momentum_error(&self) -> f64 {
+        let club = (self.club_velocity - self.touch.club_velocity) * self.club_mass;
+        (self.impulse() + club).norm() / self.momentum_before()
+    }
+
+    /// Change of the angular momentum of both bodies about the contact point, in units of the head's momentum times the
+    /// radius of the ball. Where neither body moves during an impulse, the arms stay. Where the ball moves meanwhile,
+    /// by a distance that the model knows, only the part along the impulse must vanish: no displacement of the ball
+    /// changes it.
     pub fn angular_momentum_error(&self) -> f64 {
         let touch = &self.touch;
         let ball = (-self.ball_arm).cross(self.impulse()) + self.ball_spin * touch.ball.inertia;
         let club_velocity = (self.club_velocity - touch.club_velocity) * self.club_mass;
         let club = (-touch.contact).cross(club_velocity) + touch.inertia * (self.club_spin - touch.club_spin);
-        let impulse = self.impulse();
+        let (change, impulse) = (ball + club, self.impulse());
         let change =
-            if self.moves { (ball + club).dot(impulse) / impulse.norm() } else { (ball + club).norm() };
-        change / (impulse.norm() * touch.ball.radius)
+            if self.moves { change.dot(impulse).abs() / (impulse.norm() + 1e-300) } else { change.norm() };
+        change / (self.momentum_before() * touch.ball.radius)
     }
 
     fn energy(&self, ball: (Vec3<f64>, Vec3<f64>), club: (Vec3<f64>, Vec3<f64>)) -> f64 {

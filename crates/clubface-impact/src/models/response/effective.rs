@@ -94,7 +94,7 @@ impl<S: Scalar> Bodies<'_, S> {
         let sliding = self.approach(place.point).reject(place.normal);
         let rolling = self.rolling(sliding, normal, mobility) * S::from_f64(-GRIP);
         let need = self.need(rolling, normal);
-        place.normal * normal + rolling * (need + 1.0).sqrt().sqrt().recip()
+        place.normal * normal + rolling * (need.squared() + 1.0).sqrt().sqrt().recip()
     }
 
     /// Normal impulse of a lively ball, N s, that meets the face at this speed.
