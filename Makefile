@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures ball-fit identification-coverage capture-coverage clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -87,6 +87,9 @@ benchmark-identification-speed: dev ## time of Caldwell and McPhee's whole ident
 
 fem-figures: dev ## the figures of docs/finite-elements, computed again; some three minutes
 	$(PYTHON) benchmarks/fem_figures.py
+
+validation: build ## models beside published figures: the picture and the finite elements of docs/which-model.md; minutes
+	$(PYTHON) docs/figures/validation.py
 
 ball-fit: dev ## fit the ball modern to published plate tests again, with intervals; a minute or two
 	$(PYTHON) studies/ball_fit.py

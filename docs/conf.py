@@ -21,6 +21,7 @@ extensions = [
     "findings_tables",
     "findings_tour",
     "published_tables",
+    "validation_tables",
 ]
 exclude_patterns = ["_build"]
 html_theme = "furo"

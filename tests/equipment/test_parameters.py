@@ -203,6 +203,29 @@ def test_a_users_own_file_is_read(write):
     assert (own.name, own.reference) == ("My session", "42 drives")
 
 
+def test_values_found_from_shots_include_the_face_and_those_of_a_ball_do_not(write):
+    published, defaults = ParameterSet.builtin("slip", "driver", "three-dimensional-impact-models"), ParameterSet.defaults("slip")
+    unchosen = ParameterSet.builtin("slip", "driver")
+    assert (published.includes_face, defaults.includes_face) == (True, False)
+    assert published.replace(cor=0.8).includes_face
+    assert ParameterSet.from_toml(write(OWN, "own.toml")).includes_face
+    assert not unchosen.of_ball("mine", {"cor": 0.79}).includes_face
+    # The same values, found on the ball alone.
+    assert not unchosen.of_ball("mine", {"cor": unchosen.values["cor"]}).includes_face
+    assert published.of_ball("mine", {}) is published
+    assert not ParameterSet.defaults("fem").includes_face
+    assert not ParameterSet(model="fem", club="any", name="mine", values={"friction": 0.3}).includes_face
+
+
+def test_a_set_says_in_its_file_that_it_leaves_the_face_out(write):
+    text = OWN.replace('club = "driver"', 'club = "driver"\nincludes_face = false')
+    read = ParameterSet.from_toml(write(text, "own.toml"))
+    assert not read.includes_face
+    assert not ParameterSet.from_toml(write(read.to_toml(), "again.toml")).includes_face
+    with pytest.raises(FileError, match=r"own\.toml:7: includes_face must be true or false"):
+        ParameterSet.from_toml(write(text.replace("= false", '= "no"'), "own.toml"))
+
+
 def test_where_a_file_holds_several_sets_one_is_chosen(write):
     path = write(OWN + OWN.partition("\n\n")[2].replace('"driver"', '"7-iron"').replace("82 %", "80 %"), "own.toml")
     assert ParameterSet.from_toml(path, club="7-iron").values["cor"] == 0.8

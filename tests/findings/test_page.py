@@ -95,11 +95,14 @@ def test_the_error_budget_is_that_of_the_parameters_stored():
 def test_one_set_for_all_clubs_has_the_errors_stored(model):
     found = FOUND["tour"][model]
     of = ParameterSet(model=model, club="any", name="x", values=found["parameters"])
-    errors, lofts = tour_fit.Bag(tour.averages()).errors(of)
-    assert found["lofts"] == pytest.approx(lofts, rel=1e-6)
+    errors, lofts = tour_fit.Bag(tour.averages(tour_fit.SEASON)).errors(of)
+    # Parameters of nine digits; the errors are differences of numbers a hundred times larger. In a contact model the
+    # tenth digit can move a step through contact, and its launch is computed to 1e-4.
+    contact = clubface.models()[model].kind == "contact"
+    assert found["lofts"] == pytest.approx(lofts, abs=2e-5 if contact else 1e-8)
     for name in ("ball_speed", "spin"):
-        # Parameters of nine digits; the errors are differences of numbers a hundred times larger.
-        assert found["errors"][name] == pytest.approx(errors[name], abs=1e-5 * np.abs(errors[name]).max())
+        closely = 3e-4 if contact else 1e-7
+        assert found["errors"][name] == pytest.approx(errors[name], abs=closely * np.abs(errors[name]).max())
 
 
 def test_the_sentences_on_one_set_for_all_clubs_are_those_of_the_fits():

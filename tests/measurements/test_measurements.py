@@ -52,6 +52,26 @@ FIGURES = [  # Typed again by hand from the sources as quoted: table, row, colum
     ("optimum-trackman-2010", 59, "spin", "rpm", 1636),  # total, 120 mph, 5 degrees
     ("optimum-ping-2019", 5, "launch", "deg", 10.4),  # 180 mph, 0 degrees
     ("launch-share-range", 0, "share_most", "%", 83),
+    ("launch-shares-vertical", 1, "share", "%", 81),  # PING 2020, 7-iron
+    ("launch-shares-trackman", 2, "share", "%", 70),  # pitching wedge
+    ("launch-shares-horizontal", 1, "spread", "%", 3),  # PING 2018, 7-iron
+    ("standard-shots-trackman", 1, "spin", "rpm", 5956),  # 6-iron
+    ("drives-by-handicap", 3, "ball_speed", "mph", 133),  # male average
+    ("curvature-trackman", 1, "curve", "yd", 44),  # PGA Tour driver, 5 degrees open
+    ("head-after-impact", 0, "steeper_most", "deg", 6),
+    ("spin-peak", 0, "spin_loft_still_gripping", "deg", 53.2),
+    ("robot-7-irons-2026", 0, "spin", "rpm", 4429),  # PING i540
+    ("robot-7-irons-2026", 25, "dynamic_loft", "deg", 29.3),  # Wilson Staff Model CB
+    ("robot-7-irons-launch-2026", 5, "spin", "rpm", 6007),  # Wilson Staff CB
+    ("robot-wedge-covers-2025", 2, "launch", "deg", 36.5),
+    ("driver-toe-hits-2011", 0, "ball_speed_share", "%", 98),
+    ("driver-height-2014", 0, "spin_change", "rpm", -800),
+    ("strike-offsets-trackman", 1, "spin_axis", "deg", 20),
+    ("gear-effect-2016", 0, "sidespin_added", "rpm", 40.1),
+    ("plate-granite-2002", 0, "restitution", "1", 0.9),
+    ("tangential-restitution", 0, "restitution_most", "1", 0.3),
+    ("head-without-spring", 0, "restitution_least", "1", 0.768),
+    ("drive-contact-time", 0, "contact_time_most", "us", 500),
     ("head-danaei-2020", 0, "iyy", "g cm2", 5679),
     ("heads-irons-2022-2026", 0, "inertia_vertical", "g cm2", 2830),  # Maltby M980 ...
     ("heads-irons-2022-2026", 0, "cg_height", "in", 0.72),  # ... 0.779 less 0.059 inches
@@ -92,6 +112,14 @@ def test_averages_of_tours_have_the_sums_of_another_transcription(name, sums):
     columns = {"club_speed": "mph", "attack": "deg", "ball_speed": "mph", "launch": "deg", "spin": "rpm"}
     found = [table.get(column, unit).sum() for column, unit in columns.items()]
     assert found == pytest.approx(sums, rel=1e-12)
+
+
+def test_the_robots_irons_have_the_sums_of_the_transcription():
+    """Dynamic loft, spin, carry, landing angle and apex summed over 26 heads: a mistyped cell shows."""
+    table = measurements.table("robot-7-irons-2026")
+    columns = {"dynamic_loft": "deg", "spin": "rpm", "carry": "yd", "landing_angle": "deg", "apex": "ft"}
+    found = [table.get(column, unit).sum() for column, unit in columns.items()]
+    assert found == pytest.approx([662.4, 140516, 3953.1, 1170.7, 2181.0], rel=1e-12)
 
 
 def test_what_is_not_there_is_said_with_the_nearest_name():

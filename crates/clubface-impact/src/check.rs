@@ -117,7 +117,7 @@ fn check_face_spring(club: &Club<f64>) -> Result<(), ImpactError> {
         return Ok(());
     }
     let [shortest, longest] = CHARACTERISTIC_TIMES;
-    if !(shortest..=longest).contains(&time) {
+    if !(shortest / ROUNDING..=longest * ROUNDING).contains(&time) {
         return Err(fault(
             "characteristic_time",
             time,

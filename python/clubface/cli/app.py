@@ -26,6 +26,7 @@ COMMANDS = {
     "clubs": "clubs",
     "club": "club",
     "tour": "tour",
+    "validate": "validate",
     "monitor": "monitor",
     "evaluate": "evaluate",
     "infer": "infer",

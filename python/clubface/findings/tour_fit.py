@@ -1,6 +1,6 @@
 """One parameter set for all twelve clubs of the published tour averages, and how well it does on clubs left out.
 
-The dynamic loft of two clubs is published with the averages of an older season. For the others it is, for every
+The averages are those of 2019, with which the dynamic loft of two clubs is published. For the others it is, for every
 candidate set anew, the loft with which the model gives the published launch angle: their launch angle is then no
 prediction, but ball speed and spin are, and the loft carries no other model's errors.
 """
@@ -24,6 +24,8 @@ from clubface.simulation.quantities import input_dimensions
 from clubface.support.arrays import Floats
 from clubface.tour.averages import Average, averages, published_lofts
 
+SEASON = "pga-2019"
+"""The averages, the latest with which dynamic lofts are published."""
 FREE = {
     "standard": ("cor",),
     "adjusted": ("cor", "extra_mass", "dcg_y"),
@@ -97,7 +99,7 @@ class Bag:
         self.speed = np.array([each.club_speed for each in rows])
         self.attack = np.array([each.attack for each in rows])
         self.launch = np.array([each.launch for each in rows])
-        lofts = published_lofts("pga-2019")
+        lofts = published_lofts(SEASON)
         self.loft = np.array([lofts.get(each.club, np.nan) for each in rows])
 
     def errors(self, parameters: ParameterSet) -> tuple[dict[str, Floats], Floats]:
@@ -130,14 +132,14 @@ class Bag:
     def hit(self, loft: Floats, parameters: ParameterSet) -> Launch:
         """Return the launches of all clubs, delivered at their published speeds and attack angles."""
         return impact(
-            "driver", {**self.inputs, "speed": self.speed, "attack": self.attack, "loft": loft},
+            "driver", {**parameters.beside(self.inputs), "speed": self.speed, "attack": self.attack, "loft": loft},
             model=parameters.model, parameters=parameters, ball=published_ball(), on_error="nan",
         )  # fmt: skip
 
 
 def fit(model: str) -> TourFit:
     """Solve for the parameters of ``FREE`` that all clubs agree with best, and again without each club."""
-    rows, names = averages(), FREE[model]
+    rows, names = averages(SEASON), FREE[model]
     every = Bag(rows)
     best = min((_solved(every, _start(model, family), names) for family in FAMILIES), key=every.misfit)
     errors, lofts = every.errors(best)

@@ -42,6 +42,8 @@ WIDE = {
 """Standard deviations of the prior "wide"; assumed, about twice those of elite golfers, and four times in speed."""
 MIRRORED = ("path", "face")
 """The quantities whose sign a left-handed club changes."""
+TOUR = "pga-2019"
+"""The averages of the prior "tour", the latest with which dynamic lofts are published."""
 SLOWER = 0.87
 """Mean speed of the prior "wide" relative to that of the tour; assumed."""
 
@@ -183,18 +185,18 @@ def elite(club_name: str) -> Prior:
 def tour(head: Club) -> Prior:
     """Return the published tour averages of a built-in club, with the spreads of elite golfers.
 
-    Speed and attack are published. Where a dynamic loft is published, with averages of another year, it is that one;
-    for the other clubs it is the one with which ``standard`` gives the published launch angle. All other means and the
-    spreads are those of the benchmark shots: of the driver for woods, and of the 7-iron for the other clubs.
+    Speed and attack are those of 2019, with which dynamic lofts are published. For clubs without a published loft it is
+    the one with which ``standard`` gives the published launch angle. All other means and the spreads are those of the
+    benchmark shots: of the driver for woods, and of the 7-iron for the other clubs.
     """
     from clubface.tour.averages import averages, published_lofts, solve_loft
 
-    known = {each.club: each for each in averages()}
+    known = {each.club: each for each in averages(TOUR)}
     if head.name not in known:
         raise InputError("prior", "tour", f"for one of {', '.join(known)}; for {head.name} give a file")
     of = elite("driver" if head.parameters == "driver" else "7-iron")
     average = known[head.name]
-    loft = published_lofts("pga-2019").get(head.name)
+    loft = published_lofts(TOUR).get(head.name)
     if loft is None:
         loft = solve_loft(head.name, average.club_speed, average.attack, average.launch, model="standard")
     published = {"speed": average.club_speed, "attack": average.attack, "loft": loft}

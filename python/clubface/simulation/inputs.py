@@ -91,6 +91,23 @@ def _equip(of_club: Club, of_ball: Ball) -> Equipment:
     return Equipment(of_club, of_ball, tuple(values.get(name, 0.0) for name in inputs()))
 
 
+def equipped(
+    model_name: str,
+    which: str | os.PathLike[str] | Club,
+    which_ball: str | os.PathLike[str] | Ball | None,
+    given: Any,
+) -> tuple[Equipment, ParameterSet]:
+    """Return club and ball as a model takes them with its parameters, and those (``given`` as for `parameter_set`)."""
+    with_ = equipment(which, which_ball)
+    chosen = parameter_set(model_name, with_.club, given, with_.ball)
+    return _beside(with_, chosen) if chosen.includes_face and with_.club.characteristic_time else with_, chosen
+
+
+def _beside(with_: Equipment, chosen: ParameterSet) -> Equipment:
+    columns = chosen.beside(dict(zip(inputs(), with_.columns, strict=True)))
+    return with_._replace(columns=tuple(columns.values()))
+
+
 def shots(with_: Equipment, values: Mapping[str, Any], *, hand: Any = None) -> Shots:
     """Lay out shots whose inputs differ from ``with_`` by ``values``: text with a unit, SI numbers, or arrays.
 

@@ -2,8 +2,8 @@
 
 use super::RigidSurface;
 use clubface_impact::face::Face;
-use clubface_impact::face_spring::GuidedMass;
 use clubface_impact::first_touch::{FirstTouch, Motion};
+use clubface_impact::guided_mass::GuidedMass;
 use clubface_math::{Mat3, Quat, Real, Vec3};
 
 /// The head, in face axes of first touch with the origin at its CG then.

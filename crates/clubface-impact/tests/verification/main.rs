@@ -11,6 +11,7 @@ mod batches;
 mod delivery;
 mod derivatives;
 mod face;
+mod face_spring;
 mod flight;
 mod gear_effect;
 mod histories;

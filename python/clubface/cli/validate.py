@@ -1,0 +1,66 @@
+"""``clubface validate``: models beside published figures, with tolerances."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from clubface.cli import given, options, output
+from clubface.cli.failures import say_written
+from clubface.cli.progress import progress_bar
+from clubface.cli.tables import print_numbers
+
+if TYPE_CHECKING:
+    from clubface.validation.run import Validation
+
+app = typer.Typer(add_completion=False)
+
+_MODEL_TEXT = "A model, or several with commas or repeated; all means every reduced model. standard unless given."
+_MODEL = options.option("--model", metavar="NAME", text=_MODEL_TEXT)
+_CHECK_TEXT = "Only this check, or several with commas or repeated, with every figure and its source."
+_CHECK = options.option("--check", metavar="NAME", text=_CHECK_TEXT)
+
+
+@app.command()
+def validate(
+    folder: options.Folder = None,
+    check: Annotated[list[str] | None, _CHECK] = None,
+    model: Annotated[list[str] | None, _MODEL] = None,
+    ball: options.Ball = None,
+    as_json: options.Json = False,
+) -> None:
+    """Compare models with published figures, and say which of them they meet."""
+    from clubface.validation import report, run, tables
+    from clubface.validation.catalogue import check_named
+
+    models = given.model_names(model or list(run.DEFAULT))
+    checks = given.names(check) or None
+    for each in checks or ():
+        check_named(each)  # before the work: a name that does not exist is found at once
+    output.prepare_folder(folder)
+    with progress_bar("checks") as progress:
+        result = run.validate(models, checks=checks, ball=ball, progress=progress)
+    files = report.write(result, Path(folder)) if folder is not None else []
+    if as_json:
+        output.print_json(tables.document(result))
+    else:
+        if checks:
+            _print_figures(result)
+        print_numbers(tables.SUMMARY_HEADS, tables.summary_rows(result), title=f"Published figures, ball {result.ball}")
+        print()
+        output.print_notes(tables.verdicts(result))
+    say_written(files)
+
+
+def _print_figures(result: Validation) -> None:
+    from clubface.validation import tables
+
+    for each in result.checks:
+        for model in result.models:
+            title = f"{each.title}, by {model}"
+            print_numbers(tables.FIGURE_HEADS, tables.figure_rows(result.figures[model][each.name]), title=title)
+            print()
+        output.print_notes(tables.notes(each))
+        print()

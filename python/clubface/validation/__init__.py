@@ -1,0 +1,8 @@
+"""Validation: what a model makes of published deliveries, plates and heads, beside what was published of them.
+
+Each check compares published figures with the same figures computed from the published conditions, with built-in clubs
+and one ball. A tolerance says how close is good enough, and why. No parameter is fitted to any of the shots.
+"""
+
+from clubface.validation.check import Check as Check, Figure as Figure
+from clubface.validation.run import Validation as Validation, validate as validate

@@ -1,0 +1,169 @@
+"""Running checks on models."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from itertools import groupby
+from typing import NamedTuple
+
+from clubface.equipment.balls import Ball, ball as ball_named
+from clubface.equipment.models import model as model_named
+from clubface.errors import InputError
+from clubface.validation.catalogue import CHECKS, check_named
+from clubface.validation.check import Check, Figure, Judged
+
+DEFAULT = ("standard",)
+"""The models judged unless others are named."""
+
+
+class Summary(NamedTuple):
+    """How one model does in one quantity of a check.
+
+    Attributes
+    ----------
+    quantity, unit
+        What is compared; errors that are shares have the unit "%".
+    figures
+        Number of figures.
+    within
+        How many of them are within the tolerance.
+    mean, bias, worst
+        Mean magnitude and mean of the errors, and the error of the largest magnitude, SI or shares; NaN if the model
+        says nothing of the quantity.
+    tolerances
+        The least and the largest tolerance of the figures, SI or shares.
+    scaled
+        Mean of the magnitudes of the errors, each over its tolerance.
+    """
+
+    quantity: str
+    unit: str
+    figures: int
+    within: int
+    mean: float
+    bias: float
+    worst: float
+    tolerances: tuple[float, float]
+    scaled: float
+
+    @property
+    def told(self) -> bool:
+        """Whether the model says anything of the quantity."""
+        return not math.isnan(self.mean)
+
+    @property
+    def met(self) -> bool:
+        """Whether the errors are on average within their tolerances."""
+        return self.scaled <= 1.0
+
+
+class Verdict(NamedTuple):
+    """In how many quantities a model is within the tolerance: on average, with every figure, and of how many."""
+
+    met: int
+    every: int
+    of: int
+
+
+def summary(figures: Iterable[Figure]) -> list[Summary]:
+    """Return one summary for each quantity, in the order in which they come first."""
+    figures = list(figures)
+    order = list(dict.fromkeys(each.quantity for each in figures))
+    found = []
+    for quantity, group in groupby(sorted(figures, key=lambda each: order.index(each.quantity)), lambda f: f.quantity):
+        rows = list(group)
+        told = [each for each in rows if each.within is not None]
+        errors = [each.error for each in told]
+        found.append(
+            Summary(
+                quantity,
+                "%" if rows[0].relative else rows[0].unit,
+                len(rows),
+                sum(each.within is True for each in rows),
+                _mean(map(abs, errors)),
+                _mean(errors),
+                max(errors, key=abs, default=math.nan),
+                (min(each.tolerance for each in rows), max(each.tolerance for each in rows)),
+                _mean(abs(each.error) / each.tolerance for each in told),
+            )
+        )
+    return found
+
+
+def _mean(values: Iterable[float]) -> float:
+    """Return the mean, NaN of nothing."""
+    values = list(values)
+    return sum(values) / len(values) if values else math.nan
+
+
+@dataclass(frozen=True)
+class Validation:
+    """Models beside published figures.
+
+    Attributes
+    ----------
+    checks
+        What was checked.
+    figures
+        The figures by model, then by name of the check.
+    ball
+        Name of the ball.
+    """
+
+    checks: tuple[Check, ...]
+    figures: dict[str, dict[str, list[Figure]]]
+    ball: str
+
+    @property
+    def models(self) -> list[str]:
+        """The models, in the order asked for."""
+        return list(self.figures)
+
+    def summary(self, model: str, check: str) -> list[Summary]:
+        """Return how a model does in each quantity of a check."""
+        return summary(self.figures[model][check])
+
+    def verdict(self, model: str) -> Verdict:
+        """Return in how many quantities of all checks a model is within the tolerance."""
+        every = [each for check in self.checks for each in self.summary(model, check.name)]
+        told = [each for each in every if each.told]
+        return Verdict(sum(each.met for each in told), sum(each.within == each.figures for each in told), len(told))
+
+
+def validate(
+    models: str | Iterable[str] = DEFAULT,
+    *,
+    checks: Iterable[str] | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Validation:
+    """Compute published figures by models.
+
+    Parameters
+    ----------
+    models
+        Which models, ``fem`` among them.
+    checks
+        Names of checks of ``CHECKS``; all unless given.
+    ball
+        As for :func:`clubface.impact`.
+    progress
+        Called with the number of checks done and of all, over all models.
+    """
+    names = [model_named(each).name for each in ([models] if isinstance(models, str) else models)]
+    chosen = CHECKS if checks is None else tuple(check_named(each) for each in checks)
+    if not names or not chosen:
+        raise InputError("models" if chosen else "checks", [], "at least one")
+    found: dict[str, dict[str, list[Figure]]] = {name: {} for name in names}
+    done = 0
+    for name in found:
+        judged = Judged(name, ball)
+        for each in chosen:
+            found[name][each.name] = list(each.compute(judged))
+            done += 1
+            if progress is not None:
+                progress(done, len(found) * len(chosen))
+    return Validation(chosen, found, ball_named(ball).name)

@@ -1,0 +1,91 @@
+"""Strikes off the centre of the face: ball speed, gear effect to the side and up the face."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from clubface import units
+from clubface.equipment.clubs import Club, club
+from clubface.simulation.flight import fly
+from clubface.validation.check import Figure, Judged, figure
+from clubface.validation.deliveries import rows
+
+TOE_SPEED, TOE_LOFT = units.parse("95 mph", "speed"), units.parse("15 deg", "angle")
+"""Of the robot; the loft, which is not told, is TrackMan's best for this speed."""
+SPEED_TOLERANCE = 0.01
+LAUNCH_TOLERANCE = units.parse("1 deg", "angle")
+SPIN_TOLERANCE = units.parse("200 rpm", "angular rate")
+OFFLINE_TOLERANCE = units.parse("5 yd", "length")
+HEIGHT_SPIN_TOLERANCE = units.parse("300 rpm", "angular rate")
+AXIS_TOLERANCE = 0.3
+MODEL_TOLERANCE = 0.15
+IRON: dict[str, Any] = {"speed": units.parse("80 mph", "speed"), "attack": units.parse("-3.2 deg", "angle"),
+                        "loft": units.parse("22.4 deg", "angle")}  # fmt: skip
+"""TrackMan's standard 6-iron shot."""
+DEPTHS = (28.0, 42.0)
+"""Depth of the mass centre behind the face [mm]."""
+
+
+def toe_hits(judged: Judged) -> list[Figure]:
+    """Return ball speed, launch and offline distance of a driver struck towards the toe."""
+    (row,) = rows("driver-toe-hits-2011")
+    centre, toe = (judged.hit("driver", speed=TOE_SPEED, loft=TOE_LOFT, toe=each) for each in (0.0, row["toe"]))
+    what = f"driver, {units.show(row['toe'], 'mm', 3)} towards the toe"
+    share = row["ball_speed_share"]
+    return [
+        figure(what, "ball speed, share", "1", share, toe.ball_speed / centre.ball_speed, SPEED_TOLERANCE),
+        figure(what, "change of launch angle", "deg", row["launch_change"], toe.launch - centre.launch,
+               LAUNCH_TOLERANCE),
+        figure(what, "change of spin", "rpm", row["spin_change"], toe.total_spin - centre.total_spin, SPIN_TOLERANCE),
+        figure(what, "offline", "yd", row["offline"], abs(fly(toe).side), OFFLINE_TOLERANCE),
+    ]  # fmt: skip
+
+
+def height(judged: Judged) -> list[Figure]:
+    """Return what 15 mm of height on the face of a driver change, half of them below its centre."""
+    (row,) = rows("driver-height-2014")
+    half = row["higher"] / 2.0
+    low, high = (judged.hit("driver", speed=TOE_SPEED, loft=TOE_LOFT, high=each) for each in (-half, half))
+    what = f"driver, {units.show(row['higher'], 'mm')} higher"
+    spin = high.total_spin - low.total_spin
+    return [
+        figure(what, "change of launch angle", "deg", row["launch_change"], high.launch - low.launch, LAUNCH_TOLERANCE),
+        figure(what, "change of spin", "rpm", row["spin_change"], spin, HEIGHT_SPIN_TOLERANCE),
+    ]
+
+
+def gear_effect(judged: Judged) -> list[Figure]:
+    """Return the spin axis of off-centre strikes, and the share of the depth of the mass centre in it.
+
+    The face angle is that of the point struck: where the face bulges, the club is turned back by as much.
+    """
+    found = []
+    drive: dict[str, Any] = {"speed": TOE_SPEED, "loft": TOE_LOFT}
+    for row in rows("strike-offsets-trackman"):
+        bulge, delivery = club(row["club"]).bulge, drive if row["club"] == "driver" else IRON
+        turned = -math.asin(row["toe"] / bulge) if math.isfinite(bulge) else 0.0
+        centre, shot = (
+            judged.hit(row["club"], toe=toe, face=face, **delivery) for toe, face in ((0.0, 0.0), (row["toe"], turned))
+        )
+        side = "toe" if row["toe"] > 0.0 else "heel"
+        what = f"{row['club']}, {units.show(abs(row['toe']), 'mm', 2)} towards the {side}"
+        axis = shot.spin_axis - centre.spin_axis
+        found.append(figure(what, "spin axis", "deg", row["spin_axis"], axis, AXIS_TOLERANCE, relative=True))
+    (row,) = rows("gear-effect-2016")
+    spins = [judged.hit(nominal(depth), speed=50.0, toe=row["toe"]).sidespin for depth in DEPTHS]
+    growth = row["depth_added"] * abs(spins[1] - spins[0]) / units.parse(f"{DEPTHS[1] - DEPTHS[0]} mm", "length")
+    given = row["sidespin_added"]
+    return [*found, figure("driver, 25 mm towards the toe", "sidespin by a mm of depth", "rpm", given, growth,
+                           MODEL_TOLERANCE, relative=True)]  # fmt: skip
+
+
+def nominal(depth: float) -> Club:
+    """Return the driver of McNally, Balzerson, Wilson and McPhee (2016), its mass centre ``depth`` [mm] deep."""
+    loft, below = math.radians(10.0), 4.0
+    return club("driver").replace(
+        name="nominal driver", mass="200 g", loft=loft, bulge="400 mm", roll="350 mm",
+        cg_x=f"{depth * math.cos(loft) - below * math.sin(loft)} mm",
+        cg_y=f"{depth * math.sin(loft) + below * math.cos(loft)} mm", cg_z=0.0,
+        ixx="3000 g cm2", iyy="4500 g cm2", izz="2000 g cm2", ixy=0.0, ixz=0.0, iyz=0.0,
+    )  # fmt: skip
