@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from clubface.equipment.clubs import Club, club
+from clubface.support.warning import without_warnings
 from clubface.units import parse
 
 CLUBS = (
@@ -103,24 +104,21 @@ def clubs(count: int, seed: int) -> list[Strike]:
 
 
 PARTS: dict[str, Part] = {
-    "heads": Part(heads, 2048, 101, held_out=False),
+    "heads": Part(heads, 1024, 101, held_out=False),
     "clubs": Part(clubs, 440, 102, held_out=False),
+    "more heads": Part(heads, 1024, 105, held_out=False),
     "heads, held out": Part(heads, 512, 103, held_out=True),
     "clubs, held out": Part(clubs, 220, 104, held_out=True),
 }
 """The strikes of the coefficients, and those that they were not fitted to, by what they are."""
 
 
-def small(parts: dict[str, Part], share: float) -> dict[str, Part]:
-    """Return the parts with a share of their strikes, the first ones."""
-    return {name: part._replace(count=max(int(part.count * share), 1)) for name, part in parts.items()}
-
-
-def strikes(parts: dict[str, Part]) -> dict[tuple[int, int], Strike]:
+def strikes(parts: Mapping[str, Part]) -> dict[tuple[int, int], Strike]:
     """Return the strikes of some parts by the numbers of part and strike."""
-    return {
-        (place, number): strike
-        for place, part in enumerate(parts.values())
-        for number, strike in enumerate(part.make(part.count, part.seed))
-    }
+    with without_warnings():
+        return {
+            (place, number): strike
+            for place, part in enumerate(parts.values())
+            for number, strike in enumerate(part.make(part.count, part.seed))
+        }
 

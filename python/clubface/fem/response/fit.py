@@ -20,7 +20,7 @@ SPEED_SHARE, SPIN_SHARE, SPIN_LEAST, TIME_SHARE, FORCE_SHARE = 0.003, 0.01, 2.0,
 """Deviations that count alike: of velocity and spin as shares of their size, with a least one of spin [rad/s]."""
 RIDGE = 0.02
 """What a coefficient of one costs, in these deviations: keeps those that no strike determines near zero."""
-CLUB_WEIGHT = 1.5
+CLUB_WEIGHT = 2.5
 """Of a strike with a built-in club, beside one with any head."""
 LIGHT = 0.12
 """Effective mass [kg] of a head at the impact point below which its strikes count less, since no club is so light."""

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface.fem.balls import Ball
 from clubface.fem.response.design import Part, Strike, strikes
 from clubface.fem.resumable import ResumableTable
-from clubface.fem.run import strike
+from clubface.fem.run import inputs_of, one_shot, strike
 from clubface.fem.settings import Settings
-from clubface.simulation.quantities import inputs
+from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -20,8 +19,11 @@ if TYPE_CHECKING:
 TARGETS = (
     "velocity_x", "velocity_y", "velocity_z", "spin_x", "spin_y", "spin_z", "contact_time", "peak_force",
 )  # fmt: skip
-"""What the model must give."""
-_SETTINGS = Settings(until_separation=True, threads=1)
+"""What the model must give, SI."""
+COLUMNS = ("part", "number", *TARGETS, "stopped")
+"""Of the table: which strike it is (the design tells how it is delivered), and its results."""
+DIGITS = 9
+_SETTINGS = Settings(duration=2.5e-3, interval=2e-5, until_separation=True, threads=1)
 
 
 class Strikes(NamedTuple):
@@ -49,11 +51,6 @@ class Strikes(NamedTuple):
         return Strikes(*(column[chosen] for column in self))
 
 
-def columns() -> tuple[str, ...]:
-    """Return the columns of the table."""
-    return ("part", "number", *inputs(), "friction", *TARGETS, "stopped")
-
-
 def run(
     ball: Ball,
     parts: Mapping[str, Part],
@@ -62,51 +59,55 @@ def run(
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Strikes:
-    """Run the strikes of some parts that the table does not have yet, several at a time, and return all."""
-    planned = strikes(dict(parts))
+    """Run the strikes of some parts that the table does not have yet, several at a time, and return all that ended.
+
+    Parameters
+    ----------
+    ball
+        The ball of pieces.
+    parts
+        The strikes, by what they are.
+    path
+        The table. It belongs to one ball and one design, and is refused with others.
+    workers
+        Runs at a time; left out, as many as there are cores.
+    progress
+        Called with the rows there are and the rows in all.
+    """
+    import numpy as np
+
+    planned = strikes(parts)
 
     def one(place: tuple[int, int], keep_going: Any, threads: int) -> dict[str, Any]:
         return _row(place, planned[place], ball, keep_going)
 
-    table = ResumableTable(path, [ball.values(), sorted(parts)], columns(), {"stopped": str})
-    rows = table.fill(
-        {place: (float(place[0]), float(place[1])) for place in planned},
-        one, what="strikes", workers=workers, progress=progress,
-    )  # fmt: skip
-    return _of_rows([row for row in rows if not row["stopped"]])
+    content = [ball.values(), [(name, part.seed) for name, part in parts.items()]]
+    places = {place: (float(place[0]), float(place[1])) for place in planned}
+    rows = ResumableTable(path, content, COLUMNS, {"stopped": str}).fill(
+        places, one, what="strikes", workers=workers, progress=progress
+    )
+    pairs = [(place, row) for place, row in zip(planned, rows, strict=True) if not row["stopped"]]
+    with without_warnings():
+        shots = [one_shot(planned[place].club, planned[place].delivery, ball) for place, _ in pairs]
+    return Strikes(
+        np.array([place[0] for place, _ in pairs]),
+        np.array([inputs_of(shot) for shot in shots]),
+        np.array([planned[place].friction for place, _ in pairs]),
+        np.array([[row[name] for name in TARGETS] for _, row in pairs]),
+    )
 
 
-def read(path: str | os.PathLike[str]) -> Strikes:
-    """Return the strikes of a finished table."""
-    import csv
+def in_fit(of: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
+    """Return which strikes the coefficients are fitted to: those that are not held out."""
+    import numpy as np
 
-    with Path(path).open(encoding="utf-8", newline="") as file:
-        lines = [line for line in file if not line.startswith("#")]
-    rows = [{key: value if key == "stopped" else float(value) for key, value in row.items()} for row in csv.DictReader(lines)]
-    return _of_rows([row for row in rows if not row["stopped"]])
+    return np.isin(of.part, [place for place, part in enumerate(parts.values()) if not part.held_out])
 
 
 def _row(place: tuple[int, int], planned: Strike, ball: Ball, keep_going: Any) -> dict[str, Any]:
-    result = strike(
-        planned.club, planned.delivery, which=ball, friction=planned.friction, settings=_SETTINGS, progress=keep_going
-    )
-    out = result.outcome()
-    assert result.hit is not None
-    given = dict(zip(inputs(), map(float, result.hit.columns), strict=True))
-    return {
-        "part": float(place[0]),
-        "number": float(place[1]),
-        **given,
-        "friction": planned.friction,
-        **{name: float(out[name]) for name in TARGETS},
-        "stopped": result.stopped or "",
-    }
-
-
-def _of_rows(rows: list[dict[str, Any]]) -> Strikes:
-    import numpy as np
-
-    def of(*names: str) -> Any:
-        return np.array([[row[name] for name in names] for row in rows])
-
-    return Strikes(of("part")[:, 0].astype(int), of(*inputs()), of("friction")[:, 0], of(*TARGETS))
+    club, delivery, friction = planned
+    with without_warnings():
+        found = strike(club, delivery, which=ball, friction=friction, settings=_SETTINGS, progress=keep_going)
+    out = found.outcome()
+    results = {name: float(f"{out[name]:.{DIGITS}g}") for name in TARGETS}
+    return {"part": float(place[0]), "number": float(place[1]), **results, "stopped": found.stopped or ""}
