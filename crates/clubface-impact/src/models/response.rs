@@ -1,8 +1,8 @@
 //! Response functions of a ball, regressed on the finite elements: how it leaves the face along the normal, along the
 //! face, and with which spin.
 //!
-//! An impact is one impulse, as in the impulse models of Caldwell and McPhee (2023), but with the mechanism that Roh and
-//! Lee found: the tangential force turns round before separation, and its lever is shorter than the ball's radius. Both
+//! An impact is one impulse, as in the impulse models of Caldwell and McPhee (2023), but with the mechanism that Roh
+//! and Lee found: the tangential force turns round before separation, and its lever is shorter than the ball's radius. Both
 //! follow from the time that the contact lasts and from how easily ball and head move, so they are functions of the
 //! impact, and not constants.
 

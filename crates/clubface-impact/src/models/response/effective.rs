@@ -24,9 +24,7 @@ pub struct Place<S> {
 /// How club and ball move apart per impulse at a place.
 #[derive(Clone, Copy)]
 pub struct Mobility<S> {
-    /// Relative velocity of ball and face per impulse, without the turning of the ball, 1/kg.
-    pub head: Mat3<S>,
-    /// The same along the normal, 1/kg.
+    /// Relative velocity of ball and face along the normal per impulse along it, 1/kg.
     pub normal: S,
     /// Velocity along the face per impulse along the normal, 1/kg.
     pub coupling: Vec3<S>,
@@ -84,7 +82,7 @@ impl<S: Scalar> Bodies<'_, S> {
         let along = Mat3::outer(place.normal, place.normal).scale(-S::one()) + Mat3::diagonal(S::one());
         let tangential =
             along * ((head + Mat3::diagonal(rolling)) * along) + Mat3::outer(place.normal, place.normal);
-        Mobility { head, normal, coupling, tangential }
+        Mobility { normal, coupling, tangential }
     }
 
     /// An estimate of the whole impulse on the ball: a normal one, and along the face as much as friction has.
@@ -115,8 +113,8 @@ impl<S: Scalar> Bodies<'_, S> {
         mobility.tangential.inverse() * (sliding + mobility.coupling * normal)
     }
 
-    /// The place of contact after ball and head have moved: `turn` is the rotation of the head, `shift` the displacement
-    /// of the ball relative to the head's CG.
+    /// The place of contact after ball and head have moved: `turn` is the rotation of the head, `shift` the
+    /// displacement of the ball relative to the head's CG.
     #[inline(always)]
     pub fn place(&self, turn: Vec3<S>, shift: Vec3<S>) -> Place<S> {
         let touch = self.touch;

@@ -23,9 +23,10 @@ pub struct Features<S> {
 #[macro_export]
 macro_rules! response_functions {
     ($(#[$doc:meta])* $model:ident {
-        $($field:ident [$unit:literal] = $default:literal in $lower:literal ..= $upper:literal, $meaning:literal, $source:literal;)+
+        $($field:ident [$unit:literal] = $default:literal in $lower:literal ..= $upper:literal,
+            $meaning:literal, $source:expr;)+
     }
-    $($function:ident ($term_meaning:literal, $term_source:literal) {
+    $($function:ident ($term_meaning:literal, $term_source:expr) {
         $($term:ident = $value:literal $(* $feature:ident)*;)+
     })+) => {
         $crate::parameters! {
