@@ -49,7 +49,8 @@ def clubs(draw):
         return described(**draw(times | st.fixed_dictionaries({"cor": st.floats(0.778, 0.86)})))
     except InputError as error:
         # The mass that moves with a face is too much for a small head.
-        assert "heavier head" in str(error)
+        if "heavier head" not in str(error):
+            raise
         return described()
 
 
@@ -294,7 +295,9 @@ def test_a_file_says_how_a_face_gives_by_one_test_or_the_other(write):
     # The limits of the rules: 239 us, or 0.822.
     assert (by_cor.cor, by_cor.characteristic_time) == (0.822, pytest.approx(239e-6, abs=4e-6))
     assert "characteristic_time" not in by_cor.to_toml().partition("[sources]")[0]
-    both = write(text.replace('characteristic_time = "250 us"', 'characteristic_time = "250 us"\ncor = 0.83', 1), "b.toml")
+    both = write(
+        text.replace('characteristic_time = "250 us"', 'characteristic_time = "250 us"\ncor = 0.83', 1), "b.toml"
+    )
     with pytest.raises(FileError, match=r"b\.toml:22: characteristic_time is '250 us'; .* leave one of them out"):
         club(both)
     with pytest.raises(FileError, match=r"cor is 0\.77; .*a rigid face has 0\.777 with the ball modern"):

@@ -204,7 +204,10 @@ def test_a_users_own_file_is_read(write):
 
 
 def test_values_found_from_shots_include_the_face_and_those_of_a_ball_do_not(write):
-    published, defaults = ParameterSet.builtin("slip", "driver", "three-dimensional-impact-models"), ParameterSet.defaults("slip")
+    published, defaults = (
+        ParameterSet.builtin("slip", "driver", "three-dimensional-impact-models"),
+        ParameterSet.defaults("slip"),
+    )
     unchosen = ParameterSet.builtin("slip", "driver")
     assert (published.includes_face, defaults.includes_face) == (True, False)
     assert published.replace(cor=0.8).includes_face

@@ -1,5 +1,7 @@
 """The restitution that goes with a characteristic time, and the way back."""
 
+from itertools import pairwise
+
 import pytest
 from hypothesis import given, strategies as st
 
@@ -10,7 +12,7 @@ from clubface.errors import InputError
 def test_restitution_grows_from_that_of_a_rigid_face():
     values = [restitution(time * 1e-6) for time in range(0, 401, 5)]
     assert values[0] == RIGID
-    assert all(low < high for low, high in zip(values, values[1:], strict=False))
+    assert all(low < high for low, high in pairwise(values))
 
 
 @pytest.mark.parametrize(("time", "cor"), [(239e-6, 0.822), (257e-6, 0.830)])

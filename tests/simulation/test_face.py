@@ -61,6 +61,5 @@ def test_only_the_face_is_left_out():
     without, _ = equipped("standard", clubface.club("driver").replace(characteristic_time=0.0), None, None)
     assert with_.columns == without.columns
     free, _ = equipped("standard", "driver", None, ParameterSet.defaults("standard"))
-    assert [place for place, pair in enumerate(zip(with_.columns, free.columns, strict=True)) if pair[0] != pair[1]] == [
-        PLACE
-    ]
+    pairs = zip(with_.columns, free.columns, strict=True)
+    assert [place for place, (one, other) in enumerate(pairs) if one != other] == [PLACE]

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import ClassVar, Self
+from typing import Any, ClassVar, Self
 
 from clubface import units
 from clubface.equipment.balls import Ball as Ball, ball as ball
@@ -85,8 +85,8 @@ class Club(Described):
     face_width, face_height
         Outline of the face [m].
     characteristic_time
-        Of the face [s], as the rules measure it; 0 is a rigid face, 20 to 600 us one that gives. Left out, it is the one
-        that goes with ``cor``, or 0.
+        Of the face [s], as the rules measure it; 0 is a rigid face, 20 to 600 us one that gives. Left out, it is that
+        which goes with ``cor``, or 0.
     hand
         +1 right, -1 left.
     parameters

@@ -119,9 +119,7 @@ def changed(subject: T, changes: Mapping[str, Any]) -> T:
     return replace(subject, **{"sources": kept, **changes})  # pyright: ignore
 
 
-def to_toml(
-    subject: Any, properties: Properties, texts: Mapping[str, str], left_out: Collection[str] = ()
-) -> str:
+def to_toml(subject: Any, properties: Properties, texts: Mapping[str, str], left_out: Collection[str] = ()) -> str:
     """Write TOML text that reads back as ``subject``, bit by bit, though some properties follow from others."""
     lines = [f"{key} = {quoted(value)}" for key, value in {"name": subject.name, **texts}.items()]
     if subject.description:

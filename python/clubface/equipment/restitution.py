@@ -5,8 +5,8 @@ from __future__ import annotations
 from clubface.errors import InputError
 
 RIGID = 0.7772
-"""Coefficient of restitution of the head of the built-in driver with a rigid face, struck in front of its CG by the ball
-``modern`` at 160 ft/s (48.8 m/s), by finite elements."""
+"""Coefficient of restitution of the built-in driver with a rigid face, struck in front of its CG by the ball ``modern``
+at 160 ft/s (48.8 m/s), by finite elements."""
 GAIN = (8.492e-3, 9.359e-5, -3.793e-5, 1.235e-6)
 """Gain of the same head with a face that gives: coefficients of even powers of the characteristic time in units of 100
 us, from the second on. They fit finite elements up to 400 us to 0.0004."""
@@ -28,11 +28,8 @@ def characteristic_time_of(cor: float) -> float:
     """Return the characteristic time [s] that goes with a coefficient of restitution at 160 ft/s, by bisection."""
     least, most = RANGE
     if not least <= cor <= most:
-        raise InputError(
-            "cor",
-            cor,
-            f"from {least} to {most} at 160 ft/s; a rigid face has {RIGID:.3f} with the ball modern: leave it out for that",
-        )
+        rigid = f"a rigid face has {RIGID:.3f} with the ball modern: leave it out for that"
+        raise InputError("cor", cor, f"from {least} to {most} at 160 ft/s; {rigid}")
     low, high = 0.0, 400e-6
     while (middle := 0.5 * (low + high)) not in (low, high):
         low, high = (middle, high) if restitution(middle) < cor else (low, middle)
