@@ -43,7 +43,8 @@ def test_the_default_set_is_the_printed_one(key):
 
 def test_every_model_and_family_has_exactly_one_default_set():
     for name in models():
-        for club in ("driver", "7-iron"):
+        # The values of this one belong to the ball.
+        for club in ("driver", "7-iron") if name != "response" else ():
             fitting = [each for each in builtin_sets(name) if each.default and each.club in (club, "any")]
             assert len(fitting) == 1, (name, club)
 

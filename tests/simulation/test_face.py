@@ -21,7 +21,8 @@ def told(model, **given):
 @pytest.mark.parametrize("model", models())
 def test_a_published_set_has_the_face_in_it_and_the_defaults_of_a_model_have_not(model):
     assert clubface.club("driver").characteristic_time == OWN
-    assert told(model, parameters=ParameterSet.builtin(model, "driver")) == 0.0
+    if model != "response":  # It has no published set: its values belong to the ball.
+        assert told(model, parameters=ParameterSet.builtin(model, "driver")) == 0.0
     assert told(model, parameters=ParameterSet.defaults(model)) == OWN
 
 

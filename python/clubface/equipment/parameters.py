@@ -35,6 +35,8 @@ from clubface.support.strict_toml import Document, quoted
 
 FAMILIES = ("driver", "7-iron", "any")
 T = TypeVar("T")
+_TOLD = 5
+"""How many names of values are told one by one."""
 _FILE_KEYS = ("title", "reference", "set")
 _SET_TEXTS = ("model", "club", "variant", "source")
 _SET_FLAGS = {"default": False, "includes_face": True}
@@ -135,7 +137,8 @@ class ParameterSet:
             return self
         if own.items() <= self.values.items():
             return replace(self, includes_face=False)
-        source = f"{self.source}; of the ball {name}: {', '.join(own)}"
+        told = ", ".join(own) if len(own) <= _TOLD else f"{len(own)} values"
+        source = f"{self.source}; of the ball {name}: {told}"
         return replace(self, values={**self.values, **own}, source=source, default=False, includes_face=False)
 
     @classmethod

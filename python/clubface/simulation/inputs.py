@@ -202,8 +202,7 @@ def parameter_set(model_name: str, of_club: Club, given: Any, of_ball: Ball | No
     to values that changes the published set.
     """
     chosen = _chosen(model_name, of_club.parameters, given)
-    own = of_ball.parameters.get(model_name) if of_ball is not None else None
-    return chosen if own is None else chosen.of_ball(of_ball.name, own)  # pyright: ignore[reportOptionalMemberAccess]
+    return chosen if of_ball is None else chosen.of_ball(of_ball.name, of_ball.values_for(model_name))
 
 
 def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:
