@@ -101,12 +101,6 @@ class Ball(Described):
                 RuleWarning,
             )
 
-    def values_for(self, model_name: str) -> dict[str, float]:
-        """Return the values of a model's parameters [SI] that belong to the ball, its friction among them."""
-        takes_friction = any(each.name == "friction" for each in model(model_name).parameters)
-        own = {"friction": self.friction} if takes_friction and self.friction is not None else {}
-        return {**own, **self.parameters.get(model_name, {})}
-
     def inputs(self) -> dict[str, float]:
         """Return the values the models take, SI, under the core's names and in its order."""
         return {f"ball_{key}": getattr(self, key) for key in RIGID}

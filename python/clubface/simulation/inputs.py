@@ -202,7 +202,13 @@ def parameter_set(model_name: str, of_club: Club, given: Any, of_ball: Ball | No
     to values that changes the published set.
     """
     chosen = _chosen(model_name, of_club.parameters, given)
-    return chosen if of_ball is None else chosen.of_ball(of_ball.name, of_ball.values_for(model_name))
+    return chosen if of_ball is None else chosen.of_ball(of_ball.name, _values_of(of_ball, chosen))
+
+
+def _values_of(ball: Ball, chosen: ParameterSet) -> dict[str, float]:
+    """Return the values that belong to a ball: its own for the model, and its friction where no shots told another."""
+    takes_friction = "friction" in chosen.values and not chosen.includes_face and ball.friction is not None
+    return {**({"friction": ball.friction} if takes_friction else {}), **ball.parameters.get(chosen.model, {})}  # pyright: ignore[reportReturnType]
 
 
 def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:

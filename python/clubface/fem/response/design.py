@@ -121,4 +121,3 @@ def strikes(parts: Mapping[str, Part]) -> dict[tuple[int, int], Strike]:
             for place, part in enumerate(parts.values())
             for number, strike in enumerate(part.make(part.count, part.seed))
         }
-
