@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface.equipment.clubs import Club, club
 from clubface.support.warning import without_warnings
 from clubface.units import parse
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 CLUBS = (
     "driver", "3-wood", "5-wood", "hybrid", "3-iron", "5-iron", "6-iron", "7-iron", "8-iron", "9-iron",
@@ -24,7 +28,8 @@ class Strike(NamedTuple):
     friction: float
 
 
-class Part(NamedTuple):
+@dataclass(frozen=True)
+class Part:
     """Some of the strikes: what they are, how many, and the seed of their sequence."""
 
     make: Callable[[int, int], list[Strike]]
@@ -42,10 +47,9 @@ def heads(count: int, seed: int) -> list[Strike]:
     """
     import numpy as np
     from scipy.spatial.transform import Rotation
-    from scipy.stats import qmc
 
     found = []
-    for u in qmc.Sobol(24, seed=seed).random(count):
+    for u in _sequence(24, count, seed):
         mass = 5.0 if u[4] < 0.04 else 0.16 * (0.45 / 0.16) ** u[3]
         gyration = np.array([0.0135 * (0.035 / 0.0135) ** u[6], *(0.024 * (0.055 / 0.024) ** u[7:9])])
         moments = mass * gyration**2
@@ -60,7 +64,7 @@ def heads(count: int, seed: int) -> list[Strike]:
         radius = 1.0 / curvature if curvature else math.inf
         head = Club(
             name="head", kind="wood", mass=mass, cg_x=0.045 * u[22], cg_y=(u[17] - 0.5) * 0.016,
-            cg_z=(u[18] - 0.5) * 0.012, loft=0.0, bulge=radius, roll=radius, face_width="76 mm", face_height="52 mm",
+            cg_z=(u[18] - 0.5) * 0.012, loft=0.0, bulge=radius, roll=radius, face_width=0.076, face_height=0.052,
             ixx=inertia[0, 0], iyy=inertia[1, 1], izz=inertia[2, 2], ixy=inertia[0, 1], ixz=inertia[0, 2],
             iyz=inertia[1, 2], characteristic_time=0.0 if u[19] < 0.3 else 100e-6 + 250e-6 * u[20],
         )  # fmt: skip
@@ -82,10 +86,8 @@ def heads(count: int, seed: int) -> list[Strike]:
 
 def clubs(count: int, seed: int) -> list[Strike]:
     """Return strikes with the built-in clubs as golfers deliver them, good and bad, with faces of several kinds."""
-    from scipy.stats import qmc
-
     found = []
-    for number, u in enumerate(qmc.Sobol(10, seed=seed).random(count)):
+    for number, u in enumerate(_sequence(10, count, seed)):
         head = club(CLUBS[number % len(CLUBS)])
         wood = head.kind == "wood"
         rigid, least, more = (0.2, 200e-6, 80e-6) if wood else (0.4, 100e-6, 120e-6)
@@ -101,6 +103,13 @@ def clubs(count: int, seed: int) -> list[Strike]:
         }
         found.append(Strike(head, {key: float(value) for key, value in delivery.items()}, float(0.15 + 0.35 * u[3])))
     return found
+
+
+def _sequence(dimensions: int, count: int, seed: int) -> NDArray[Any]:
+    """Return the first points of a Sobol sequence, which is even where the number is a power of two."""
+    from scipy.stats import qmc
+
+    return qmc.Sobol(dimensions, rng=seed).random_base2((count - 1).bit_length())[:count]
 
 
 PARTS: dict[str, Part] = {

@@ -123,6 +123,9 @@ def fit(
     size[names.index("time")] = start[names.index("time")]
     lower, upper = (np.array([getattr(bounds[name], end) for name in names]) for end in ("lower", "upper"))
     best = least_squares(
-        lambda x: at(x)[0], start, lambda x: at(x)[1], bounds=(lower, upper), x_scale=size, loss="soft_l1", max_nfev=60
-    )
+        lambda x: at(x)[0],
+        start,
+        lambda x: at(x)[1],  # pyright: ignore[reportArgumentType] -- its stubs know names of methods alone
+        bounds=(lower, upper), x_scale=size, loss="soft_l1", max_nfev=60,
+    )  # fmt: skip
     return dict(zip(names, map(float, best.x), strict=True))
