@@ -109,7 +109,8 @@ def _sequence(dimensions: int, count: int, seed: int) -> NDArray[Any]:
     """Return the first points of a Sobol sequence, which is even where the number is a power of two."""
     from scipy.stats import qmc
 
-    return qmc.Sobol(dimensions, rng=seed).random_base2((count - 1).bit_length())[:count]
+    sequence = qmc.Sobol(dimensions, seed=seed)  # pyright: ignore[reportCallIssue]
+    return sequence.random_base2((count - 1).bit_length())[:count]
 
 
 PARTS: dict[str, Part] = {
