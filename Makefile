@@ -94,6 +94,10 @@ validation: build ## models beside published figures: the picture and the finite
 ball-fit: dev ## fit the ball modern to published plate tests again, with intervals; a minute or two
 	$(PYTHON) studies/ball_fit.py
 
+BALL ?= modern
+response-fit: dev ## the model response for a ball (BALL=modern, or the path of a file): strikes, fit, residuals; half an hour
+	$(PYTHON) -m clubface.fem.response $(BALL) studies/response
+
 identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats
 	$(PYTHON) -m pytest -m study tests/identification/test_coverage.py -s
 

@@ -16,9 +16,9 @@ CRATES = Path(__file__).parent.parent / "crates"
 LAYERS = {
     "clubface-math": ("scalar", "elementary", "vec3", "mat3", "quat", "dual", "pack", "ode"),
     "clubface-impact": (
-        "error", "description", "ball", "face", "club", "delivery", "shot", "check", "launch", "first_touch", "impact",
-        "columns", "parallel", "contact", "rings", "model", "models", "kernels", "impact_model", "registry", "batch",
-        "sensitivity", "flight",
+        "error", "description", "ball", "face", "club", "delivery", "shot", "face_spring", "check", "launch",
+        "first_touch", "guided_mass", "impact", "columns", "parallel", "contact", "rings", "model", "models", "kernels",
+        "impact_model", "registry", "batch", "sensitivity", "flight",
     ),
     "clubface-fem": (
         "error", "environment", "block", "moments", "mesh", "material", "element", "contact", "solve", "ball", "head",

@@ -137,7 +137,8 @@ def the_displacement() -> Figure:
         for speed in SPEEDS:
             if least <= speed <= largest:
                 delivery = {"speed": speed, "loft": math.radians(loft)}
-                found = fem.strike(club, delivery, which=BALL, friction=FRICTION, settings=END)
+                rigid = clubface.club(club).replace(characteristic_time=0.0)
+                found = fem.strike(rigid, delivery, which=BALL, friction=FRICTION, settings=END)
                 add(f"{club}, {loft:g}°", speed, displaced_centre(found))
     for speed in SPEEDS:
         add("plane, 12°", speed, displaced_centre(throw(speed, 12.0, FRICTION)))

@@ -3,6 +3,7 @@
 import contextlib
 import math
 import warnings
+from functools import partial
 
 import numpy as np
 import pytest
@@ -30,7 +31,8 @@ def clubs(draw):
     tensor = sum(0.02 * (p @ p * np.eye(3) - np.outer(p, p)) for p in points)
     length, text = st.floats(-0.1, 0.1), st.text(st.characters(exclude_categories=["Cs"]))
     radius = st.one_of(st.just(math.inf), st.floats(0.3, 10.0))  # of a face that reaches its corners
-    return Club(
+    described = partial(
+        Club,
         name=draw(st.text(min_size=1).filter(lambda t: t.strip() and t.isprintable())),
         kind=draw(st.sampled_from(["wood", "hybrid", "iron"])),
         mass=draw(st.floats(1e-6, 0.9)),
@@ -40,9 +42,16 @@ def clubs(draw):
         loft=draw(st.floats(0.0, 1.3)), bulge=draw(radius), roll=draw(radius),
         face_width=draw(st.floats(1e-3, 0.3)), face_height=draw(st.floats(1e-3, 0.3)),
         hand=draw(st.sampled_from([1, -1])), parameters=draw(st.sampled_from(["driver", "7-iron"])),
-        cor=draw(st.none() | st.floats(0.0, 0.8)), description=draw(text),
-        sources=draw(st.dictionaries(st.sampled_from(sorted(CLUB_PROPERTIES)), text)),
+        description=draw(text), sources=draw(st.dictionaries(st.sampled_from(sorted(CLUB_PROPERTIES)), text)),
     )  # fmt: skip
+    times = st.just({}) | st.fixed_dictionaries({"characteristic_time": st.floats(20e-6, 600e-6)})
+    try:
+        return described(**draw(times | st.fixed_dictionaries({"cor": st.floats(0.778, 0.86)})))
+    except InputError as error:
+        # The mass that moves with a face is too much for a small head.
+        if "heavier head" not in str(error):
+            raise
+        return described()
 
 
 @pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
@@ -59,8 +68,12 @@ def test_a_ball_reads_back_as_it_was_written_bit_by_bit(mass, radius, factor):
 
 
 def test_templates_describe_usable_club_and_ball():
-    mine = Club.from_text(Club.template("mine"))
-    assert mine.replace(name="driver", description="", sources={}) == club("driver").replace(description="", sources={})
+    template = Club.template("mine")
+    mine, published = (each.replace(description="", sources={}) for each in (Club.from_text(template), club("driver")))
+    # What a file need not say is there as a comment.
+    assert mine.replace(name="driver") == published.replace(characteristic_time=0.0)
+    given = Club.from_text(template.replace("# characteristic_time", "characteristic_time"))
+    assert given.characteristic_time == published.characteristic_time
     assert Ball.from_text(Ball.template()).name == "my-ball"
 
 
@@ -146,7 +159,7 @@ def test_a_missing_file_is_a_file_error(tmp_path):
         ('iyy = "5679 g cm2"', 'iyy = "9000 g cm2"', 10, "triangle inequality"),
         ('iyy = "5679 g cm2"', "", None, "keys are missing: iyy"),
         ('loft = "9.8 deg"', 'loft = "9.8', 16, "not TOML"),
-        ('mass = "Table', 'mas = "Table', 23, "unknown key 'mas'"),
+        ('mass = "Table', 'mas = "Table', 24, "unknown key 'mas'"),
     ],
 )
 def test_a_mistake_in_a_file_is_told_with_line_and_remedy(write, old, new, line, message):
@@ -172,7 +185,10 @@ def test_a_mistake_in_a_file_is_told_with_line_and_remedy(write, old, new, line,
         ({"bulge": "52 mm"}, InputError),
         ({"hand": "up"}, UnknownNameError),
         ({"hand": 0}, InputError),
-        ({"cor": 1.2}, InputError),
+        ({"cor": 0.77}, InputError),
+        ({"cor": 0.9}, InputError),
+        ({"characteristic_time": "10 us"}, InputError),
+        ({"characteristic_time": "250 us", "cor": 0.826}, InputError),
         ({"name": ""}, InputError),
         ({"description": "\ud800"}, InputError),
     ],
@@ -220,7 +236,11 @@ def test_a_ball_heavier_at_the_rim_than_a_shell_is_refused():
 
 @pytest.mark.parametrize(
     ("changes", "message"),
-    [({"iyy": "6001 g cm2", "izz": "5000 g cm2"}, "5900"), ({"cor": "0.84"}, r"0\.83")],
+    [
+        ({"iyy": "6001 g cm2", "izz": "5000 g cm2"}, "5900"),
+        ({"cor": "0.84"}, r"0\.83"),
+        ({"characteristic_time": "258 us"}, "258 us is above .* 239 us"),
+    ],
 )
 def test_a_club_outside_the_rules_is_a_warning_given_once(changes, message):
     with pytest.warns(RuleWarning, match=message):
@@ -268,9 +288,34 @@ def test_a_club_is_taken_by_name_path_or_itself(write):
     assert club(path) == club(str(path)) == club(club(path))
 
 
+def test_a_file_says_how_a_face_gives_by_one_test_or_the_other(write):
+    text = club("driver").to_toml()
+    assert club(write(text.replace('characteristic_time = "250 us"\n', "", 1), "none.toml")).characteristic_time == 0.0
+    by_cor = club(write(text.replace('characteristic_time = "250 us"', "cor = 0.822", 1), "cor.toml"))
+    # The limits of the rules: 239 us, or 0.822.
+    assert (by_cor.cor, by_cor.characteristic_time) == (0.822, pytest.approx(239e-6, abs=4e-6))
+    assert "characteristic_time" not in by_cor.to_toml().partition("[sources]")[0]
+    both = write(
+        text.replace('characteristic_time = "250 us"', 'characteristic_time = "250 us"\ncor = 0.83', 1), "b.toml"
+    )
+    with pytest.raises(FileError, match=r"b\.toml:22: characteristic_time is '250 us'; .* leave one of them out"):
+        club(both)
+    with pytest.raises(FileError, match=r"cor is 0\.77; .*a rigid face has 0\.777 with the ball modern"):
+        club(write(text.replace('characteristic_time = "250 us"', "cor = 0.77", 1), "dead.toml"))
+
+
+def test_a_new_face_takes_the_place_of_the_other_test():
+    by_cor = club("driver").replace(cor=0.83)
+    assert by_cor.replace(mass="200 g").characteristic_time == by_cor.characteristic_time
+    by_time = by_cor.replace(characteristic_time="239 us")
+    assert (by_time.cor, by_time.characteristic_time) == (None, 239e-6)
+    assert by_time.replace(cor=0.83) == by_cor
+    assert by_cor.replace(cor=None).characteristic_time == 0.0
+
+
 def test_inputs_are_in_the_order_of_the_columns():
-    names = "club_mass cg_x cg_y cg_z ixx iyy izz ixy ixz iyz static_loft bulge roll face_width face_height hand"
-    assert list(club("driver").inputs()) == names.split()
+    names = "club_mass cg_x cg_y cg_z ixx iyy izz ixy ixz iyz static_loft bulge roll face_width face_height"
+    assert list(club("driver").inputs()) == [*names.split(), "characteristic_time", "hand"]
     assert list(ball("conforming").inputs()) == ["ball_mass", "ball_radius", "ball_inertia"]
     assert club("driver").inputs()["hand"] == 1.0
     assert units.from_si(club("driver").inputs()["iyy"], "g cm2") == pytest.approx(5679)

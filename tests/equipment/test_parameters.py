@@ -43,7 +43,8 @@ def test_the_default_set_is_the_printed_one(key):
 
 def test_every_model_and_family_has_exactly_one_default_set():
     for name in models():
-        for club in ("driver", "7-iron"):
+        # The values of this one belong to the ball.
+        for club in ("driver", "7-iron") if name != "response" else ():
             fitting = [each for each in builtin_sets(name) if each.default and each.club in (club, "any")]
             assert len(fitting) == 1, (name, club)
 
@@ -201,6 +202,32 @@ def test_a_users_own_file_is_read(write):
     own = ParameterSet.from_toml(path)
     assert dict(own.values) == {"cor": 0.82, "cor_slope": 0.0, "slip_y": -0.01, "slip_z": 0.02}
     assert (own.name, own.reference) == ("My session", "42 drives")
+
+
+def test_values_found_from_shots_include_the_face_and_those_of_a_ball_do_not(write):
+    published, defaults = (
+        ParameterSet.builtin("slip", "driver", "three-dimensional-impact-models"),
+        ParameterSet.defaults("slip"),
+    )
+    unchosen = ParameterSet.builtin("slip", "driver")
+    assert (published.includes_face, defaults.includes_face) == (True, False)
+    assert published.replace(cor=0.8).includes_face
+    assert ParameterSet.from_toml(write(OWN, "own.toml")).includes_face
+    assert not unchosen.of_ball("mine", {"cor": 0.79}).includes_face
+    # The same values, found on the ball alone.
+    assert not unchosen.of_ball("mine", {"cor": unchosen.values["cor"]}).includes_face
+    assert published.of_ball("mine", {}) is published
+    assert not ParameterSet.defaults("fem").includes_face
+    assert not ParameterSet(model="fem", club="any", name="mine", values={"friction": 0.3}).includes_face
+
+
+def test_a_set_says_in_its_file_that_it_leaves_the_face_out(write):
+    text = OWN.replace('club = "driver"', 'club = "driver"\nincludes_face = false')
+    read = ParameterSet.from_toml(write(text, "own.toml"))
+    assert not read.includes_face
+    assert not ParameterSet.from_toml(write(read.to_toml(), "again.toml")).includes_face
+    with pytest.raises(FileError, match=r"own\.toml:7: includes_face must be true or false"):
+        ParameterSet.from_toml(write(text.replace("= false", '= "no"'), "own.toml"))
 
 
 def test_where_a_file_holds_several_sets_one_is_chosen(write):

@@ -53,7 +53,8 @@ def test_the_contact_of_a_drive_is_as_deep_as_measured():
 )
 def test_distance_spins_less_than_modern_as_published(club, least, most):
     spins = [
-        clubface.impact(club, study.SHOTS[club], model="fem", ball=name).backspin for name in ("modern", "distance")
+        clubface.impact(study.CLUBS[club], study.SHOTS[club], model="fem", ball=name).backspin
+        for name in ("modern", "distance")
     ]
     assert least <= 100.0 * (spins[1] / spins[0] - 1.0) <= most
 

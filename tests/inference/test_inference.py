@@ -211,7 +211,7 @@ def test_a_bad_file_is_told_with_its_line(write, old, new, words_of_error):
         ({"ball_speed": 70.0}, {"noise": {"ball_speed": 0.0}}, "an exact measurement cannot be sampled"),
         ({"ball_speed": 70.0}, {"samples": 0}, "from 1 to"),
         ({"ball_speed": 70.0}, {"model": "slipp"}, "did you mean slip"),
-        ({"ball_speed": 70.0}, {"model": "fem"}, "thousands of deliveries a second: standard"),
+        ({"ball_speed": 70.0}, {"model": "fem"}, "thousands of deliveries a second: response, standard"),
         ({"ball_speed": 70.0}, {"prior": Prior(name="x", mean={"speed": 50.0, "toe": 9.0},
                                                deviation={"speed": 1.0, "toe": 0.001})}, "can compute"),
     ],

@@ -107,7 +107,10 @@ def test_momentum_is_kept(model, delivery, club):
 @settings(parent=quick)
 @given(delivery=deliveries)
 def test_angular_momentum_is_kept_by_the_models_that_say_so(model, delivery):
-    """About the clubhead's CG, an iron's plane face: bodies do not move during an impulse; rounding alone, 1e-12."""
+    """About the clubhead's CG, an iron's plane face: bodies do not move during an impulse; rounding alone, 1e-12.
+
+    In ``response`` they do, by distances that it does not tell: no displacement changes the part along the impulse.
+    """
     launch = clubface.impact("7-iron", delivery, model=model)
     club, ball = launch.club, launch.ball
     turn = attitude(delivery, club)
@@ -119,7 +122,10 @@ def test_angular_momentum_is_kept_by_the_models_that_say_so(model, delivery):
     after = inertia @ of(launch, "club_spin") + ball.inertia * of(launch, "spin")
     after = after + np.cross(centre, ball.mass * of(launch, "velocity"))
     size = ball.mass * delivery["speed"] * np.linalg.norm(centre)
-    assert np.abs(after - before).max() < 1e-12 * size
+    change = after - before
+    if model == "response":
+        change = change @ of(launch, "velocity") / np.linalg.norm(of(launch, "velocity"))
+    assert np.abs(change).max() < 1e-12 * size
 
 
 @pytest.mark.parametrize("model", [name for name in IMPULSE if obeys(name, "energy")])

@@ -43,7 +43,7 @@ BAD = [
     ({"speed": "113 mhp"}, "speed", "'113 mhp'; it must be in m/s or mph or km/h or ft/s (did you mean mph"),
     ({"speed": [[50.0, 51.0], [52.0]]}, "speed", "of one length"),
     ({"speed": np.ma.masked_greater([50.0, 51.0], 50.0)}, "speed", "shot 1: speed: NaN"),
-    ({"speed": 50.0, "model": None}, "model", "at least one of standard"),
+    ({"speed": 50.0, "model": None}, "model", "at least one of response, standard"),
     ({"speed": 50.0, "model": "area", "accuracy": "fine"}, "accuracy", "finite number"),
     ({"speed": 50.0, "threads": -1}, "threads", "from 1 to 1024"),
     ({"speed": 50.0, "threads": 1.5}, "threads", "from 1 to 1024"),

@@ -266,7 +266,6 @@ TARGETS = {
     ("tour-irons", "spin"): "the target of 5% for irons, with published deliveries",
     ("tour-irons", "launch angle"): "the target of 1.5 degrees",
     ("tour-driver", "launch angle"): "the target of 1 degree",
-    ("trackman-drives", "spin"): "the target of 8% for drives that belong to one delivery",
     ("launch-shares", "share of launch angle (PING)"): "within the spread over shots",
     ("launch-shares", "share of launch angle (TrackMan)"): "within the difference between the sources",
     ("launch-shares", "share of start direction (PING)"): "within the spread over shots",

@@ -66,8 +66,8 @@ fn shots(criterion: &mut Criterion) {
         ("drive off the toe", toe, driver, wood_face, driver_set),
         ("7-iron", seven, iron, flat_face, iron_set),
     ] {
-        let ball = [1.0, 0.0459, 0.0213, 83.36e-7];
-        let mut inputs = [0.0; 30];
+        let ball = [0.0, 1.0, 0.0459, 0.0213, 83.36e-7];
+        let mut inputs = [0.0; 31];
         inputs.copy_from_slice(&[&delivery[..], &club, &face, &ball].concat());
         let parameters = set.map(Column::Constant);
         let shot = |accuracy| {

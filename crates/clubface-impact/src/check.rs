@@ -1,7 +1,9 @@
 //! Checks of one shot, before any physics: each fault names the input, its value and what is allowed.
 
+use crate::club::Club;
 use crate::description::ModelInfo;
 use crate::error::ImpactError;
+use crate::face_spring::{CHARACTERISTIC_TIMES, GUIDED_MASS};
 use crate::shot::{Shot, DELIVERY_COUNT, INPUTS, INPUT_COUNT};
 use clubface_math::{Mask, Mat3, Scalar, Vec3};
 use core::f64::consts::FRAC_PI_2;
@@ -100,8 +102,44 @@ pub fn check_club(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
         );
         return Err(ImpactError::new("bulge", message));
     }
+    check_face_spring(&club)?;
     if club.hand.abs() != 1.0 {
         return Err(fault("hand", club.hand, "must be 1 (right-handed) or -1 (left-handed)"));
+    }
+    Ok(())
+}
+
+/// Checks the characteristic time of a club: within the range of the spring, and of a head heavy enough for the mass that
+/// its face moves with.
+fn check_face_spring(club: &Club<f64>) -> Result<(), ImpactError> {
+    let time = club.characteristic_time;
+    if time == 0.0 {
+        return Ok(());
+    }
+    let [shortest, longest] = CHARACTERISTIC_TIMES;
+    if !(shortest / ROUNDING..=longest * ROUNDING).contains(&time) {
+        return Err(fault(
+            "characteristic_time",
+            time,
+            "s must be 0 (a rigid face) or from 20e-6 to 600e-6 s",
+        ));
+    }
+    // The head resists a push on its face least in a corner.
+    let (face, lever, inverse) = (club.face(), club.lever(), club.face_inertia().inverse());
+    let least = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)].map(|(toe, high)| {
+        let point = face.point(toe * club.face_width / 2.0, high * club.face_height / 2.0);
+        let arm = (lever + point).cross(face.nearest(point).normal);
+        (club.mass.recip() + arm.dot(inverse * arm)).recip()
+    });
+    let least = least.into_iter().fold(f64::INFINITY, f64::min);
+    if least <= GUIDED_MASS {
+        let allowed = format!(
+            "s needs a heavier head or a smaller face: in a corner of this one the head acts like {:.1} g, and must \
+             act like more than the {:.0} g that move with a face that gives; 0 is a rigid face",
+            least * 1e3,
+            GUIDED_MASS * 1e3
+        );
+        return Err(fault("characteristic_time", time, &allowed));
     }
     Ok(())
 }

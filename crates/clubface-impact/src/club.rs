@@ -24,6 +24,8 @@ pub struct Club<S> {
     pub face_width: S,
     /// Height of the face outline, m.
     pub face_height: S,
+    /// Characteristic time of the face, s; 0 is rigid.
+    pub characteristic_time: S,
     /// 1 for a right-hander, -1 for a left-hander.
     pub hand: S,
 }

@@ -52,6 +52,13 @@ pub const MOST_LANES: usize = 8;
 #[inline(always)]
 pub fn gather<S: Lanes, const N: usize>(columns: &[Column], start: usize, used: usize) -> [S; N] {
     let mut values = [S::zero(); N];
+    gather_into(&mut values, columns, start, used);
+    values
+}
+
+/// The same into the first places of `values`.
+#[inline(always)]
+pub fn gather_into<S: Lanes>(values: &mut [S], columns: &[Column], start: usize, used: usize) {
     for (value, column) in values.iter_mut().zip(columns) {
         *value = match column {
             Column::Constant(constant) => S::from_f64(*constant),
@@ -59,5 +66,4 @@ pub fn gather<S: Lanes, const N: usize>(columns: &[Column], start: usize, used: 
             Column::Values(column) => S::from_fn(|lane| column[start + lane.min(used - 1)]),
         };
     }
-    values
 }

@@ -2,6 +2,7 @@
 
 use crate::ball::Ball;
 use crate::face::{tangents, Face};
+use crate::face_spring::FaceSpring;
 use crate::launch::Launch;
 use crate::shot::{Shot, INPUT_COUNT};
 use clubface_math::{Computation, Mat3, Scalar, Vec3};
@@ -14,6 +15,10 @@ pub struct FirstTouch<S> {
     pub attitude: Mat3<S>,
     /// Face curvatures.
     pub face: Face<S>,
+    /// Characteristic time of the face, s; 0 is rigid.
+    pub characteristic_time: S,
+    /// Mass and spring behind the face.
+    pub spring: FaceSpring<S>,
     /// The ball.
     pub ball: Ball<S>,
     /// Clubhead mass, kg.
@@ -50,6 +55,8 @@ impl<S: Scalar> FirstTouch<S> {
         Self {
             attitude,
             face,
+            characteristic_time: club.characteristic_time,
+            spring: FaceSpring::new(club.characteristic_time),
             ball: *ball,
             club_mass: club.mass,
             inertia: club.face_inertia(),

@@ -23,6 +23,7 @@ macro_rules! registry {
 }
 
 registry! {
+    RESPONSE => models::response::Response;
     STANDARD => models::standard::Standard;
     ADJUSTED => models::adjusted::Adjusted;
     SLIP => models::slip::Slip;

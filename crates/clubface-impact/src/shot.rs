@@ -36,7 +36,7 @@ macro_rules! inputs {
 pub const DELIVERY_COUNT: usize = 11;
 
 /// Number of inputs.
-pub const INPUT_COUNT: usize = 30;
+pub const INPUT_COUNT: usize = 31;
 
 /// All inputs, in the order of the columns of a batch.
 pub const INPUTS: [Input; INPUT_COUNT] = inputs! {
@@ -67,6 +67,7 @@ pub const INPUTS: [Input; INPUT_COUNT] = inputs! {
     "club" roll ["m"] true, "vertical radius of the face, infinite if flat";
     "club" face_width ["m"] false, "width of the face outline, heel to toe, centred on the face centre";
     "club" face_height ["m"] false, "height of the face outline, centred on the face centre";
+    "club" characteristic_time ["s"] true, "how long the face gives under the rules' pendulum; 0 is rigid";
     "club" hand ["1"] false, "1 for a right-handed club, -1 for its mirror image";
     "ball" ball_mass ["kg"] true, "mass of the ball";
     "ball" ball_radius ["m"] true, "radius of the ball";
@@ -111,9 +112,10 @@ impl<S: Scalar> Shot<S> {
                 roll: v[23],
                 face_width: v[24],
                 face_height: v[25],
-                hand: v[26],
+                characteristic_time: v[26],
+                hand: v[27],
             },
-            ball: Ball { mass: v[27], radius: v[28], inertia: v[29] },
+            ball: Ball { mass: v[28], radius: v[29], inertia: v[30] },
         }
     }
 }

@@ -9,12 +9,13 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import ClassVar, Self
+from typing import Any, ClassVar, Self
 
 from clubface import units
 from clubface.equipment.balls import Ball as Ball, ball as ball
 from clubface.equipment.core import check_body
-from clubface.equipment.described import Described, Property, set_si, template_lines, to_toml
+from clubface.equipment.described import Described, Property, changed, set_si, template_lines, to_toml
+from clubface.equipment.restitution import characteristic_time_of
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning
 from clubface.support.checks import check_choice, check_name, check_text
 from clubface.support.shipped import builtin_path, is_path
@@ -34,6 +35,9 @@ MOI_LIMIT = 5900e-7
 MOI_TOLERANCE = 100e-7
 COR_LIMIT = 0.83
 """Coefficient of restitution; The Equipment Rules."""
+TIME_LIMIT = 239e-6
+"""Characteristic time [s], with ``TIME_TOLERANCE``; The Equipment Rules."""
+TIME_TOLERANCE = 18e-6
 
 CLUB_PROPERTIES = {
     "mass": Property("mass", "g", "mass of the clubhead", "204 g"),
@@ -51,7 +55,8 @@ CLUB_PROPERTIES = {
     "roll": Property("length", "mm", 'radius of the face from sole to crown, or "flat"', "305 mm"),
     "face_width": Property("length", "mm", "width of the face, heel to toe", "105 mm"),
     "face_height": Property("length", "mm", "height of the face, along the face", "55 mm"),
-    "cor": Property("dimensionless", "1", "coefficient of restitution, compared with the rules", "0.83", False),
+    "characteristic_time": Property("time", "us", "of the face, by the rules' pendulum; 0 is rigid", "250 us", False),
+    "cor": Property("dimensionless", "1", "coefficient of restitution at 160 ft/s, in its place", "0.826", False),
 }  # fmt: skip
 
 
@@ -79,12 +84,15 @@ class Club(Described):
         Radii of the face [m]; ``math.inf`` is flat.
     face_width, face_height
         Outline of the face [m].
+    characteristic_time
+        Of the face [s], as the rules measure it; 0 is a rigid face, 20 to 600 us one that gives. Left out, it is that
+        which goes with ``cor``, or 0.
     hand
         +1 right, -1 left.
     parameters
         The family of parameter sets used by default, "driver" or "7-iron".
     cor
-        Coefficient of restitution as tested, or None; only compared with the rule limit.
+        Coefficient of restitution at 160 ft/s that was given in place of the characteristic time, or None.
     description
         A sentence for lists.
     sources
@@ -108,6 +116,7 @@ class Club(Described):
     roll: float
     face_width: float
     face_height: float
+    characteristic_time: float = None  # pyright: ignore[reportAssignmentType] -- a number from __post_init__ on
     hand: int = 1
     parameters: str = ""
     cor: float | None = None
@@ -127,10 +136,27 @@ class Club(Described):
         check_text("description", self.description)
         if not 0.0 <= self.loft <= units.to_si(75.0, "deg"):
             raise InputError("loft", units.show(self.loft, "deg"), "from 0 to 75 deg")
+        self._set_face()
         check_body("club", self.inputs())
-        if self.cor is not None and not 0.0 <= self.cor <= 1.0:
-            raise InputError("cor", self.cor, "from 0 to 1")
         self._warn()
+
+    def _set_face(self) -> None:
+        """Find the characteristic time that goes with the restitution; both are given where a club is copied."""
+        given, of_cor = self.characteristic_time, 0.0 if self.cor is None else characteristic_time_of(self.cor)
+        if given is not None and self.cor is not None and given != of_cor:
+            allowed = f"alone: cor = {self.cor} says the same of the face by another test; leave one of them out"
+            raise InputError("characteristic_time", units.show(given, "us"), allowed)
+        object.__setattr__(self, "characteristic_time", of_cor if given is None else given)
+
+    def replace(self, **changes: Any) -> Self:
+        """Return it with fields changed, as text with a unit or an SI number: ``mass="200 g"``.
+
+        A new characteristic time takes the place of the restitution, and the other way round.
+        """
+        for one, other in (("characteristic_time", "cor"), ("cor", "characteristic_time")):
+            if one in changes:
+                changes = {other: None, **changes}
+        return changed(self, changes)
 
     def _warn(self) -> None:
         if self.kind != "iron" and self.iyy > MOI_LIMIT + MOI_TOLERANCE:
@@ -141,6 +167,12 @@ class Club(Described):
             )
         if self.cor is not None and self.cor > COR_LIMIT:
             warn_once(f"{self.name}: COR {self.cor:.3f} is above the rule limit of 0.83", RuleWarning)
+        elif self.cor is None and self.characteristic_time > (TIME_LIMIT + TIME_TOLERANCE) * (1.0 + 1e-9):
+            warn_once(
+                f"{self.name}: characteristic time {units.fixed(self.characteristic_time, 'us', 0)} is above the rule"
+                " limit of 239 us (tolerance 18)",
+                RuleWarning,
+            )
         if self.mass > 1.0:
             warn_once(f"{self.name}: a clubhead of {self.mass:g} kg; a bare number is in kg", ImplausibleWarning)
 
@@ -167,7 +199,8 @@ class Club(Described):
     def to_toml(self) -> str:
         """Write the club as TOML text, which :meth:`from_text` reads back exactly."""
         hand = "right" if self.hand > 0 else "left"
-        return to_toml(self, CLUB_PROPERTIES, {"kind": self.kind, "hand": hand, "parameters": self.parameters})
+        texts = {"kind": self.kind, "hand": hand, "parameters": self.parameters}
+        return to_toml(self, CLUB_PROPERTIES, texts, () if self.cor is None else ("characteristic_time",))
 
     @classmethod
     def builtin(cls, name: str) -> Self:

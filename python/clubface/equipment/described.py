@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import fields, replace
 from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple, Self, TypeVar
@@ -119,15 +119,15 @@ def changed(subject: T, changes: Mapping[str, Any]) -> T:
     return replace(subject, **{"sources": kept, **changes})  # pyright: ignore
 
 
-def to_toml(subject: Any, properties: Properties, texts: Mapping[str, str]) -> str:
-    """Write TOML text that reads back as ``subject``, bit by bit."""
+def to_toml(subject: Any, properties: Properties, texts: Mapping[str, str], left_out: Collection[str] = ()) -> str:
+    """Write TOML text that reads back as ``subject``, bit by bit, though some properties follow from others."""
     lines = [f"{key} = {quoted(value)}" for key, value in {"name": subject.name, **texts}.items()]
     if subject.description:
         lines.append(f"description = {quoted(subject.description)}")
     lines.append("")
     for key, each in properties.items():
         value = getattr(subject, key)
-        if value is not None:
+        if value is not None and key not in left_out:
             lines.append(f"{key} = {quoted(written(value, each))}")
     sources = dict(subject.sources)
     for group, names in SOURCE_GROUPS.items():

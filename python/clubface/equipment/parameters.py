@@ -23,9 +23,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
 from types import MappingProxyType
-from typing import Any, Self
+from typing import Any, Self, TypeVar
 
 from clubface import units
+from clubface.equipment.backends import MODULES
 from clubface.equipment.models import Model, Parameter, model
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.support.checks import check_choice
@@ -33,9 +34,13 @@ from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document, quoted
 
 FAMILIES = ("driver", "7-iron", "any")
+T = TypeVar("T")
+_TOLD = 5
+"""How many names of values are told one by one."""
 _FILE_KEYS = ("title", "reference", "set")
 _SET_TEXTS = ("model", "club", "variant", "source")
-_SET_KEYS = (*_SET_TEXTS, "default", "caveats", "values", "value_caveats")
+_SET_FLAGS = {"default": False, "includes_face": True}
+_SET_KEYS = (*_SET_TEXTS, *_SET_FLAGS, "caveats", "values", "value_caveats")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,6 +67,10 @@ class ParameterSet:
         The same for single parameters, by name.
     default
         Whether this is the set used where none is named.
+    includes_face
+        Whether the values describe ball and face together, as all do that were found from shots of a club: its
+        characteristic time must not count twice, see :meth:`beside`. False if they describe the ball alone. The sets of
+        finite elements never include the face.
     unchosen
         The parameters whose values nobody chose, neither themselves nor with a set: a ball may have its own.
     """
@@ -75,6 +84,7 @@ class ParameterSet:
     caveats: tuple[str, ...] = ()
     value_caveats: Mapping[str, str] = field(default_factory=dict)
     default: bool = False
+    includes_face: bool = True
     unchosen: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -89,11 +99,17 @@ class ParameterSet:
         object.__setattr__(self, "values", MappingProxyType(ordered))
         object.__setattr__(self, "value_caveats", MappingProxyType(dict(self.value_caveats)))
         object.__setattr__(self, "caveats", tuple(self.caveats))
+        if self.model in MODULES:
+            object.__setattr__(self, "includes_face", False)
 
     @property
     def units(self) -> dict[str, str]:
         """The SI unit of each value."""
         return {each.name: each.unit for each in model(self.model).parameters}
+
+    def beside(self, club: Mapping[str, T]) -> dict[str, T | float]:
+        """Return the inputs of a club as the core takes them together with these parameters."""
+        return {**club, **({"characteristic_time": 0.0} if self.includes_face else {})}
 
     def columns(self) -> list[Any]:
         """Return the values in the order of the registry, as the core takes them."""
@@ -117,10 +133,13 @@ class ParameterSet:
     def of_ball(self, name: str, values: Mapping[str, float]) -> Self:
         """Return the set with the values that the ball called ``name`` has for the model, where nobody chose one."""
         own = {key: value for key, value in values.items() if key in self.unchosen}
-        if not own or own.items() <= self.values.items():
+        if not own:
             return self
-        source = f"{self.source}; of the ball {name}: {', '.join(own)}"
-        return replace(self, values={**self.values, **own}, source=source, default=False)
+        if own.items() <= self.values.items():
+            return replace(self, includes_face=False)
+        told = ", ".join(own) if len(own) <= _TOLD else f"{len(own)} values"
+        source = f"{self.source}; of the ball {name}: {told}"
+        return replace(self, values={**self.values, **own}, source=source, default=False, includes_face=False)
 
     @classmethod
     def defaults(cls, model_name: str, club: str = "any") -> Self:
@@ -132,6 +151,7 @@ class ParameterSet:
             name="registry defaults",
             values=values,
             source="defaults of the registry",
+            includes_face=False,
             unchosen=frozenset(values),
         )
 
@@ -171,6 +191,7 @@ class ParameterSet:
             f"source = {quoted(self.source)}",
         ]
         lines += [f"variant = {quoted(variant)}"] if variant else []
+        lines += [] if self.includes_face else ["includes_face = false"]
         lines += ["caveats = [" + ", ".join(quoted(text) for text in self.caveats) + "]", "[set.values]"]
         lines += [
             f"{key} = {quoted(f'{value!r} {unit}')}"
@@ -211,11 +232,12 @@ def read_sets(document: Document, name: str | None = None) -> list[ParameterSet]
 def _read_set(document: Document, entry: dict[str, Any], index: int, name: str) -> ParameterSet:
     document.check_keys(entry, _SET_KEYS, ("model", "club", "values"), "set", index)
     document.check_text(entry, _SET_TEXTS, "set", index)
-    caveats, default = entry.get("caveats", []), entry.get("default", False)
+    caveats, flags = entry.get("caveats", []), {key: entry.get(key, usual) for key, usual in _SET_FLAGS.items()}
     if not (isinstance(caveats, list) and all(isinstance(each, str) for each in caveats)):
         raise document.error("caveats must be a list of texts", "caveats", "set", index)
-    if not isinstance(default, bool):
-        raise document.error("default must be true or false", "default", "set", index)
+    for key, flag in flags.items():
+        if not isinstance(flag, bool):
+            raise document.error(f"{key} must be true or false", key, "set", index)
     values, value_caveats = entry["values"], entry.get("value_caveats", {})
     if not (isinstance(values, dict) and isinstance(value_caveats, dict)):
         raise document.error("values and value_caveats must be tables", "values", "set", index)
@@ -238,7 +260,7 @@ def _read_set(document: Document, entry: dict[str, Any], index: int, name: str) 
             reference=document.data["reference"],
             caveats=tuple(caveats),
             value_caveats=value_caveats,
-            default=default,
+            **flags,
         )
     except ClubfaceError as error:
         table = "set.values" if getattr(error, "parameter", None) in names else "set"

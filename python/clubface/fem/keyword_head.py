@@ -132,6 +132,8 @@ def _rigid(deck: Cards, club: Club, hit: dict[str, Any], nodes: int, elements: i
     """Write a rigid head: a mesh of its face for contact, its mass, inertia and motion as numbers."""
     import numpy as np
 
+    if club.characteristic_time:
+        deck.comment("the face of this club gives by a spring in clubface; this deck has a rigid face")
     deck.keyword("PART_INERTIA")
     deck.text(f"{club.name}: rigid")
     deck.card([HEAD_PART, HEAD_SECTION, HEAD_PART])

@@ -132,7 +132,7 @@ class Bag:
     def hit(self, loft: Floats, parameters: ParameterSet) -> Launch:
         """Return the launches of all clubs, delivered at their published speeds and attack angles."""
         return impact(
-            "driver", {**self.inputs, "speed": self.speed, "attack": self.attack, "loft": loft},
+            "driver", {**parameters.beside(self.inputs), "speed": self.speed, "attack": self.attack, "loft": loft},
             model=parameters.model, parameters=parameters, ball=published_ball(), on_error="nan",
         )  # fmt: skip
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,7 @@ from clubface.identification.simulator import Effort, Simulator
 from clubface.identification.stages import Progress, Stages
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.impact import Parameters
-from clubface.simulation.inputs import equipment, parameter_set
+from clubface.simulation.inputs import equipped
 from clubface.simulation.run_options import thread_count, tolerance
 from clubface.support.resuming import fingerprint
 
@@ -147,9 +148,9 @@ def identify(
             raise InputError(name, count, f"a whole number of at least {least}{', but 1' if name == 'folds' else ''}")
     if not 0.5 <= confidence < 1.0:
         raise InputError("confidence", confidence, "from 0.5 to below 1")
-    with_ = equipment(club, ball)
-    head = with_.club
-    fixed = parameter_set(model, head, parameters, with_.ball)
+    with_, given = equipped(model, club, ball, parameters)
+    # What is found from shots includes the face they were hit with.
+    head, fixed = with_.club, replace(given, includes_face=True)
     for name, value in fixed.values.items():
         if not isinstance(value, float):
             raise InputError(name, value, "a single number: one set of parameters is identified from all shots")

@@ -16,7 +16,7 @@ from clubface.simulation.air import Air
 from clubface.simulation.backends import backend_of
 from clubface.simulation.flight_inputs import check_conditions
 from clubface.simulation.impact import Parameters
-from clubface.simulation.inputs import equipment, hand_value, parameter_set
+from clubface.simulation.inputs import equipped, hand_value
 from clubface.simulation.launch import computed_with
 from clubface.simulation.run_options import thread_count, tolerance
 from clubface.support.resuming import unfinished
@@ -158,8 +158,7 @@ def predict(
         raise InputError("chunk_rows", chunk_rows, f"a whole number from 1 to {MOST_ROWS}")
     threads, accuracy = thread_count(threads) or None, tolerance(accuracy)
     own, ball = backend_of(model).balls(ball, accuracy)
-    with_ = equipment(club, ball)
-    chosen = parameter_set(model, with_.club, parameters, with_.ball)
+    with_, chosen = equipped(model, club, ball, parameters)
     arrays = [name for name, value in chosen.values.items() if not isinstance(value, float)]
     if arrays:
         raise InputError(arrays[0], Told("an array"), "a single number for a file of deliveries")

@@ -14,7 +14,7 @@ from clubface.errors import InputError
 from clubface.simulation import core
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
-from clubface.simulation.inputs import as_values, equipment, parameter_set, shot_error, shots, single
+from clubface.simulation.inputs import as_values, equipped, shot_error, shots, single
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import Quantity, in_unit
 from clubface.simulation.results import Series
@@ -179,8 +179,7 @@ def history(
         contact = [name for name, each in models().items() if each.kind == "contact"]
         raise InputError("model", model, f"a contact model, which resolves time: {', '.join(contact)}")
     accuracy = tolerance(accuracy)
-    with_ = equipment(club, ball)
-    chosen = parameter_set(model, with_.club, parameters, with_.ball)
+    with_, chosen = equipped(model, club, ball, parameters)
     hit = shots(with_, as_values(delivery, values), hand=hand)
     columns, parameter_columns = single(hit, chosen, "a history")
     try:

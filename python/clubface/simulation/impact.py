@@ -14,7 +14,7 @@ from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError
 from clubface.simulation.backends import Request, backend_of
 from clubface.simulation.delivery import Delivery
-from clubface.simulation.inputs import as_values, broadcast, equipment, parameter_set, shot_error, shots, value_of
+from clubface.simulation.inputs import as_values, broadcast, equipped, shot_error, shots, value_of
 from clubface.simulation.launch import Comparison, Launch
 from clubface.simulation.quantities import outputs
 from clubface.simulation.results import first_error
@@ -125,8 +125,7 @@ def impact(
     accuracy, cores = tolerance(accuracy), thread_count(threads)
     backend = backend_of(model)
     own, ball = backend.balls(ball, accuracy)
-    with_ = equipment(club, ball)
-    chosen = parameter_set(model, with_.club, parameters, with_.ball)
+    with_, chosen = equipped(model, club, ball, parameters)
     hit = shots(with_, values, hand=hand)
     names = tuple(chosen.values)
     hit, columns = broadcast(hit, chosen.columns(), names, len(outputs()))

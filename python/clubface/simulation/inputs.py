@@ -91,6 +91,23 @@ def _equip(of_club: Club, of_ball: Ball) -> Equipment:
     return Equipment(of_club, of_ball, tuple(values.get(name, 0.0) for name in inputs()))
 
 
+def equipped(
+    model_name: str,
+    which: str | os.PathLike[str] | Club,
+    which_ball: str | os.PathLike[str] | Ball | None,
+    given: Any,
+) -> tuple[Equipment, ParameterSet]:
+    """Return club and ball as a model takes them with its parameters, and those (``given`` as for `parameter_set`)."""
+    with_ = equipment(which, which_ball)
+    chosen = parameter_set(model_name, with_.club, given, with_.ball)
+    return _beside(with_, chosen) if chosen.includes_face and with_.club.characteristic_time else with_, chosen
+
+
+def _beside(with_: Equipment, chosen: ParameterSet) -> Equipment:
+    columns = chosen.beside(dict(zip(inputs(), with_.columns, strict=True)))
+    return with_._replace(columns=tuple(columns.values()))
+
+
 def shots(with_: Equipment, values: Mapping[str, Any], *, hand: Any = None) -> Shots:
     """Lay out shots whose inputs differ from ``with_`` by ``values``: text with a unit, SI numbers, or arrays.
 
@@ -185,8 +202,13 @@ def parameter_set(model_name: str, of_club: Club, given: Any, of_ball: Ball | No
     to values that changes the published set.
     """
     chosen = _chosen(model_name, of_club.parameters, given)
-    own = of_ball.parameters.get(model_name) if of_ball is not None else None
-    return chosen if own is None else chosen.of_ball(of_ball.name, own)  # pyright: ignore[reportOptionalMemberAccess]
+    return chosen if of_ball is None else chosen.of_ball(of_ball.name, _values_of(of_ball, chosen))
+
+
+def _values_of(ball: Ball, chosen: ParameterSet) -> dict[str, float]:
+    """Return the values that belong to a ball: its own for the model, and its friction where no shots told another."""
+    takes_friction = "friction" in chosen.values and not chosen.includes_face and ball.friction is not None
+    return {**({"friction": ball.friction} if takes_friction else {}), **ball.parameters.get(chosen.model, {})}  # pyright: ignore[reportReturnType]
 
 
 def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:

@@ -146,11 +146,11 @@ class Launch(Result):
     @property
     def provenance(self) -> dict[str, Any]:
         """The model, its parameters with source and caveats, club, ball, delivery and version."""
-        inputs = (*self.club.inputs().items(), *self.ball.inputs().items())
+        inputs = {**self.parameters.beside(self.club.inputs()), **self.ball.inputs()}
         varied = self._shots.varied
         changed = {
             name: self.input(name)
-            for name, value in inputs
+            for name, value in inputs.items()
             if self.input(name) is not value and (name in varied or self.input(name) != value)
         }
         delivered = {name: _number(name, value, varied) for name, value in self.delivery.items()}
@@ -179,6 +179,7 @@ def computed_with(
             "reference": parameters.reference,
             "caveats": [*parameters.caveats, *(f"{key}: {text}" for key, text in parameters.value_caveats.items())],
             "values": {name: _number(name, value, varied) for name, value in parameters.values.items()},
+            "includes_face": parameters.includes_face,
         },
         "club": {"name": club.name, "description": club.description},
         "ball": {"name": ball.name, "description": ball.description},

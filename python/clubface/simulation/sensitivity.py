@@ -15,7 +15,7 @@ from clubface.errors import InputError, UnitError
 from clubface.simulation import core
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
-from clubface.simulation.inputs import as_values, equipment, parameter_set, shot_error, shots, single
+from clubface.simulation.inputs import as_values, equipped, shot_error, shots, single
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import Quantity, inputs, outputs as launch_outputs
 from clubface.simulation.run_options import tolerance
@@ -188,9 +188,8 @@ def sensitivity(
         A table with labels and units.
     """
     accuracy = tolerance(accuracy)
-    with_ = equipment(club, ball)
     reduced_model(model, "one with derivatives")
-    chosen = parameter_set(model, with_.club, parameters, with_.ball)
+    with_, chosen = equipped(model, club, ball, parameters)
     hit = shots(with_, as_values(delivery, values), hand=hand)
     columns, parameter_columns = single(hit, chosen, "a sensitivity")
     try:

@@ -29,7 +29,7 @@ pub struct ContactEnergy {
     pub friction: f64,
     /// Turned into heat by the damping of nodes that arrive at the face.
     pub damping: f64,
-    /// Kinetic energy of rigid bodies.
+    /// Energy of rigid bodies: kinetic, and that of the spring behind a face.
     pub bodies: f64,
 }
 

@@ -17,9 +17,9 @@ pub trait RigidSurface<R: Real>: Send {
     fn apply_force(&mut self, force: Vec3<R>, point: Vec3<R>);
     /// Moves on by `dt` seconds under the applied forces.
     fn advance(&mut self, dt: f64);
-    /// Kinetic energy, J.
-    fn kinetic_energy(&self) -> f64;
-    /// Velocity of the mass centre, m/s, and angular velocity, rad/s.
+    /// Energy at the last step, J: kinetic, and that of its spring if it gives.
+    fn energy(&self) -> f64;
+    /// Velocity of the mass centre, m/s, and angular velocity, rad/s; the mean of a body that vibrates.
     fn motion(&self) -> Motion<R>;
 }
 
@@ -36,7 +36,7 @@ impl<R: Real> RigidSurface<R> for Plane {
     }
     fn apply_force(&mut self, _force: Vec3<R>, _point: Vec3<R>) {}
     fn advance(&mut self, _dt: f64) {}
-    fn kinetic_energy(&self) -> f64 {
+    fn energy(&self) -> f64 {
         0.0
     }
     fn motion(&self) -> Motion<R> {
@@ -122,7 +122,7 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
             self.surface.apply_force(-total, x);
         }
         self.surface.advance(dt);
-        self.penalty.energy.bodies = self.surface.kinetic_energy();
+        self.penalty.energy.bodies = self.surface.energy();
     }
     fn forces(&self) -> &[Row<R>] {
         &self.forces

@@ -1,8 +1,9 @@
-//! A rigid clubhead with a plane or torus face, moving freely.
+//! A clubhead with a plane or torus face, moving freely: rigid but for a mass on a spring behind the face.
 
 use super::RigidSurface;
 use clubface_impact::face::Face;
 use clubface_impact::first_touch::{FirstTouch, Motion};
+use clubface_impact::guided_mass::GuidedMass;
 use clubface_math::{Mat3, Quat, Real, Vec3};
 
 /// The head, in face axes of first touch with the origin at its CG then.
@@ -13,80 +14,123 @@ pub struct RigidHead<R> {
     centre_to_face: Vec3<R>,
     mass: R,
     inverse_inertia: Mat3<R>,
-    position: Vec3<R>,
+    guided: GuidedMass<R>,
+    /// The CG.
+    centre: Vec3<R>,
     attitude: Quat<R>,
     /// Rotation from face axes to those of first touch.
     rotation: Mat3<R>,
-    velocity: Vec3<R>,
+    /// Momentum over mass, and inverse inertia times angular momentum.
+    mean: Motion<R>,
     angular_momentum: Vec3<R>,
-    spin: Vec3<R>,
+    /// Momentum of the guided mass inwards, kg m/s.
+    guided_momentum: R,
+    /// How far the face has given, m.
+    depth: R,
+    /// Motion of the body around the guided mass, and the speed of the mass in it, half a step before the others.
+    around: Motion<R>,
+    rate: R,
+    /// Where the body around the guided mass has its own centre: apart from the CG while the face gives.
+    position: Vec3<R>,
     force: Vec3<R>,
     torque: Vec3<R>,
-    /// Velocity and angular velocity half a step earlier.
-    before: (Vec3<R>, Vec3<R>),
+    energy: f64,
 }
 
 impl<R: Real> RigidHead<R> {
     /// The head of a shot at first touch.
     pub fn new(touch: &FirstTouch<R>) -> Self {
+        let inverse_inertia = touch.inertia.inverse();
+        let turned = |v| inverse_inertia * v;
+        let motion = Motion { velocity: touch.club_velocity, spin: touch.club_spin };
+        let guided = GuidedMass::new(touch.spring, touch.club_mass, turned, touch.contact, touch.normal);
         Self {
             face: touch.face,
             centre_to_face: touch.lever,
             mass: touch.club_mass,
-            inverse_inertia: touch.inertia.inverse(),
-            position: Vec3::zero(),
+            inverse_inertia,
+            guided,
+            centre: Vec3::zero(),
             attitude: Quat::identity(),
             rotation: Mat3::diagonal(R::one()),
-            velocity: touch.club_velocity,
+            mean: motion,
             angular_momentum: touch.inertia * touch.club_spin,
-            spin: touch.club_spin,
+            guided_momentum: guided.carried(motion),
+            depth: R::zero(),
+            around: motion,
+            rate: R::zero(),
+            position: Vec3::zero(),
             force: Vec3::zero(),
             torque: Vec3::zero(),
-            before: (touch.club_velocity, touch.club_spin),
+            energy: 0.0,
         }
     }
 }
 
 impl<R: Real> RigidSurface<R> for RigidHead<R> {
     fn nearest(&self, point: Vec3<R>) -> (R, Vec3<R>) {
-        let local = self.rotation.transpose() * (point - self.position) - self.centre_to_face;
+        let origin = self.centre_to_face + self.guided.inward * self.depth;
+        let local = self.rotation.transpose() * (point - self.position) - origin;
         let nearest = self.face.nearest(local);
         (nearest.distance, self.rotation * nearest.normal)
     }
     fn velocity(&self, point: Vec3<R>) -> Vec3<R> {
-        self.velocity + self.spin.cross(point - self.position)
+        let surface = self.around.velocity + self.rotation * self.guided.inward * self.rate;
+        surface + self.around.spin.cross(point - self.position)
     }
     fn apply_force(&mut self, force: Vec3<R>, point: Vec3<R>) {
         self.force += force;
-        self.torque += (point - self.position).cross(force);
+        self.torque += (point - self.centre).cross(force);
     }
     fn advance(&mut self, dt: f64) {
         let step = R::from_f64(dt);
-        self.before = (self.velocity, self.spin);
-        self.velocity += self.force * (step / self.mass);
+        let stiffness = self.guided.spring.stiffness;
+        self.mean.velocity += self.force * (step / self.mass);
         self.angular_momentum += self.torque * step;
+        let inwards = (self.rotation * self.guided.inward).dot(self.force);
+        self.guided_momentum += (inwards - stiffness * self.depth) * step;
+        // Momenta half a step later, velocities half a step earlier.
+        let kinetic = self.mass * self.mean.velocity.dot(self.around.velocity)
+            + self.angular_momentum.dot(self.around.spin)
+            + self.guided_momentum * self.rate;
+        self.energy = 0.5 * (kinetic + stiffness * self.depth.squared()).re();
         // Midpoint rule: half a step with the old rotation, then the whole step with the rotation found there.
         let middle = self.rotated(self.body_spin(self.rotation), dt * 0.5);
         self.attitude = self.rotated(self.body_spin(middle.matrix()), dt);
         self.rotation = self.attitude.matrix();
-        self.spin = self.rotation * self.body_spin(self.rotation);
-        self.position += self.velocity * step;
+        let mean = self.mean_motion(self.rotation);
+        self.mean.spin = self.rotation * mean.spin;
+        self.rate = self.guided.rate(self.guided_momentum, mean);
+        let recoil = self.guided.recoil(self.rate);
+        self.around = Motion {
+            velocity: self.mean.velocity + self.rotation * recoil.velocity,
+            spin: self.rotation * (mean.spin + recoil.spin),
+        };
+        self.depth += self.rate * step;
+        self.centre += self.mean.velocity * step;
+        self.position = self.centre + self.rotation * self.guided.recoil(self.depth).velocity;
         self.force = Vec3::zero();
         self.torque = Vec3::zero();
     }
-    fn kinetic_energy(&self) -> f64 {
-        let (velocity, spin) = self.before;
-        0.5 * (self.mass * self.velocity.dot(velocity) + self.angular_momentum.dot(spin)).re()
+    fn energy(&self) -> f64 {
+        self.energy
     }
     fn motion(&self) -> Motion<R> {
-        Motion { velocity: self.velocity, spin: self.spin }
+        self.mean
     }
 }
 
 impl<R: Real> RigidHead<R> {
-    /// Angular velocity in body axes, given the rotation of the body.
+    /// Mean motion in body axes, given the rotation of the body.
+    fn mean_motion(&self, rotation: Mat3<R>) -> Motion<R> {
+        let inverse = rotation.transpose();
+        let spin = self.inverse_inertia * (inverse * self.angular_momentum);
+        Motion { velocity: inverse * self.mean.velocity, spin }
+    }
+    /// Angular velocity of the body around the guided mass in body axes, given the rotation of the body.
     fn body_spin(&self, rotation: Mat3<R>) -> Vec3<R> {
-        self.inverse_inertia * (rotation.transpose() * self.angular_momentum)
+        let mean = self.mean_motion(rotation);
+        mean.spin + self.guided.recoil(self.guided.rate(self.guided_momentum, mean)).spin
     }
     /// Attitude after a rotation of `dt` seconds, of unit length.
     fn rotated(&self, body_spin: Vec3<R>, dt: f64) -> Quat<R> {

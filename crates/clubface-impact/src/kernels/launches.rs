@@ -5,7 +5,7 @@ use crate::check::{
     check_approach, check_delivery, check_equipment, check_parameters, good_delivery, good_parameters,
     unseparated,
 };
-use crate::columns::{gather, Column, Reject, Shots, MOST_LANES};
+use crate::columns::{gather, gather_into, Column, Reject, Shots, MOST_LANES};
 use crate::contact::Unrecorded;
 use crate::description::{FromValues, ModelInfo};
 use crate::error::ImpactError;
@@ -97,7 +97,7 @@ impl<S: Lanes> Computation for Prepare<'_, '_, S> {
         let Self { batch, first, used } = self;
         let InPacks { shots, info, checks, inputs, parameters, good, faults, .. } = batch;
         *inputs = gather(shots.inputs, first, used);
-        *parameters = gather(shots.parameters, first, used);
+        gather_into(parameters, shots.parameters, first, used);
         let touch = FirstTouch::of_inputs(inputs);
         let approach = touch.approach();
         *good = checks.good(inputs, info, parameters).and(approach.gt(S::zero()));
@@ -220,6 +220,6 @@ fn parameters_of(shots: &Shots, info: &ModelInfo, row: usize) -> Result<(), Impa
 #[rustfmt::skip]
 const HARMLESS: [f64; INPUT_COUNT] = [
     40.0, 0.0, 0.0, 0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.2, 0.04, 0.0, 0.0, 3e-4, 5e-4, 4e-4, 0.0, 0.0, 0.0, 0.2, 0.3, 0.3, 0.1, 0.05, 1.0,
+    0.2, 0.04, 0.0, 0.0, 3e-4, 5e-4, 4e-4, 0.0, 0.0, 0.0, 0.2, 0.3, 0.3, 0.1, 0.05, 0.0, 1.0,
     0.0459, 0.0213, 8.336e-6,
 ];

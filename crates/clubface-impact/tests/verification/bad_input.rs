@@ -52,6 +52,20 @@ fn sizes_of_no_club_or_ball_are_refused() {
 }
 
 #[test]
+fn a_face_gives_as_faces_do_and_less_than_the_head_weighs() {
+    for time in [0.0, 20e-6, 600e-6] {
+        assert_eq!(check(&played(Club::Driver).with(&[("characteristic_time", time)]).0), Ok(()));
+    }
+    for time in [-1e-6, 1.9e-5, 6.1e-4] {
+        let allowed = format!("{time} s must be 0 (a rigid face) or from 20e-6 to 600e-6 s");
+        assert_fault(&[("characteristic_time", time)], "characteristic_time", &allowed);
+    }
+    let (input, message) = fault(&[("characteristic_time", 2.5e-4), ("club_mass", 0.0125)]);
+    assert_eq!(input, "characteristic_time");
+    assert!(message.contains("in a corner of this one the head acts like"), "{message}");
+}
+
+#[test]
 fn a_face_must_reach_the_corners_of_its_outline() {
     for (name, value) in [("bulge", 0.05), ("roll", 0.02)] {
         let (input, message) = fault(&[(name, value)]);
@@ -225,7 +239,7 @@ proptest! {
 
     /// Whatever 30 numbers come in: a named fault or finite outputs, never a panic, and never a number from nowhere.
     #[test]
-    fn any_thirty_numbers_give_a_launch_or_a_named_fault(
+    fn any_numbers_give_a_launch_or_a_named_fault(
         changes in prop::collection::vec((0..INPUT_COUNT, any::<f64>()), 1..4)
     ) {
         let mut inputs = played(Club::Driver);

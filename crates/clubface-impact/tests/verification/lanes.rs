@@ -68,7 +68,7 @@ fn a_pack_of_one_shot_gives_its_bits_and_its_derivatives_in_any_width() {
         for club in CLUBS {
             let parameters = published(model, club);
             let shot = played(club).with(&[("toe", 0.01), ("path", 0.04)]);
-            let variables = [0, 1, 3, 6, 12, 27, INPUT_COUNT, INPUT_COUNT + 1];
+            let variables = [0, 1, 3, 6, 12, 28, INPUT_COUNT, INPUT_COUNT + 1];
             let bits = |width: usize| {
                 let found = with_lanes(width, || {
                     sensitivity(model, &shot.0, &parameters, &variables, Accuracy::Fast).unwrap()

@@ -29,7 +29,8 @@ fn parameters(model: ImpactModel, club: Club, places: &[f64]) -> Vec<f64> {
 
 /// A delivery of a club and a place within each parameter's bounds.
 fn any_case() -> impl Strategy<Value = (Club, Inputs, Vec<f64>)> {
-    (any_delivery(), prop::collection::vec(0.0..=1.0f64, 16))
+    let most = every_model().map(|model| model.info().parameters.len()).max().unwrap();
+    (any_delivery(), prop::collection::vec(0.0..=1.0f64, most))
         .prop_map(|((club, inputs), places)| (club, inputs, places))
 }
 

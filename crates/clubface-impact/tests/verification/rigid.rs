@@ -1,6 +1,6 @@
 //! Momentum, angular momentum, energy and relative velocity of an impact, worked out from its outputs.
 
-use crate::shots::{parameter, Inputs, Outputs};
+use crate::shots::{moves, parameter, Inputs, Outputs};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::ImpactModel;
 use clubface_math::{Mat3, Vec3};
@@ -16,6 +16,8 @@ pub struct Rigid {
     pub ball_spin: Vec3<f64>,
     pub club_velocity: Vec3<f64>,
     pub club_spin: Vec3<f64>,
+    /// Whether ball and head move while they touch.
+    pub moves: bool,
 }
 
 impl Rigid {
@@ -35,6 +37,7 @@ impl Rigid {
             club_velocity: velocity(outputs.club_velocity()),
             club_spin: spin(outputs.club_spin()),
             touch,
+            moves: moves(model),
         }
     }
 
@@ -43,20 +46,30 @@ impl Rigid {
         self.ball_velocity * self.touch.ball.mass
     }
 
-    /// Change of the momentum of both bodies, in units of the ball's.
-    pub fn momentum_error(&self) -> f64 {
-        let club = (self.club_velocity - self.touch.club_velocity) * self.club_mass;
-        (self.impulse() + club).norm() / self.impulse().norm()
+    /// Momentum of the head before impact, N s.
+    fn momentum_before(&self) -> f64 {
+        self.club_mass * self.touch.club_velocity.norm()
     }
 
-    /// Change of the angular momentum of both bodies about the contact point, in units of the ball's momentum times its
-    /// radius. (Neither body moves during an impulse, so the arms stay.)
+    /// Change of the momentum of both bodies, in units of the head's.
+    pub fn momentum_error(&self) -> f64 {
+        let club = (self.club_velocity - self.touch.club_velocity) * self.club_mass;
+        (self.impulse() + club).norm() / self.momentum_before()
+    }
+
+    /// Change of the angular momentum of both bodies about the contact point, in units of the head's momentum times the
+    /// radius of the ball. Where neither body moves during an impulse, the arms stay. Where the ball moves meanwhile,
+    /// by a distance that the model knows, only the part along the impulse must vanish: no displacement of the ball
+    /// changes it.
     pub fn angular_momentum_error(&self) -> f64 {
         let touch = &self.touch;
         let ball = (-self.ball_arm).cross(self.impulse()) + self.ball_spin * touch.ball.inertia;
         let club_velocity = (self.club_velocity - touch.club_velocity) * self.club_mass;
         let club = (-touch.contact).cross(club_velocity) + touch.inertia * (self.club_spin - touch.club_spin);
-        (ball + club).norm() / (self.impulse().norm() * touch.ball.radius)
+        let (change, impulse) = (ball + club, self.impulse());
+        let change =
+            if self.moves { change.dot(impulse).abs() / (impulse.norm() + 1e-300) } else { change.norm() };
+        change / (self.momentum_before() * touch.ball.radius)
     }
 
     fn energy(&self, ball: (Vec3<f64>, Vec3<f64>), club: (Vec3<f64>, Vec3<f64>)) -> f64 {

@@ -9,7 +9,7 @@ use clubface_impact::{registry, Accuracy, ImpactModel, ModelKind};
 use clubface_math::Vec3;
 use proptest::prelude::*;
 
-pub use clubface_impact::registry::{ADJUSTED, AREA, JORGENSEN, RINGS, SLIP, STANDARD, VOLUMETRIC};
+pub use clubface_impact::registry::{ADJUSTED, AREA, JORGENSEN, RESPONSE, RINGS, SLIP, STANDARD, VOLUMETRIC};
 
 clubface_impact::registry! {
     QUADRATIC_SPRING => crate::quadratic_spring::QuadraticSpring;
@@ -219,6 +219,11 @@ pub fn contacts() -> impl Iterator<Item = ImpactModel> {
 /// Models that do not.
 pub fn impulses() -> impl Iterator<Item = ImpactModel> {
     every_model().filter(|model| model.info().kind == ModelKind::Impulse)
+}
+
+/// Whether ball and head move while they touch: in contact models, and in an impulse model that knows the contact time.
+pub fn moves(model: ImpactModel) -> bool {
+    model.info().kind == ModelKind::Contact || parameter(model, "time").is_some()
 }
 
 /// Results of a shot.

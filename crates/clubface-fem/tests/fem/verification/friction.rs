@@ -38,7 +38,7 @@ impl RigidSurface<f64> for Sphere {
         self.force = Vec3::zero();
         self.height += self.velocity.x * dt;
     }
-    fn kinetic_energy(&self) -> f64 {
+    fn energy(&self) -> f64 {
         0.0
     }
     fn motion(&self) -> Motion<f64> {

@@ -5,6 +5,7 @@ mod bounces;
 mod bulk;
 mod conservation;
 mod elements;
+mod face_springs;
 mod fields;
 mod flow;
 mod friction;

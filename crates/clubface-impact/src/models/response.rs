@@ -1,0 +1,186 @@
+//! Response functions of a ball, regressed on the finite elements: how it leaves the face along the normal, along the
+//! face, and with which spin.
+//!
+//! An impact is one impulse, as in the impulse models of Caldwell and McPhee (2023), but with the mechanism that Roh
+//! and Lee found: the tangential force turns round before separation, and its lever is shorter than the ball's radius. Both
+//! follow from the time that the contact lasts and from how easily ball and head move, so they are functions of the
+//! impact, and not constants.
+
+mod effective;
+mod terms;
+
+use crate::contact::Recorder;
+use crate::description::{Law, ModelInfo, ModelKind};
+use crate::first_touch::FirstTouch;
+use crate::impact::{Accuracy, Impact};
+use crate::model::{Describe, Model};
+use crate::response_functions;
+use clubface_math::{Mat3, Scalar, Vec3};
+use effective::{Bodies, Impulse, Mobility, Place};
+pub use terms::Features;
+
+include!("response/ball_modern.rs");
+
+impl Describe for Response<()> {
+    type Over<S: Scalar> = Response<S>;
+    const INFO: ModelInfo = ModelInfo {
+        name: "response",
+        title: "Response functions of the finite element ball",
+        kind: ModelKind::Impulse,
+        summary:
+            "Restitution along the normal and along the face, and the lever of friction, as functions of the \
+                  impact, regressed on runs of the finite element ball.",
+        reference:
+            "this project, after Roh and Lee (reversal of the tangential force, compression factor) and \
+                    Caldwell and McPhee (2023) (impulses)",
+        laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
+        laws_without: None,
+        lanes: true,
+        parameters: Response::PARAMETERS,
+    };
+}
+
+/// Speed that normal approach speeds are measured by, m/s.
+const SPEED: f64 = 40.0;
+/// Characteristic time that those of clubs are measured by, s.
+const FACE: f64 = 250e-6;
+
+impl<S: Scalar> Model<S> for Response<S> {
+    #[inline(always)]
+    fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
+        let bodies = Bodies { touch, inverse_inertia: touch.inertia.inverse(), friction: self.friction };
+        let speed = touch.approach();
+        let Contact { middle, end, time } = self.contact(&bodies, speed);
+        let mobility = bodies.mobility(middle);
+        let sliding = bodies.approach(middle.point).reject(middle.normal);
+        let at = self.features(&bodies, &mobility, sliding, speed);
+
+        // Relative velocity at separation: along the normal, and along the face.
+        let rebound = speed * S::zero().max(self.restitution(&at));
+        let driven = mobility.coupling * ((speed + rebound) / mobility.normal);
+        let along = driven * self.drive(&at)
+            - sliding * self.tangential(&at)
+            - mobility.scaled(sliding) * self.tangential_mobility(&at);
+        let wanted = end.normal * rebound + along.reject(end.normal) - bodies.approach(end.point);
+
+        let arm = touch.ball.radius * self.lever(&at);
+        let turning = Mat3::cross(end.normal) * Mat3::cross(middle.normal);
+        let gained =
+            bodies.head(end.point, middle.point) + turning.scale(-arm.squared() / touch.ball.inertia);
+        let linear = self.within_friction(&bodies, gained, wanted, middle.normal, end.normal);
+        let normal_impulse = middle.normal.dot(linear);
+        let twist = self.twist(&bodies, &at, middle, linear);
+        let (ball, club) = Impulse { place: middle, linear, twist, arm }.motions(&bodies);
+        let mut launch = touch.launch(ball, club);
+        launch.contact_time = time;
+        launch.peak_force = normal_impulse / time * self.peak(&at);
+        Impact::certain(launch)
+    }
+}
+
+/// Where and how long ball and face touch.
+struct Contact<S> {
+    /// The place where the impulse acts.
+    middle: Place<S>,
+    /// The place of separation.
+    end: Place<S>,
+    /// From first touch to separation, s.
+    time: S,
+}
+
+impl<S: Scalar> Response<S> {
+    /// The contact, from an estimate of the impulse: ball and head move while they touch.
+    #[inline(always)]
+    fn contact(&self, bodies: &Bodies<S>, speed: S) -> Contact<S> {
+        let touch = bodies.touch;
+        let first = Place { point: touch.contact, normal: touch.normal };
+        let mobility = bodies.mobility(first);
+        let free = (mobility.normal * touch.ball.mass).recip();
+        let face = face(touch);
+        let time = (self.time_speed * (speed * SPEED.recip()).ln() + self.time_mobility * free.ln()).exp()
+            * self.time
+            * (face * self.time_face + 1.0);
+        let impulse = bodies.estimate(first, speed, &mobility);
+        let turned = bodies.inverse_inertia * impulse.cross(first.point);
+        let pushed = impulse * (touch.ball.mass.recip() + touch.club_mass.recip());
+        let place = |turn: [S; 2], shift: [S; 2]| {
+            bodies.place(
+                (touch.club_spin * turn[0] + turned * turn[1]) * time,
+                (pushed * shift[1] - touch.club_velocity * shift[0]) * time,
+            )
+        };
+        Contact {
+            middle: place([self.middle_turn, self.middle_turned], [self.middle_shift, self.middle_pushed]),
+            end: place([self.end_turn, self.end_turned], [self.end_shift, self.end_pushed]),
+            time,
+        }
+    }
+
+    #[inline(always)]
+    fn features(
+        &self,
+        bodies: &Bodies<S>,
+        mobility: &Mobility<S>,
+        sliding: Vec3<S>,
+        speed: S,
+    ) -> Features<S> {
+        let normal = bodies.estimated_normal(speed, mobility);
+        let rolling = bodies.rolling(sliding, normal, mobility);
+        let need = bodies.need(rolling, normal);
+        let slipping = need / (need + self.half_slip.squared());
+        let coupling = mobility.coupling.dot(sliding) / mobility.normal;
+        Features {
+            speed: speed * SPEED.recip() - 0.75,
+            friction: (self.friction - 0.3) * 3.0,
+            slip: slipping - 0.5,
+            mobility: ((mobility.normal * bodies.touch.ball.mass).recip() - 0.8) * 5.0,
+            ratio: mobility.ratio(),
+            coupling: coupling * 3.0 / (sliding.norm_squared() + speed.squared()).sqrt(),
+            face: face(bodies.touch),
+        }
+    }
+
+    /// The impulse that brings the `wanted` change of relative velocity, or as much along the face as friction gives.
+    #[inline(always)]
+    fn within_friction(
+        &self,
+        bodies: &Bodies<S>,
+        gained: Mat3<S>,
+        wanted: Vec3<S>,
+        middle: Vec3<S>,
+        end: Vec3<S>,
+    ) -> Vec3<S> {
+        let free = gained.inverse() * wanted;
+        let normal = free.dot(middle);
+        let along = free.reject(middle);
+        // Smoothly the lesser of one and limit over need.
+        let need = bodies.need(along, normal) + 1e-30;
+        let sharpness = self.sharpness;
+        let share = (-(((need.ln() * sharpness * 0.5).exp() + 1.0).ln() / sharpness)).exp();
+        let along = along * share;
+        let given = gained.transpose() * end;
+        let normal = S::zero().max((wanted.dot(end) - given.dot(along)) / given.dot(middle));
+        // What the normal impulse loses by the saturation it loses as a limit of friction, too.
+        let limit = self.friction * normal;
+        let over = along.norm_squared().gt(limit.squared());
+        let scale = limit / S::select(over, along.norm(), S::one());
+        middle * normal + Vec3::select(over, along * scale, along)
+    }
+
+    /// The twist about the normal by which a turning face turns the ball, N m s.
+    #[inline(always)]
+    fn twist(&self, bodies: &Bodies<S>, at: &Features<S>, middle: Place<S>, linear: Vec3<S>) -> S {
+        let touch = bodies.touch;
+        let turned = bodies.inverse_inertia * linear.cross(middle.point);
+        let spin = middle.normal.dot(touch.club_spin * self.twist_before + turned) * self.torsion(at);
+        let limit = self.friction * linear.dot(middle.normal) * touch.ball.radius * self.twist_arm + 1e-30;
+        let free = spin * touch.ball.inertia;
+        free / ((free / limit).squared() + 1.0).sqrt()
+    }
+}
+
+/// Square of the characteristic time over 250 us, to which the compliance of a face is proportional.
+#[inline(always)]
+fn face<S: Scalar>(touch: &FirstTouch<S>) -> S {
+    (touch.characteristic_time * FACE.recip()).squared()
+}

@@ -1,0 +1,32 @@
+"""The restitution that goes with a characteristic time, and the way back."""
+
+from itertools import pairwise
+
+import pytest
+from hypothesis import given, strategies as st
+
+from clubface.equipment.restitution import RANGE, RIGID, characteristic_time_of, restitution
+from clubface.errors import InputError
+
+
+def test_restitution_grows_from_that_of_a_rigid_face():
+    values = [restitution(time * 1e-6) for time in range(0, 401, 5)]
+    assert values[0] == RIGID
+    assert all(low < high for low, high in pairwise(values))
+
+
+@pytest.mark.parametrize(("time", "cor"), [(239e-6, 0.822), (257e-6, 0.830)])
+def test_the_limits_of_the_rules_belong_together(time, cor):
+    # The Equipment Rules, with and without tolerance. One constant of the face is not enough for both.
+    assert restitution(time) == pytest.approx(cor, abs=0.0015)
+
+
+@given(st.floats(*RANGE))
+def test_the_time_of_a_restitution_has_it(cor):
+    assert restitution(characteristic_time_of(cor)) == pytest.approx(cor, abs=1e-12)
+
+
+@pytest.mark.parametrize("cor", [0.7772, 0.5, 0.861, 1.0, float("nan")])
+def test_what_no_face_has_is_refused(cor):
+    with pytest.raises(InputError, match=r"from 0\.778 to 0\.86 at 160 ft/s; a rigid face has 0\.777"):
+        characteristic_time_of(cor)

@@ -1,0 +1,126 @@
+"""The coefficients of ``response``: their strikes, their fit, and what they leave."""
+
+import shutil
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface import fem
+from clubface.fem.response.design import PARTS, strikes
+from clubface.fem.response.fit import LIGHT, effective_mass, fit, fitted, scales, simulated, weights
+from clubface.fem.response.residuals import figure, summary
+from clubface.fem.response.runs import COLUMNS, TARGETS, in_fit, run
+
+STUDY = Path(__file__).parents[2] / "studies" / "response"
+DEFAULTS = {each.name: each.default for each in clubface.models()["response"].parameters}
+
+
+def file_of(ball):
+    return tomllib.loads((STUDY / f"{ball}.toml").read_text(encoding="utf-8"))["parameters"]["response"]
+
+
+@pytest.fixture(scope="module")
+def table():
+    """The strikes as they are kept: no run is needed."""
+    return run(fem.ball("modern"), PARTS, STUDY / "modern.csv")
+
+
+def test_the_values_of_the_registry_and_of_the_balls_are_those_of_the_study():
+    assert {name: DEFAULTS[name] for name in fitted()} == file_of("modern")
+    assert dict(clubface.ball("distance").parameters["response"]) == file_of("distance")
+
+
+def test_a_strike_of_the_table_is_what_the_finite_elements_give(tmp_path):
+    """To the nine digits of the table. The rows taken out are run again, and no other."""
+    lines = (STUDY / "modern.csv").read_text(encoding="utf-8").splitlines()
+    gone = [lines[5], lines[1500]]
+    copy = tmp_path / "modern.csv"
+    copy.write_text("\n".join(line for line in lines if line not in gone) + "\n", encoding="utf-8")
+    done = []
+    run(fem.ball("modern"), PARTS, copy, progress=lambda rows, whole: done.append(rows))
+    assert done == [len(lines) - 3, len(lines) - 2]
+    again = copy.read_text(encoding="utf-8").splitlines()[-2:]
+    for old, new in zip(gone, sorted(again, key=lambda line: tuple(map(float, line.split(",")[:2]))), strict=True):
+        assert [float(each) for each in new.split(",")[:-1]] == pytest.approx(
+            [float(each) for each in old.split(",")[:-1]], rel=2e-8
+        )
+
+
+def test_another_ball_is_refused_by_the_table(tmp_path):
+    shutil.copy(STUDY / "modern.csv", tmp_path / "modern.csv")
+    with pytest.raises(clubface.errors.FileError, match="not the table of this case"):
+        run(fem.ball("distance"), PARTS, tmp_path / "modern.csv")
+
+
+def test_held_out_strikes_are_met_as_the_page_says(table):
+    """The percentiles that docs/models/response.md gives, rounded up in their last digit."""
+    found = summary(DEFAULTS, table, PARTS)
+    asked = {
+        "clubs, held out": {"speed": 0.0035, "direction": np.radians(0.185), "spin": 1.0, "spin_vector": 1.165},
+        "heads, held out": {"speed": 0.0105, "direction": np.radians(0.51), "spin": 2.45, "spin_vector": 3.35},
+    }
+    for part, limits in asked.items():
+        for quantity, limit in limits.items():
+            assert 0.5 * limit < found[part][quantity][1] < limit, (part, quantity)
+
+
+def test_the_fit_finds_the_coefficients_from_strikes_by_the_model(table):
+    """Targets computed by the model itself with other values, so that the fit must find these: 1e-4 of their size."""
+    few = table.where(in_fit(table, PARTS) & (effective_mass(table) > LIGHT))
+    few = few.where(np.arange(len(few.friction)) % 4 == 0)
+    shift = np.random.default_rng(1).normal(size=len(fitted()))
+    truth = {
+        **DEFAULTS,
+        **{name: DEFAULTS[name] * (1.0 + 0.02 * each) for name, each in zip(fitted(), shift, strict=True)},
+    }
+    made, _ = simulated(truth, few, fitted()[:1])
+    found = fit(few._replace(found=made), np.ones(len(made)))
+    got, _ = simulated(found, few, fitted()[:1])
+    # The ridge on the coefficients leaves a hundredth of what counts as one.
+    assert np.sqrt(np.mean(((got - made) / scales(few._replace(found=made))) ** 2)) < 0.02
+
+
+def test_derivatives_by_the_coefficients_are_those_of_differences(table):
+    some = table.where(np.arange(len(table.friction)) % 200 == 0)
+    names = ["restitution_middle", "time", "half_slip", "lever_middle", "twist_arm"]
+    values, slopes = simulated(DEFAULTS, some, names)
+    for place, name in enumerate(names):
+        step = 1e-6 * abs(DEFAULTS[name])
+        above, _ = simulated({**DEFAULTS, name: DEFAULTS[name] + step}, some, names)
+        below, _ = simulated({**DEFAULTS, name: DEFAULTS[name] - step}, some, names)
+        size = np.abs(slopes[..., place]).max(axis=0) + 1e-12 * np.abs(values).max(axis=0) / step
+        assert np.all(np.abs(slopes[..., place] - (above - below) / (2.0 * step)) < 1e-4 * size), name
+
+
+def test_the_design_covers_the_range_that_the_page_names():
+    planned = [each for (part, _), each in strikes(PARTS).items() if part == 0]
+    speeds, frictions = ([of(each) for each in planned] for of in (lambda s: s.delivery["speed"], lambda s: s.friction))
+    incidence = [np.degrees(each.delivery["loft"] - each.delivery["attack"]) for each in planned]
+    assert min(speeds) < 10.1
+    assert 64.0 < max(speeds) <= 65.0
+    assert min(frictions) < 0.06
+    assert 0.59 < max(frictions) <= 0.6
+    assert min(incidence) < 1.0
+    assert 71.0 < max(incidence) <= 72.0
+    times = {each.club.characteristic_time for each in planned}
+    assert 0.0 in times
+    assert min(times - {0.0}) > 100e-6
+    assert max(times) < 350e-6
+
+
+def test_weights_are_less_for_heads_that_no_club_is(table):
+    some = table.where(table.part == 0)
+    light = effective_mass(some) < 0.5 * LIGHT
+    given = weights(some, np.zeros(len(light), bool))
+    assert light.any()
+    assert given[light].max() < given[~light].max() == 1.0
+
+
+def test_the_differences_are_drawn_and_the_table_has_its_columns(table, tmp_path):
+    pytest.importorskip("matplotlib")
+    figure(DEFAULTS, table, PARTS).savefig(tmp_path / "left.svg")
+    assert (STUDY / "modern.csv").read_text(encoding="utf-8").splitlines()[1] == ",".join(COLUMNS)
+    assert table.found.shape[1] == len(TARGETS)
