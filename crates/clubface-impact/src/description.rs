@@ -22,7 +22,7 @@ pub struct Parameter {
 /// Whether a model resolves the contact in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModelKind {
-    /// Velocities jump; no time scale.
+    /// Velocities jump: the contact is not followed in time.
     Impulse,
     /// Forces are integrated over the contact.
     Contact,

@@ -84,8 +84,10 @@ impl ImpactModel {
     ) -> Result<Recorded, ImpactError> {
         let info = self.info();
         if info.kind == ModelKind::Impulse {
-            let message =
-                format!("{} is an impulse model: it has no time scale and so no history", info.name);
+            let message = format!(
+                "{} is an impulse model: it does not follow the contact in time and so has no history",
+                info.name
+            );
             return Err(ImpactError::new("model", message));
         }
         self.check_count(parameters)?;

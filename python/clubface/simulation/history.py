@@ -173,7 +173,7 @@ def history(
     Raises
     ------
     InputError
-        As :func:`impact`; and for an impulse model, which has no time scale.
+        As :func:`impact`; and for an impulse model, which does not follow the contact in time.
     """
     if model_named(model).kind != "contact":
         contact = [name for name, each in models().items() if each.kind == "contact"]

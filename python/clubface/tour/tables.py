@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -210,7 +210,11 @@ def _rounded(value: float) -> float | None:
 
 def as_csv(result: Tour) -> str:
     """Return :func:`records` as CSV."""
-    rows = records(result)
+    return csv_text(records(result))
+
+
+def csv_text(rows: Sequence[Mapping[str, Any]]) -> str:
+    """Return rows with the same keys as CSV, the keys as its heading."""
     text = io.StringIO()
     writer = csv.DictWriter(text, fieldnames=list(rows[0]), lineterminator="\n")
     writer.writeheader()

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 from typing import Any
 
 from clubface import units
+from clubface.tour.tables import csv_text
 from clubface.validation.check import Check, Figure
 from clubface.validation.run import Summary, Validation
 
@@ -142,12 +141,7 @@ def as_json(result: Validation) -> str:
 
 def as_csv(result: Validation) -> str:
     """Return :func:`records` as CSV."""
-    found = records(result)
-    text = io.StringIO()
-    writer = csv.DictWriter(text, fieldnames=list(found[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(found)
-    return text.getvalue()
+    return csv_text(records(result))
 
 
 def as_markdown(result: Validation) -> str:

@@ -6,6 +6,7 @@
 //! follow from the time that the contact lasts and from how easily ball and head move, so they are functions of the
 //! impact, and not constants.
 
+mod coefficients;
 mod effective;
 mod terms;
 
@@ -14,12 +15,10 @@ use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
 use crate::impact::{Accuracy, Impact};
 use crate::model::{Describe, Model};
-use crate::response_functions;
 use clubface_math::{Mat3, Scalar, Vec3};
+pub use coefficients::Response;
 use effective::{Bodies, Impulse, Mobility, Place};
 pub use terms::Features;
-
-include!("response/ball_modern.rs");
 
 impl Describe for Response<()> {
     type Over<S: Scalar> = Response<S>;
@@ -160,7 +159,7 @@ impl<S: Scalar> Response<S> {
         let along = along * share;
         let given = gained.transpose() * end;
         let normal = S::zero().max((wanted.dot(end) - given.dot(along)) / given.dot(middle));
-        // What the normal impulse loses by the saturation it loses as a limit of friction, too.
+        // A smaller normal impulse has a smaller limit of friction.
         let limit = self.friction * normal;
         let over = along.norm_squared().gt(limit.squared());
         let scale = limit / S::select(over, along.norm(), S::one());

@@ -21,7 +21,7 @@ CLUBS = (
 
 
 class Strike(NamedTuple):
-    """A head, how it is delivered (SI), and the coefficient of friction."""
+    """A head, how it is delivered (SI, as for :func:`clubface.impact`), and the coefficient of friction."""
 
     club: Club
     delivery: dict[str, float]
@@ -30,7 +30,17 @@ class Strike(NamedTuple):
 
 @dataclass(frozen=True)
 class Part:
-    """Some of the strikes: what they are, how many, and the seed of their sequence."""
+    """Some of the strikes.
+
+    Attributes
+    ----------
+    make
+        Returns strikes for a number and a seed.
+    count, seed
+        How many, and the seed of their sequence.
+    held_out
+        Whether the coefficients are not fitted to them.
+    """
 
     make: Callable[[int, int], list[Strike]]
     count: int

@@ -38,10 +38,9 @@ macro_rules! response_functions {
         impl<S: clubface_math::Scalar> $model<S> {
             $(#[doc = $term_meaning]
             #[inline(always)]
-            fn $function(&self, at: &$crate::models::response::Features<S>) -> S {
+            pub(super) fn $function(&self, at: &$crate::models::response::Features<S>) -> S {
                 let mut sum = S::zero();
                 $(sum += self.$term $(* at.$feature)*;)+
-                let _ = at;
                 sum
             })+
         }

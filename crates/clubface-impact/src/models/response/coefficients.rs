@@ -1,10 +1,12 @@
-// The model's parameters, with the values for the ball `modern` that `make response-fit` finds.
+//! The model's parameters, with the values for the ball `modern` that `make response-fit` finds.
+
+use crate::response_functions;
 
 /// Where the values come from.
 const FITTED: &str = "fitted to strikes by the finite element ball modern: studies/response/modern.toml";
 
 response_functions! {
-    /// Parameters of the response functions.
+    /// The model and its parameters: of the contact, then the coefficients of the terms of each response function.
     Response {
         friction ["1"] = 0.35 in 0.0 ..= 2.0,
             "coefficient of Coulomb friction between ball and face",
