@@ -160,6 +160,10 @@ class RuleWarning(UserWarning):
     """A club or ball outside the Rules of Golf; it is computed all the same."""
 
 
+class RangeWarning(UserWarning):
+    """A shot outside what a model or its parameters were made for; it is computed all the same."""
+
+
 class ImplausibleWarning(UserWarning):
     """A value no real club has, most often a unit left out (``mass = 204`` means 204 kg)."""
 

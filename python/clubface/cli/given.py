@@ -50,11 +50,11 @@ def club_of(which: str, hand: str | None = None) -> Any:
     return found if hand is None else found.replace(hand=hand)
 
 
-def model_names(given: Iterable[str] | None) -> list[str]:
-    """Return the models asked for, in the order asked; all of the registry where none or "all" is given."""
+def model_names(given: Iterable[str] | None, unless_given: str = "all") -> list[str]:
+    """Return the models asked for, in the order asked; "all" are those of the registry."""
     from clubface.equipment.models import model, models
 
-    asked = names(given or ["all"])
+    asked = names(given or [unless_given])
     if not asked:
         raise UnknownNameError("model", "", models())
     spread = [each for name in asked for each in (models() if name == "all" else [name])]

@@ -8,6 +8,8 @@ from typing import Annotated, Any
 
 import typer
 
+from clubface.equipment.models import DEFAULT_MODEL
+
 Group = Mapping[str, tuple[Any, Any]]
 """Options by the name of their value: annotation and default."""
 
@@ -101,7 +103,10 @@ EQUIPMENT: Group = {
 
 MODELS_TEXT = "A model, or several with commas or repeated; all unless given."
 Models = Annotated[list[str] | None, option("--model", panel=_MODEL, metavar="NAME", text=MODELS_TEXT)]
-_ONE_MODEL = Annotated[str, option("--model", panel=_MODEL, metavar="NAME", text="The model; standard unless given.")]
+_MODEL_NAMES = f"A model, or several with commas or repeated, or all; {DEFAULT_MODEL} unless given."
+_ModelNames = Annotated[list[str] | None, option("--model", panel=_MODEL, metavar="NAME", text=_MODEL_NAMES)]
+_ONE_MODEL_TEXT = f"The model; {DEFAULT_MODEL} unless given."
+_ONE_MODEL = Annotated[str, option("--model", panel=_MODEL, metavar="NAME", text=_ONE_MODEL_TEXT)]
 _SET_TEXT = "Change a model parameter: friction=0.4. Repeatable."
 _ACCURACY_TEXT = "Relative tolerance of a step of a contact model, 1e-13 to 1e-2."
 Setting = Annotated[list[str] | None, option("--set", panel=_MODEL, metavar="NAME=VALUE", text=_SET_TEXT)]
@@ -113,8 +118,8 @@ _PARAMETERS: Group = {
         None,
     ),
 }
-ONE_MODEL: Group = {"model": (_ONE_MODEL, "standard"), **_PARAMETERS}
-MODELS: Group = {"model": (Models, None), **_PARAMETERS}
+ONE_MODEL: Group = {"model": (_ONE_MODEL, DEFAULT_MODEL), **_PARAMETERS}
+MODELS: Group = {"model": (_ModelNames, None), **_PARAMETERS}
 
 AIR: Group = {
     "air": text_option("--air", _AIR, "TEXT", 'All of these in one text: "temperature=30 degC, altitude=1600 m".'),

@@ -1,4 +1,4 @@
-"""``clubface shot``: one shot by one or all models, side by side."""
+"""``clubface shot``: one shot, by one model as a list, by several side by side."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import given, options, output
+from clubface.cli.failures import say
+from clubface.equipment.models import DEFAULT_MODEL
 
 app = typer.Typer(add_completion=False)
 
@@ -21,6 +23,12 @@ CELLS = (
     ("contact_time", "us", 0), ("peak_force", "kN", 1),
 )  # fmt: skip
 """Quantity, unit and digits of the columns after the first."""
+ALONE = (*CELLS[:10], ("apex", "yd", 1), ("landing_angle", "deg", 1), *CELLS[10:])
+"""The same of what is listed for one model."""
+SIDED = ("azimuth", "sidespin", "spin_axis", "side")
+"""The quantities of which positive means to the right."""
+UNITS = {"1": "", "us": "µs"}
+"""The units that are written in another way."""
 
 JSON_KEYS = {
     "ball_speed_mps": ("ball_speed", "m/s"), "smash": ("smash", "1"), "launch_deg": ("launch", "deg"),
@@ -43,25 +51,33 @@ def shot(
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
-    """Compute one shot and print a row for each model."""
+    """Compute one shot: how the ball leaves and where it flies."""
     delivery = given.delivery(texts)
     output.check_picture(plot)
     head = given.club_of(club, texts["hand"])
-    names = given.model_names(texts["model"])
+    names = given.model_names(texts["model"], DEFAULT_MODEL)
     sets = given.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
     conditions = given.conditions(texts)
 
+    from clubface.errors import RangeWarning
     from clubface.simulation.flight import fly
     from clubface.simulation.impact import impact
+    from clubface.simulation.outside import Tally
+    from clubface.support.warning import without_warnings
 
-    launches = {
-        name: impact(head, delivery, model=name, parameters=each, ball=texts["ball"], accuracy=texts["accuracy"])
-        for name, each in sets.items()
-    }
+    with without_warnings(RangeWarning):
+        launches = {
+            name: impact(head, delivery, model=name, parameters=each, ball=texts["ball"], accuracy=texts["accuracy"])
+            for name, each in sets.items()
+        }
+    if remark := Tally().add_all(launches.values()).remark():
+        say(f"note: {remark}")
     flights = {name: fly(launch, **conditions) for name, launch in launches.items()}
     if plot is not None:
         _draw(plot, launches, conditions, delivery)
     _print(launches, flights, as_json)
+    if not (texts["model"] or as_json):
+        output.print_paragraph("--model all shows every model side by side.")
 
 
 def value(launch: Any, flight: Any, quantity: str, unit: str) -> float:
@@ -80,13 +96,28 @@ def _print(launches: Mapping[str, Any], flights: Mapping[str, Any], as_json: boo
         ]
         output.print_json(rows)
         return
-    rows = [
-        [name, *(output.number(value(launch, flights[name], of, unit), digits) for of, unit, digits in CELLS)]
-        for name, launch in launches.items()
-    ]
-    tables.print_numbers(HEADS, rows)
+    if len(launches) == 1:
+        (launch,) = launches.values()
+        title = f"{launch.club.name}, ball {launch.ball.name}, by {launch.model}"
+        tables.print_list(_listed(launch, flights[launch.model]), title=title)
+    else:
+        rows = [
+            [name, *(output.number(value(launch, flights[name], of, unit), digits) for of, unit, digits in CELLS)]
+            for name, launch in launches.items()
+        ]
+        tables.print_numbers(HEADS, rows)
     if note := _note(launches, flights):
         output.print_paragraph(note)
+
+
+def _listed(launch: Any, flight: Any) -> list[tuple[str, str, str]]:
+    """Return quantity, number, and unit with the side to which it is, of what one model gives."""
+    rows = []
+    for quantity, unit, digits in ALONE:
+        if text := output.number(value(launch, flight, quantity, unit), digits):
+            side = f"to the {'left' if text.startswith('-') else 'right'}" if quantity in SIDED and float(text) else ""
+            rows.append((quantity.replace("_", " "), text, f"{UNITS.get(unit, unit)} {side}".strip()))
+    return rows
 
 
 def _note(launches: Mapping[str, Any], flights: Mapping[str, Any]) -> str:

@@ -50,6 +50,16 @@ def print_numbers(
             print()
 
 
+def print_list(rows: Sequence[tuple[str, str, str]], *, title: str) -> None:
+    """Print names with their numbers, one below the other, each with what follows it, such as its unit."""
+    names, numbers = (max(len(row[column]) for row in rows) for column in (0, 1))
+    for line in textwrap.wrap(title, terminal_width() or 120):
+        print(_bold(line))
+    print(_rule() * max(names + numbers + 3 + max(len(row[2]) for row in rows), len(line)))
+    for name, number, rest in rows:
+        print(f"{name.ljust(names)}  {number.rjust(numbers)} {rest}".rstrip())
+
+
 def _aligned(cells: Sequence[str], widths: Sequence[int], gap: int) -> str:
     """Return one line: the first cell to the left, the others to the right."""
     placed = [

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from clubface.cli import given, options, output
-from clubface.cli.failures import say_written
+from clubface.cli.failures import say, say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
 
@@ -37,12 +37,18 @@ def tour(
     for each in which:
         job.averages(each)  # before the work: a name that does not exist is found at once
     output.prepare_folder(folder)
+    from clubface.errors import RangeWarning
+    from clubface.simulation.outside import Tally
+    from clubface.support.warning import without_warnings
     from clubface.tour import report, tables
 
     results = []
     for table in which:
-        with progress_bar(table) as progress:
+        with progress_bar(table) as progress, without_warnings(RangeWarning):
             results.append(job.tour(names, table=table, ball=ball, progress=progress))
+    launches = (launch for each in results for found in each.launches.values() for launch in found)
+    if remark := Tally().add_all(launches).remark():
+        say(f"note: {remark}")
     files = []
     if folder is not None:
         for result in results:

@@ -11,13 +11,16 @@ from clubface.cli import given, options, output
 from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
+from clubface.equipment.models import DEFAULT_MODEL
 
 if TYPE_CHECKING:
     from clubface.validation.run import Validation
 
 app = typer.Typer(add_completion=False)
 
-_MODEL_TEXT = "A model, or several with commas or repeated; all means every reduced model. standard unless given."
+_MODEL_TEXT = (
+    f"A model, or several with commas or repeated; all means every reduced model. {DEFAULT_MODEL} unless given."
+)
 _MODEL = options.option("--model", metavar="NAME", text=_MODEL_TEXT)
 _CHECK_TEXT = "Only this check, or several with commas or repeated, with every figure and its source."
 _CHECK = options.option("--check", metavar="NAME", text=_CHECK_TEXT)
@@ -35,7 +38,7 @@ def validate(
     from clubface.validation import report, run, tables
     from clubface.validation.catalogue import check_named
 
-    models = given.model_names(model or list(run.DEFAULT))
+    models = given.model_names(model, DEFAULT_MODEL)
     checks = given.names(check) or None
     for each in checks or ():
         check_named(each)  # before the work: a name that does not exist is found at once

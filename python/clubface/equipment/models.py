@@ -12,6 +12,9 @@ from clubface.equipment.backends import MODULES
 from clubface.errors import InputError, UnknownNameError
 
 PARAMETER_KEYS = ("name", "unit", "meaning", "default", "lower", "upper", "source")
+DEFAULT_MODEL = "response"
+"""The model where none is named."""
+
 MODEL_KEYS = ("name", "title", "kind", "summary", "reference")
 
 

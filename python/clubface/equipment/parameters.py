@@ -9,6 +9,8 @@ values with units, and what must be said of them::
     [[set]]
     model = "volumetric"
     club = "driver"                       # driver, 7-iron or any
+    [set.range]                           # optional: the shots it was found from
+    speed = ["101 mph", "118 mph"]
     [set.values]
     stiffness = "6.25e9 N/m3"
     ...
@@ -28,6 +30,7 @@ from typing import Any, Self, TypeVar
 from clubface import units
 from clubface.equipment.backends import MODULES
 from clubface.equipment.models import Model, Parameter, model
+from clubface.equipment.ranges import OF_THE_RANGE, QUANTITIES, RANGES, Range, checked_range
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.support.checks import check_choice
 from clubface.support.shipped import DATA
@@ -40,7 +43,7 @@ _TOLD = 5
 _FILE_KEYS = ("title", "reference", "set")
 _SET_TEXTS = ("model", "club", "variant", "source")
 _SET_FLAGS = {"default": False, "includes_face": True}
-_SET_KEYS = (*_SET_TEXTS, *_SET_FLAGS, "caveats", "values", "value_caveats")
+_SET_KEYS = (*_SET_TEXTS, *_SET_FLAGS, "caveats", "range", "values", "value_caveats")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,6 +74,8 @@ class ParameterSet:
         Whether the values describe ball and face together, as all do that were found from shots of a club: its
         characteristic time must not count twice, see :meth:`beside`. False if they describe the ball alone. The sets of
         finite elements never include the face.
+    range
+        The strikes that the values were made for, see :mod:`clubface.equipment.ranges`; that of the model unless given.
     unchosen
         The parameters whose values nobody chose, neither themselves nor with a set: a ball may have its own.
     """
@@ -85,6 +90,7 @@ class ParameterSet:
     value_caveats: Mapping[str, str] = field(default_factory=dict)
     default: bool = False
     includes_face: bool = True
+    range: Range = field(default_factory=dict)
     unchosen: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -99,6 +105,7 @@ class ParameterSet:
         object.__setattr__(self, "values", MappingProxyType(ordered))
         object.__setattr__(self, "value_caveats", MappingProxyType(dict(self.value_caveats)))
         object.__setattr__(self, "caveats", tuple(self.caveats))
+        object.__setattr__(self, "range", checked_range(self.range or RANGES.get(self.model, {})))
         if self.model in MODULES:
             object.__setattr__(self, "includes_face", False)
 
@@ -192,7 +199,10 @@ class ParameterSet:
         ]
         lines += [f"variant = {quoted(variant)}"] if variant else []
         lines += [] if self.includes_face else ["includes_face = false"]
-        lines += ["caveats = [" + ", ".join(quoted(text) for text in self.caveats) + "]", "[set.values]"]
+        lines += ["caveats = [" + ", ".join(quoted(text) for text in self.caveats) + "]"]
+        lines += ["[set.range]"] if self.range else []
+        lines += [f"{name} = [{least!r}, {most!r}]" for name, (least, most) in self.range.items()]
+        lines += ["[set.values]"]
         lines += [
             f"{key} = {quoted(f'{value!r} {unit}')}"
             for (key, value), unit in zip(self.values.items(), self.units.values(), strict=True)
@@ -238,9 +248,9 @@ def _read_set(document: Document, entry: dict[str, Any], index: int, name: str) 
     for key, flag in flags.items():
         if not isinstance(flag, bool):
             raise document.error(f"{key} must be true or false", key, "set", index)
-    values, value_caveats = entry["values"], entry.get("value_caveats", {})
-    if not (isinstance(values, dict) and isinstance(value_caveats, dict)):
-        raise document.error("values and value_caveats must be tables", "values", "set", index)
+    values, value_caveats, within = entry["values"], entry.get("value_caveats", {}), entry.get("range", {})
+    if not all(isinstance(each, dict) for each in (values, value_caveats, within)):
+        raise document.error("values, value_caveats and range must be tables", "values", "set", index)
     try:
         declared = model(entry["model"])
     except ClubfaceError as error:
@@ -249,6 +259,7 @@ def _read_set(document: Document, entry: dict[str, Any], index: int, name: str) 
     document.check_keys(values, names, names, "set.values", index)
     document.check_keys(value_caveats, names, (), "set.value_caveats", index)
     document.check_text(value_caveats, value_caveats, "set.value_caveats", index)
+    document.check_keys(within, QUANTITIES, (), "set.range", index)
     variant = f"/{entry['variant']}" if "variant" in entry else ""
     try:
         return ParameterSet(
@@ -260,10 +271,12 @@ def _read_set(document: Document, entry: dict[str, Any], index: int, name: str) 
             reference=document.data["reference"],
             caveats=tuple(caveats),
             value_caveats=value_caveats,
+            range=within,
             **flags,
         )
     except ClubfaceError as error:
-        table = "set.values" if getattr(error, "parameter", None) in names else "set"
+        at = str(getattr(error, "parameter", ""))
+        table = "set.values" if at in names else "set.range" if at.endswith(OF_THE_RANGE) else "set"
         raise document.wrap(error, table, index) from error
 
 

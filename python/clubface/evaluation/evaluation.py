@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, RangeWarning, Told
 from clubface.evaluation import noise as noises
 from clubface.evaluation.model_errors import ModelErrors
 from clubface.evaluation.report import write
@@ -20,7 +20,10 @@ from clubface.measured.shots import QUANTITIES, MeasuredShots, measured_shots
 from clubface.recorded.shots import RecordedShots, RejectedRow
 from clubface.simulation.impact import impact, model_names
 from clubface.simulation.inputs import parameter_set
+from clubface.simulation.launch import Launch
+from clubface.simulation.outside import warn_if_outside
 from clubface.support.arrays import Floats
+from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -112,20 +115,24 @@ def evaluate(
     sets = {name: parameter_set(name, taken.club, given.get(name)) for name in names}
 
     def predict(name: str, delivery: Mapping[str, Floats]) -> dict[str, Floats]:
-        found = impact(
-            taken.club, delivery, model=name, parameters=sets[name], ball=ball, accuracy=accuracy, threads=threads,
-            on_error="nan",
-        )  # fmt: skip
+        with without_warnings(RangeWarning):
+            found = impact(
+                taken.club, delivery, model=name, parameters=sets[name], ball=ball, accuracy=accuracy, threads=threads,
+                on_error="nan",
+            )  # fmt: skip
+        launches[name] = found
         for each in found.problems:
             failures.setdefault(each.row[0], f"{name}: {each.reason}")
         return {quantity: np.asarray(getattr(found, quantity)) for quantity in QUANTITIES}
 
     failures: dict[int, str] = {}
+    launches: dict[str, Launch] = {}
     predicted, seconds = {}, {}
     for name in names:
         if progress is not None:
             progress(name)
         predicted[name], seconds[name] = _timed(lambda model=name: predict(model, taken.delivery), len(taken))
+    warn_if_outside(launches.values())
     kept = np.array([row not in failures for row in range(len(taken))], dtype=bool)
     failed = tuple(RejectedRow(int(taken.rows[row]), reason) for row, reason in sorted(failures.items()))
     if not kept.any():

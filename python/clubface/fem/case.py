@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from clubface.equipment.clubs import Club, club
-from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
+from clubface.errors import ClubfaceError, FileError, InputError, RangeWarning, UnknownNameError
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head
@@ -21,6 +21,7 @@ from clubface.simulation.impact import impact
 from clubface.support.checks import check_choice, check_name, check_names, check_text
 from clubface.support.shipped import builtin_names, is_path, path_of
 from clubface.support.strict_toml import Document
+from clubface.support.warning import without_warnings
 
 T = TypeVar("T")
 FOLDER = "fem_cases"
@@ -81,9 +82,10 @@ class Case:
             raise InputError("club", None, f"give the club, which a head of kind {self.head} needs")
         if isinstance(self.club, MeshedHead) != (self.head == MESHED):
             raise InputError("club", self.club.name, "a meshed head" if self.head == MESHED else "a club")
-        # The quickest model refuses what no model can compute, such as a face that moves away from the ball.
+        # A reduced model refuses what no model can compute, such as a face that moves away from the ball.
         rigid = self.club.club if isinstance(self.club, MeshedHead) else self.club
-        impact(rigid, self.delivery, ball=self.ball.rigid)
+        with without_warnings(RangeWarning):
+            impact(rigid, self.delivery, ball=self.ball.rigid)
 
     def replace(self, *, settings: Mapping[str, Any] | None = None, **changes: Any) -> Case:
         """Return the case with values of the delivery, the ball, the friction or the settings changed."""

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from clubface import units
-from clubface.errors import InputError, RunError
+from clubface.errors import InputError, RangeWarning, RunError
 from clubface.fem import head_tests
 from clubface.fem.balls import ball
 from clubface.fem.core import Progress
@@ -18,6 +18,7 @@ from clubface.fem.resumable import ResumableTable
 from clubface.fem.run import AnyBall
 from clubface.fem.side_by_side import workers_of
 from clubface.simulation.impact import impact
+from clubface.support.warning import without_warnings
 
 COLUMNS = ("toe_mm", "high_mm", "restitution", "characteristic_time_us", "stopped")
 """Columns of the table, one row a point."""
@@ -69,9 +70,10 @@ def face_map(
     points = [(float(toe), float(high)) for high in highs for toe in toes]
     if not 1 <= len(points) <= MOST:
         raise InputError("the number of points of a face", len(points), f"1 to {MOST}")
-    for toe, high in points:
-        # The quickest model refuses points outside the face.
-        impact(made.club, speed=head_tests.COR_SPEED, loft=0.0, toe=toe, high=high, ball=struck.rigid)
+    with without_warnings(RangeWarning):
+        for toe, high in points:
+            # A reduced model refuses points outside the face.
+            impact(made.club, speed=head_tests.COR_SPEED, loft=0.0, toe=toe, high=high, ball=struck.rigid)
 
     def measure(point: tuple[float, float], keep_going: Progress, threads: int) -> dict[str, Any]:
         where: dict[str, Any] = {"toe": point[0], "high": point[1], "threads": threads, "progress": keep_going}

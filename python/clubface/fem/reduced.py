@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, RangeWarning, Told
 from clubface.fem.result import Impact
 from clubface.simulation.history import history
 from clubface.simulation.impact import impact
+from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -80,7 +81,8 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
     def figures(at: Any) -> Any:
         """Logarithms of ball speed and peak force at three sets of parameters at once."""
         given = {name: np.exp(values) for name, values in zip(names, np.transpose(at), strict=True)}
-        launch = impact(club, found.given, model=model, parameters=given, ball=ball)
+        with without_warnings(RangeWarning):  # the parameters are made for this impact
+            launch = impact(club, found.given, model=model, parameters=given, ball=ball)
         return np.log(np.stack([launch.ball_speed, launch.peak_force], axis=-1))
 
     for _ in range(ROUNDS):
@@ -93,7 +95,8 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
     else:
         raise InputError("impact", found, f"one that {model} can reach with positive stiffness and damping")
     parameters = {name: float(value) for name, value in zip(names, np.exp(place), strict=True)}
-    over = history(club, found.given, model=model, parameters=parameters, ball=ball)
+    with without_warnings(RangeWarning):
+        over = history(club, found.given, model=model, parameters=parameters, ball=ball)
     time, reference = _smooth(found)
     force = np.interp(time, over.time, over.normal_force, right=0.0)
     error = float(np.sqrt(np.mean((force - reference) ** 2)) / reference.max())

@@ -13,12 +13,13 @@ from numpy.typing import NDArray
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, Told, UnknownNameError
+from clubface.errors import InputError, RangeWarning, Told, UnknownNameError
 from clubface.launch_monitor import read
 from clubface.measured.shots import QUANTITIES, measured_shots
 from clubface.recorded.shots import RecordedShots, RejectedRow
 from clubface.simulation.impact import impact
 from clubface.simulation.quantities import input_columns, inputs, outputs
+from clubface.support.warning import without_warnings
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -126,10 +127,11 @@ def prepared_shots(
         )
     notes = [f"not measured, so not in the cost: {', '.join(missing)}"] if missing else []
     launches = np.array([measured.launch[name] for name in there])
-    launch = impact(
-        measured.club, measured.delivery, model=parameters.model, parameters=parameters, ball=ball,
-        on_error="nan",
-    )  # fmt: skip
+    with without_warnings(RangeWarning):  # of the parameters with which the search begins
+        launch = impact(
+            measured.club, measured.delivery, model=parameters.model, parameters=parameters, ball=ball,
+            on_error="nan",
+        )  # fmt: skip
     problems = {each.row[0] if each.row else 0: f"{each.parameter}: {each.reason}" for each in launch.problems}
     infinite = np.flatnonzero(np.isinf(launches).any(axis=0))
     problems.update({int(row): "a launch quantity is infinite" for row in infinite})

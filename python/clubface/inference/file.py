@@ -13,7 +13,7 @@ import numpy as np
 
 from clubface import units
 from clubface.equipment.clubs import club
-from clubface.errors import FileError, InputError
+from clubface.errors import FileError, InputError, RangeWarning
 from clubface.inference.expectation import UnreachableLaunchError
 from clubface.inference.posterior import unit_of
 from clubface.inference.prior import prior_of
@@ -21,6 +21,7 @@ from clubface.inference.run import infer
 from clubface.measured.shots import QUANTITIES
 from clubface.recorded.shots import RecordedShots
 from clubface.support.resuming import Journal, complete_lines, cut_incomplete_line, fingerprint, unfinished
+from clubface.support.warning import without_warnings
 
 REMARK = "remark"
 OTHERS = "of an unfinished file of other settings; finish it with those, or start again without --resume"
@@ -155,13 +156,15 @@ def _row(shots: RecordedShots, place: int, wanted: list[str], options: Mapping[s
     if not measured:
         return [*cells, *[""] * (4 * len(names)), "", "nothing of the launch was measured"]
     try:
-        found = infer(measured, **options)
+        with without_warnings(RangeWarning):
+            found = infer(measured, **options)
     except UnreachableLaunchError as error:
         return [*cells, *[""] * (4 * len(names)), "", str(error)]
     for name in names:
         values = (found.mean[name], found.deviation[name], *found.interval(name))
         cells += [_cell(value, unit_of(name)) for value in values]
-    return [*cells, round(found.effective), "; ".join(found.warnings)]
+    remarks = [*found.warnings, *([found.outside] if found.outside else [])]
+    return [*cells, round(found.effective), "; ".join(remarks)]
 
 
 def _cell(value: float, unit: str) -> str:

@@ -63,6 +63,8 @@ class Posterior:
         Probability, under the prior, of a launch that lies further from the expected ones than this launch.
     seed
         Seed of the random numbers.
+    outside
+        What the mean delivery is outside of, in one line: the range of the model or of its parameters; or "".
     """
 
     deliveries: dict[str, Floats]
@@ -75,6 +77,7 @@ class Posterior:
     sample: Sample
     surprise: float
     seed: int
+    outside: str = ""
 
     @property
     def effective(self) -> float:

@@ -26,6 +26,7 @@ import numpy as np
 
 from clubface import units
 from clubface.equipment.clubs import Club
+from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.simulation.delivery import DIMENSIONS
 from clubface.support.arrays import Floats
@@ -186,7 +187,7 @@ def tour(head: Club) -> Prior:
     """Return the published tour averages of a built-in club, with the spreads of elite golfers.
 
     Speed and attack are those of 2019, with which dynamic lofts are published. For clubs without a published loft it is
-    the one with which ``standard`` gives the published launch angle. All other means and the spreads are those of the
+    the one with which the default model gives the published launch angle. All other means and the spreads are those of the
     benchmark shots: of the driver for woods, and of the 7-iron for the other clubs.
     """
     from clubface.tour.averages import averages, published_lofts, solve_loft
@@ -198,7 +199,7 @@ def tour(head: Club) -> Prior:
     average = known[head.name]
     loft = published_lofts(TOUR).get(head.name)
     if loft is None:
-        loft = solve_loft(head.name, average.club_speed, average.attack, average.launch, model="standard")
+        loft = solve_loft(head.name, average.club_speed, average.attack, average.launch, model=DEFAULT_MODEL)
     published = {"speed": average.club_speed, "attack": average.attack, "loft": loft}
     return Prior(
         name=f"tour averages, {head.name}",

@@ -12,8 +12,8 @@ import numpy as np
 from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
-from clubface.equipment.models import reduced_model
-from clubface.errors import InputError
+from clubface.equipment.models import DEFAULT_MODEL, reduced_model
+from clubface.errors import InputError, RangeWarning
 from clubface.evaluation.noise import MONITOR, standard_deviations
 from clubface.inference.expectation import expected_launches, surprise, unreachable
 from clubface.inference.importance import sample
@@ -22,8 +22,11 @@ from clubface.inference.prior import Prior, prior_of
 from clubface.measured.shots import QUANTITIES
 from clubface.simulation.impact import Parameters, impact
 from clubface.simulation.inputs import parameter_set
+from clubface.simulation.launch import Launch
+from clubface.simulation.outside import Tally, warn_if_outside
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_names
+from clubface.support.warning import without_warnings
 
 NOISE = {"ball_speed": 0.25, **MONITOR}
 """Standard deviations of the measured launch [SI] by default: those that Caldwell and McPhee (2023) quote for their
@@ -38,7 +41,7 @@ def infer(
     launch: Mapping[str, Any],
     *,
     club: str | os.PathLike[str] | Club,
-    model: str = "standard",
+    model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     prior: Prior | str | os.PathLike[str] | None = None,
@@ -97,14 +100,18 @@ def infer(
     target = np.array(list(measured.values()))
     scale = np.array([deviations[name] for name in measured])
 
+    def struck(delivery: Mapping[str, Any]) -> Launch:
+        with without_warnings(RangeWarning):  # of what is tried; what is found is told below
+            return impact(
+                head, delivery, model=model, parameters=chosen, ball=ball, accuracy=accuracy, threads=threads,
+                on_error="nan",
+            )  # fmt: skip
+
     def predict(standard: Floats) -> Floats:
         delivery = before.deliveries(standard)
         possible = delivery["speed"] > 0.0
         delivery["speed"] = np.where(possible, delivery["speed"], before.mean["speed"])
-        found = impact(
-            head, delivery, model=model, parameters=chosen, ball=ball, accuracy=accuracy, threads=threads,
-            on_error="nan",
-        )  # fmt: skip
+        found = struck(delivery)
         values = np.stack([np.asarray(getattr(found, name)) for name in measured], axis=1)
         values[~possible] = np.nan
         return values
@@ -119,8 +126,11 @@ def infer(
     expected = expected_launches(predict, len(before.names), seed)
     if drawn.effective < FEWEST_AT_ALL:
         raise unreachable(measured, expected, f"the prior ({before.name}), which by {model}")
+    deliveries = before.deliveries(drawn.points)
+    middle = struck({name: float(values.mean()) for name, values in deliveries.items()})
+    warn_if_outside((middle,))
     return Posterior(
-        deliveries=before.deliveries(drawn.points),
+        deliveries=deliveries,
         launch=measured,
         noise={name: deviations[name] for name in measured},
         prior=before,
@@ -130,6 +140,7 @@ def infer(
         sample=drawn,
         surprise=surprise(expected, target, scale, seed),
         seed=seed,
+        outside=Tally().add_all((middle,)).remark(),
     )
 
 

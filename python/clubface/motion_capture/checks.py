@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Mapping
 from typing import Any
 
@@ -15,6 +14,7 @@ from clubface.errors import ClubfaceError
 from clubface.motion_capture.ball_flight import Launched
 from clubface.motion_capture.registration import Registration
 from clubface.motion_capture.tracking import Track
+from clubface.support.warning import without_warnings
 
 FASTEST = 70.0
 """m/s; long drivers' clubheads reach 67 m/s (150 mph)."""
@@ -23,7 +23,7 @@ SLOWEST = 0.3
 STARTS = (-0.3e-3, 0.75e-3)
 """Seconds from first touch to when the ball seems to start at once: half a contact of 0.4 to 0.5 ms, within 0.5 ms."""
 DIRECTION_OFF = units.to_si(6.0, "deg")
-"""By which launch and azimuth may differ from those of the standard model; published models: 1.2 degrees."""
+"""By which launch and azimuth may differ from those of the default model; published models: 1.2 degrees."""
 SPEED_OFF = 0.15
 ROUGH = 1.5
 MOVED = 2e-3
@@ -73,9 +73,8 @@ def of_launch(values: Mapping[str, float], club: Club, ball: Any, seen: Launched
     from clubface.simulation.impact import impact
 
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            expected = impact(club, dict(values), model="standard", ball=ball)
+        with without_warnings():
+            expected = impact(club, dict(values), ball=ball)
     except ClubfaceError:
         return notes
     speed, launch, azimuth = directions(seen.velocity)

@@ -10,6 +10,7 @@ import numpy as np
 
 from clubface import units
 from clubface.equipment.clubs import Club
+from clubface.equipment.models import DEFAULT_MODEL
 from clubface.motion_capture.estimators import ESTIMATORS, ROUGHNESS, estimator
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.rotations import Array
@@ -80,7 +81,7 @@ class Study:
         inside = np.abs(self.errors[name]) < NORMAL_95 * self.deviations[name]
         return dict(zip(QUANTITIES, inside.mean(0).tolist(), strict=True))
 
-    def launch_errors(self, name: str, model: str = "standard") -> dict[str, Array]:
+    def launch_errors(self, name: str, model: str = DEFAULT_MODEL) -> dict[str, Array]:
         """Return the error of a launch that is computed from the captured instead of the true deliveries.
 
         Parameters

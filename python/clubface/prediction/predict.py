@@ -10,6 +10,7 @@ from typing import Any
 
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
+from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import FileError, InputError, Told
 from clubface.prediction.run import Task, results_of, run
 from clubface.simulation.air import Air
@@ -89,7 +90,7 @@ def predict(
     source: str | os.PathLike[str],
     *,
     club: str | os.PathLike[str] | Club,
-    model: str = "standard",
+    model: str = DEFAULT_MODEL,
     ball: str | os.PathLike[str] | Ball | None = None,
     parameters: Parameters | None = None,
     hand: Any = None,
@@ -197,7 +198,7 @@ def predict(
         used={each.heading: (each.quantity, each.unit) for each in columns.used},
         passed=columns.passed,
         added=task.headings,
-        notes=columns.notes,
+        notes=(*columns.notes, *([remark] if (remark := task.tally.remark()) else [])),
         first_rejects=outcome.first_rejects,
         resumed=outcome.resumed,
         provenance=provenance,

@@ -12,10 +12,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface.equipment.balls import Ball
 from clubface.equipment.models import model as model_named
-from clubface.errors import FileError
+from clubface.errors import FileError, RangeWarning
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
+from clubface.simulation.outside import Tally
 from clubface.support.resuming import Journal, fingerprint, unfinished
+from clubface.support.warning import without_warnings
 from clubface.tables.headings import HAND, Layout
 from clubface.tables.rows import Chunk, Reader, Reject
 from clubface.tables.writer import CsvWriter, RejectsWriter, Writer, is_parquet
@@ -74,6 +76,7 @@ class Task:
         self.hand = hand
         self.columns = columns
         self.results = results
+        self.tally = Tally()
         prefix = ""
         while any(prefix + heading in columns.headings for heading in results):
             prefix += PREFIX
@@ -107,7 +110,9 @@ class Task:
         if kept is not None:
             values = {name: each[kept] for name, each in values.items()}
         hand = values.pop(HAND, self.hand)
-        launch = impact(delivery=values, hand=hand, on_error="nan", **self.shot)
+        with without_warnings(RangeWarning):
+            launch = impact(delivery=values, hand=hand, on_error="nan", **self.shot)
+        self.tally.add(launch)
         sources: list[Any] = [launch]
         problems = {each.row[0]: f"{each.parameter}: {each.reason}" for each in launch.problems}
         if self.flight is not None:

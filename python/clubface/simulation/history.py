@@ -16,6 +16,7 @@ from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import as_values, equipped, shot_error, shots, single
 from clubface.simulation.launch import Launch
+from clubface.simulation.outside import warn_if_outside
 from clubface.simulation.quantities import Quantity, in_unit
 from clubface.simulation.results import Series
 from clubface.simulation.run_options import tolerance
@@ -187,4 +188,6 @@ def history(
     except ValueError as error:
         raise shot_error(error, columns, chosen) from None
     outcome = arrays.pop("launch").reshape(-1, 1)
-    return History(arrays, Launch(outcome, hit, model, chosen, accuracy))
+    launch = Launch(outcome, hit, model, chosen, accuracy)
+    warn_if_outside((launch,))
+    return History(arrays, launch)

@@ -9,17 +9,19 @@ from typing import Any, Literal, overload
 
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import models
+from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError
+from clubface.errors import InputError, RangeWarning
 from clubface.simulation.backends import Request, backend_of
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.inputs import as_values, broadcast, equipped, shot_error, shots, value_of
 from clubface.simulation.launch import Comparison, Launch
+from clubface.simulation.outside import warn_if_outside
 from clubface.simulation.quantities import outputs
 from clubface.simulation.results import first_error
 from clubface.simulation.run_options import check_on_error, thread_count, tolerance
 from clubface.support.checks import check_names
+from clubface.support.warning import without_warnings
 
 ALL = "all"
 ModelNames = str | Iterable[str]
@@ -31,7 +33,7 @@ def impact(
     club: str | os.PathLike[str] | Club,
     delivery: Delivery | Mapping[str, Any] | None = None,
     *,
-    model: str = "standard",
+    model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
@@ -60,7 +62,7 @@ def impact(
     club: str | os.PathLike[str] | Club,
     delivery: Delivery | Mapping[str, Any] | None = None,
     *,
-    model: str | Iterable[str] = "standard",
+    model: str | Iterable[str] = DEFAULT_MODEL,
     parameters: Any = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
@@ -79,7 +81,7 @@ def impact(
     delivery
         A :class:`Delivery` or a mapping of its values; single values given by name win.
     model
-        The name of a model; a list of names, or "all", gives a :class:`Comparison`.
+        The name of a model, ``response`` unless given; a list of names, or "all", gives a :class:`Comparison`.
     parameters
         A :class:`ParameterSet`, the name of a published set, the path of a TOML file, or a mapping of names to
         values that changes the published set of the club's family, which is used where nothing is given. For
@@ -107,6 +109,11 @@ def impact(
     -------
     Launch
         Its quantities have the shape to which the inputs broadcast.
+
+    Warns
+    -----
+    RangeWarning
+        Shots are outside what the model or its parameters were made for. It is given once, with their number.
 
     Raises
     ------
@@ -139,7 +146,9 @@ def impact(
     if problems and on_error == "raise":
         row, name, _ = problems[0]
         raise first_error(problems, value_of(name, row, hit.columns, names, columns), hit.shape)
-    return Launch(computed, hit, model, chosen, accuracy, problems)
+    launch = Launch(computed, hit, model, chosen, accuracy, problems)
+    warn_if_outside((launch,))
+    return launch
 
 
 def model_names(model: ModelNames) -> tuple[str, ...]:
@@ -162,4 +171,7 @@ def _compare(model: ModelNames, parameters: Any, **shot: Any) -> Comparison:
     if not isinstance(parameters, Mapping):
         raise InputError("parameters", parameters, "a mapping of model names to parameters, for several models")
     check_names("model among the parameters", parameters, names)
-    return Comparison({name: impact(model=name, parameters=parameters.get(name), **shot) for name in names})
+    with without_warnings(RangeWarning):
+        launches = {name: impact(model=name, parameters=parameters.get(name), **shot) for name in names}
+    warn_if_outside(launches.values())
+    return Comparison(launches)

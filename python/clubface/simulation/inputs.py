@@ -98,6 +98,20 @@ def equipped(
     given: Any,
 ) -> tuple[Equipment, ParameterSet]:
     """Return club and ball as a model takes them with its parameters, and those (``given`` as for `parameter_set`)."""
+    if given is None and not (is_path(which) or is_path(which_ball)):
+        try:
+            return _usual(model_name, which, which_ball)
+        except TypeError:
+            pass  # not hashable, so that it is none: the message is about the club or ball
+    return _equipped(model_name, which, which_ball, given)
+
+
+@lru_cache(maxsize=256)
+def _usual(model_name: str, which: str | Club, which_ball: str | Ball | None) -> tuple[Equipment, ParameterSet]:
+    return _equipped(model_name, which, which_ball, None)
+
+
+def _equipped(model_name: str, which: Any, which_ball: Any, given: Any) -> tuple[Equipment, ParameterSet]:
     with_ = equipment(which, which_ball)
     chosen = parameter_set(model_name, with_.club, given, with_.ball)
     return _beside(with_, chosen) if chosen.includes_face and with_.club.characteristic_time else with_, chosen

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import model as model_named, reduced_model
+from clubface.equipment.models import DEFAULT_MODEL, model as model_named, reduced_model
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, UnitError
 from clubface.simulation import core
@@ -17,6 +17,7 @@ from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import as_values, equipped, shot_error, shots, single
 from clubface.simulation.launch import Launch
+from clubface.simulation.outside import warn_if_outside
 from clubface.simulation.quantities import Quantity, inputs, outputs as launch_outputs
 from clubface.simulation.run_options import tolerance
 from clubface.support.checks import check_choice, check_names
@@ -159,7 +160,7 @@ def sensitivity(
     club: str | os.PathLike[str] | Club,
     delivery: Delivery | Mapping[str, Any] | None = None,
     *,
-    model: str = "standard",
+    model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
@@ -205,6 +206,7 @@ def sensitivity(
     column_quantities = {name: known_columns[name][1] for name in across}
     shown = _shown_units({**row_quantities, **column_quantities}, units or {})
     outcome = Launch(computed.reshape(-1, 1), hit, model, chosen, accuracy)
+    warn_if_outside((outcome,))
     return Sensitivity(si, row_quantities, column_quantities, shown, outcome)
 
 

@@ -11,23 +11,29 @@ from contextvars import ContextVar
 from pathlib import Path
 
 _given: set[str] = set()
-_silent = ContextVar("_silent", default=False)
+_silent: ContextVar[tuple[type[Warning], ...]] = ContextVar("_silent", default=())
 
 
 @contextmanager
-def without_warnings() -> Iterator[None]:
-    """Make equipment without a warning; one that is kept back may still be given later."""
-    token = _silent.set(True)
+def without_warnings(category: type[Warning] = Warning) -> Iterator[None]:
+    """Work without warnings of a category; one that is kept back may still be given later."""
+    token = _silent.set((*_silent.get(), category))
     try:
         yield
     finally:
         _silent.reset(token)
 
 
-def warn_once(message: str, category: type[Warning]) -> None:
-    """Warn, but say the same thing only once in a process."""
-    if message not in _given and not _silent.get():
-        _given.add(message)
+def is_silent(category: type[Warning]) -> bool:
+    """Return whether warnings of a category are kept back."""
+    return issubclass(category, _silent.get())
+
+
+def warn_once(message: str, category: type[Warning], *, key: str | None = None) -> None:
+    """Warn, but say the same thing, or what has the same ``key``, only once in a process."""
+    key = message if key is None else key
+    if key not in _given and not is_silent(category):
+        _given.add(key)
         warnings.warn(message, category, stacklevel=_level_of_the_caller())
 
 

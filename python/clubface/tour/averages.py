@@ -20,13 +20,15 @@ from clubface import measurements, units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.equipment.models import model, models
-from clubface.errors import InputError
+from clubface.errors import InputError, RangeWarning
 from clubface.measurements import PublishedTable
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
 from clubface.simulation.launch import Launch
+from clubface.simulation.outside import warn_if_outside
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
+from clubface.support.warning import without_warnings
 from clubface.tour.spin_ratio import FLATTENED, RIGID, loft_of_ratio, spin_ratio, spin_ratio_of
 
 TABLES = {"pga-2023": None, "pga-2019": "PGA Tour", "lpga-2019": "LPGA Tour"}
@@ -237,10 +239,12 @@ def tour(
                 progress(place * len(rows) + index + 1, len(names) * len(rows))
         solved[name] = np.array(found)
         lofts[name] = np.where(np.isnan(given), solved[name], given)
-        launches[name] = [
-            impact(each.club, speed=each.club_speed, attack=each.attack, loft=loft, model=name, ball=ball)
-            for each, loft in zip(rows, lofts[name].tolist(), strict=True)
-        ]
+        with without_warnings(RangeWarning):
+            launches[name] = [
+                impact(each.club, speed=each.club_speed, attack=each.attack, loft=loft, model=name, ball=ball)
+                for each, loft in zip(rows, lofts[name].tolist(), strict=True)
+            ]
+    warn_if_outside(launch for found in launches.values() for launch in found)
     return Tour(
         table=_table(table),
         averages=rows,
@@ -270,7 +274,8 @@ def solve_loft(
     loft, slope = _within(launch + (1.0 / SLOPE - 1.0) * (launch - attack)), SLOPE
     tried: list[tuple[float, float]] = []
     while len(tried) < TRIES:
-        found = impact(club, speed=speed, attack=attack, loft=loft, model=model, ball=ball)
+        with without_warnings(RangeWarning):  # of tries
+            found = impact(club, speed=speed, attack=attack, loft=loft, model=model, ball=ball)
         tried.append((float(found.launch) - launch, loft))
         missing = tried[-1][0]
         if abs(missing) <= resolution:

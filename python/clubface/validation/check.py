@@ -12,10 +12,12 @@ from clubface import measurements
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import model as model_named
-from clubface.errors import InputError
+from clubface.errors import InputError, RangeWarning
 from clubface.measurements import PublishedTable
 from clubface.simulation.impact import impact
 from clubface.simulation.launch import Launch
+from clubface.simulation.outside import Tally
+from clubface.support.warning import without_warnings
 from clubface.tour.averages import solve_loft
 
 
@@ -78,15 +80,23 @@ class Judged:
         Its name.
     ball
         As for :func:`clubface.impact`.
+    tally
+        Counts its shots outside its range.
     """
 
-    def __init__(self, model: str, ball: str | os.PathLike[str] | Ball | None = None) -> None:
+    def __init__(
+        self, model: str, ball: str | os.PathLike[str] | Ball | None = None, tally: Tally | None = None
+    ) -> None:
         self.model = model
         self.ball = ball
+        self.tally = tally or Tally()
 
     def hit(self, club: str | Club, *, parameters: dict[str, float] | None = None, **delivery: Any) -> Launch:
         """Return the launch of one shot, SI; a value that is NaN gives a launch of NaN."""
-        return impact(club, delivery, model=self.model, ball=self.ball, parameters=parameters, on_error="nan")
+        with without_warnings(RangeWarning):
+            found = impact(club, delivery, model=self.model, ball=self.ball, parameters=parameters, on_error="nan")
+        self.tally.add(found)
+        return found
 
     def loft(self, club: str, speed: float, attack: float, launch: float) -> float:
         """Return the dynamic loft [rad] with which the model launches at an angle; NaN if no loft does."""

@@ -10,13 +10,11 @@ from itertools import groupby
 from typing import NamedTuple
 
 from clubface.equipment.balls import Ball, ball as ball_named
-from clubface.equipment.models import model as model_named
+from clubface.equipment.models import DEFAULT_MODEL, model as model_named
 from clubface.errors import InputError
+from clubface.simulation.outside import Tally
 from clubface.validation.catalogue import CHECKS, check_named
 from clubface.validation.check import Check, Figure, Judged
-
-DEFAULT = ("standard",)
-"""The models judged unless others are named."""
 
 
 class Summary(NamedTuple):
@@ -134,7 +132,7 @@ class Validation:
 
 
 def validate(
-    models: str | Iterable[str] = DEFAULT,
+    models: str | Iterable[str] = DEFAULT_MODEL,
     *,
     checks: Iterable[str] | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
@@ -145,7 +143,7 @@ def validate(
     Parameters
     ----------
     models
-        Which models, ``fem`` among them.
+        Which models, ``fem`` among them; ``response`` unless given.
     checks
         Names of checks of ``CHECKS``; all unless given.
     ball
@@ -159,11 +157,13 @@ def validate(
         raise InputError("models" if chosen else "checks", [], "at least one")
     found: dict[str, dict[str, list[Figure]]] = {name: {} for name in names}
     done = 0
+    tally = Tally()
     for name in found:
-        judged = Judged(name, ball)
+        judged = Judged(name, ball, tally)
         for each in chosen:
             found[name][each.name] = list(each.compute(judged))
             done += 1
             if progress is not None:
                 progress(done, len(found) * len(chosen))
+    tally.warn()
     return Validation(chosen, found, ball_named(ball).name)

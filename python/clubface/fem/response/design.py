@@ -8,12 +8,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface.equipment.clubs import Club, club
+from clubface.equipment.ranges import RANGES
 from clubface.support.warning import without_warnings
 from clubface.units import parse
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+RANGE = RANGES["response"]
 CLUBS = (
     "driver", "3-wood", "5-wood", "hybrid", "3-iron", "5-iron", "6-iron", "7-iron", "8-iron", "9-iron",
     "pitching-wedge",
@@ -51,16 +53,19 @@ class Part:
 def heads(count: int, seed: int) -> list[Strike]:
     """Return strikes with free heads of all kinds, evenly over the range of the model.
 
-    Speed 10 to 65 m/s, angle between path and normal 0 to 72 degrees, friction 0.05 to 0.6; heads of 160 to 450 g, a
-    few of 5 kg, with radii of gyration of 13.5 to 55 mm; CG and impact point anywhere on a clubface; half of them flat,
-    some turning, and with rigid faces or characteristic times of 100 to 350 us.
+    Speed, angle between path and normal, friction and impact point are those of the model's range. The heads have 160
+    to 450 g, a few 5 kg, with radii of gyration of 13.5 to 55 mm; CG anywhere behind a clubface; half of them flat,
+    some turning, and with rigid faces or characteristic times from 100 us to the end of the range.
     """
     import numpy as np
     from scipy.spatial.transform import Rotation
 
     found = []
+    slowest, fastest = RANGE["speed"]
+    lightest, heaviest = RANGE["club_mass"]
+    softest = RANGE["characteristic_time"][1]
     for u in _sequence(24, count, seed):
-        mass = 5.0 if u[4] < 0.04 else 0.16 * (0.45 / 0.16) ** u[3]
+        mass = heaviest if u[4] < 0.04 else lightest * (0.45 / lightest) ** u[3]
         gyration = np.array([0.0135 * (0.035 / 0.0135) ** u[6], *(0.024 * (0.055 / 0.024) ** u[7:9])])
         moments = mass * gyration**2
         # No moment of a body exceeds the sum of the others.
@@ -76,22 +81,30 @@ def heads(count: int, seed: int) -> list[Strike]:
             name="head", kind="wood", mass=mass, cg_x=0.045 * u[22], cg_y=(u[17] - 0.5) * 0.016,
             cg_z=(u[18] - 0.5) * 0.012, loft=0.0, bulge=radius, roll=radius, face_width=0.076, face_height=0.052,
             ixx=inertia[0, 0], iyy=inertia[1, 1], izz=inertia[2, 2], ixy=inertia[0, 1], ixz=inertia[0, 2],
-            iyz=inertia[1, 2], characteristic_time=0.0 if u[19] < 0.3 else 100e-6 + 250e-6 * u[20],
+            iyz=inertia[1, 2], characteristic_time=0.0 if u[19] < 0.3 else 100e-6 + (softest - 100e-6) * u[20],
         )  # fmt: skip
-        incidence = math.radians(72.0 * u[1])
+        incidence = _between("incidence", u[1])
         loft = min(incidence, math.radians(60.0))
         delivery = {
-            "speed": 10.0 * 6.5 ** u[0],
+            "speed": slowest * (fastest / slowest) ** u[0],
             "loft": loft,
             "attack": loft - incidence,
             "static_loft": 0.0,
-            "toe": (u[9] - 0.5) * 0.044,
-            "high": (u[10] - 0.5) * 0.026,
+            "toe": _between("toe", u[9]),
+            "high": _between("high", u[10]),
             "face": (u[11] - 0.5) * math.radians(20.0) if u[12] < 0.5 else 0.0,
             "closure": (u[13] - 0.5) * 110.0 if u[12] > 0.4 else 0.0,
         }
-        found.append(Strike(head, {key: float(value) for key, value in delivery.items()}, float(0.05 + 0.55 * u[2])))
+        found.append(
+            Strike(head, {key: float(value) for key, value in delivery.items()}, float(_between("friction", u[2])))
+        )
     return found
+
+
+def _between(name: str, share: float) -> float:
+    """Return a value within the range of the model, at a share of its width."""
+    least, most = RANGE[name]
+    return least + (most - least) * share
 
 
 def clubs(count: int, seed: int) -> list[Strike]:

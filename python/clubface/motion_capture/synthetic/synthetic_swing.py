@@ -37,7 +37,7 @@ class SyntheticSwing:
     truth
         The exact delivery by name [SI], with the signs of :class:`Delivery`.
     launch
-        The launch by the ``standard`` model [SI].
+        The launch by the default model [SI].
     chain
         The motion of a right-hander before impact, before it is turned into place.
     fixed
@@ -123,7 +123,7 @@ def swing(club: Club, chain: Chain, asked: Mapping[str, float]) -> SyntheticSwin
     # As of a right-hander all through; the launch of a left-hander is its mirror image.
     as_right = {**asked, "closure": float(spin[1]), "pitch_rate": float(spin[2]), "lie_rate": float(-spin[0])}
     struck = ball()
-    launched = impact(club.replace(hand="right"), as_right, model="standard", ball=struck)
+    launched = impact(club.replace(hand="right"), as_right, ball=struck)
     after = {
         name: np.array([float(getattr(launched, f"{name}_{axis}")) for axis in "xyz"])
         for name in ("velocity", "club_velocity", "club_spin")
