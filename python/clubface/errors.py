@@ -17,6 +17,10 @@ _ADVICE = ("give ", "leave ", "use ", "keep ")
 """How a sentence begins that says what to do instead."""
 
 
+_MOST, _FIRST = 60, 10
+"""How many names are told at most, and how many where there are more."""
+
+
 class Told(str):
     """Words that stand for a value in a message, which shows them without quotation marks."""
 
@@ -98,7 +102,7 @@ class UnknownNameError(InputError, KeyError):
     def __init__(self, parameter: str, value: object, known: Iterable[str]) -> None:
         self.known = tuple(known)
         self.nearest = nearest_names(str(value), self.known)
-        super().__init__(parameter, value, "one of " + ", ".join(self.known) if self.known else "left out")
+        super().__init__(parameter, value, "one of " + _listed(self.known) if self.known else "left out")
 
     def __str__(self) -> str:
         hint = f" (did you mean {' or '.join(self.nearest)}?)" if self.nearest else ""
@@ -178,6 +182,11 @@ class EdgeWarning(UserWarning):
 
 class CaptureWarning(UserWarning):
     """A recorded swing in which something had to be mended or is in doubt; its delivery is given all the same."""
+
+
+def _listed(names: tuple[str, ...]) -> str:
+    """Return names with commas; of very many the first."""
+    return ", ".join(names) if len(names) <= _MOST else f"{', '.join(names[:_FIRST])}, ... ({len(names)} in all)"
 
 
 def nearest_names(name: str, known: Iterable[str], count: int = 3) -> tuple[str, ...]:

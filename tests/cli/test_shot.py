@@ -6,6 +6,8 @@ import pytest
 
 import clubface
 from clubface import units
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.equipment.ranges import RANGES
 
 SHOT_KEYS = [
     "model", "ball_speed_mps", "smash", "launch_deg", "azimuth_deg", "backspin_rpm", "sidespin_rpm", "total_spin_rpm",
@@ -13,15 +15,34 @@ SHOT_KEYS = [
 ]  # fmt: skip
 
 
-def test_a_shot_is_a_row_a_model(clubface_):
-    ran = clubface_("shot", "driver", "--speed", "113 mph")
+def test_a_shot_is_one_answer_by_the_default_model(clubface_):
+    ran = clubface_("shot", "driver", "--speed", "113 mph", "--toe", "8 mm")
+    assert ran.out.splitlines()[0] == f"driver, ball modern, by {DEFAULT_MODEL}"
+    assert "--model all" in ran.out.splitlines()[-1]
+    assert "--model all" not in clubface_("shot", "driver", "--speed", "113 mph", "--model", DEFAULT_MODEL).out
+    told = {line.split("  ")[0]: line.split("  ")[-1].split() for line in ran.out.splitlines()[2:-1]}
+    shot = clubface.impact("driver", speed="113 mph", toe="8 mm")
+    flight = clubface.fly(shot)
+    for name, value, unit in (
+        ("ball speed", shot.get("ball_speed", "mph"), "mph"), ("backspin", shot.get("backspin", "rpm"), "rpm"),
+        ("carry", flight.get("carry", "yd"), "yd"), ("landing angle", flight.get("landing_angle", "deg"), "deg"),
+    ):  # fmt: skip
+        assert float(told[name][0]) == pytest.approx(value, abs=0.51 if unit == "rpm" else 0.051)
+        assert told[name][1] == unit
+    # A ball off the toe starts right and, by the gear effect, turns left.
+    assert told["azimuth"][2:] == ["to", "the", "right"]
+    assert told["sidespin"][2:] == ["to", "the", "left"]
+
+
+def test_all_models_are_a_row_each(clubface_):
+    ran = clubface_("shot", "driver", "--speed", "113 mph", "--model", "all")
     rows = ran.out.split("─\n")[1].splitlines()[: len(clubface.models())]
     assert [row.split()[0] for row in rows] == list(clubface.models())
     assert (ran.status, ran.err) == (0, "")
 
 
 def test_the_json_of_a_shot_has_exactly_the_promised_keys_and_null_where_there_is_no_value(clubface_):
-    rows = clubface_("shot", "driver", "--speed", "113 mph", "--json").json
+    rows = clubface_("shot", "driver", "--speed", "113 mph", "--model", "all", "--json").json
     assert [row["model"] for row in rows] == list(clubface.models())
     for row in rows:
         assert list(row) == SHOT_KEYS
@@ -51,7 +72,7 @@ def test_the_json_of_a_shot_is_what_the_library_computes(clubface_):
 
 
 def test_the_table_shows_what_golfers_read(clubface_):
-    ran = clubface_("shot", "driver", "--speed", "113 mph", "--model", "rings")
+    ran = clubface_("shot", "driver", "--speed", "113 mph", "--model", "rings,standard")
     cells = ran.out.split("─\n")[1].splitlines()[0].split()
     shot = clubface.impact("driver", speed="113 mph", model="rings")
     assert float(cells[1]) == round(units.from_si(shot.ball_speed, "mph"), 1)
@@ -69,13 +90,13 @@ def test_an_option_left_out_takes_the_clubs_own_value_or_zero(clubface_):
 
 @pytest.mark.parametrize("attack", ["-1.3 deg", "-1.3deg", "-0.022689280275926284"])
 def test_a_negative_value_is_no_option(clubface_, attack):
-    (row,) = clubface_("shot", "driver", "--speed", "113 mph", "--attack", attack, "--model", "standard", "--json").json
+    (row,) = clubface_("shot", "driver", "--speed", "113 mph", "--attack", attack, "--json").json
     shot = clubface.impact("driver", speed="113 mph", attack="-1.3 deg")
     assert row["launch_deg"] == pytest.approx(shot.get("launch", "deg"), rel=1e-12)
 
 
 def test_a_bare_number_is_si_and_said_to_be(clubface_):
-    ran = clubface_("shot", "driver", "--speed", "50", "--model", "standard", "--json")
+    ran = clubface_("shot", "driver", "--speed", "50", "--json")
     assert ran.json[0]["ball_speed_mps"] == clubface.impact("driver", speed=50.0).ball_speed
     assert ran.err == "clubface: note: --speed 50 has no unit and is taken in m/s\n"
 
@@ -102,8 +123,9 @@ def test_a_left_handed_shot_is_the_mirror_image(clubface_):
 
 
 def test_a_setting_changes_the_models_that_have_it(clubface_):
-    plain = clubface_("shot", "driver", "--speed", "50 m/s", "--json").json
-    changed = clubface_("shot", "driver", "--speed", "50 m/s", "--set", "friction=0.2", "--json").json
+    every = ["shot", "driver", "--speed", "50 m/s", "--model", "all", "--json"]
+    plain = clubface_(*every).json
+    changed = clubface_(*every, "--set", "friction=0.2").json
     differ = {a["model"] for a, b in zip(plain, changed, strict=True) if a != b}
     assert differ == {"response", "volumetric", "rings", "area"}
 
@@ -111,17 +133,18 @@ def test_a_setting_changes_the_models_that_have_it(clubface_):
 def test_parameters_come_from_a_file_or_by_the_name_of_a_published_set(clubface_, write):
     file = write(clubface.ParameterSet.builtin("standard", "driver").replace(cor="0.7").to_toml(), "mine.toml")
     place = list(clubface.models()).index("standard")
-    rows = clubface_("shot", "driver", "--speed", "50 m/s", "--parameters", str(file), "--json").json
-    shot = clubface.impact("driver", speed=50.0, parameters={"cor": 0.7})
+    every = ["shot", "driver", "--speed", "50 m/s", "--model", "all", "--json"]
+    rows = clubface_(*every, "--parameters", str(file)).json
+    shot = clubface.impact("driver", speed=50.0, model="standard", parameters={"cor": 0.7})
     assert rows[place]["ball_speed_mps"] == shot.ball_speed
-    named = clubface_("shot", "driver", "--speed", "50 m/s", "--parameters", "penner", "--json").json
-    shot = clubface.impact("driver", speed=50.0, parameters="penner")
+    named = clubface_(*every, "--parameters", "penner").json
+    shot = clubface.impact("driver", speed=50.0, model="standard", parameters="penner")
     assert named[place]["ball_speed_mps"] == shot.ball_speed
     assert [row for row in named if row != named[place]] == [row for row in rows if row != rows[place]]
 
 
 def test_the_air_is_one_text_or_single_options(clubface_):
-    shot = ["shot", "driver", "--speed", "50 m/s", "--model", "standard", "--json"]
+    shot = ["shot", "driver", "--speed", "50 m/s", "--json"]
     text = clubface_(*shot, "--air", "temperature=30 degC, altitude=1600 m, wind=-5 m/s").json
     single = clubface_(*shot, "--temperature", "30 degC", "--altitude", "1600 m", "--wind", "-5 m/s").json
     launch = clubface.impact("driver", speed=50.0)
@@ -132,9 +155,7 @@ def test_the_air_is_one_text_or_single_options(clubface_):
 
 
 def test_a_crosswind_blows_to_the_right(clubface_):
-    (row,) = clubface_(
-        "shot", "driver", "--speed", "50 m/s", "--model", "standard", "--wind", "0, 5 m/s", "--json"
-    ).json
+    (row,) = clubface_("shot", "driver", "--speed", "50 m/s", "--wind", "0, 5 m/s", "--json").json
     assert row["side_m"] > 5.0
 
 
@@ -142,9 +163,9 @@ def test_one_line_under_the_table_says_where_the_caveats_of_the_models_stand(clu
     shot = ["shot", "driver", "--speed", "50 m/s"]
     table, note = clubface_(*shot, "--model", "adjusted").out.rsplit("\n", 2)[:2]
     assert note == "Caveats: clubface models adjusted"
-    assert table.splitlines()[-1].startswith("adjusted ")
-    assert clubface_(*shot).out.endswith("clubface models NAME\n")
-    assert clubface_(*shot, "--model", "slip").out.splitlines()[-1].startswith("slip ")  # has no caveats
+    assert table.splitlines()[-1].startswith("landing angle ")
+    assert clubface_(*shot, "--model", "all").out.endswith("clubface models NAME\n")
+    assert clubface_(*shot, "--model", "slip").out.splitlines()[-1].startswith("landing angle ")  # has no caveats
     assert "clubface models" not in clubface_(*shot, "--json").out
     text = " ".join(clubface_("models", "adjusted").out.split())
     assert text.count("lowers backspin by about 600 rpm") == 1
@@ -174,7 +195,13 @@ def test_a_plot_is_written_and_json_stays_alone(clubface_, tmp_path):
 @pytest.mark.parametrize("width", [40, 80, 120])
 def test_no_line_of_a_table_exceeds_the_terminal(clubface_, monkeypatch, width):
     monkeypatch.setenv("COLUMNS", str(width))
-    for arguments in (["shot", "driver", "--speed", "113 mph"], ["clubs"], ["models"], ["tour", "--model", "standard"]):
+    for arguments in (
+        ["shot", "driver", "--speed", "113 mph", "--model", "all"],
+        ["shot", "driver", "--speed", "50 m/s"],
+        ["clubs"],
+        ["models"],
+        ["tour", "--model", "standard"],
+    ):
         ran = clubface_(*arguments)
         assert max(len(line) for line in ran.out.splitlines()) <= width
         assert "…" not in ran.out
@@ -182,7 +209,30 @@ def test_no_line_of_a_table_exceeds_the_terminal(clubface_, monkeypatch, width):
 
 def test_a_narrow_terminal_repeats_the_models_and_loses_no_column(clubface_, monkeypatch):
     monkeypatch.setenv("COLUMNS", "60")
-    out = clubface_("shot", "driver", "--speed", "113 mph").out
+    out = clubface_("shot", "driver", "--speed", "113 mph", "--model", "all").out
     assert out.count("volumetric") == 2
     assert len(re.findall(r"^volumetric(.*)$", out, re.MULTILINE)) == 2
     assert sum(len(line.split()) - 1 for line in out.splitlines() if line.startswith("volumetric")) == 12
+
+
+def test_outside_its_range_the_default_model_says_so_in_one_line(clubface_):
+    fastest = units.from_si(RANGES[DEFAULT_MODEL]["speed"][1], "mph")
+    assert clubface_("shot", "driver", "--speed", f"{fastest - 1} mph", "--toe", "5 mm").err == ""
+    ran = clubface_("shot", "driver", "--speed", f"{fastest + 1} mph", "--toe", "30 mm", "--json")
+    assert ran.err.count("\n") == 1
+    assert ran.err.startswith(
+        f"clubface: note: outside the range of {DEFAULT_MODEL}: clubhead speed 146.4 mph (22.37 to"
+    )
+    assert "impact towards the toe 30 mm (-22 to 22 mm)" in ran.err
+    assert len(ran.json) == 1
+
+
+def test_published_sets_outside_theirs_and_a_model_without_gear_effect_share_one_line(clubface_):
+    inside = ["shot", "driver", "--speed", "101 mph", "--model", "all"]
+    assert clubface_(*inside).err == ""
+    ran = clubface_("shot", "driver", "--speed", "90 mph", "--model", "all", "--toe", "5 mm")
+    assert ran.err == (
+        "clubface: note: outside the range of adjusted, slip, volumetric, rings, area: clubhead speed 90 mph"
+        " (101 to 118 mph); jorgensen has no gear effect off centre\n"
+    )
+    assert clubface_("shot", "7-iron", "--speed", "60 mph", "--model", "adjusted").err == ""  # none is published

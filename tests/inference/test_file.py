@@ -109,7 +109,7 @@ def test_files_that_cannot_be_written_or_hold_no_launch_are_refused(tmp_path):
 
 
 def test_one_launch_is_printed_with_what_goes_together(clubface_):
-    ran = clubface_("infer", "--club", "driver", *LAUNCH, "--samples", "300")
+    ran = clubface_("infer", "--club", "driver", *LAUNCH, "--model", "slip", "--samples", "300")
     text = " ".join(ran.out.split())
     assert "attack and loft are tied" in text
     assert "The launch tells nothing of" in text

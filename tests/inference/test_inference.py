@@ -108,7 +108,8 @@ def test_an_angle_that_is_measured_better_ties_the_delivery_more(found):
 
 def test_one_number_alone_is_enough_to_ask():
     one = infer({"ball_speed": "159 mph"}, club="driver", samples=300)
-    assert one.learned["speed"] > 0.35
+    # A monitor knows ball speed to 0.25 m/s, a hundredth of the prior; what is not learned is in the impact point.
+    assert one.learned["speed"] > 0.25
     assert "face" in words.not_learned(one)
 
 

@@ -6,6 +6,7 @@ import math
 import pytest
 
 import clubface
+from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import FileError
 from clubface.prediction.predict import predict
 from deliveries import GOOD, table
@@ -37,7 +38,7 @@ def test_parquet_in_and_out_keeps_types_and_says_where_it_comes_from(write, tmp_
     assert found["ball_speed_mps"][0].as_py() == pytest.approx(
         clubface.impact("driver", speed="113 mph", toe="5 mm", attack="-1.3 deg").ball_speed, rel=1e-14
     )
-    assert json.loads(found.schema.metadata[b"clubface"])["model"]["name"] == "standard"
+    assert json.loads(found.schema.metadata[b"clubface"])["model"]["name"] == DEFAULT_MODEL
     predict(tmp_path / "in.parquet", club="driver", output=tmp_path / "out.csv")
     assert table(tmp_path / "out.csv")[0]["when"] == "1970-01-01 00:00:00.001000"
     for content in (b"PAR1nonsensePAR1", b"", b"a,b\n"):

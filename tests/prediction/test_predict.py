@@ -271,7 +271,7 @@ def test_paths_that_cannot_be_are_refused(write, tmp_path):
     with pytest.raises(InputError, match="temperature"):
         predict(path, club="driver", air={"temperature": 3.0})
     with pytest.raises(InputError, match="single number"):
-        predict(path, club="driver", parameters={"cor": np.array([0.8, 0.83])})
+        predict(path, club="driver", parameters={"friction": np.array([0.3, 0.35])})
     assert path.read_text() == GOOD
 
 

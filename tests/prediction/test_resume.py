@@ -89,7 +89,7 @@ def test_a_run_is_not_resumed_with_other_settings_or_another_file(write, tmp_pat
             predict(path, club="driver", output=output, chunk_rows=10, progress=half_way(40, StoppedError))
 
     begin()
-    for changed in ({"model": "slip"}, {"parameters": {"cor": 0.8}}, {"carry": False}, {"air": {"humidity": 0.1}}):
+    for changed in ({"model": "slip"}, {"parameters": {"friction": 0.3}}, {"carry": False}, {"air": {"humidity": 0.1}}):
         with pytest.raises(FileError, match="other settings"):
             predict(path, output=output, resume=True, **{"club": "driver", **changed})
     path.write_text(MANY + "last,100,1,13,0\n")

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import clubface
+from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, ShotError, UnitError, UnknownNameError
 from clubface.simulation.launch_terms import vectors
 
@@ -82,7 +83,7 @@ def test_arrays_of_launch_and_air_broadcast():
     pytest.importorskip("xarray")
     data = flights.to_xarray()
     assert data["carry"].dims == ("temperature", "toe")
-    assert data.attrs["impact_model_name"] == "standard"
+    assert data.attrs["impact_model_name"] == DEFAULT_MODEL
 
 
 def test_every_model_of_a_comparison_flies():

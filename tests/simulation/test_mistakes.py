@@ -33,8 +33,8 @@ BAD = [
     ({"speed": 50.0, "tow": 0.0}, "input", "did you mean toe"),
     ({"speed": 50.0, "model": "volumetrik"}, "model", "did you mean volumetric"),
     ({"speed": 50.0, "ball": "publishd"}, "ball", "did you mean published"),
-    ({"speed": 50.0, "parameters": {"cor": 1.5}}, "cor", "to 1"),
-    ({"speed": 50.0, "parameters": {"color": 1.5}}, "parameter of standard", "did you mean cor"),
+    ({"speed": 50.0, "parameters": {"friction": 2.5}}, "friction", "to 2"),
+    ({"speed": 50.0, "parameters": {"frictoin": 0.3}}, "parameter of response", "did you mean friction"),
     ({"speed": 50.0, "parameters": 3}, "parameters", "mapping"),
     ({"speed": 50.0, "model": "area", "accuracy": 3.0}, "accuracy", "1e-2"),
     ({"speed": [50.0, 51.0], "toe": [0.0, 0.0, 0.0]}, "the shapes of the inputs", "broadcast"),
@@ -98,7 +98,7 @@ def test_a_view_larger_than_memory_is_refused_before_it_is_copied():
     column, row = np.full((1_000_000, 1), 70.0), np.zeros((1, 1_000_000))
     asked = {
         "speed": lambda: clubface.impact("driver", speed=many),
-        "parameters": lambda: clubface.impact("driver", speed=50.0, parameters={"cor": many}),
+        "parameters": lambda: clubface.impact("driver", speed=50.0, parameters={"friction": many}),
         "launch": lambda: clubface.fly({"ball_speed": many, "launch": 0.2}),
         "outer": lambda: clubface.fly({"ball_speed": column, "launch": row}),
         "air": lambda: clubface.fly({"ball_speed": 70.0, "launch": 0.2}, air={"altitude": many}),

@@ -9,6 +9,7 @@ import pytest
 
 import clubface
 from clubface import measurements, units
+from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, UnknownNameError
 from clubface.tour.averages import averages
 from clubface.validation import Figure, deliveries, directions, irons, optimum, plates, strikes, tables, validate
@@ -330,7 +331,7 @@ def test_a_folder_holds_tables_in_three_forms_and_two_pictures(clubface_, tmp_pa
 def test_the_command_sums_up_and_shows_the_figures_of_a_check_that_is_named(clubface_):
     every = clubface_("validate").out
     assert "tour-irons" in every
-    assert "standard: in " in every
+    assert f"{DEFAULT_MODEL}: in " in every
     one = clubface_("validate", "--check", "launch-shares", "--model", "rings").out
     assert "tour-irons" not in one
     assert "pitching-wedge" in one

@@ -83,6 +83,7 @@ def parameter_sets(
     A set named or read from a file serves the models it fits, the others keep their default; so does each setting. One
     that fits none of the models is an error; of several, the last wins.
     """
+    from clubface.equipment.models import models_with
     from clubface.equipment.parameters import ParameterSet
 
     sets = {name: ParameterSet.builtin(name, family) for name in names}
@@ -90,6 +91,8 @@ def parameter_sets(
         sets.update(_chosen(names, family, each))
     for key, value in pairs(settings or (), "--set").items():
         holders = [name for name in names if key in sets[name].values]
+        if not holders and (others := models_with(key)):
+            raise InputError("--set", key, f"a parameter of {', '.join(names)}; {_models_to_name(others)}")
         if not holders:
             raise UnknownNameError("parameter", key, dict.fromkeys(k for name in names for k in sets[name].values))
         sets.update({name: sets[name].replace(**{key: value}) for name in holders})
@@ -107,6 +110,9 @@ def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
         if not fitting:
             raise InputError("--parameters", chosen, f"a file for {' or '.join(names)}; it holds {', '.join(models)}")
         return {name: ParameterSet.from_toml(chosen, model=name, club=family) for name in fitting}
+    others = {each.model: None for each in builtin_sets() if each.name == chosen and each.club in (family, "any")}
+    if others and not others.keys() & set(names):
+        raise InputError("--parameters", chosen, f"a set of {', '.join(names)}; {_models_to_name(others)}")
     known = {each.name: None for name in names for each in builtin_sets(name) if each.club in (family, "any")}
     check_choice(f"parameter set for {family}", chosen, known)
     fitting = [
@@ -115,6 +121,10 @@ def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
         if any(each.name == chosen and each.club in (family, "any") for each in builtin_sets(name))
     ]
     return {name: ParameterSet.builtin(name, family, chosen) for name in fitting}
+
+
+def _models_to_name(having: Iterable[str]) -> str:
+    return f"name a model that has it: --model {' or '.join(having)}"
 
 
 def conditions(given: Mapping[str, str | None]) -> dict[str, Any]:

@@ -44,12 +44,16 @@ def sensitivity(
         output.print_json(_document(found))
         return
     heads = ["", *(f"{name}\n{_unit(found.units[name])}".rstrip() for name in found.outputs)]
+    shown = found.variables if by else found.main_variables
     rows = [
         [_per(variable, found.units[variable]), *(f"{value + 0.0:.4g}" for value in column)]
         for variable, column in zip(found.variables, found.values.T.tolist(), strict=True)
+        if variable in shown
     ]
     print_numbers(heads, rows, title=f"{head.name}, {chosen.model}: change of the launch")
     output.print_notes(f"{chosen.model}: {text}" for text in chosen.caveats)
+    if hidden := len(found.variables) - len(shown):
+        output.print_notes([f"{hidden} coefficients of {chosen.model} are left out; --by NAME and --json have them."])
 
 
 def _document(found: Any) -> dict[str, Any]:

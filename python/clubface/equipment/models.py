@@ -114,6 +114,11 @@ def models() -> dict[str, Model]:
     return found
 
 
+def models_with(parameter: str) -> list[str]:
+    """Return the names of the models that have a parameter called so."""
+    return [name for name, each in models().items() if any(parameter == one.name for one in each.parameters)]
+
+
 def _listed(laws: tuple[str, ...]) -> str:
     return ", ".join(each.replace("_", " ") for each in laws) or "none"
 

@@ -187,8 +187,8 @@ def tour(head: Club) -> Prior:
     """Return the published tour averages of a built-in club, with the spreads of elite golfers.
 
     Speed and attack are those of 2019, with which dynamic lofts are published. For clubs without a published loft it is
-    the one with which the default model gives the published launch angle. All other means and the spreads are those of the
-    benchmark shots: of the driver for woods, and of the 7-iron for the other clubs.
+    the one with which the default model gives the published launch angle. All other means and the spreads are those of
+    the benchmark shots: of the driver for woods, and of the 7-iron for the other clubs.
     """
     from clubface.tour.averages import averages, published_lofts, solve_loft
 

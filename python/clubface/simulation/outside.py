@@ -52,10 +52,13 @@ class Tally:
         """
         alike: dict[str, list[str]] = {}
         for model in self._shots:
-            told = [self._part(model, name, counted) for of, name in self._found if of == model and name != OFF_CENTRE]
-            if told:
-                alike.setdefault(", ".join(told), []).append(model)
-        parts = [f"outside the range of {', '.join(names)}: {told}" for told, names in alike.items()]
+            if told := ", ".join(self._part([model], name, counted=False) for name in self._names(model)):
+                alike.setdefault(told, []).append(model)
+        parts = []
+        for told, models in alike.items():
+            names = self._names(models[0])
+            told = ", ".join(self._part(models, name, counted=True) for name in names) if counted else told
+            parts.append(f"outside the range of {', '.join(models)}: {told}")
         parts += [f"{model} has no gear effect off centre" for model, name in self._found if name == OFF_CENTRE]
         return "; ".join(parts)
 
@@ -64,12 +67,19 @@ class Tally:
         if text := self.remark():
             warn_once(text, RangeWarning, key=self.remark(counted=False))
 
-    def _part(self, model: str, name: str, counted: bool) -> str:
-        ends, count, value = self._found[model, name]
+    def _names(self, model: str) -> list[str]:
+        """Return the quantities in which shots of a model are outside."""
+        return [name for name in QUANTITIES if (model, name) in self._found]
+
+    def _part(self, models: list[str], name: str, *, counted: bool) -> str:
+        """Return what is to be said of one quantity of models with the same range."""
         words, unit = QUANTITIES[name]
-        shots = self._shots[model]
-        how = "" if not counted else f" {units.show(value, unit, 4)}" if shots == 1 else f" in {count} of {shots} shots"
-        return f"{words}{how} ({ends})"
+        ends, _, value = self._found[models[0], name]
+        # The same shots by several models, or else other shots by each.
+        numbers = {(self._found[each, name][1], self._shots[each]) for each in models}
+        count, shots = numbers.pop() if len(numbers) == 1 else map(sum, zip(*numbers, strict=True))
+        how = f"{units.show(value, unit, 4)} " if shots == 1 else f"in {count} of {shots} shots "
+        return f"{words} {how if counted else ''}({ends})"
 
 
 def warn_if_outside(launches: Iterable[Launch]) -> None:

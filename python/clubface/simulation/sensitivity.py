@@ -32,6 +32,10 @@ _SPEED = "mph"
 
 MAIN = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "spin_axis")
 """The outputs shown when a table is printed."""
+FEW = 20
+"""Parameters of a model that are shown when a table is printed; of a model with more, only ``OF_THE_BALL``, since the
+others are coefficients of a fit."""
+OF_THE_BALL = ("friction",)
 
 
 class Sensitivity:
@@ -78,6 +82,13 @@ class Sensitivity:
         rows = np.array([units.size(self._shown[name]) for name in self.outputs])
         columns = np.array([units.size(self._shown[name]) for name in self.variables])
         return self.si * columns / rows[:, None]
+
+    @property
+    def main_variables(self) -> tuple[str, ...]:
+        """The variables shown when a table is printed: all but the coefficients of a model that is a fit."""
+        parameters = [name for name in self.variables if name not in inputs()]
+        hidden = {name for name in parameters if len(parameters) > FEW and name not in OF_THE_BALL}
+        return tuple(name for name in self.variables if name not in hidden)
 
     @property
     def provenance(self) -> dict[str, Any]:
@@ -133,18 +144,22 @@ class Sensitivity:
         place = [self.outputs.index(name) for name in shown]
         heads = [f"{name} [{self._shown[name]}]" for name in shown]
         widths = [max(len(head), 12) for head in heads]
-        labels = [f"per {self._shown[name]} of {name}".replace("per 1 of", "of") for name in self.variables]
+        variables = self.main_variables
+        labels = [f"per {self._shown[name]} of {name}".replace("per 1 of", "of") for name in variables]
         width = max(map(len, labels), default=0)
         lines = [
             f"derivatives of a launch by {self.launch.model}: {self.launch.club.name}, ball {self.launch.ball.name}",
             " " * width + "".join(f"  {head:>{size}}" for head, size in zip(heads, widths, strict=True)),
         ]
-        for label, column in zip(labels, self.values.T, strict=True):
+        columns = [self.values.T[self.variables.index(name)] for name in variables]
+        for label, column in zip(labels, columns, strict=True):
             numbers = [f"  {column[row]:>{size}.5g}" for row, size in zip(place, widths, strict=True)]
             lines.append(f"{label:<{width}}" + "".join(numbers))
         if len(shown) < len(self.outputs):
             others = [name for name in self.outputs if name not in shown]
             lines.append(f"and of {', '.join(others)}: see to_pandas()")
+        if len(variables) < len(self.variables):
+            lines.append(f"and by {len(self.variables) - len(variables)} coefficients of the model: see to_pandas()")
         return "\n".join(lines)
 
     def _label(self, name: str) -> str:

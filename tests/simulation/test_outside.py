@@ -1,0 +1,157 @@
+"""Shots outside the range of a model: found where they are, told once, with their number."""
+
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.equipment.parameters import ParameterSet
+from clubface.equipment.ranges import RANGES
+from clubface.errors import FileError, RangeWarning
+from clubface.fem.response.design import heads
+from clubface.motion_capture.attitude import delivered, face_axes
+from clubface.simulation.outside import Tally
+from clubface.support import warning
+from clubface.support.warning import without_warnings
+from deliveries import table
+
+RANGE = RANGES[DEFAULT_MODEL]
+
+
+@pytest.fixture(autouse=True)
+def nothing_said_before(monkeypatch):
+    """As in a process of its own."""
+    monkeypatch.setattr(warning, "_given", set())
+
+
+def remark(*launches):
+    return Tally().add_all(launches).remark()
+
+
+def quietly(*arguments, **values):
+    with without_warnings(RangeWarning):
+        return clubface.impact(*arguments, **values)
+
+
+def test_the_strikes_of_the_fit_fill_the_range_and_none_is_outside():
+    found = {name: [] for name in ("speed", "toe", "high", "club_mass", "characteristic_time", "friction", "incidence")}
+    with without_warnings():
+        for head, delivery, friction in heads(256, 7):
+            launch = quietly(head, delivery, parameters={"friction": friction})
+            assert remark(launch) == ""
+            for name in ("speed", "toe", "high", "club_mass", "characteristic_time"):
+                found[name].append(launch.input(name))
+            found["friction"].append(friction)
+            found["incidence"].append(delivery["loft"] - delivery["attack"])
+    for name, values in found.items():
+        least, most = RANGE[name]
+        assert max(values) > most - 0.05 * (most - least), name
+        assert min(values) < least + 0.05 * (most - least), name
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"speed": 66.0}, "clubhead speed 147.6 mph"),
+        ({"speed": 9.0}, "clubhead speed 20.13 mph"),
+        ({"toe": -0.0225}, "impact towards the toe -22.5 mm"),
+        ({"high": 0.0135}, "impact towards the crown 13.5 mm"),
+        ({"club_mass": 0.15}, "mass of the head 150 g"),
+        ({"characteristic_time": 360e-6}, "characteristic time 360 us"),
+        ({"parameters": {"friction": 0.61}}, "friction 0.61"),
+        ({"loft": "60 deg", "attack": "-13 deg"}, "angle between path and face normal 73 deg"),
+    ],
+)
+def test_each_quantity_is_told_beyond_its_end_and_not_before(values, words):
+    assert remark(quietly("driver", **{"speed": 50.0, **values})).startswith(
+        f"outside the range of response: {words} ("
+    )
+    assert remark(quietly("driver", speed=50.0)) == ""
+
+
+def test_the_angle_is_that_between_path_and_normal_whatever_they_are():
+    angles = np.random.default_rng(3).uniform(-1.0, 1.0, (4, 500)) * np.array([[0.3], [0.6], [1.3], [0.6]])
+    attack, path, loft, face = angles
+    launch = quietly("driver", speed=50.0, attack=attack, path=path, loft=loft, face=face, on_error="nan")
+    normal = (delivered(loft, face, 0.0, 0.0) @ face_axes(0.0))[..., :, 0]
+    along = np.stack([np.cos(attack) * np.cos(path), np.sin(attack), np.cos(attack) * np.sin(path)], axis=-1)
+    apart = np.degrees(np.arccos(np.sum(normal * along, axis=-1)))
+    there = launch.ball_speed > 0.0  # no miss
+    expected = int((apart[there] > 72.0).sum())
+    assert expected > 5
+    assert f"in {expected} of 500 shots (0 to 72 deg)" in remark(launch)
+
+
+def test_a_value_at_the_end_of_a_range_in_another_unit_is_inside():
+    for speed in ("101 mph", "118 mph", "189.901 km/h"):
+        assert remark(quietly("driver", speed=speed, model="slip")) == "", speed
+
+
+def test_python_warns_once_with_the_number_of_shots():
+    with pytest.warns(RangeWarning, match=r"clubhead speed in 3 of 5 shots \(22.37 to 145.4 mph\)"):
+        clubface.impact("driver", speed=[5.0, 6.0, 7.0, 50.0, 51.0])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        clubface.impact("driver", speed=[5.0, 50.0])
+        clubface.impact("driver", speed=4.0)
+
+
+def test_several_models_warn_in_one_line():
+    with pytest.warns(RangeWarning) as caught:
+        clubface.impact("driver", speed="90 mph", toe="3 mm", model="all")
+    assert len(caught) == 1
+    assert "adjusted, slip, volumetric, rings, area" in str(caught[0].message)
+    assert "jorgensen has no gear effect" in str(caught[0].message)
+
+
+def test_derivatives_and_histories_warn_too():
+    with pytest.warns(RangeWarning, match="outside the range of response"):
+        clubface.sensitivity("driver", speed=70.0)
+    with pytest.warns(RangeWarning, match="outside the range of volumetric"):
+        clubface.history("driver", speed=40.0)
+
+
+def test_jorgensen_speaks_of_gear_effect_off_centre_alone():
+    assert remark(quietly("driver", speed=50.0, model="jorgensen")) == ""
+    for where in ({"toe": 1e-3}, {"high": -1e-3}, {"toe": np.array([0.0, 1e-3])}):
+        told = remark(quietly("driver", speed=50.0, model="jorgensen", **where))
+        assert told == "jorgensen has no gear effect off centre"
+
+
+def test_a_shot_that_cannot_be_computed_is_not_counted():
+    shots = quietly("driver", speed=[70.0, 71.0, 50.0], toe=[0.0, 0.2, 0.0], on_error="nan")
+    assert "in 1 of 3 shots" in remark(shots)
+
+
+def test_a_file_of_deliveries_has_one_note_with_the_number(write, tmp_path):
+    source = write("club_speed_mps\n" + "50\n" * 30 + "70\n" * 12)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        report = clubface.predict(source, club="driver", output=tmp_path / "out.csv", chunk_rows=5)
+    (note,) = [each for each in report.notes if "outside" in each]
+    assert note == "outside the range of response: clubhead speed in 12 of 42 shots (22.37 to 145.4 mph)"
+    assert len(table(tmp_path / "out.csv")) == 42
+
+
+def test_a_set_of_ones_own_may_have_a_range(write):
+    text = ParameterSet.builtin("slip", "driver").to_toml()
+    assert "[set.range]\nspeed = [" in text
+    again = ParameterSet.from_toml(write(text, "own.toml"))
+    assert again.range == ParameterSet.builtin("slip", "driver").range
+    assert again.range["speed"] == pytest.approx((101 * 0.44704, 118 * 0.44704), rel=1e-12)
+    own = write(text.replace("[set.range]", '[set.range]\nattack = ["1 deg", "2 deg"]'), "bad.toml")
+    with pytest.raises(FileError, match=r"bad\.toml:\d+: unknown key 'attack'.* speed, incidence"):
+        ParameterSet.from_toml(own)
+    for wrong, said in (("[52.0, 40.0]", "the least first"), ('["1 kg", "2 kg"]', "speed of the range"), ("3", "two")):
+        line = next(each for each in text.splitlines() if each.startswith("speed = "))
+        with pytest.raises(FileError, match=said):
+            ParameterSet.from_toml(write(text.replace(line, f"speed = {wrong}"), "bad.toml"))
+
+
+def test_the_range_of_a_model_is_that_of_every_set_without_its_own():
+    assert ParameterSet.defaults(DEFAULT_MODEL).range == RANGE
+    assert ParameterSet.builtin("standard", "driver").range == {}
+    assert RANGE["incidence"][1] == pytest.approx(math.radians(72.0))
