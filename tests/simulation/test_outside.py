@@ -63,6 +63,7 @@ def test_the_strikes_of_the_fit_fill_the_range_and_none_is_outside():
         ({"characteristic_time": 360e-6}, "characteristic time 360 us"),
         ({"parameters": {"friction": 0.61}}, "friction 0.61"),
         ({"loft": "60 deg", "attack": "-13 deg"}, "angle between path and face normal 73 deg"),
+        ({"loft": "68 deg", "attack": "-3 deg", "face": "20 deg"}, "angle between path and face normal 72.36 deg"),
     ],
 )
 def test_each_quantity_is_told_beyond_its_end_and_not_before(values, words):

@@ -13,7 +13,7 @@ import pytest
 import clubface
 from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES
-from clubface.equipment.models import models
+from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import InputError, UnknownNameError
 from clubface.tour import averages as job, report, tables as tour_tables
 from clubface.tour.spin_ratio import loft_of_ratio, spin_ratio, spin_ratio_of
@@ -292,6 +292,23 @@ def test_the_lofts_of_the_models_stand_beside_the_published_ones(result):
                     "volumetric": iron["volumetric"]}  # fmt: skip
     assert float(iron["volumetric"]) < 18.0
     assert next(row for row in rows if row[0] == "7-iron")[1] == ""
+
+
+def test_the_answer_of_the_default_model_stands_before_the_comparison(result):
+    both = job.tour(["slip", DEFAULT_MODEL], table="pga-2019")
+    assert (tour_tables.first_model(both), tour_tables.first_model(result)) == (DEFAULT_MODEL, "standard")
+    heads, rows = tour_tables.answer(both)
+    iron = next(row for row in rows if row[0] == "6-iron")
+    place = both.clubs.index("6-iron")
+    assert iron[heads.index("dynamic\nloft\ndeg")] == "20.2"
+    spin = heads.index("spin\nrpm")
+    assert float(iron[spin]) == round(units.from_si(both.values[DEFAULT_MODEL]["spin"][place], "rpm"))
+    assert iron[spin + 1] == "6231"  # TrackMan (2019)
+    mean = units.from_si(both.mean_absolute_error(DEFAULT_MODEL)["spin"], "rpm")
+    assert float(rows[-1][spin]) == round(mean)
+    assert {len(row) for row in rows} == {len(heads)}
+    text = tour_tables.as_markdown(both)
+    assert text.index(f"## By {DEFAULT_MODEL}") < text.index("model less published")
 
 
 def test_signed_errors_in_tables_have_their_sign_and_no_negative_zero():

@@ -8,6 +8,8 @@ import typer
 
 from clubface.cli import options, output
 from clubface.cli.tables import print_numbers, print_words
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.equipment.ranges import RANGES, in_words
 
 app = typer.Typer(add_completion=False)
 
@@ -38,6 +40,7 @@ def models(
         output.print_json([describe(each) for each in registry().values()])
         return
     rows = [[each.name, each.kind, each.summary, each.laws_in_words] for each in registry().values()]
+    rows[list(registry()).index(DEFAULT_MODEL)][2] += " The model where none is named."
     print_words(["model", "kind", "what it is", "laws it obeys"], rows)
     output.print_notes(f'{each.name}: {each.summary} "all" does not mean it.' for each in further_models().values())
     output.print_notes(["clubface models NAME lists parameters, units, bounds, published values, sources and caveats."])
@@ -76,6 +79,7 @@ def describe(found: Any) -> dict[str, Any]:
                 "values": each.values,
                 "source": each.source,
                 "reference": each.reference,
+                "range": each.range,
                 "caveats": each.caveats,
                 "value_caveats": each.value_caveats,
             }
@@ -93,6 +97,8 @@ def _print_model(found: Any) -> None:
     for short, title in _papers(found).items():
         output.print_paragraph(f"{short}: {title}")
     output.print_paragraph(f"Laws it obeys: {found.laws_in_words}")
+    if found.name in RANGES:
+        output.print_paragraph(f"Range it is made for: {in_words(RANGES[found.name])}")
     print()
     rows = [
         [each.name, _unit(each.unit), f"{each.lower:.4g} to {each.upper:.4g}", each.meaning]
@@ -116,7 +122,8 @@ def _print_model(found: Any) -> None:
     for index, one in enumerate(sets, 1):
         standing = ", used by default" if one.default else ""
         output.print_paragraph(f"[{index}] {one.name}, for {one.club}{standing}: {one.source}. {one.reference}")
-        output.print_notes([*one.caveats, *(f"{key}: {text}" for key, text in one.value_caveats.items())])
+        within = [f"from shots with {in_words(one.range)}"] if one.range else []
+        output.print_notes([*within, *one.caveats, *(f"{key}: {text}" for key, text in one.value_caveats.items())])
 
 
 def _papers(found: Any) -> dict[str, str]:

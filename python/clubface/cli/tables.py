@@ -53,9 +53,10 @@ def print_numbers(
 def print_list(rows: Sequence[tuple[str, str, str]], *, title: str) -> None:
     """Print names with their numbers, one below the other, each with what follows it, such as its unit."""
     names, numbers = (max(len(row[column]) for row in rows) for column in (0, 1))
-    for line in textwrap.wrap(title, terminal_width() or 120):
+    lines = textwrap.wrap(title, terminal_width() or 120)
+    for line in lines:
         print(_bold(line))
-    print(_rule() * max(names + numbers + 3 + max(len(row[2]) for row in rows), len(line)))
+    print(_rule() * max(names + numbers + 3 + max(len(row[2]) for row in rows), *map(len, lines)))
     for name, number, rest in rows:
         print(f"{name.ljust(names)}  {number.rjust(numbers)} {rest}".rstrip())
 

@@ -28,7 +28,7 @@ def tour(
     ball: options.Ball = None,
     as_json: options.Json = False,
 ) -> None:
-    """Compare every model with the published tour averages, club by club."""
+    """Compute the published tour averages, club by club, by the default model, then by every model."""
     from clubface.tour import averages as job
 
     names = given.model_names(model)
@@ -59,6 +59,10 @@ def tour(
         together = {"averages": documents, "mean_absolute_error": tables.mean_errors(results)}
         output.print_json(together if len(results) > 1 else documents[0])
     else:
+        for result in results:
+            title = f"{result.table.title}, by {tables.first_model(result)}"
+            print_numbers(*tables.answer(result), title=title, summary=True)
+            print()
         for result in results:
             _print(result)
         if len(results) > 1:

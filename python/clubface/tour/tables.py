@@ -12,6 +12,7 @@ import numpy as np
 
 from clubface import units
 from clubface.equipment.balls import DEFAULT_BALL
+from clubface.equipment.models import DEFAULT_MODEL
 from clubface.tour.averages import QUANTITIES, TABLES, Tour, mean_absolute_error
 from clubface.tour.spin_ratio import FLATTENED, RIGID
 
@@ -46,7 +47,7 @@ def notes(result: Tour) -> list[str]:
         " further outside than the head turns, half a degree for woods and one for irons, its figures cannot belong to"
         " one shot.",
         "Only driver and 7-iron are measured heads (not those of the tour); the other clubs are a plausible parametric"
-        " set, and each uses the published parameters of driver or 7-iron.",
+        " set. Models with published parameters use those of driver or 7-iron for them.",
         "Impact at the face centre, path and face square. Carries of the models are flights of their own launches;"
         f" '{FLIGHT_ONLY}' is the flight from the published launch.",
         *(f"{', '.join(names)}: {text}." for text, names in caveats.items()),
@@ -63,6 +64,26 @@ def _notes_on_lofts(result: Tour) -> str:
         older = " and ".join(name for name, group in TABLES.items() if group is not None)
         return f"No dynamic loft is published that belongs to these averages (only to {older}): {solved}"
     return f"Dynamic loft is published for {' and '.join(published)} only, and used by every model. Elsewhere {solved}"
+
+
+def first_model(result: Tour) -> str:
+    """Return the model whose answer is shown first: the default one, where it is among them."""
+    return DEFAULT_MODEL if DEFAULT_MODEL in result.models else result.models[0]
+
+
+def answer(result: Tour) -> tuple[list[str], list[list[str]]]:
+    """Return headings and rows of the first model: each quantity beside what is published, mean errors last."""
+    name = first_model(result)
+    heads, columns, means = ["club", "dynamic\nloft\ndeg"], [result.clubs], [MEAN, ""]
+    columns.append([f"{loft:.1f}" for loft in units.from_si(result.lofts[name], "deg")])
+    mean = result.mean_absolute_error(name)
+    for quantity, unit in QUANTITIES.items():
+        digits = DIGITS[quantity]
+        for values in (result.values[name][quantity], result.published[quantity]):
+            columns.append([f"{value:.{digits}f}" for value in units.from_si(values, unit)])
+        heads += [f"{TITLES[quantity].lower().replace(' ', chr(10), 1)}\n{unit}", "as pub-\nlished"]
+        means += [FITTED if np.isnan(mean[quantity]) else f"{units.from_si(mean[quantity], unit):.{digits}f}", ""]
+    return heads, [*(list(row) for row in zip(*columns, strict=True)), means]
 
 
 def comparison(result: Tour, quantity: str, *, signed: bool) -> tuple[list[str], list[list[str]]]:
@@ -142,6 +163,9 @@ def _signed(value: float, digits: int) -> str:
 def as_markdown(result: Tour) -> str:
     """Return the whole comparison as a Markdown page."""
     lines = [f"# Every model beside the {result.table.title}", "", *(f"* {note}" for note in notes(result)), ""]
+    heads, rows = answer(result)
+    lines += [f"## By {first_model(result)}, beside what is published", ""]
+    lines += _markdown_table([each.replace("-\n", "").replace("\n", " ") for each in heads], rows)
     lines += ["## Deliveries", ""]
     delivered = [
         [
