@@ -218,12 +218,14 @@ def test_a_narrow_terminal_repeats_the_models_and_loses_no_column(clubface_, mon
 def test_outside_its_range_the_default_model_says_so_in_one_line(clubface_):
     fastest = units.from_si(RANGES[DEFAULT_MODEL]["speed"][1], "mph")
     assert clubface_("shot", "driver", "--speed", f"{fastest - 1} mph", "--toe", "5 mm").err == ""
-    ran = clubface_("shot", "driver", "--speed", f"{fastest + 1} mph", "--toe", "30 mm", "--json")
+    ran = clubface_(
+        "shot", "driver", "--speed", f"{fastest + 1} mph", "--attack", "-9 deg", "--loft", "64 deg", "--json"
+    )
     assert ran.err.count("\n") == 1
     assert ran.err.startswith(
         f"clubface: note: outside the range of {DEFAULT_MODEL}: clubhead speed 146.4 mph (22.37 to"
     )
-    assert "impact towards the toe 30 mm (-22 to 22 mm)" in ran.err
+    assert "angle between path and face normal 73 deg (0 to 72 deg)" in ran.err
     assert len(ran.json) == 1
 
 

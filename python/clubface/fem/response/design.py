@@ -53,9 +53,9 @@ class Part:
 def heads(count: int, seed: int) -> list[Strike]:
     """Return strikes with free heads of all kinds, evenly over the range of the model.
 
-    Speed, angle between path and normal, friction and impact point are those of the model's range. The heads have 160
-    to 450 g, a few 5 kg, with radii of gyration of 13.5 to 55 mm; CG anywhere behind a clubface; half of them flat,
-    some turning, and with rigid faces or characteristic times from 100 us to the end of the range.
+    Speed, angle between path and normal, friction and mass are those of the model's range, most masses up to 450 g;
+    radii of gyration of 13.5 to 55 mm; CG and impact point anywhere on a clubface; half of them flat, some turning, and
+    with rigid faces or characteristic times from 100 us to the end of the range.
     """
     import numpy as np
     from scipy.spatial.transform import Rotation
@@ -90,8 +90,8 @@ def heads(count: int, seed: int) -> list[Strike]:
             "loft": loft,
             "attack": loft - incidence,
             "static_loft": 0.0,
-            "toe": _between("toe", u[9]),
-            "high": _between("high", u[10]),
+            "toe": (u[9] - 0.5) * 0.044,
+            "high": (u[10] - 0.5) * 0.026,
             "face": (u[11] - 0.5) * math.radians(20.0) if u[12] < 0.5 else 0.0,
             "closure": (u[13] - 0.5) * 110.0 if u[12] > 0.4 else 0.0,
         }
