@@ -16,7 +16,7 @@ def main() -> clubface.Launch:
     swing = read_swing(files[0], f"{folder}/markers.toml", "driver")
     print(swing)
 
-    launches = clubface.impact("driver", swing.sample(1000), model="slip")
+    launches = clubface.impact("driver", swing.sample(1000))
     for name, unit in (("ball_speed", "mph"), ("launch", "deg"), ("azimuth", "deg"), ("backspin", "rpm")):
         values = launches.get(name, unit)
         print(f"{name:<12} {np.mean(values):9.2f} ± {np.std(values):.2f} {unit}")

@@ -14,7 +14,7 @@ def main(picture: str | None = None) -> clubface.Launch:
     """Compute 41 by 21 impacts in one call and print the row through the face centre; draw the map on request."""
     toe = np.linspace(-0.025, 0.025, 41)[:, None]
     high = np.linspace(-0.012, 0.012, 21)[None, :]
-    shots = clubface.impact("driver", speed="113 mph", loft="12.8 deg", toe=toe, high=high, model="standard")
+    shots = clubface.impact("driver", speed="113 mph", loft="12.8 deg", toe=toe, high=high)
     middle = high.size // 2
     speed, azimuth = shots.get("ball_speed", "mph"), shots.get("azimuth", "deg")
     sidespin = shots.get("sidespin", "rpm")

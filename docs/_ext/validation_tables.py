@@ -10,13 +10,12 @@ from pathlib import Path
 from core_tables import CoreTable, markdown_table
 from sphinx.application import Sphinx
 
-from clubface.equipment.models import models
+from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.validation import Validation, validate
-from clubface.validation.run import DEFAULT
 from clubface.validation.tables import notes, tolerances, with_unit
 
 STORED = Path(__file__).parent.parent / "validation-fem.json"
-SHOWN = tuple(dict.fromkeys((*DEFAULT, "fem", "slip", "rings")))
+SHOWN = tuple(dict.fromkeys((DEFAULT_MODEL, "fem", "standard", "slip", "rings")))
 """The models of the tables of single checks."""
 
 
@@ -25,7 +24,7 @@ def validation() -> Validation:
     """Return all checks of all models; ``docs/figures/validation.py`` wrote what finite elements compute."""
     found = validate(models())
     stored = json.loads(STORED.read_text(encoding="utf-8"))
-    beside = found.figures[DEFAULT[0]]
+    beside = found.figures[DEFAULT_MODEL]
     found.figures["fem"] = {
         check: [each._replace(computed=_number(stored[check][f"{each.what}: {each.quantity}"])) for each in figures]
         for check, figures in beside.items()

@@ -27,7 +27,7 @@ def launch_table(club: str) -> None:
     for name in ("linear", "smoother"):
         for noise in (0.0, 1e-4, 3e-4, 5e-4):
             found = study(120, club=club, cameras=Cameras(noise=noise), estimators=(name,), seed=2)
-            for quantity, errors in found.launch_errors(name).items():
+            for quantity, errors in found.launch_errors(name, model="standard").items():
                 error = units.from_si(np.abs(errors).mean(), LAUNCHES[quantity])
                 cells[quantity].append(f"{error:.0f}" if LAUNCHES[quantity] == "rpm" else f"{error:.2f}")
     for quantity, row in cells.items():

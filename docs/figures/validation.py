@@ -9,12 +9,13 @@ import json
 from pathlib import Path
 
 from clubface import plots
+from clubface.equipment.models import DEFAULT_MODEL
 from clubface.validation import Figure, validate
 from clubface.validation.figures import validation_figure
 
 HERE = Path(__file__).parent
 STORED = HERE.parent / "validation-fem.json"
-DRAWN = ("standard", "slip", "rings", "fem")
+DRAWN = (DEFAULT_MODEL, "slip", "rings", "fem")
 DIGITS = 9
 
 

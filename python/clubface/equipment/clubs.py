@@ -222,7 +222,7 @@ class Club(Described):
             'description = ""',
             "",
         ]
-        return "\n".join(head + template_lines(CLUB_PROPERTIES))
+        return "\n".join(head + template_lines(CLUB_PROPERTIES, ("characteristic_time",)))
 
 
 def club(which: str | os.PathLike[str] | Club) -> Club:

@@ -152,10 +152,10 @@ def written(value: float, each: Property) -> str:
     return f"{value!r} {units.SI_UNITS[each.dimension]}"
 
 
-def template_lines(properties: Properties) -> list[str]:
-    """Write one commented line a property, then an example of sources; optional keys are commented out."""
+def template_lines(properties: Properties, given: Collection[str] = ()) -> list[str]:
+    """Write one commented line a property, then an example of sources; optional keys are comments unless ``given``."""
     lines = []
     for key, each in properties.items():
         entry = f"{key} = {quoted(each.example)}"
-        lines.append(f"{entry if each.required else '# ' + entry:<28}# {each.meaning}")
+        lines.append(f"{entry if each.required or key in given else '# ' + entry:<27} # {each.meaning}")
     return [*lines, "", "[sources]                   # where each value comes from", '# mass = "weighed"', ""]

@@ -1,0 +1,28 @@
+"""Writes the mean errors of every model against the tour averages into the table of the README."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from clubface.tour import averages as tour
+from clubface.tour.tables import summary
+
+README = Path(__file__).parents[2] / "README.md"
+ROWS = re.compile(
+    r"(?<=^\| model \| ball speed, mph \| launch, deg \| spin, rpm \| carry, yd \|\n)(?:^\|.*\n)+", re.MULTILINE
+)
+
+
+def main() -> None:
+    """Compute all tables and rewrite the rows."""
+    _, rows = summary([tour.tour(table=name) for name in tour.TABLES])
+    lines = ["| --- | --- | --- | --- | --- |", *(f"| {' | '.join(row)} |" for row in rows)]
+    text, found = ROWS.subn("\n".join(lines) + "\n", README.read_text(encoding="utf-8"))
+    if not found:
+        raise SystemExit("the README has no table of errors")
+    README.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
