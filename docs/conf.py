@@ -1,10 +1,14 @@
 """Sphinx configuration: Markdown pages, formulas, and an API reference read from the docstrings."""
 
 import sys
+import warnings
 from importlib.metadata import version as installed_version
 from pathlib import Path
 
+from clubface.errors import RangeWarning
+
 sys.path.insert(0, str(Path(__file__).parent / "_ext"))
+warnings.simplefilter("ignore", RangeWarning)  # the pages compare models beyond their ranges, and say so
 
 project = "clubface"
 author = "The clubface authors"

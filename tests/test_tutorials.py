@@ -6,7 +6,11 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parent.parent
-PAGES = [ROOT / "README.md", ROOT / "docs" / "getting-started.md", *sorted((ROOT / "docs" / "tutorials").glob("*.md"))]
+PAGES = [
+    ROOT / "README.md",
+    *(ROOT / "docs" / f"{name}.md" for name in ("index", "getting-started")),
+    *sorted((ROOT / "docs" / "tutorials").glob("*.md")),
+]
 NEEDED = ("typer", "rich", "matplotlib", "pandas", "pyarrow", "ezc3d", "pymoo", "scipy")
 
 specification = importlib.util.spec_from_file_location("tutorial", ROOT / "docs" / "tutorials" / "run.py")

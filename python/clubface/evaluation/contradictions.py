@@ -14,9 +14,11 @@ from typing import NamedTuple
 from clubface import benchmark_data
 from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
+from clubface.errors import RangeWarning
 from clubface.evaluation.published_accuracy import published
 from clubface.measured.shots import QUANTITIES
 from clubface.simulation.impact import impact
+from clubface.support.warning import without_warnings
 
 
 class Pair(NamedTuple):
@@ -64,7 +66,8 @@ def pairs(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> l
         means: dict[str, dict[str, float]] = {}
         for model in (name for name, of in accuracy if of == club):
             chosen = (parameters or {}).get((model, club)) or ParameterSet.builtin(model, club)
-            launch = impact(club, deliveries, model=model, parameters=chosen, ball=published_ball())
+            with without_warnings(RangeWarning):  # of their own shots, or of what stands for them
+                launch = impact(club, deliveries, model=model, parameters=chosen, ball=published_ball())
             means[model] = {name: float(launch.get(name).mean()) for name in QUANTITIES}
         for first, second in combinations(means, 2):
             for name in QUANTITIES:
