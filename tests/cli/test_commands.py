@@ -148,6 +148,12 @@ def test_every_table_of_averages_is_compared_and_summed_up(clubface_, tmp_path):
     spins = [abs(row["spin_error_rpm"]) for each in ran.json["averages"] for row in each["rows"]]
     assert len(spins) == 34
     assert ran.json["mean_absolute_error"]["standard"]["spin_rpm"] == pytest.approx(sum(spins) / 34, rel=1e-8)
-    printed = clubface_("tour", "--averages", "pga-2019,lpga-2019", "--model", "standard").out
+    several = clubface_("tour", "--averages", "pga-2019,lpga-2019", "--model", "standard,slip")
+    # The hybrid of the PGA Tour, at 100 mph, and the three woods of the LPGA Tour.
+    assert several.err == (
+        "clubface: note: outside the range of slip: clubhead speed in 4 of 22 shots (101 to 118 mph)\n"
+    )
+    printed = several.out
+    assert printed.startswith("PGA Tour averages of 2019, by standard")
     assert "Mean absolute error over all rows of these tables" in printed
     assert clubface_("tour", "--averages", "pga").status == 2

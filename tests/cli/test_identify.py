@@ -106,8 +106,9 @@ def test_a_mistake_is_one_message(clubface_, drives, arguments, words):
     with open("words.csv", "w") as file:
         file.write("club_speed_mph,ball_speed_mph\nfast,very fast\n")
     club = () if "--club" in arguments else ("--club", "driver")
+    model = () if "--model" in arguments else ("--model", "standard")
     before = {each.name: each.read_bytes() for each in Path().iterdir()}
-    assert_mistake(clubface_("identify", *arguments, *club, *FAST), *words)
+    assert_mistake(clubface_("identify", *arguments, *club, *model, *FAST), *words)
     assert {each.name: each.read_bytes() for each in Path().iterdir()} == before
 
 

@@ -64,6 +64,7 @@ from clubface.cli.app import run
         (["sensitivity", "driver", "--speed", "50 m/s", "--by", "hight"], ["did you mean high"]),
         (["sensitivity", "driver", "--speed", "50 m/s", "--model", "all"], ["model"]),
         (["flight", "--ball-speed", "60 m/s"], ["--launch"]),
+        (["identify", "none.csv", "--club", "driver"], ["--model is missing", "--model slip"]),
         (["tour", "-o", "/dev/null/out"], ["/dev/null/out"]),
     ],
 )  # fmt: skip

@@ -1,5 +1,6 @@
 """From delivery to launch at the Python boundary: units, shapes, defaults, refusals, tables, histories."""
 
+import inspect
 import math
 import os
 import subprocess
@@ -238,3 +239,20 @@ def test_a_delivery_names_every_input_of_its_group():
     assert own == list(clubface.Delivery.__dataclass_fields__)
     with pytest.raises(UnknownNameError, match="toe"):
         clubface.Delivery(speed=50.0).replace(tow=1.0)
+
+
+def test_one_model_is_the_default_of_everything():
+    from clubface.inference.run import infer
+    from clubface.motion_capture.study import Study
+    from clubface.prediction.predict import predict
+    from clubface.validation.run import validate
+
+    assert DEFAULT_MODEL in models()
+    for of, name in (
+        (clubface.impact, "model"), (clubface.sensitivity, "model"), (predict, "model"), (infer, "model"),
+        (validate, "models"), (Study.launch_errors, "model"),
+    ):  # fmt: skip
+        assert inspect.signature(of).parameters[name].default is DEFAULT_MODEL, of
+    shot = clubface.impact("driver", **DRIVE)
+    assert shot.model == DEFAULT_MODEL
+    assert same(shot, clubface.impact("driver", **DRIVE, model=DEFAULT_MODEL))

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import clubface
+from clubface import Prior
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.equipment.parameters import ParameterSet
 from clubface.equipment.ranges import RANGES
@@ -16,6 +17,8 @@ from clubface.motion_capture.attitude import delivered, face_axes
 from clubface.simulation.outside import Tally
 from clubface.support import warning
 from clubface.support.warning import without_warnings
+from clubface.tour.averages import tour
+from clubface.validation import validate
 from deliveries import table
 
 RANGE = RANGES[DEFAULT_MODEL]
@@ -154,3 +157,45 @@ def test_the_range_of_a_model_is_that_of_every_set_without_its_own():
     assert ParameterSet.defaults(DEFAULT_MODEL).range == RANGE
     assert ParameterSet.builtin("standard", "driver").range == {}
     assert RANGE["incidence"][1] == pytest.approx(math.radians(72.0))
+
+
+@pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+def test_a_ball_of_other_pieces_without_coefficients_is_told():
+    told = "response has no coefficients of the ball paper and takes those of modern"
+    paper = clubface.ball("paper")
+    assert remark(quietly("driver", speed=50.0, ball=paper)) == told
+    assert remark(quietly("driver", speed=50.0, ball=paper, model="standard")) == ""
+    # Pieces and coefficients, neither, and coefficients that somebody chose.
+    for ball in ("distance", "published", paper.replace(parameters={"response": {"sharpness": 10.0}})):
+        assert remark(quietly("driver", speed=50.0, ball=ball)) == ""
+    chosen = ParameterSet.defaults(DEFAULT_MODEL).replace(**ParameterSet.defaults(DEFAULT_MODEL).values)
+    assert remark(quietly("driver", speed=50.0, ball=paper, parameters=chosen)) == ""
+
+
+def test_an_inferred_delivery_is_told_by_its_mean_and_a_file_of_them_in_its_remarks(tmp_path):
+    from clubface.inference.file import infer_shots
+    from clubface.recorded.shots import RecordedShots
+
+    slow = Prior(name="slow", mean={"speed": 40.0, "loft": 0.25}, deviation={"speed": 2.0, "loft": 0.03})
+    with pytest.warns(RangeWarning, match=r"of slip: clubhead speed 8\d\.\d+ mph \(101 to 118 mph\)") as caught:
+        found = clubface.infer({"ball_speed": 56.0}, club="driver", model="slip", prior=slow, samples=20)
+    assert len(caught) == 1
+    assert found.outside in str(caught[0].message)
+    shots = RecordedShots(deliveries={}, launches={"ball_speed": np.array([56.0, 74.0])}, rows=np.array([1, 2]),
+                          source="a.csv", format="clubface")  # fmt: skip
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        wide = Prior(name="any", mean={"speed": 46.0, "loft": 0.25}, deviation={"speed": 5.0, "loft": 0.03})
+        infer_shots(shots, tmp_path / "out.csv", club="driver", model="slip", prior=wide, samples=20)
+    remarks = [row["remark"] for row in table(tmp_path / "out.csv")]
+    assert ["outside the range of slip" in each for each in remarks] == [True, False]
+
+
+def test_what_compares_models_warns_once_in_all():
+    with pytest.warns(RangeWarning) as caught:
+        tour(["slip", "adjusted", DEFAULT_MODEL], table="lpga-2019")
+    (told,) = [str(each.message) for each in caught]
+    assert told == "outside the range of slip, adjusted: clubhead speed in 3 of 10 shots (101 to 118 mph)"
+    with pytest.warns(RangeWarning, match=r"of adjusted: clubhead speed in \d+ of \d+ shots") as caught:
+        validate("adjusted", checks=["amateur-drives", "tour-driver"])
+    assert len(caught) == 1

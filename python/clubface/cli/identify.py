@@ -12,7 +12,7 @@ from clubface.cli import given, options, output
 from clubface.cli.progress import progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
-from clubface.errors import InputError
+from clubface.errors import ClubfaceError, InputError
 
 app = typer.Typer(add_completion=False)
 
@@ -24,7 +24,7 @@ def _option(*names: str, panel: str, metavar: str | None = None, text: str) -> A
 
 
 @app.command()
-@options.takes(RECORDED, options.ONE_MODEL)
+@options.takes(RECORDED, options.FITTED_MODEL)
 def identify(
     shots: Annotated[
         str,
@@ -112,11 +112,13 @@ def identify(
     """Identify parameters of a model from shots whose delivery and launch were measured."""
     from clubface.equipment.models import model as model_named
 
-    model = model_named(texts["model"]).name
     ties = {name: value.strip() for name, value in given.pairs(tie or (), "--tie").items()}
     read = [shots, *(texts[name] for name in ("club", "ball", "parameters", "mapping"))]
     output.check_target("--output", target, (".toml",), read)
     output.check_picture(plot, read)
+    if texts["model"] is None:
+        raise ClubfaceError("--model is missing; name the model whose parameters to find, as in --model slip")
+    model = model_named(texts["model"]).name
 
     from clubface.identification.run import identify as fit
 

@@ -118,7 +118,9 @@ _PARAMETERS: Group = {
         None,
     ),
 }
+_FITTED_MODEL = Annotated[str | None, option("--model", panel=_MODEL, metavar="NAME", text="The model. Required.")]
 ONE_MODEL: Group = {"model": (_ONE_MODEL, DEFAULT_MODEL), **_PARAMETERS}
+FITTED_MODEL: Group = {"model": (_FITTED_MODEL, None), **_PARAMETERS}
 MODELS: Group = {"model": (_ModelNames, None), **_PARAMETERS}
 
 AIR: Group = {

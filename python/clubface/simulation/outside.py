@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
+from clubface.equipment.balls import DEFAULT_BALL, Ball
 from clubface.equipment.ranges import QUANTITIES, ends_in_words
 from clubface.errors import RangeWarning
 from clubface.simulation.quantities import input_columns
@@ -19,6 +20,10 @@ WITHOUT_GEAR_EFFECT = ("jorgensen",)
 """The models in which a head that turns back does not turn the ball."""
 OFF_CENTRE = "off centre"
 """What stands for a quantity where a ball is struck beside the face centre by a model without gear effect."""
+FITTED_TO_A_BALL = ("response",)
+"""The models whose parameters are coefficients for the ball ``DEFAULT_BALL``, unless another ball has its own."""
+OTHER_BALL = "ball"
+"""What stands for a quantity where a ball of other pieces has none."""
 ROUNDING = 1e-9
 """Part of a range by which a value that is converted from another unit may miss its ends."""
 
@@ -35,7 +40,7 @@ class Tally:
         model = launch.model
         self._shots[model] = self._shots.get(model, 0) + math.prod(launch.shape)
         for name, (count, value) in _outside(launch).items():
-            ends = "" if name == OFF_CENTRE else ends_in_words(name, launch.parameters.range)
+            ends = ends_in_words(name, launch.parameters.range) if name in QUANTITIES else launch.ball.name
             before = self._found.get((model, name), (ends, 0, value))[1]
             self._found[model, name] = (ends, before + count, value)
 
@@ -59,7 +64,11 @@ class Tally:
             names = self._names(models[0])
             told = ", ".join(self._part(models, name, counted=True) for name in names) if counted else told
             parts.append(f"outside the range of {', '.join(models)}: {told}")
-        parts += [f"{model} has no gear effect off centre" for model, name in self._found if name == OFF_CENTRE]
+        for (model, name), (ball, *_) in self._found.items():
+            if name == OFF_CENTRE:
+                parts.append(f"{model} has no gear effect off centre")
+            elif name == OTHER_BALL:
+                parts.append(f"{model} has no coefficients of the ball {ball} and takes those of {DEFAULT_BALL}")
         return "; ".join(parts)
 
     def warn(self) -> None:
@@ -105,7 +114,14 @@ def _outside(launch: Launch) -> dict[str, tuple[int, float]]:
                 found[name] = (int(out.sum()), float(value[out][0]))
     if launch.model in WITHOUT_GEAR_EFFECT and _any(launch.input("toe"), launch.input("high")):
         found[OFF_CENTRE] = (1, 0.0)
+    if launch.model in FITTED_TO_A_BALL and launch.parameters.unchosen and _is_of_other_pieces(launch.ball):
+        found[OTHER_BALL] = (1, 0.0)
     return found
+
+
+def _is_of_other_pieces(ball: Ball) -> bool:
+    """Return whether a ball is known to differ from that of the coefficients, and has none of its own."""
+    return ball.construction is not None and ball.name != DEFAULT_BALL and not ball.parameters.keys() & FITTED_TO_A_BALL
 
 
 def _value(launch: Launch, name: str) -> Any:
