@@ -17,8 +17,8 @@ LAYERS = {
     "clubface-math": ("scalar", "elementary", "vec3", "mat3", "quat", "dual", "pack", "ode"),
     "clubface-impact": (
         "error", "description", "ball", "face", "club", "delivery", "shot", "face_spring", "check", "launch",
-        "first_touch", "guided_mass", "impact", "columns", "parallel", "contact", "rings", "model", "models", "kernels",
-        "impact_model", "registry", "batch", "sensitivity", "flight",
+        "first_touch", "guided_mass", "giving_face", "impact", "columns", "parallel", "contact", "rings", "model",
+        "models", "kernels", "impact_model", "registry", "batch", "sensitivity", "flight",
     ),
     "clubface-fem": (
         "error", "environment", "block", "moments", "mesh", "material", "element", "contact", "solve", "ball", "head",

@@ -120,7 +120,7 @@ _DISPLAY_UNITS_BY_NAME = {
     "cg_x": "mm", "cg_y": "mm", "cg_z": "mm", "dcg_x": "mm", "dcg_y": "mm", "dcg_z": "mm",
     "ball_radius": "mm", "radius": "mm", "cover_thickness": "mm", "penetration": "mm",
     "contact_area": "mm2",
-    "contact_time": "us", "characteristic_time": "us", "peak_force": "kN",
+    "contact_time": "us", "characteristic_time": "us", "included_time": "us", "peak_force": "kN",
     "shear_modulus": "MPa", "ring_modulus": "MPa", "humidity": "%",
 }  # fmt: skip
 

@@ -210,12 +210,18 @@ def test_values_found_from_shots_include_the_face_and_those_of_a_ball_do_not(wri
         ParameterSet.defaults("slip"),
     )
     unchosen = ParameterSet.builtin("slip", "driver")
-    assert (published.includes_face, defaults.includes_face) == (True, False)
+    assert published.includes_face
+    assert defaults.includes_face
+    assert published.characteristic_time == defaults.characteristic_time == 250e-6
+    assert not ParameterSet.defaults("response").includes_face
     assert published.replace(cor=0.8).includes_face
     assert ParameterSet.from_toml(write(OWN, "own.toml")).includes_face
     assert not unchosen.of_ball("mine", {"cor": 0.79}).includes_face
     # The same values, found on the ball alone.
     assert not unchosen.of_ball("mine", {"cor": unchosen.values["cor"]}).includes_face
+    # A value that has nothing of the face in it.
+    kept = unchosen.of_ball("mine", {"slip_y": 0.03})
+    assert (kept.includes_face, kept.characteristic_time) == (True, 250e-6)
     assert published.of_ball("mine", {}) is published
     assert not ParameterSet.defaults("fem").includes_face
     assert not ParameterSet(model="fem", club="any", name="mine", values={"friction": 0.3}).includes_face
@@ -228,6 +234,18 @@ def test_a_set_says_in_its_file_that_it_leaves_the_face_out(write):
     assert not ParameterSet.from_toml(write(read.to_toml(), "again.toml")).includes_face
     with pytest.raises(FileError, match=r"own\.toml:7: includes_face must be true or false"):
         ParameterSet.from_toml(write(text.replace("= false", '= "no"'), "own.toml"))
+
+
+def test_a_set_says_in_its_file_which_face_it_includes(write):
+    assert ParameterSet.from_toml(write(OWN, "own.toml")).characteristic_time is None
+    text = OWN.replace('club = "driver"', 'club = "driver"\ncharacteristic_time = "245 us"')
+    read = ParameterSet.from_toml(write(text, "own.toml"))
+    assert (read.includes_face, read.characteristic_time) == (True, pytest.approx(245e-6))
+    again = ParameterSet.from_toml(write(read.to_toml(), "again.toml"))
+    assert again.characteristic_time == read.characteristic_time
+    for wrong in ('"0 us"', '"245 mm"', "true"):
+        with pytest.raises(FileError, match=r"own\.toml:7: characteristic_time"):
+            ParameterSet.from_toml(write(text.replace('"245 us"', wrong), "own.toml"))
 
 
 def test_where_a_file_holds_several_sets_one_is_chosen(write):

@@ -156,7 +156,7 @@ def test_an_impulse_creates_no_energy(model, delivery, club):
 def test_the_account_of_energy_of_a_contact_balances(model, delivery, club):
     """Kinetic + stored + work taken is constant: to 1e-7 with steps of tolerance 1e-9; rings are of lower order."""
     contact = clubface.history(club, delivery, model=model, accuracy=1e-9)
-    total = contact.kinetic_energy + contact.layer_energy
+    total = contact.kinetic_energy + contact.face_energy + contact.layer_energy
     total = total + contact.normal_work + contact.friction_work + contact.layer_work
     tolerance = 1e-3 if model == "rings" else 1e-7
     assert np.abs(total - total[0]).max() < tolerance * total[0]

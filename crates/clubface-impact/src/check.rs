@@ -79,6 +79,7 @@ fn check_finite(values: &[f64; INPUT_COUNT], group: &str) -> Result<(), ImpactEr
 /// The first fault found.
 pub fn check_club(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
     check_finite(values, "club")?;
+    check_finite(values, "parameters")?;
     let club = Shot::from_inputs(values).club;
     positive("club_mass", club.mass)?;
     check_inertia(&club.inertia)?;
@@ -102,27 +103,25 @@ pub fn check_club(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
         );
         return Err(ImpactError::new("bulge", message));
     }
-    check_face_spring(&club)?;
+    check_face_spring(&club, values[INPUT_COUNT - 1])?;
     if club.hand.abs() != 1.0 {
         return Err(fault("hand", club.hand, "must be 1 (right-handed) or -1 (left-handed)"));
     }
     Ok(())
 }
 
-/// Checks the characteristic time of a club: within the range of the spring, and of a head heavy enough for the mass that
-/// its face moves with.
-fn check_face_spring(club: &Club<f64>) -> Result<(), ImpactError> {
+/// Checks the characteristic times of a club and of the face that parameters include: within the range of the spring,
+/// and of a head heavy enough for the mass that its face moves with.
+fn check_face_spring(club: &Club<f64>, included: f64) -> Result<(), ImpactError> {
     let time = club.characteristic_time;
-    if time == 0.0 {
-        return Ok(());
-    }
     let [shortest, longest] = CHARACTERISTIC_TIMES;
-    if !(shortest / ROUNDING..=longest * ROUNDING).contains(&time) {
-        return Err(fault(
-            "characteristic_time",
-            time,
-            "s must be 0 (a rigid face) or from 20e-6 to 600e-6 s",
-        ));
+    for (name, time) in [("characteristic_time", time), ("included_time", included)] {
+        if time != 0.0 && !(shortest / ROUNDING..=longest * ROUNDING).contains(&time) {
+            return Err(fault(name, time, "s must be 0 (a rigid face) or from 20e-6 to 600e-6 s"));
+        }
+    }
+    if time == included {
+        return Ok(());
     }
     // The head resists a push on its face least in a corner.
     let (face, lever, inverse) = (club.face(), club.lever(), club.face_inertia().inverse());
@@ -236,8 +235,10 @@ pub fn check_approach(approach: f64) -> Result<(), ImpactError> {
 /// A contact that did not end.
 #[must_use]
 pub fn unseparated() -> ImpactError {
-    let message = "club and ball did not separate within the steps allowed; \
-                   check the model's stiffness and damping, or set another accuracy";
+    let message =
+        "club and ball did not separate within the steps allowed, or the face is so much stiffer than the \
+                   one that the parameters include that they tell nothing of this impact; check the model's \
+                   stiffness and damping and the characteristic times, or set another accuracy";
     ImpactError::new("model", message)
 }
 

@@ -82,6 +82,9 @@ pub struct ModelInfo {
     pub laws: &'static [Law],
     /// Laws it obeys only while the named parameter is zero.
     pub laws_without: Option<(&'static str, &'static [Law])>,
+    /// The parameter that tells the restitution, if its default was found with a driver and so includes the driver's face;
+    /// nothing if the defaults are of the ball alone.
+    pub face_in: Option<&'static str>,
     /// Whether the shots of a pack may differ (a model that branches on values runs one shot at a time).
     pub lanes: bool,
     /// Its parameters, in order.

@@ -17,6 +17,8 @@ pub struct FirstTouch<S> {
     pub face: Face<S>,
     /// Characteristic time of the face, s; 0 is rigid.
     pub characteristic_time: S,
+    /// That of the face which the parameters of the model include, s.
+    pub included_time: S,
     /// Mass and spring behind the face.
     pub spring: FaceSpring<S>,
     /// The ball.
@@ -45,7 +47,7 @@ impl<S: Scalar> FirstTouch<S> {
     /// Sets the scene for a shot.
     #[inline(always)]
     pub fn of(shot: &Shot<S>) -> Self {
-        let Shot { delivery, club, ball } = shot;
+        let Shot { delivery, club, ball, included_time } = shot;
         let delivery = delivery.for_right_hander(club.hand);
         let attitude = delivery.attitude(club.static_loft);
         let to_face = attitude.transpose();
@@ -56,6 +58,7 @@ impl<S: Scalar> FirstTouch<S> {
             attitude,
             face,
             characteristic_time: club.characteristic_time,
+            included_time: *included_time,
             spring: FaceSpring::new(club.characteristic_time),
             ball: *ball,
             club_mass: club.mass,
@@ -80,6 +83,19 @@ impl<S: Scalar> FirstTouch<S> {
     #[inline(always)]
     pub fn approach(&self) -> S {
         self.normal.dot(self.club_velocity + self.club_spin.cross(self.contact))
+    }
+
+    /// Speed of approach gained per normal impulse at the impact point, 1/kg.
+    #[inline(always)]
+    pub fn normal_mobility(&self) -> S {
+        let arm = self.contact.cross(self.normal);
+        self.ball.mass.recip() + self.club_mass.recip() + arm.dot(self.inertia.inverse() * arm)
+    }
+
+    /// Whether the face gives otherwise than the one that the parameters include, or a derivative asks if it did.
+    #[inline(always)]
+    pub fn gives(&self) -> bool {
+        !(self.characteristic_time.squared() - self.included_time.squared()).vanishes()
     }
 
     /// Tangent directions y' and z' at the impact point, face axes.

@@ -15,6 +15,7 @@ pub mod face;
 pub mod face_spring;
 pub mod first_touch;
 pub mod flight;
+pub mod giving_face;
 pub mod guided_mass;
 pub mod impact;
 pub mod impact_model;

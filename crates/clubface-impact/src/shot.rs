@@ -10,7 +10,7 @@ use clubface_math::Scalar;
 pub struct Input {
     /// Name, as in the Python API.
     pub name: &'static str,
-    /// "delivery", "club" or "ball".
+    /// "delivery", "club", "ball" or "parameters".
     pub group: &'static str,
     /// SI unit.
     pub unit: &'static str,
@@ -36,7 +36,7 @@ macro_rules! inputs {
 pub const DELIVERY_COUNT: usize = 11;
 
 /// Number of inputs.
-pub const INPUT_COUNT: usize = 31;
+pub const INPUT_COUNT: usize = 32;
 
 /// All inputs, in the order of the columns of a batch.
 pub const INPUTS: [Input; INPUT_COUNT] = inputs! {
@@ -72,6 +72,7 @@ pub const INPUTS: [Input; INPUT_COUNT] = inputs! {
     "ball" ball_mass ["kg"] true, "mass of the ball";
     "ball" ball_radius ["m"] true, "radius of the ball";
     "ball" ball_inertia ["kg m2"] true, "moment of inertia of the ball about any diameter";
+    "parameters" included_time ["s"] false, "characteristic time of the face that the parameters include";
 };
 
 /// A club, a ball and how they meet.
@@ -83,6 +84,8 @@ pub struct Shot<S> {
     pub club: Club<S>,
     /// The ball.
     pub ball: Ball<S>,
+    /// Characteristic time of the face that the parameters of the model include, s; 0 if they are of the ball alone.
+    pub included_time: S,
 }
 
 impl<S: Scalar> Shot<S> {
@@ -116,6 +119,7 @@ impl<S: Scalar> Shot<S> {
                 hand: v[27],
             },
             ball: Ball { mass: v[28], radius: v[29], inertia: v[30] },
+            included_time: v[31],
         }
     }
 }

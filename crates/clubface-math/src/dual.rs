@@ -128,6 +128,10 @@ impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
         self.value.le(other.value)
     }
     #[inline(always)]
+    fn vanishes(self) -> bool {
+        self.value.vanishes() && self.tangent.iter().all(|tangent| tangent.vanishes())
+    }
+    #[inline(always)]
     fn select(mask: S::Mask, a: Self, b: Self) -> Self {
         let mut tangent = a.tangent;
         for i in 0..N {

@@ -135,6 +135,11 @@ pub trait Scalar:
     fn re(self) -> f64 {
         self.lane(0)
     }
+    /// Whether it is zero in every lane and does not depend on any variable.
+    #[inline(always)]
+    fn vanishes(self) -> bool {
+        self.le(Self::zero()).and(self.ge(Self::zero())).all()
+    }
     /// Lane-wise `self > other`, by value.
     #[inline(always)]
     fn gt(self, other: Self) -> Self::Mask {

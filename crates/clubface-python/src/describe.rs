@@ -19,6 +19,7 @@ fn model<'py>(py: Python<'py>, info: &ModelInfo) -> PyResult<Bound<'py, PyDict>>
     let without =
         info.laws_without.map(|(name, laws)| (name, laws.iter().copied().map(Law::name).collect::<Vec<_>>()));
     dict.set_item("laws_without", without)?;
+    dict.set_item("face_in", info.face_in)?;
     let mut parameters = Vec::new();
     for parameter in info.parameters {
         let entry = PyDict::new(py);

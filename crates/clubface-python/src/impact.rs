@@ -139,8 +139,8 @@ fn history_arrays<'py>(py: Python<'py>, history: &History, launch: &[f64]) -> Py
         };
     }
     scalars! {
-        time normal_force force_y force_z penetration sliding_y sliding_z contact_area kinetic_energy layer_energy
-        normal_work friction_work layer_work
+        time normal_force force_y force_z penetration sliding_y sliding_z contact_area face_depth kinetic_energy face_energy
+        layer_energy normal_work friction_work layer_work
     }
     vectors! {
         ball_position ball_velocity ball_spin cover_spin core_spin club_position club_velocity club_spin club_attitude

@@ -25,6 +25,7 @@ fn model(info: &ModelInfo) -> Value {
     json!({
         "name": info.name, "title": info.title, "kind": info.kind.name(), "summary": info.summary,
         "reference": info.reference, "laws": laws(info.laws),
+        "face_in": info.face_in,
         "laws_without": info.laws_without.map(|(name, without)| json!([name, laws(without)])),
         "parameters": parameters,
     })

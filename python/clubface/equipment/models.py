@@ -69,6 +69,9 @@ class Model:
         The name of a parameter, and laws obeyed while it is zero; or None.
     parameters
         In the order of the core's columns.
+    face_in
+        The parameter that tells the restitution, if its default was found with a driver and so includes the driver's
+        face; None if the defaults describe the ball alone.
     """
 
     name: str
@@ -79,6 +82,7 @@ class Model:
     laws: tuple[str, ...]
     laws_without: tuple[str, tuple[str, ...]] | None
     parameters: tuple[Parameter, ...]
+    face_in: str | None = None
 
     @property
     def laws_in_words(self) -> str:
@@ -110,6 +114,7 @@ def models() -> dict[str, Model]:
             laws=tuple(entry["laws"]),
             laws_without=(without[0], tuple(without[1])) if without else None,
             parameters=parameters,
+            face_in=entry["face_in"],
         )
     return found
 

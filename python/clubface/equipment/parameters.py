@@ -43,7 +43,7 @@ _TOLD = 5
 _FILE_KEYS = ("title", "reference", "set")
 _SET_TEXTS = ("model", "club", "variant", "source")
 _SET_FLAGS = {"default": False, "includes_face": True}
-_SET_KEYS = (*_SET_TEXTS, *_SET_FLAGS, "caveats", "range", "values", "value_caveats")
+_SET_KEYS = (*_SET_TEXTS, *_SET_FLAGS, "characteristic_time", "caveats", "range", "values", "value_caveats")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,6 +74,8 @@ class ParameterSet:
         Whether the values describe ball and face together, as all do that were found from shots of a club: its
         characteristic time must not count twice, see :meth:`beside`. False if they describe the ball alone. The sets of
         finite elements never include the face.
+    characteristic_time
+        That of the face which the values include [s]; None where nobody said, and where they include none.
     range
         The strikes that the values were made for, see :mod:`clubface.equipment.ranges`; that of the model unless given.
     unchosen
@@ -90,6 +92,7 @@ class ParameterSet:
     value_caveats: Mapping[str, str] = field(default_factory=dict)
     default: bool = False
     includes_face: bool = True
+    characteristic_time: float | None = None
     range: Range = field(default_factory=dict)
     unchosen: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
 
@@ -108,6 +111,17 @@ class ParameterSet:
         object.__setattr__(self, "range", checked_range(self.range or RANGES.get(self.model, {})))
         if self.model in MODULES:
             object.__setattr__(self, "includes_face", False)
+        object.__setattr__(self, "characteristic_time", self._included())
+
+    def _included(self) -> float | None:
+        """Return the characteristic time of the face that the values include, checked."""
+        if self.characteristic_time is None or not self.includes_face:
+            return None
+        time = units.parse(self.characteristic_time, "time", name="characteristic_time")
+        if not time > 0.0:
+            allowed = "above 0; for values of the ball alone set includes_face to false"
+            raise InputError("characteristic_time", units.show(time, "us"), allowed)
+        return time
 
     @property
     def units(self) -> dict[str, str]:
@@ -115,8 +129,22 @@ class ParameterSet:
         return {each.name: each.unit for each in model(self.model).parameters}
 
     def beside(self, club: Mapping[str, T]) -> dict[str, T | float]:
-        """Return the inputs of a club as the core takes them together with these parameters."""
-        return {**club, **({"characteristic_time": 0.0} if self.includes_face else {})}
+        """Return the inputs of a club as the core takes them together with these parameters.
+
+        Models use what its face gives beyond the one that the values include. Where nobody said which that is, it is
+        the club's own; and of a club whose characteristic time is 0, which is also what a file means that has none, it
+        is taken that it has the included one.
+        """
+        if not self.includes_face:
+            return {**club, "included_time": 0.0}
+        own: Any = club["characteristic_time"]
+        if self.characteristic_time is None:
+            return {**club, "included_time": own}
+        if isinstance(own, float):
+            own = own or self.characteristic_time
+        else:
+            own = own + (own == 0.0) * self.characteristic_time
+        return {**club, "characteristic_time": own, "included_time": self.characteristic_time}
 
     def columns(self) -> list[Any]:
         """Return the values in the order of the registry, as the core takes them."""
@@ -142,23 +170,28 @@ class ParameterSet:
         own = {key: value for key, value in values.items() if key in self.unchosen}
         if not own:
             return self
+        # The face is in one of the values: with that of the ball it is out.
+        includes_face = self.includes_face and model(self.model).face_in not in own
         if own.items() <= self.values.items():
-            return replace(self, includes_face=False)
+            return replace(self, includes_face=includes_face)
         told = ", ".join(own) if len(own) <= _TOLD else f"{len(own)} values"
         source = f"{self.source}; of the ball {name}: {told}"
-        return replace(self, values={**self.values, **own}, source=source, default=False, includes_face=False)
+        return replace(self, values={**self.values, **own}, source=source, default=False, includes_face=includes_face)
 
     @classmethod
     def defaults(cls, model_name: str, club: str = "any") -> Self:
-        """Return the defaults of the registry."""
-        values = {each.name: each.default for each in model(model_name).parameters}
+        """Return the defaults of the registry, with the face of the published set for a driver if they include it."""
+        declared = model(model_name)
+        values = {each.name: each.default for each in declared.parameters}
+        includes_face = declared.face_in is not None
         return cls(
             model=model_name,
             club=club,
             name="registry defaults",
             values=values,
             source="defaults of the registry",
-            includes_face=False,
+            includes_face=includes_face,
+            characteristic_time=cls.builtin(model_name, "driver").characteristic_time if includes_face else None,
             unchosen=frozenset(values),
         )
 
@@ -199,6 +232,8 @@ class ParameterSet:
         ]
         lines += [f"variant = {quoted(variant)}"] if variant else []
         lines += [] if self.includes_face else ["includes_face = false"]
+        if self.characteristic_time is not None:
+            lines += [f'characteristic_time = "{self.characteristic_time!r} s"']
         lines += ["caveats = [" + ", ".join(quoted(text) for text in self.caveats) + "]"]
         lines += ["[set.range]"] if self.range else []
         lines += [f"{name} = [{least!r}, {most!r}]" for name, (least, most) in self.range.items()]
@@ -271,6 +306,7 @@ def _read_set(document: Document, entry: dict[str, Any], index: int, name: str) 
             reference=document.data["reference"],
             caveats=tuple(caveats),
             value_caveats=value_caveats,
+            characteristic_time=entry.get("characteristic_time"),
             range=within,
             **flags,
         )

@@ -103,7 +103,14 @@ class FreeParameters:
     def parameters(self, point: Floats, **told: Any) -> ParameterSet:
         """Return the set at one point; ``told`` are its name, source and the like."""
         values = dict(zip(self.fixed.values, self.single(point), strict=True))
-        return ParameterSet(model=self.fixed.model, club=self.fixed.club, values=values, **told)
+        return ParameterSet(
+            model=self.fixed.model,
+            club=self.fixed.club,
+            values=values,
+            includes_face=self.fixed.includes_face,
+            characteristic_time=self.fixed.characteristic_time,
+            **told,
+        )
 
     def declared(self) -> list[Parameter]:
         """Return what the registry says of the free parameters."""

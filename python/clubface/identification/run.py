@@ -150,7 +150,8 @@ def identify(
         raise InputError("confidence", confidence, "from 0.5 to below 1")
     with_, given = equipped(model, club, ball, parameters)
     # What is found from shots includes the face they were hit with.
-    head, fixed = with_.club, replace(given, includes_face=True)
+    head = with_.club
+    fixed = replace(given, includes_face=True, characteristic_time=head.characteristic_time or None)
     for name, value in fixed.values.items():
         if not isinstance(value, float):
             raise InputError(name, value, "a single number: one set of parameters is identified from all shots")

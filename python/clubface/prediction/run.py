@@ -89,8 +89,9 @@ class Task:
         told_ball = ball.inputs() if isinstance(ball, Ball) else ball.values()
         told = [
             os.path.abspath(source), os.stat(source).st_size, output.suffix, self.columns, list(self.results.items()),
-            shot["model"], dict(shot["parameters"].values), shot["club"].inputs(), told_ball,
-            shot["accuracy"], self.hand, repr(flight.get("air")), repr(flight.get("wind")),
+            shot["model"], dict(shot["parameters"].values), shot["parameters"].characteristic_time,
+            shot["club"].inputs(), told_ball, shot["accuracy"], self.hand,
+            repr(flight.get("air")), repr(flight.get("wind")),
         ]  # fmt: skip
         return fingerprint(told)
 

@@ -33,7 +33,9 @@ _STEPS = {
     "sliding_y": ("m/s", "sliding velocity of the ball's surface on the face along y'"),
     "sliding_z": ("m/s", "the same along z'"),
     "contact_area": ("m2", "area of the contact"),
+    "face_depth": ("m", "how far the face has moved inwards, beyond the face that the parameters include"),
     "kinetic_energy": ("J", "kinetic energy of both bodies"),
+    "face_energy": ("J", "energy that the face holds by that"),
     "layer_energy": ("J", "energy stored between cover and core of the ball"),
     "normal_work": ("J", "work taken so far by the normal force, stored and dissipated"),
     "friction_work": ("J", "work taken so far by friction"),
@@ -75,13 +77,13 @@ class History(Series):
         Since first touch [s], shape (n,).
     normal_force, force_y, force_z
         Normal force and friction on the ball [N], shape (n,).
-    penetration
-        [m], shape (n,).
+    penetration, face_depth
+        Of the ball, and how far the face has moved inwards [m], shape (n,).
     sliding_y, sliding_z
         Sliding velocity of the ball's surface on the face [m/s], shape (n,).
     contact_area
         [m2], shape (n,).
-    kinetic_energy, layer_energy, normal_work, friction_work, layer_work
+    kinetic_energy, face_energy, layer_energy, normal_work, friction_work, layer_work
         The energy balance [J], shape (n,).
     ball_position, ball_velocity, ball_spin, cover_spin, core_spin, club_position, club_velocity, club_spin
         Motion of both bodies [m, m/s, rad/s], shape (n, 3).
@@ -101,7 +103,9 @@ class History(Series):
     sliding_y: Any
     sliding_z: Any
     contact_area: Any
+    face_depth: Any
     kinetic_energy: Any
+    face_energy: Any
     layer_energy: Any
     normal_work: Any
     friction_work: Any

@@ -114,7 +114,7 @@ def _usual(model_name: str, which: str | Club, which_ball: str | Ball | None) ->
 def _equipped(model_name: str, which: Any, which_ball: Any, given: Any) -> tuple[Equipment, ParameterSet]:
     with_ = equipment(which, which_ball)
     chosen = parameter_set(model_name, with_.club, given, with_.ball)
-    return _beside(with_, chosen) if chosen.includes_face and with_.club.characteristic_time else with_, chosen
+    return _beside(with_, chosen) if chosen.includes_face else with_, chosen
 
 
 def _beside(with_: Equipment, chosen: ParameterSet) -> Equipment:

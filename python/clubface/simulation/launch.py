@@ -180,6 +180,7 @@ def computed_with(
             "caveats": [*parameters.caveats, *(f"{key}: {text}" for key, text in parameters.value_caveats.items())],
             "values": {name: _number(name, value, varied) for name, value in parameters.values.items()},
             "includes_face": parameters.includes_face,
+            "characteristic_time": parameters.characteristic_time,
         },
         "club": {"name": club.name, "description": club.description},
         "ball": {"name": ball.name, "description": ball.description},

@@ -23,7 +23,7 @@ class Quantity(NamedTuple):
     meaning
         One line; says what positive means where there is a sign.
     group
-        What an input belongs to: "delivery", "club", "ball", "launch", "air" or "ground".
+        What an input belongs to: "delivery", "club", "ball", "parameters", "launch", "air" or "ground".
     differentiable
         Whether a launch can be differentiated with respect to it.
     default, lower, upper

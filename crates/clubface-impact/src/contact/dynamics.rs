@@ -4,6 +4,7 @@ use super::law::{ContactLaw, Core, Indentation, Sliding};
 use super::state::*;
 use crate::face::{tangents, Face};
 use crate::first_touch::FirstTouch;
+use crate::giving_face::GivingFace;
 use clubface_math::ode::System;
 use clubface_math::{Dual, Mat3, Quat, Scalar, Vec3};
 
@@ -13,6 +14,7 @@ pub struct Contact<S, L> {
     /// The contact law.
     pub law: L,
     pub(super) face: Face<S>,
+    pub(super) giving: GivingFace<S>,
     pub(super) lever: Vec3<S>,
     pub(super) inertia: Mat3<S>,
     pub(super) inverse_inertia: Mat3<S>,
@@ -39,6 +41,7 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         Self {
             law,
             face: touch.face,
+            giving: GivingFace::of(touch),
             lever: touch.lever,
             inertia: touch.inertia,
             inverse_inertia: touch.inertia.inverse(),
@@ -131,6 +134,11 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         if recorded(N) {
             let work = [normal_force * t.rate, -friction.dot(t.sliding), layer_work];
             rate[N - LEDGER..].copy_from_slice(&work);
+        }
+        if let Some(at) = face(N) {
+            let GivingFace { compliance, square_time, .. } = self.giving;
+            rate[at] = y[at + 1];
+            rate[at + 1] = (compliance * normal_force - y[at]) / square_time;
         }
         if sliding(N) {
             let (up, toe) = tangents(t.normal);

@@ -48,6 +48,10 @@ pub struct Frame {
     pub club_attitude: [f64; 4],
     /// Kinetic energy of both bodies, J.
     pub kinetic_energy: f64,
+    /// How far the face has moved inwards in the head, m, beyond the face that the parameters include.
+    pub face_depth: f64,
+    /// Energy that the face holds by that, J.
+    pub face_energy: f64,
     /// Energy stored between cover and core, J.
     pub layer_energy: f64,
     /// Work taken so far by the normal force (stored and dissipated), J.
@@ -95,6 +99,7 @@ impl Frame {
         if recorded(N) {
             work.copy_from_slice(&y[N - LEDGER..]);
         }
+        let [face_depth, face_rate] = face(N).map_or([0.0; 2], |at| [y[at], y[at + 1]]);
         let kinetic_energy = spin_energy
             + 0.5 * touch.ball.mass * ball.velocity.norm_squared()
             + 0.5 * touch.club_mass * club.velocity.norm_squared()
@@ -118,6 +123,8 @@ impl Frame {
             club_spin: touch.world_spin(club.spin).array(),
             club_attitude: [attitude.w, turn.x, turn.y, turn.z],
             kinetic_energy,
+            face_depth,
+            face_energy: contact.giving.energy(face_depth, face_rate),
             layer_energy,
             normal_work: work[0],
             friction_work: work[1],

@@ -27,6 +27,7 @@ pub struct ContactSolver<S> {
     /// (I - g by_velocity K - g^2 by_position / m)^-1, K the mobility of the surfaces.
     inverse: Mat3<S>,
     layer: Layer<S>,
+    give: Give<S>,
 }
 
 /// Normal force (N) and drag (N s/m) at one contact point and their derivatives by penetration, by its rate, of the
@@ -40,6 +41,17 @@ struct Slopes<S> {
     drag_by_force: S,
     drag_by_rate: S,
     drag_by_square: S,
+}
+
+/// Implicit step of the face, which swings with its own time T: w' at the end is (w' - g w / T^2) `retained` and
+/// `by_impulse` times the normal impulse on the ball.
+#[derive(Clone, Copy, Debug)]
+struct Give<S> {
+    retained: S,
+    /// g / T^2, 1/s.
+    pulled: S,
+    /// 1/kg.
+    by_impulse: S,
 }
 
 /// Implicit step of cover and core on their spring and damper: their difference of spin shrinks by `retained`.
@@ -110,15 +122,21 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<
         let mobility = Mat3::diagonal(self.inverse_mass + arm)
             + Mat3::outer(t.normal, t.normal * -arm)
             + (cross * (self.inverse_inertia * cross)).scale(-S::one());
-        let implicit = Mat3::diagonal(S::one())
+        let mut implicit = Mat3::diagonal(S::one())
             + (t.by_velocity * mobility).scale(-g)
             + t.by_position.scale(-(g * g * self.inverse_mass));
-        ContactSolver { g, jacobian: *jacobian, inverse: implicit.inverse(), layer }
+        let give = self.give::<N>(g);
+        if face(N).is_some() {
+            // Face and ball part alike, whichever of them moves along the normal.
+            let moved = t.by_velocity * t.normal + t.by_position * t.normal * g;
+            implicit = implicit + Mat3::outer(moved, t.normal * -(g * give.by_impulse));
+        }
+        ContactSolver { g, jacobian: *jacobian, inverse: implicit.inverse(), layer, give }
     }
 
     #[inline(always)]
     fn solve(&self, solver: &ContactSolver<S>, b: &[S; N]) -> [S; N] {
-        let ContactSolver { g, jacobian: t, inverse, layer } = solver;
+        let ContactSolver { g, jacobian: t, inverse, layer, give } = solver;
         let mut x = *b;
         let position = Vec3::of(b, POSITION);
         let velocity = Vec3::of(b, VELOCITY);
@@ -131,13 +149,23 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<
             ball_spin = ball_spin - layer_torque * self.inverse_surface_inertia;
         }
         // Velocity of the surfaces and position as they would be without a change of the contact force.
-        let surface = velocity - club_spin.cross(t.point) + t.normal.cross(ball_spin) * t.arm;
-        let moved = position + velocity * *g;
+        let mut surface = velocity - club_spin.cross(t.point) + t.normal.cross(ball_spin) * t.arm;
+        let mut moved = position + velocity * *g;
+        let mut swing = S::zero();
+        if let Some(at) = face(N) {
+            swing = (b[at + 1] - b[at] * give.pulled) * give.retained;
+            surface += t.normal * swing;
+            moved += t.normal * (b[at] + swing * *g);
+        }
         let impulse = *inverse * (t.by_velocity * surface + t.by_position * moved) * *g;
         let velocity = velocity + impulse * self.inverse_mass;
         (position + velocity * *g).put(&mut x, POSITION);
         velocity.put(&mut x, VELOCITY);
         (club_spin - self.inverse_inertia * t.point.cross(impulse)).put(&mut x, CLUB_SPIN);
+        if let Some(at) = face(N) {
+            x[at + 1] = swing + t.normal.dot(impulse) * give.by_impulse;
+            x[at] = b[at] + x[at + 1] * *g;
+        }
         let ball_impulse = t.normal.cross(impulse) * -t.arm;
         ball_spin += ball_impulse * layer.compliance;
         ball_spin.put(&mut x, BALL_SPIN);
@@ -174,6 +202,17 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
             drag_by_rate: drag.tangent[1],
             drag_by_square: drag.tangent[2],
         }
+    }
+
+    /// Implicit step over `g` of the face.
+    #[inline(always)]
+    fn give<const N: usize>(&self, g: S) -> Give<S> {
+        if face(N).is_none() {
+            return Give { retained: S::zero(), pulled: S::zero(), by_impulse: S::zero() };
+        }
+        let pulled = g / self.giving.square_time;
+        let retained = (g * pulled + 1.0).recip();
+        Give { retained, pulled, by_impulse: self.giving.compliance / self.giving.square_time * retained }
     }
 
     /// Implicit step over `g` of cover and core: with s their difference of spin and p the twist, the torque is

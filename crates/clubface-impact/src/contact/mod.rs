@@ -23,6 +23,6 @@ pub use recorder::{Recorder, RingFrame, Unrecorded};
 pub use run::run;
 pub use separation::Separation;
 pub use state::{
-    initial, motions, scales, ContactPoint, BALL_SPIN, CLUB_SPIN, LAYERED, POSITION, RECORDED_LAYERED,
-    RECORDED_SLIDING, RECORDED_SOLID, SLIDING, SLIP, SOLID, VELOCITY,
+    face, initial, motions, scales, ContactPoint, BALL_SPIN, CLUB_SPIN, LAYERED, LAYERED_GIVING, POSITION,
+    RECORDED_LAYERED, RECORDED_SLIDING, RECORDED_SOLID, SLIDING, SLIP, SOLID, SOLID_GIVING, VELOCITY,
 };

@@ -6,19 +6,27 @@ use super::recorder::Recorder;
 use super::separation::Separation;
 use super::state::*;
 use crate::first_touch::FirstTouch;
+use crate::giving_face::possible;
 use crate::impact::{Accuracy, Impact};
 use clubface_math::ode::{integrate, Control, Rosenbrock, DORMAND_PRINCE};
-use clubface_math::Scalar;
+use clubface_math::{Mask, Scalar};
 
 /// Steps after which a fast contact is given up; a drive takes about 50.
 const FAST_STEPS: usize = 2_000;
 /// Steps after which a contact at a stated tolerance is given up; 1e-12 takes about 10 000.
 const TIGHT_STEPS: usize = 400_000;
 
-/// Integrates a contact and turns its end into a launch. `N`: [`SOLID`] or [`LAYERED`]; `RECORDED`: the same recorded,
-/// for a recorder that is active.
+/// Integrates a contact and turns its end into a launch. `N`: [`SOLID`] or [`LAYERED`]; `GIVING`: the same on a face that
+/// gives; `RECORDED`: the same recorded, for a recorder that is active.
 #[inline(always)]
-pub fn run<S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize, const RECORDED: usize>(
+pub fn run<
+    S: Scalar,
+    L: ContactLaw<S>,
+    R: Recorder<S>,
+    const N: usize,
+    const GIVING: usize,
+    const RECORDED: usize,
+>(
     touch: &FirstTouch<S>,
     law: L,
     accuracy: Accuracy,
@@ -26,6 +34,8 @@ pub fn run<S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize, const RE
 ) -> Impact<S> {
     if R::ACTIVE {
         run_in::<S, L, R, RECORDED>(touch, law, accuracy, recorder)
+    } else if touch.gives() {
+        run_in::<S, L, R, GIVING>(touch, law, accuracy, recorder)
     } else {
         run_in::<S, L, R, N>(touch, law, accuracy, recorder)
     }
@@ -76,5 +86,5 @@ fn run_in<S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize>(
     let mut launch = touch.launch(ball, club);
     launch.contact_time = time;
     launch.peak_force = peak_force;
-    Impact { launch, separated: outcome.finished }
+    Impact { launch, separated: outcome.finished.and(possible(touch, peak_force)) }
 }

@@ -18,24 +18,31 @@ pub const ATTITUDE: usize = 12;
 pub const SOLID: usize = 16;
 /// Sliding distance along y' and z', m (of contacts with a history).
 pub const SLIP: usize = 16;
-/// Number of states of a ball in one piece on a face, with the sliding distance.
-pub const SLIDING: usize = 18;
 /// Angular velocity of the core, rad/s (layered ball).
 pub const CORE_SPIN: usize = 16;
 /// Rotation of the cover relative to the core, rad (layered ball).
 pub const TWIST: usize = 19;
 /// Number of states of a layered ball.
 pub const LAYERED: usize = 22;
+/// The face, where it gives, behind the states of the ball: how far it has moved inwards in the head, m, and its rate,
+/// m/s.
+pub const FACE: usize = 2;
+/// Number of states of a ball in one piece on a face that gives.
+pub const SOLID_GIVING: usize = SOLID + FACE;
+/// Number of states of a ball in one piece with the sliding distance, on a face that gives.
+pub const SLIDING: usize = 18 + FACE;
+/// Number of states of a layered ball on a face that gives.
+pub const LAYERED_GIVING: usize = LAYERED + FACE;
 /// The energy ledger, which recorded contacts carry behind their other states: work taken by the normal force, by
 /// friction and by the damper between cover and core, J. It acts on nothing and has no part in the size of a step, so
 /// that a recorded contact ends as any other.
 pub const LEDGER: usize = 3;
 /// Number of states of a recorded ball in one piece.
-pub const RECORDED_SOLID: usize = SOLID + LEDGER;
-/// Number of states of a recorded ball on a face, with the sliding distance.
+pub const RECORDED_SOLID: usize = SOLID_GIVING + LEDGER;
+/// Number of states of a recorded ball in one piece with the sliding distance.
 pub const RECORDED_SLIDING: usize = SLIDING + LEDGER;
 /// Number of states of a recorded layered ball.
-pub const RECORDED_LAYERED: usize = LAYERED + LEDGER;
+pub const RECORDED_LAYERED: usize = LAYERED_GIVING + LEDGER;
 
 /// Natural size that takes a state out of the error of a step.
 const UNMEASURED: f64 = 1e200;
@@ -43,7 +50,7 @@ const UNMEASURED: f64 = 1e200;
 /// Whether contacts of `n` states have a layered ball.
 #[must_use]
 pub const fn layered(n: usize) -> bool {
-    n == LAYERED || n == RECORDED_LAYERED
+    n == LAYERED || n == LAYERED_GIVING || n == RECORDED_LAYERED
 }
 /// Whether contacts of `n` states have the sliding distance.
 #[must_use]
@@ -54,6 +61,16 @@ pub const fn sliding(n: usize) -> bool {
 #[must_use]
 pub const fn recorded(n: usize) -> bool {
     n == RECORDED_SOLID || n == RECORDED_SLIDING || n == RECORDED_LAYERED
+}
+
+/// Where contacts of `n` states have those of the face; nowhere where it does not give otherwise than the parameters say.
+#[must_use]
+pub const fn face(n: usize) -> Option<usize> {
+    match n {
+        SOLID | LAYERED => None,
+        _ if recorded(n) => Some(n - LEDGER - FACE),
+        _ => Some(n - FACE),
+    }
 }
 
 /// The contact point at one instant.
@@ -81,10 +98,12 @@ impl<S: Scalar> ContactPoint<S> {
     pub fn of(nearest: &Nearest<S>, radius: S, y: &[S]) -> Self {
         let position = Vec3::of(y, POSITION);
         let normal = nearest.normal;
-        let arm = nearest.distance;
+        // The face moves parallel to itself.
+        let (moved, moving) = face(y.len()).map_or((S::zero(), S::zero()), |at| (y[at], y[at + 1]));
+        let arm = nearest.distance + moved;
         let point = position - normal * arm;
         let relative = Vec3::of(y, VELOCITY) - Vec3::of(y, CLUB_SPIN).cross(point);
-        let rate = -normal.dot(relative);
+        let rate = -normal.dot(relative) - moving;
         let surface = relative + normal.cross(Vec3::of(y, BALL_SPIN)) * arm;
         Self {
             normal,
@@ -130,6 +149,11 @@ pub fn scales<S: Scalar, const N: usize>(touch: &FirstTouch<S>) -> [S; N] {
     }
     if sliding(N) {
         set(SLIP, 2, touch.ball.radius * 0.1);
+    }
+    if let Some(at) = face(N) {
+        // It counts in the launch by what it stores, a tenth of the energy.
+        set(at, 1, touch.ball.radius * 2.0);
+        set(at + 1, 1, speed * 2.0);
     }
     if recorded(N) {
         set(N - LEDGER, LEDGER, S::from_f64(UNMEASURED));

@@ -38,6 +38,7 @@ impl Describe for Adjusted<()> {
         reference: "Caldwell and McPhee (2023), section 2.1.1, after Danaei et al.; parameters of Table 6",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],
         laws_without: None,
+        face_in: Some("cor"),
         lanes: true,
         parameters: Adjusted::PARAMETERS,
     };
@@ -46,7 +47,7 @@ impl Describe for Adjusted<()> {
 impl<S: Scalar> Model<S> for Adjusted<S> {
     #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
-        let normal = restitution(self.cor, self.cor_slope, touch.approach());
+        let normal = restitution(self.cor, self.cor_slope, touch);
         let rolling = Restitution { normal, up: S::zero(), toe: S::zero() };
         let offset = Vec3::new(self.dcg_x, self.dcg_y, self.dcg_z);
         let (ball, club) = solve(touch, &rolling, self.extra_mass, offset);

@@ -1,7 +1,7 @@
 //! Contact-area model of Arakawa (Caldwell and McPhee, section 2.2.3, Eqs. 17-21, letters as in the original work).
 
 use super::hertz;
-use crate::contact::{run, ContactLaw, Indentation, Recorder, Sliding, RECORDED_SOLID, SOLID};
+use crate::contact::{run, ContactLaw, Indentation, Recorder, Sliding, RECORDED_SOLID, SOLID, SOLID_GIVING};
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
 use crate::impact::{Accuracy, Impact};
@@ -40,6 +40,7 @@ impl Describe for Area<()> {
         reference: "Caldwell and McPhee (2023), section 2.2.3, Eqs. 14-21, after Arakawa et al.; parameters of Table 10",
         laws: &[Law::Momentum, Law::AngularMomentum],
         laws_without: Some(("area_damping", &[Law::Energy, Law::FrictionCone])),
+        face_in: Some("damping"),
         lanes: true,
         parameters: Area::PARAMETERS,
     };
@@ -71,6 +72,6 @@ impl<S: Scalar> ContactLaw<S> for Area<S> {
 impl<S: Scalar> Model<S> for Area<S> {
     #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, accuracy: Accuracy, record: &mut R) -> Impact<S> {
-        run::<S, _, R, SOLID, RECORDED_SOLID>(touch, *self, accuracy, record)
+        run::<S, _, R, SOLID, SOLID_GIVING, RECORDED_SOLID>(touch, *self, accuracy, record)
     }
 }

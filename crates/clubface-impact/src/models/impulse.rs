@@ -2,14 +2,20 @@
 //! solve.
 
 use crate::first_touch::{FirstTouch, Motion};
+use crate::giving_face::GivingFace;
 use clubface_math::{Mat3, Scalar, Vec3};
 
-/// Coefficient of restitution at a normal approach speed in m/s: `cor + cor_slope * speed`, and never below zero, where
-/// the ball would leave through the face.
+/// Coefficient of restitution of a shot: `cor + cor_slope * speed`, and never below zero, where the ball would leave
+/// through the face; more where the face of the club gives more than the one that `cor` includes.
 #[inline(always)]
-pub fn restitution<S: Scalar>(cor: S, cor_slope: S, approach: S) -> S {
+pub fn restitution<S: Scalar>(cor: S, cor_slope: S, touch: &FirstTouch<S>) -> S {
+    let approach = touch.approach();
     // In this order NaN stays.
-    S::zero().max(cor + cor_slope * approach)
+    let of_set = S::zero().max(cor + cor_slope * approach);
+    if touch.gives() {
+        return GivingFace::of(touch).restitution(of_set, approach);
+    }
+    of_set
 }
 
 /// Restitution along x' (normal), y' (up the face) and z' (to the toe): after impact the relative velocity at the

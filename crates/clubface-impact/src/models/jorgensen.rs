@@ -34,6 +34,7 @@ impl Describe for Jorgensen<()> {
         reference: "Roh and Lee, section 3.1, Eqs. 4-6, after Jorgensen",
         laws: &[Law::Momentum],
         laws_without: None,
+        face_in: Some("cor"),
         lanes: true,
         parameters: Jorgensen::PARAMETERS,
     };
@@ -49,7 +50,7 @@ impl<S: Scalar> Model<S> for Jorgensen<S> {
     #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
         let x = touch.normal;
-        let normal = restitution(self.cor, self.cor_slope, touch.approach());
+        let normal = restitution(self.cor, self.cor_slope, touch);
         let rolling = Restitution { normal, up: S::zero(), toe: S::zero() };
         let (ball, club) = solve(touch, &rolling, S::zero(), Vec3::zero());
         // Velocity of the ball along the face before impact, and what Roh and Lee, Eqs. 4-6 leave of it.

@@ -34,6 +34,7 @@ impl Describe for Response<()> {
                     Caldwell and McPhee (2023) (impulses)",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,
+        face_in: None,
         lanes: true,
         parameters: Response::PARAMETERS,
     };
@@ -181,5 +182,5 @@ impl<S: Scalar> Response<S> {
 /// Square of the characteristic time over 250 us, to which the compliance of a face is proportional.
 #[inline(always)]
 fn face<S: Scalar>(touch: &FirstTouch<S>) -> S {
-    (touch.characteristic_time * FACE.recip()).squared()
+    (touch.characteristic_time * FACE.recip()).squared() - (touch.included_time * FACE.recip()).squared()
 }

@@ -3,12 +3,13 @@
 
 use super::hertz;
 use crate::contact::{
-    initial, motions, scales, Contact, ContactLaw, ContactPoint, Indentation, Recorder, RingFrame,
+    face, initial, motions, scales, Contact, ContactLaw, ContactPoint, Indentation, Recorder, RingFrame,
     Separation, Sliding, CLUB_SPIN, RECORDED_SLIDING, SLIDING, VELOCITY,
 };
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::face::tangents;
 use crate::first_touch::FirstTouch;
+use crate::giving_face::{possible, GivingFace};
 use crate::impact::{Accuracy, Impact};
 use crate::model::{Describe, Model};
 use crate::parameters;
@@ -28,6 +29,9 @@ const LONGEST_STEP: f64 = 0.15;
 const MOST_STEPS: [usize; 2] = [2_000, 400_000];
 /// Room that the rings leave beyond the greatest penetration of the first pass.
 const MARGIN: f64 = 1.001;
+
+/// Room for the swing of a face that gives, in units of the greatest penetration.
+const SWING: f64 = 1.05;
 
 parameters! {
     /// Parameters of the rings model.
@@ -55,6 +59,7 @@ impl Describe for Rings<()> {
         reference: "Caldwell and McPhee (2023), section 2.2.2, Eqs. 14-16, after Maw, Barber and Fawcett; parameters of Table 9",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,
+        face_in: Some("damping"),
         lanes: false,
         parameters: Rings::PARAMETERS,
     };
@@ -128,11 +133,12 @@ fn deepest<S: Scalar>(stiffness: S, damping: S, inverse_mass: S, speed: S) -> S 
     (ratio * speed.squared() * 2.5 / (stiffness * inverse_mass)).powf(0.4)
 }
 
-/// Acceleration of approach per normal force at first touch, 1/kg.
+/// Greatest penetration (m) on a face that gives, where it would be `rigid` without: the ball has the energy
+/// (2/5) k x^2.5, the face C (k x^1.5)^2 / 2, which is 5/4 C k x^0.5 of it.
 #[inline(always)]
-fn normal_mobility<S: Scalar>(touch: &FirstTouch<S>) -> S {
-    let arm = touch.contact.cross(touch.normal);
-    touch.ball.mass.recip() + touch.club_mass.recip() + arm.dot(touch.inertia.inverse() * arm)
+fn deepest_on<S: Scalar>(giving: &GivingFace<S>, stiffness: S, rigid: S) -> S {
+    let shared = giving.compliance * stiffness * 1.25;
+    (0..4).fold(rigid, |x, _| rigid * (shared * x.sqrt() + 1.0).powf(-0.4))
 }
 
 impl<S: Scalar> Model<S> for Rings<S> {
@@ -160,7 +166,17 @@ impl<S: Scalar> Rings<S> {
         let equivalent = hertz::equivalent_radius(touch.ball.radius, curvature);
         let stiffness = Dual::<S, 0>::constant(equivalent);
         let stiffness = hertz::stiffness(self.shear_modulus, self.poisson, stiffness).value;
-        let deepest = deepest(stiffness, self.damping, normal_mobility(touch), speed);
+        let mut deepest = deepest(stiffness, self.damping, touch.normal_mobility(), speed);
+        let mut longest = deepest / speed * LONGEST_STEP;
+        if touch.gives() {
+            let giving = GivingFace::of(touch);
+            deepest = deepest_on(&giving, stiffness, deepest);
+            // With derivatives by a face that does not give, steps and rings are those without.
+            if !giving.compliance.primal().vanishes() {
+                deepest = deepest * SWING;
+                longest = longest.min(giving.square_time.sqrt());
+            }
+        }
         let largest_radius = (equivalent * deepest).sqrt() * MARGIN;
         let material =
             RingMaterial { friction: self.friction, poisson: self.poisson, modulus: self.ring_modulus };
@@ -179,7 +195,7 @@ impl<S: Scalar> Rings<S> {
                     rings: RINGS,
                     steps_per_ring: STEPS_PER_RING,
                     largest_depth: largest_radius.squared() / equivalent,
-                    longest: deepest / speed * LONGEST_STEP,
+                    longest,
                 };
                 S::Mask::splat(ring_by_ring(&contact, start, &steps, &mut history))
             }
@@ -188,7 +204,7 @@ impl<S: Scalar> Rings<S> {
                     tolerance,
                     scale: scales::<S, N>(touch),
                     first: deepest / speed * 1e-3,
-                    longest: deepest / speed * LONGEST_STEP,
+                    longest,
                     max_steps: MOST_STEPS[1],
                 };
                 integrate(&DORMAND_PRINCE, &contact, start, &control, &mut history).finished
@@ -199,7 +215,7 @@ impl<S: Scalar> Rings<S> {
         let mut launch = touch.launch(ball, club);
         launch.contact_time = time;
         launch.peak_force = peak_force;
-        Impact { launch, separated }
+        Impact { launch, separated: separated.and(possible(touch, peak_force)) }
     }
 }
 
@@ -216,8 +232,8 @@ fn ring_by_ring<S: Scalar, R: Recorder<S>, const N: usize>(
     for _ in 0..MOST_STEPS[0] {
         let t = contact.touching(&y);
         // Without the change of the normal's direction, which is too slow to matter to a step's length.
-        let acceleration =
-            -t.normal.dot(Vec3::of(&rate, VELOCITY) - Vec3::of(&rate, CLUB_SPIN).cross(t.point));
+        let surface = Vec3::of(&rate, VELOCITY) - Vec3::of(&rate, CLUB_SPIN).cross(t.point);
+        let acceleration = -t.normal.dot(surface) - face(N).map_or(S::zero(), |at| rate[at + 1]);
         let h = steps.next(t.depth, t.rate, acceleration);
         let end = BOGACKI_SHAMPINE.attempt(contact, &y, &rate, h);
         let accepted = S::Mask::splat(true);

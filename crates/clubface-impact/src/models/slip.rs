@@ -34,6 +34,7 @@ impl Describe for Slip<()> {
         reference: "Caldwell and McPhee (2023), section 2.1.2, Eqs. 10-11, after Cross and Dewhurst; parameters of Table 7",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],
         laws_without: None,
+        face_in: Some("cor"),
         lanes: true,
         parameters: Slip::PARAMETERS,
     };
@@ -42,7 +43,7 @@ impl Describe for Slip<()> {
 impl<S: Scalar> Model<S> for Slip<S> {
     #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
-        let normal = restitution(self.cor, self.cor_slope, touch.approach());
+        let normal = restitution(self.cor, self.cor_slope, touch);
         let sliding = Restitution { normal, up: self.slip_y, toe: self.slip_z };
         let (ball, club) = solve(touch, &sliding, S::zero(), Vec3::zero());
         Impact::certain(touch.launch(ball, club))

@@ -30,6 +30,7 @@ impl Describe for Standard<()> {
         reference: "Caldwell and McPhee (2023), section 2.1, Eqs. 1-9",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],
         laws_without: None,
+        face_in: Some("cor"),
         lanes: true,
         parameters: Standard::PARAMETERS,
     };
@@ -38,7 +39,7 @@ impl Describe for Standard<()> {
 impl<S: Scalar> Model<S> for Standard<S> {
     #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
-        let normal = restitution(self.cor, self.cor_slope, touch.approach());
+        let normal = restitution(self.cor, self.cor_slope, touch);
         let rolling = Restitution { normal, up: S::zero(), toe: S::zero() };
         let (ball, club) = solve(touch, &rolling, S::zero(), Vec3::zero());
         Impact::certain(touch.launch(ball, club))

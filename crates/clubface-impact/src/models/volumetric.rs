@@ -1,7 +1,9 @@
 //! Two-layer ball with a volumetric normal force (Caldwell and McPhee, section 2.2.1, Eqs. 12-13), after McNally,
 //! Gonthier and Brown.
 
-use crate::contact::{run, ContactLaw, Core, Indentation, Recorder, Sliding, LAYERED, RECORDED_LAYERED};
+use crate::contact::{
+    run, ContactLaw, Core, Indentation, Recorder, Sliding, LAYERED, LAYERED_GIVING, RECORDED_LAYERED,
+};
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
 use crate::impact::{Accuracy, Impact};
@@ -42,6 +44,7 @@ impl Describe for Volumetric<()> {
         reference: "Caldwell and McPhee (2023), section 2.2.1, Eqs. 12-13; parameters of Table 8",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,
+        face_in: Some("damping"),
         lanes: true,
         parameters: Volumetric::PARAMETERS,
     };
@@ -95,6 +98,6 @@ impl<S: Scalar> ContactLaw<S> for Volumetric<S> {
 impl<S: Scalar> Model<S> for Volumetric<S> {
     #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, accuracy: Accuracy, record: &mut R) -> Impact<S> {
-        run::<S, _, R, LAYERED, RECORDED_LAYERED>(touch, *self, accuracy, record)
+        run::<S, _, R, LAYERED, LAYERED_GIVING, RECORDED_LAYERED>(touch, *self, accuracy, record)
     }
 }

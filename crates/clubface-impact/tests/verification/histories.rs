@@ -9,7 +9,10 @@ use clubface_math::{Mat3, Quat, Vec3};
 const TIGHT: Accuracy = Accuracy::Tolerance(1e-10);
 
 fn record(model: ImpactModel, club: Club, hand: f64) -> (Inputs, History) {
-    let inputs = mishit(club, hand);
+    record_on(model, mishit(club, hand), club)
+}
+
+fn record_on(model: ImpactModel, inputs: Inputs, club: Club) -> (Inputs, History) {
     let (history, _) = model.history(&inputs.0, &published(model, club), TIGHT).unwrap();
     (inputs, history)
 }
@@ -17,9 +20,11 @@ fn record(model: ImpactModel, club: Club, hand: f64) -> (Inputs, History) {
 fn each_history(check: impl Fn(ImpactModel, &Inputs, &[Frame])) {
     for model in contacts() {
         for (club, hand) in SIDES {
-            let (inputs, history) = record(model, club, hand);
-            assert!(history.frames.len() > 20);
-            check(model, &inputs, &history.frames);
+            for face in FACES {
+                let (inputs, history) = record_on(model, on_face(mishit(club, hand), face), club);
+                assert!(history.frames.len() > 20);
+                check(model, &inputs, &history.frames);
+            }
         }
     }
 }
@@ -81,8 +86,10 @@ fn angular_momentum_is_kept_at_every_step() {
 #[test]
 fn energy_is_accounted_for_at_every_step() {
     each_history(|model, _, frames| {
-        let ledger =
-            |f: &Frame| f.kinetic_energy + f.layer_energy + f.normal_work + f.friction_work + f.layer_work;
+        let ledger = |f: &Frame| {
+            let kept = f.kinetic_energy + f.face_energy + f.layer_energy;
+            kept + f.normal_work + f.friction_work + f.layer_work
+        };
         let start = frames[0].kinetic_energy;
         for frame in frames {
             let error = (ledger(frame) - start).abs() / start;

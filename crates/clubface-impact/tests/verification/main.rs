@@ -14,6 +14,7 @@ mod face;
 mod face_spring;
 mod flight;
 mod gear_effect;
+mod giving_face;
 mod histories;
 mod impulse;
 mod jorgensen;

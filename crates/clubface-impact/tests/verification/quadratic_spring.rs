@@ -2,7 +2,9 @@
 //! one line of a registry, as any other model, and every contract test runs over it.
 
 use crate::shots::*;
-use clubface_impact::contact::{run, ContactLaw, Indentation, Recorder, Sliding, RECORDED_SOLID, SOLID};
+use clubface_impact::contact::{
+    run, ContactLaw, Indentation, Recorder, Sliding, RECORDED_SOLID, SOLID, SOLID_GIVING,
+};
 use clubface_impact::description::{Law, ModelInfo, ModelKind};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::impact::{Accuracy, Impact};
@@ -31,6 +33,7 @@ impl Describe for QuadraticSpring<()> {
         reference: "Hunt and Crossley (1975), exponent 2",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,
+        face_in: None,
         lanes: true,
         parameters: QuadraticSpring::PARAMETERS,
     };
@@ -57,7 +60,7 @@ impl<S: Scalar> ContactLaw<S> for QuadraticSpring<S> {
 impl<S: Scalar> Model<S> for QuadraticSpring<S> {
     #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, accuracy: Accuracy, record: &mut R) -> Impact<S> {
-        run::<S, _, R, SOLID, RECORDED_SOLID>(touch, *self, accuracy, record)
+        run::<S, _, R, SOLID, SOLID_GIVING, RECORDED_SOLID>(touch, *self, accuracy, record)
     }
 }
 

@@ -216,6 +216,15 @@ pub fn contacts() -> impl Iterator<Item = ImpactModel> {
     every_model().filter(|model| model.info().kind == ModelKind::Contact)
 }
 
+/// Characteristic times of a face and of the one that the parameters include, s: both rigid, one that gives, and faces
+/// that give more and less than the included one.
+pub const FACES: [(f64, f64); 4] = [(0.0, 0.0), (250e-6, 0.0), (257e-6, 239e-6), (200e-6, 250e-6)];
+
+/// A shot with these characteristic times.
+pub fn on_face(inputs: Inputs, (own, included): (f64, f64)) -> Inputs {
+    inputs.with(&[("characteristic_time", own), ("included_time", included)])
+}
+
 /// Models that do not.
 pub fn impulses() -> impl Iterator<Item = ImpactModel> {
     every_model().filter(|model| model.info().kind == ModelKind::Impulse)
