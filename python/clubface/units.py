@@ -116,6 +116,7 @@ _DISPLAY_UNITS = {
 }
 _DISPLAY_UNITS_BY_NAME = {
     "closure": "deg/s", "pitch_rate": "deg/s", "lie_rate": "deg/s",
+    "ball_backspin": "rpm", "ball_sidespin": "rpm", "ball_riflespin": "rpm",
     "toe": "mm", "high": "mm", "bulge": "mm", "roll": "mm", "face_width": "mm", "face_height": "mm",
     "cg_x": "mm", "cg_y": "mm", "cg_z": "mm", "dcg_x": "mm", "dcg_y": "mm", "dcg_z": "mm",
     "ball_radius": "mm", "radius": "mm", "cover_thickness": "mm", "penetration": "mm",

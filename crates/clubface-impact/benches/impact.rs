@@ -18,10 +18,10 @@ fn drive() -> [f64; INPUT_COUNT] {
     let degrees = |angle: f64| angle.to_radians();
     let mut inputs = [0.0; INPUT_COUNT];
     inputs[..4].copy_from_slice(&[108.0 * 0.447_04, degrees(2.0), 0.0, degrees(13.0)]);
-    inputs[11..15].copy_from_slice(&[0.204, 40.8e-3, 11.4e-3, 1e-3]);
-    inputs[15..21].copy_from_slice(&[2843e-7, 5679e-7, 4085e-7, -733e-7, 530.2e-7, 0.5e-7]);
-    inputs[21..28].copy_from_slice(&[degrees(9.8), 0.305, 0.305, 0.12, 0.06, 0.0, 1.0]);
-    inputs[28..31].copy_from_slice(&[0.0459, 0.0213, 83.36e-7]);
+    inputs[14..18].copy_from_slice(&[0.204, 40.8e-3, 11.4e-3, 1e-3]);
+    inputs[18..24].copy_from_slice(&[2843e-7, 5679e-7, 4085e-7, -733e-7, 530.2e-7, 0.5e-7]);
+    inputs[24..31].copy_from_slice(&[degrees(9.8), 0.305, 0.305, 0.12, 0.06, 0.0, 1.0]);
+    inputs[31..34].copy_from_slice(&[0.0459, 0.0213, 83.36e-7]);
     inputs
 }
 

@@ -147,6 +147,8 @@ fn check_face_spring(club: &Club<f64>, included: f64) -> Result<(), ImpactError>
 const HIGHEST_SPEED: f64 = 150.0;
 /// Largest angular velocity of a clubhead about any axis, rad/s.
 const LARGEST_RATE: f64 = 1000.0;
+/// Largest angular velocity of a ball before impact about any axis, rad/s.
+const LARGEST_SPIN: f64 = 2000.0;
 
 /// The lanes whose delivery [`check_delivery`] lets pass: packs of good shots need no look at each.
 #[inline(always)]
@@ -159,6 +161,9 @@ pub fn good_delivery<S: Scalar>(values: &[S; INPUT_COUNT]) -> S::Mask {
     }
     for rate in [d.closure, d.pitch_rate, d.lie_rate] {
         good = good.and(rate.abs().le(S::from_f64(LARGEST_RATE)));
+    }
+    for spin in [d.ball_backspin, d.ball_sidespin, d.ball_riflespin] {
+        good = good.and(spin.abs().le(S::from_f64(LARGEST_SPIN)));
     }
     good.and(d.toe.abs().le(club.face_width * 0.5)).and(d.high.abs().le(club.face_height * 0.5))
 }
@@ -201,6 +206,15 @@ pub fn check_delivery(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
     {
         if value.abs() > LARGEST_RATE {
             return Err(fault(name, value, "must be within +-1000 rad/s; is the unit right?"));
+        }
+    }
+    for (name, value) in [
+        ("ball_backspin", delivery.ball_backspin),
+        ("ball_sidespin", delivery.ball_sidespin),
+        ("ball_riflespin", delivery.ball_riflespin),
+    ] {
+        if value.abs() > LARGEST_SPIN {
+            return Err(fault(name, value, "must be within +-2000 rad/s (19099 rpm); is the unit right?"));
         }
     }
     let (width, height) = (club.face_width / 2.0, club.face_height / 2.0);

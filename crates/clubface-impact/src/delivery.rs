@@ -27,16 +27,24 @@ pub struct Delivery<S> {
     pub pitch_rate: S,
     /// Rate of lie, rad/s, toe up is positive.
     pub lie_rate: S,
+    /// Spin of the ball before impact about the horizontal to the right of the target, rad/s.
+    pub ball_backspin: S,
+    /// Spin of the ball before impact about the downward vertical, rad/s.
+    pub ball_sidespin: S,
+    /// Spin of the ball before impact about the horizontal to the target, rad/s.
+    pub ball_riflespin: S,
 }
 
 impl<S: Scalar> Delivery<S> {
-    /// The same swing seen in a mirror where `hand` is -1: path and face are given in world terms and change sign,
-    /// everything else follows the club.
+    /// The same swing seen in a mirror where `hand` is -1: path, face and the spin of the ball are given in world
+    /// terms and change sign where a mirror does so, everything else follows the club.
     #[inline(always)]
     #[must_use]
     pub fn for_right_hander(mut self, hand: S) -> Self {
         self.path = self.path * hand;
         self.face = self.face * hand;
+        self.ball_sidespin = self.ball_sidespin * hand;
+        self.ball_riflespin = self.ball_riflespin * hand;
         self
     }
 
@@ -52,6 +60,12 @@ impl<S: Scalar> Delivery<S> {
     #[inline(always)]
     pub fn spin(&self) -> Vec3<S> {
         Vec3::new(-self.lie_rate, self.closure, self.pitch_rate)
+    }
+
+    /// Angular velocity of the ball before impact in world axes, rad/s (right-hander).
+    #[inline(always)]
+    pub fn ball_spin(&self) -> Vec3<S> {
+        Vec3::new(self.ball_riflespin, -self.ball_sidespin, self.ball_backspin)
     }
 
     /// Attitude of the clubhead: rotation from face axes to world axes (right-hander).

@@ -37,6 +37,8 @@ pub struct FirstTouch<S> {
     pub club_velocity: Vec3<S>,
     /// Clubhead angular velocity, face axes, rad/s.
     pub club_spin: Vec3<S>,
+    /// Angular velocity of the ball, face axes, rad/s; its centre is at rest.
+    pub ball_spin: Vec3<S>,
     /// 1 or -1.
     pub hand: S,
     /// Clubhead speed, m/s.
@@ -68,6 +70,7 @@ impl<S: Scalar> FirstTouch<S> {
             normal: face.nearest(point).normal,
             club_velocity: to_face * delivery.velocity(),
             club_spin: to_face * delivery.spin(),
+            ball_spin: to_face * delivery.ball_spin(),
             hand: club.hand,
             speed: delivery.speed,
         }

@@ -33,10 +33,10 @@ macro_rules! inputs {
 }
 
 /// Number of inputs that describe the delivery: the first ones.
-pub const DELIVERY_COUNT: usize = 11;
+pub const DELIVERY_COUNT: usize = 14;
 
 /// Number of inputs.
-pub const INPUT_COUNT: usize = 32;
+pub const INPUT_COUNT: usize = 35;
 
 /// All inputs, in the order of the columns of a batch.
 pub const INPUTS: [Input; INPUT_COUNT] = inputs! {
@@ -52,6 +52,12 @@ pub const INPUTS: [Input; INPUT_COUNT] = inputs! {
     "delivery" pitch_rate ["rad/s"] true,
         "rate of loft about the horizontal to the right: increasing is positive";
     "delivery" lie_rate ["rad/s"] true, "rate of lie about the horizontal to the target: toe up is positive";
+    "delivery" ball_backspin ["rad/s"] true,
+        "spin of the ball before impact about the horizontal to the right of the target; 0 for a ball at rest";
+    "delivery" ball_sidespin ["rad/s"] true,
+        "spin of the ball before impact about the downward vertical; 0 for a ball at rest";
+    "delivery" ball_riflespin ["rad/s"] true,
+        "spin of the ball before impact about the horizontal to the target; 0 for a ball at rest";
     "club" club_mass ["kg"] true, "mass of the clubhead";
     "club" cg_x ["m"] true, "CG to face centre, along x (to the target) at static loft";
     "club" cg_y ["m"] true, "CG to face centre, along y (up) at static loft";
@@ -105,21 +111,24 @@ impl<S: Scalar> Shot<S> {
                 closure: v[8],
                 pitch_rate: v[9],
                 lie_rate: v[10],
+                ball_backspin: v[11],
+                ball_sidespin: v[12],
+                ball_riflespin: v[13],
             },
             club: Club {
-                mass: v[11],
-                cg_to_face: clubface_math::Vec3::new(v[12], v[13], v[14]),
-                inertia: [v[15], v[16], v[17], v[18], v[19], v[20]],
-                static_loft: v[21],
-                bulge: v[22],
-                roll: v[23],
-                face_width: v[24],
-                face_height: v[25],
-                characteristic_time: v[26],
-                hand: v[27],
+                mass: v[14],
+                cg_to_face: clubface_math::Vec3::new(v[15], v[16], v[17]),
+                inertia: [v[18], v[19], v[20], v[21], v[22], v[23]],
+                static_loft: v[24],
+                bulge: v[25],
+                roll: v[26],
+                face_width: v[27],
+                face_height: v[28],
+                characteristic_time: v[29],
+                hand: v[30],
             },
-            ball: Ball { mass: v[28], radius: v[29], inertia: v[30] },
-            included_time: v[31],
+            ball: Ball { mass: v[31], radius: v[32], inertia: v[33] },
+            included_time: v[34],
         }
     }
 }

@@ -67,6 +67,9 @@ DELIVERY: Group = _quantities(
     closure=("2400 deg/s", "Rate at which the face closes."),
     pitch_rate=("500 deg/s", "Rate at which the loft grows."),
     lie_rate=("100 deg/s", "Rate at which the toe rises."),
+    ball_backspin=("300 rpm", "Backspin of the ball before impact."),
+    ball_sidespin=("300 rpm", "Sidespin of the ball before impact."),
+    ball_riflespin=("300 rpm", "Spin of the ball before impact about the line to the target."),
 )
 _DIRECTION_AND_SPIN = {
     "azimuth": ("1 deg", "Azimuth: to the right is positive."),

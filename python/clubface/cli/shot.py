@@ -136,6 +136,7 @@ def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any],
     from clubface import plots, units
     from clubface.equipment.models import model
     from clubface.simulation.backends import backend_of
+    from clubface.simulation.delivery import DIMENSIONS
     from clubface.simulation.history import history
     from clubface.simulation.trajectory import trajectory
 
@@ -150,10 +151,8 @@ def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any],
         elif (forces := backend_of(name).forces(each, delivery)) is not None:
             histories[name] = forces
     first = next(iter(launches.values()))
-    shown = {"speed": "mph", "toe": "mm", "high": "mm", "closure": "deg/s", "pitch_rate": "deg/s", "lie_rate": "deg/s"}
-    described = [
-        f"{name.replace('_', ' ')} {units.show(value, shown.get(name, 'deg'), 4)}" for name, value in delivery.items()
-    ]
+    shown = {name: units.display_unit(name, units.SI_UNITS[DIMENSIONS[name]]) for name in delivery}
+    described = [f"{name.replace('_', ' ')} {units.show(value, shown[name], 4)}" for name, value in delivery.items()]
     if first.club.hand < 0:
         described.append("left-handed")
     unbroken = ", ".join(each.replace(" ", "\N{NO-BREAK SPACE}") for each in described)

@@ -12,7 +12,7 @@ from clubface import units
 from clubface.errors import InputError
 from clubface.evaluation.published_accuracy import monitor_errors
 from clubface.measured.shots import QUANTITIES
-from clubface.simulation.delivery import DIMENSIONS
+from clubface.simulation.delivery import OF_CLUB
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
@@ -45,7 +45,7 @@ def monitor_noise(given: Mapping[str, Any] | None) -> dict[str, float]:
 
 def delivery_noise(given: Mapping[str, Any] | None) -> dict[str, float]:
     """Return the standard deviations of the measured delivery that are ``given``."""
-    return standard_deviations(given, DIMENSIONS, "delivery_noise")
+    return standard_deviations(given, OF_CLUB, "delivery_noise")
 
 
 def floor(

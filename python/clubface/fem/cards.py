@@ -11,6 +11,8 @@ WIDTH = 10
 """Characters of a field, but for nodes and elements."""
 LONGEST = 80
 """Characters of a line."""
+BALL_SET = 1
+"""Number of the set of the parts of the ball."""
 
 
 class Cards:

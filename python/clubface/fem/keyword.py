@@ -10,13 +10,12 @@ from typing import Any
 
 from clubface import units
 from clubface.fem.balls import Ball
-from clubface.fem.cards import Cards
+from clubface.fem.cards import BALL_SET, Cards
 from clubface.fem.case import MESHED, PLANE, RIGID, Case
 from clubface.fem.keyword_head import write_head
 from clubface.fem.materials import Material, laws
 from clubface.fem.settings import Settings
 
-BALL_SET = 1
 USUAL_SAFETY = 0.9
 """Time step over the stable one where the case leaves it open: what other codes take."""
 

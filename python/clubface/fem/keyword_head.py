@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from itertools import repeat
 from typing import TYPE_CHECKING, Any
@@ -10,7 +11,7 @@ from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import face_point, nearest, turn_to_sole
 from clubface.fem import core
-from clubface.fem.cards import Cards, element
+from clubface.fem.cards import BALL_SET, Cards, element
 from clubface.fem.case import Case
 from clubface.fem.heads import MeshedHead, Metal, ShellHead
 from clubface.fem.run import strike
@@ -30,18 +31,24 @@ SHELL = 1e-3
 """Thickness of these shells [m]."""
 FACE_ELEMENT = 2.5e-3
 """Size of these shells [m]."""
+OF_DECK = (
+    "toe", "high", "closure", "pitch_rate", "lie_rate", "ball_backspin", "ball_sidespin", "ball_riflespin",
+)  # fmt: skip
+"""What of a delivery the motion in a deck is made of, beside the velocity that the core tells."""
 
 
 def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
     """Write the head of a case behind a ball of so many ``nodes`` and ``elements``, and its contact with the ball."""
     assert case.club is not None
+    club = case.club.club if isinstance(case.club, MeshedHead) else case.club
+    hit = _first_touch(case, club)
+    _spin(deck, hit["ball_spin"], case.ball.diameter / 2.0)
     if isinstance(case.club, MeshedHead):
-        hit = _first_touch(case, case.club.club)
         write_elements = _shells if isinstance(case.club, ShellHead) else _solid
         faces, last = write_elements(deck, case.club, hit, nodes, elements)
         _masses_and_motion(deck, case.club, hit, nodes, last)
     else:
-        _rigid(deck, case.club, _first_touch(case, case.club), nodes, elements)
+        _rigid(deck, club, hit, nodes, elements)
         faces = [HEAD_PART]
     deck.comment("Penalty by node mass and time step (SOFT = 1), as in clubface.")
     for part in faces:
@@ -50,6 +57,17 @@ def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
         deck.card([float(case.friction), float(case.friction)])
         deck.card([None])
         deck.card([1])
+
+
+def _spin(deck: Cards, spin: list[float], radius: float) -> None:
+    """Write the spin of the ball about its centre, if it has any."""
+    size = math.hypot(*spin)
+    if size:
+        axis = [each / size for each in spin]
+        names = "id styp omega vx vy vz"
+        deck.keyword(
+            "INITIAL_VELOCITY_GENERATION", [BALL_SET, 1, size, 0.0, 0.0, 0.0], [radius, 0.0, 0.0, *axis], names=names
+        )
 
 
 def _shells(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
@@ -162,18 +180,18 @@ def _first_touch(case: Case, club: Club) -> dict[str, Any]:
     axes, attitude = hit.axes, hit.attitude
     turn = turn_to_sole(club.loft)
     lever = turn.T @ np.asarray(club.cg)
-    delivery = {
-        key: units.parse(case.delivery.get(key, 0.0), DIMENSIONS[key])
-        for key in ("toe", "high", "closure", "pitch_rate", "lie_rate")
-    }
+    delivery = {key: units.parse(case.delivery.get(key, 0.0), DIMENSIONS[key]) for key in OF_DECK}
     point = face_point(delivery["toe"], delivery["high"], club.bulge, club.roll)
     world_spin = np.array([-delivery["lie_rate"], delivery["closure"], delivery["pitch_rate"]])
+    mirror = np.array([club.hand, club.hand, 1.0])
+    ball_spin = mirror * [delivery["ball_riflespin"], -delivery["ball_sidespin"], delivery["ball_backspin"]]
     return {
         "axes": axes,
         "point": point,
         "cg": (-axes @ (lever + point)).tolist(),
         "velocity": hit.frame_velocity.tolist(),
         "spin": (axes @ attitude.T @ world_spin).tolist(),
+        "ball_spin": (axes @ attitude.T @ ball_spin).tolist(),
         "inertia": (axes @ turn.T @ np.asarray(club.inertia) @ turn @ axes.T).tolist(),
     }
 

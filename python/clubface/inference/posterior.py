@@ -14,7 +14,7 @@ from clubface.errors import InputError
 from clubface.inference.importance import Sample
 from clubface.inference.prior import Prior
 from clubface.recorded.shots import RecordedShots
-from clubface.simulation.delivery import DIMENSIONS
+from clubface.simulation.delivery import OF_CLUB
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
@@ -32,7 +32,7 @@ DIGITS = {"mph": 1, "deg": 1, "mm": 1, "deg/s": 0}
 
 def unit_of(name: str) -> str:
     """Return the unit a quantity of a delivery is read in."""
-    return "mph" if name == "speed" else units.display_unit(name, units.SI_UNITS[DIMENSIONS[name]])
+    return "mph" if name == "speed" else units.display_unit(name, units.SI_UNITS[OF_CLUB[name]])
 
 
 def shown(value: float, name: str) -> str:

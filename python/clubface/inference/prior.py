@@ -28,7 +28,7 @@ from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
-from clubface.simulation.delivery import DIMENSIONS
+from clubface.simulation.delivery import OF_CLUB
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_names
 from clubface.support.shipped import is_path
@@ -72,7 +72,7 @@ class Prior:
         if list(self.mean) != list(self.deviation):
             raise InputError("deviation", list(self.deviation), f"for the same quantities: {', '.join(self.mean)}")
         for name in self.mean:
-            check_choice("quantity of a delivery", name, DIMENSIONS)
+            check_choice("quantity of a delivery", name, OF_CLUB)
             if not (np.isfinite(self.mean[name]) and self.deviation[name] > 0.0):
                 raise InputError(name, self.deviation[name], "a positive standard deviation; leave out what is known")
         if "speed" not in self.mean:
@@ -120,7 +120,7 @@ class Prior:
         document.check_text(data, ("title",))
         if not isinstance(data["spread"], dict):
             raise document.error("[spread] must be a table", "spread")
-        document.check_keys(data["spread"], DIMENSIONS, ("speed",), "spread")
+        document.check_keys(data["spread"], OF_CLUB, ("speed",), "spread")
         found: dict[str, tuple[float, float]] = {}
         for name, given in data["spread"].items():
             if not (isinstance(given, list) and len(given) == 2):
@@ -128,7 +128,7 @@ class Prior:
                     f'{name} must be a mean and a standard deviation: ["1 deg", "2 deg"]', name, "spread"
                 )
             try:
-                found[name] = (units.parse(given[0], DIMENSIONS[name]), units.parse(given[1], DIMENSIONS[name]))
+                found[name] = (units.parse(given[0], OF_CLUB[name]), units.parse(given[1], OF_CLUB[name]))
             except ClubfaceError as error:
                 raise document.error(f"{name}: {error}", name, "spread") from None
         try:
@@ -215,7 +215,7 @@ def wide(head: Club) -> Prior:
     return Prior(
         name=f"golfers of any skill, {head.name}",
         mean={**base.mean, "speed": SLOWER * base.mean["speed"]},
-        deviation={name: units.parse(WIDE[name], DIMENSIONS[name]) for name in base.mean},
+        deviation={name: units.parse(WIDE[name], OF_CLUB[name]) for name in base.mean},
         correlations=base.correlations,
     )
 

@@ -9,7 +9,7 @@ import numpy as np
 from clubface import units
 from clubface.inference.posterior import Posterior, shown, unit_of
 from clubface.measured.shots import QUANTITIES
-from clubface.simulation.delivery import DIMENSIONS
+from clubface.simulation.delivery import OF_CLUB
 
 CLOSE = 0.5
 """Correlation from which two quantities are said to go together."""
@@ -52,7 +52,7 @@ def ambiguities(of: Posterior) -> list[str]:
             break
         one, other = sorted((names[i], names[j]), key=lambda name: -of.deviation[name] / of.prior.deviation[name])
         slope = float(correlation[i, j]) * of.deviation[other] / of.deviation[one]
-        step = units.parse(f"1 {unit_of(one)}", DIMENSIONS[one])
+        step = units.parse(f"1 {unit_of(one)}", OF_CLUB[one])
         change = float(units.from_si(slope * step, unit_of(other)))
         word = "more" if change > 0 else "less"
         found.append(
@@ -101,7 +101,7 @@ def document(of: Posterior) -> dict[str, Any]:
             "deviation": dict(of.prior.deviation),
             "correlations": [[*pair, value] for pair, value in of.prior.correlations.items()],
         },
-        "units": {name: units.SI_UNITS[DIMENSIONS[name]] for name in of.names},
+        "units": {name: units.SI_UNITS[OF_CLUB[name]] for name in of.names},
         "mean": of.mean,
         "deviation": of.deviation,
         "interval_95": {name: list(of.interval(name)) for name in of.names},

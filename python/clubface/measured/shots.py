@@ -16,7 +16,7 @@ from clubface.errors import InputError, Told
 from clubface.launch_monitor import read, refer
 from clubface.measured.other_club import check_club
 from clubface.recorded.shots import RecordedShots, RejectedRow
-from clubface.simulation.delivery import DIMENSIONS
+from clubface.simulation.delivery import OF_CLUB
 
 QUANTITIES = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
 """The launch quantities on which models are compared, in the order of the published tables, and their usual units."""
@@ -183,7 +183,7 @@ def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None
 def _assumptions(head: Club, delivery: dict[str, Any]) -> list[str]:
     """Return what was not measured and how it is taken."""
     found = []
-    missing = [name for name in DIMENSIONS if name not in delivery]
+    missing = [name for name in OF_CLUB if name not in delivery]
     zero = [name for name in missing if name != "loft"]
     if zero:
         found.append(f"not measured and taken as zero: {', '.join(zero)}")

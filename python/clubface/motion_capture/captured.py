@@ -14,7 +14,7 @@ from clubface.equipment.clubs import Club
 from clubface.errors import InputError
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.rotations import Array
-from clubface.simulation.delivery import DIMENSIONS, Delivery
+from clubface.simulation.delivery import OF_CLUB, Delivery
 from clubface.support.checks import check_choice
 
 
@@ -86,7 +86,7 @@ class CapturedDelivery:
     def get(self, name: str, unit: str) -> tuple[float, float]:
         """Return a value of the delivery and its standard deviation in another unit."""
         check_choice("delivery value", name, QUANTITIES)
-        units.unit(unit, name=name, dimension=DIMENSIONS[name])
+        units.unit(unit, name=name, dimension=OF_CLUB[name])
         return units.from_si(getattr(self.delivery, name), unit), units.from_si(self.uncertainty[name], unit)
 
     def sample(self, count: int, seed: int = 0) -> dict[str, Array]:
@@ -119,7 +119,7 @@ class CapturedDelivery:
     def __repr__(self) -> str:
         lines = [f"{self.source}: {self.club.name}, {self.estimator}, first touch {units.fixed(self.time, 'ms', 3)}"]
         for name in QUANTITIES:
-            unit = units.display_unit(name, units.SI_UNITS[DIMENSIONS[name]])
+            unit = units.display_unit(name, units.SI_UNITS[OF_CLUB[name]])
             value, deviation = self.get(name, unit)
             lines.append(f"  {name:<10} {value:10.3f} ± {deviation:.3f} {unit}")
         return "\n".join([*lines, *(f"  * {note}" for note in self.notes)])

@@ -12,9 +12,9 @@ from clubface.equipment.face import nearest
 from clubface.motion_capture.attitude import angles, face_axes
 from clubface.motion_capture.estimators import TIME, Path
 from clubface.motion_capture.rotations import Array, exponential, left_jacobian
-from clubface.simulation.delivery import DIMENSIONS
+from clubface.simulation.delivery import OF_CLUB
 
-QUANTITIES = tuple(DIMENSIONS)
+QUANTITIES = tuple(OF_CLUB)
 """Order of rows and columns of a covariance."""
 STEP = 1e-5
 """Of the central differences: metres, radians, and their rates a TIME; their error is of its square, 1e-10."""

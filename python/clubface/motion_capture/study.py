@@ -20,11 +20,11 @@ from clubface.motion_capture.synthetic.files import check_count, positions_map
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH
-from clubface.simulation.delivery import DIMENSIONS
+from clubface.simulation.delivery import OF_CLUB
 
 UNITS = {
     name: "m/s" if name == "speed" else units.display_unit(name, units.SI_UNITS[dimension])
-    for name, dimension in DIMENSIONS.items()
+    for name, dimension in OF_CLUB.items()
 }
 """In which errors are told: m/s, deg, mm, deg/s."""
 NORMAL_95 = 1.959964

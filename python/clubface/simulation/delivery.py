@@ -38,6 +38,9 @@ class Delivery:
         Rate of the loft increasing [rad/s].
     lie_rate
         Rate of the toe rising [rad/s].
+    ball_backspin, ball_sidespin, ball_riflespin
+        Spin of the ball before impact [rad/s], about the horizontal to the right of the target, about the downward
+        vertical and about the horizontal to the target; zero for the ball at rest of golf.
     """
 
     speed: Any
@@ -51,6 +54,9 @@ class Delivery:
     closure: Any = 0.0
     pitch_rate: Any = 0.0
     lie_rate: Any = 0.0
+    ball_backspin: Any = 0.0
+    ball_sidespin: Any = 0.0
+    ball_riflespin: Any = 0.0
 
     def __post_init__(self) -> None:
         for name, dimension in DIMENSIONS.items():
@@ -70,9 +76,13 @@ class Delivery:
         return replace(self, **changes)
 
 
-DIMENSIONS = {
+OF_CLUB = {
     "speed": "speed", "attack": "angle", "path": "angle", "loft": "angle", "face": "angle", "lie": "angle",
     "toe": "length", "high": "length", "closure": "angular rate", "pitch_rate": "angular rate",
     "lie_rate": "angular rate",
+}  # fmt: skip
+"""The dimension of each value of a delivery that the club has, in the order of the core."""
+DIMENSIONS = {
+    **OF_CLUB, "ball_backspin": "angular rate", "ball_sidespin": "angular rate", "ball_riflespin": "angular rate",
 }  # fmt: skip
 """The dimension of each value of a delivery, in the order of the core."""

@@ -23,6 +23,9 @@ SYNONYMS = {
     "closure": ("closure_rate", "face_closure"),
     "pitch_rate": ("loft_rate",),
     "lie_rate": (),
+    "ball_backspin": (),
+    "ball_sidespin": (),
+    "ball_riflespin": (),
     "hand": ("handedness",),
 }
 """Other names of the inputs of a delivery, in the words of launch monitors."""

@@ -40,7 +40,9 @@ pub fn ball_against_deformable_head<R: Kernels>(
     let frame = face_axes(head.loft());
     let along = |p: &Vec3<f64>| Vec3::from_f64(frame.map(|axis| p.dot(axis))) + touch.lever;
     let positioned: Vec<Vec3<R>> = head.nodes().iter().map(along).collect();
-    let mut velocities = vec![Row::zero(); balls];
+    let centre = touch.contact + touch.normal * radius;
+    let mut velocities: Vec<_> =
+        positions.iter().map(|p| Row::from_vec(touch.ball_spin.cross(p.vec() - centre))).collect();
     for &position in &positioned {
         positions.push(Row::from_vec(position));
         velocities.push(Row::from_vec(touch.club_velocity + touch.club_spin.cross(position)));

@@ -31,7 +31,7 @@ pub fn ball_against_plane<R: Kernels>(
     Ok(simulation)
 }
 
-/// A ball at rest that is hit by a rigid head, in face axes of first touch with the origin at the head's CG.
+/// A ball that flies nowhere, but may spin, hit by a rigid head, in face axes of first touch with the origin at the head's CG.
 ///
 /// # Errors
 /// [`FemError::Input`] for a ball that cannot be meshed, or a head that moves away from it.
@@ -47,6 +47,11 @@ pub fn ball_against_rigid_head<R: Kernels>(
     let mut simulation =
         against_rigid(ball, RigidHead::new(touch), axes, touch.contact, friction, environment)?;
     simulation.head_velocity = touch.club_velocity;
+    let centre = touch.contact + touch.normal * R::from_f64(simulation.radius);
+    let structure = &mut simulation.structure;
+    for (velocity, position) in structure.velocities.iter_mut().zip(&structure.positions) {
+        *velocity = Row::from_vec(touch.ball_spin.cross(position.vec() - centre));
+    }
     Ok(simulation)
 }
 

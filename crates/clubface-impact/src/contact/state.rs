@@ -124,6 +124,10 @@ pub fn initial<S: Scalar, const N: usize>(touch: &FirstTouch<S>) -> [S; N] {
     (touch.contact + touch.normal * touch.ball.radius).put(&mut y, POSITION);
     (-touch.club_velocity).put(&mut y, VELOCITY);
     touch.club_spin.put(&mut y, CLUB_SPIN);
+    touch.ball_spin.put(&mut y, BALL_SPIN);
+    if layered(N) {
+        touch.ball_spin.put(&mut y, CORE_SPIN);
+    }
     y[ATTITUDE] = S::one();
     y
 }

@@ -219,7 +219,7 @@ fn parameters_of(shots: &Shots, info: &ModelInfo, row: usize) -> Result<(), Impa
 /// A plain central impact, in the order of [`INPUTS`](crate::shot::INPUTS).
 #[rustfmt::skip]
 const HARMLESS: [f64; INPUT_COUNT] = [
-    40.0, 0.0, 0.0, 0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    40.0, 0.0, 0.0, 0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.2, 0.04, 0.0, 0.0, 3e-4, 5e-4, 4e-4, 0.0, 0.0, 0.0, 0.2, 0.3, 0.3, 0.1, 0.05, 0.0, 1.0,
     0.0459, 0.0213, 8.336e-6, 0.0,
 ];

@@ -49,7 +49,7 @@ pub fn solve<S: Scalar>(
     let ball_arm = x * -(touch.ball.radius + ball_offset.x) - y * ball_offset.y - z * ball_offset.z;
 
     // Velocity of the ball relative to the face at the contact point, before and (Eqs. 5, 8-11) after.
-    let before = -(touch.club_velocity + touch.club_spin.cross(club_arm));
+    let before = touch.ball_spin.cross(ball_arm) - (touch.club_velocity + touch.club_spin.cross(club_arm));
     let after = -(x * (restitution.normal * x.dot(before))
         + y * (restitution.up * y.dot(before))
         + z * (restitution.toe * z.dot(before)));
@@ -65,7 +65,7 @@ pub fn solve<S: Scalar>(
 
     let ball = Motion {
         velocity: impulse * touch.ball.mass.recip(),
-        spin: ball_arm.cross(impulse) * inverse_ball_inertia,
+        spin: touch.ball_spin + ball_arm.cross(impulse) * inverse_ball_inertia,
     };
     let club = Motion {
         velocity: touch.club_velocity - impulse * club_mass.recip(),

@@ -51,14 +51,17 @@ impl<S: Scalar> Model<S> for Jorgensen<S> {
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
         let x = touch.normal;
         let normal = restitution(self.cor, self.cor_slope, touch);
-        let rolling = Restitution { normal, up: S::zero(), toe: S::zero() };
-        let (ball, club) = solve(touch, &rolling, S::zero(), Vec3::zero());
-        // Velocity of the ball along the face before impact, and what Roh and Lee, Eqs. 4-6 leave of it.
+        let no_slip = Restitution { normal, up: S::zero(), toe: S::zero() };
+        let (ball, club) = solve(touch, &no_slip, S::zero(), Vec3::zero());
+        // Velocity of the ball along the face before impact, and what Roh and Lee, Eqs. 4-6 leave of it; a ball that
+        // spins already would roll with two sevenths of the velocity that belongs to its spin besides.
         let sliding = -(touch.club_velocity + touch.club_spin.cross(touch.contact)).reject(x);
-        let left = sliding * (self.compression_factor * (5.0 / 7.0));
+        let rolled = touch.ball_spin.cross(x) * touch.ball.radius;
+        let rolling = sliding * S::from_f64(5.0 / 7.0) + rolled * S::from_f64(2.0 / 7.0);
+        let left = rolling * self.compression_factor;
         let face_point = club.velocity + club.spin.cross(touch.contact);
         let velocity = x * x.dot(ball.velocity) + face_point.reject(x) + left;
-        let spin = x.cross(left) * touch.ball.radius.recip();
+        let spin = x.cross(left) * touch.ball.radius.recip() + x * x.dot(touch.ball_spin);
         // The club takes the momentum the ball has; its angular motion is that of the standard model.
         let club_velocity = touch.club_velocity - velocity * (touch.ball.mass / touch.club_mass);
         let club = Motion { velocity: club_velocity, spin: club.spin };

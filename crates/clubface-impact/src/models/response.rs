@@ -52,7 +52,7 @@ impl<S: Scalar> Model<S> for Response<S> {
         let speed = touch.approach();
         let Contact { middle, end, time } = self.contact(&bodies, speed);
         let mobility = bodies.mobility(middle);
-        let sliding = bodies.approach(middle.point).reject(middle.normal);
+        let sliding = bodies.sliding(middle);
         let at = self.features(&bodies, &mobility, sliding, speed);
 
         // Relative velocity at separation: along the normal, and along the face.
@@ -61,9 +61,9 @@ impl<S: Scalar> Model<S> for Response<S> {
         let along = driven * self.drive(&at)
             - sliding * self.tangential(&at)
             - mobility.scaled(sliding) * self.tangential_mobility(&at);
-        let wanted = end.normal * rebound + along.reject(end.normal) - bodies.approach(end.point);
-
         let arm = touch.ball.radius * self.lever(&at);
+        let wanted = end.normal * rebound + along.reject(end.normal) - bodies.approach(end, arm);
+
         let turning = Mat3::cross(end.normal) * Mat3::cross(middle.normal);
         let gained =
             bodies.head(end.point, middle.point) + turning.scale(-arm.squared() / touch.ball.inertia);
@@ -172,7 +172,8 @@ impl<S: Scalar> Response<S> {
     fn twist(&self, bodies: &Bodies<S>, at: &Features<S>, middle: Place<S>, linear: Vec3<S>) -> S {
         let touch = bodies.touch;
         let turned = bodies.inverse_inertia * linear.cross(middle.point);
-        let spin = middle.normal.dot(touch.club_spin * self.twist_before + turned) * self.torsion(at);
+        let spin = middle.normal.dot((touch.club_spin - touch.ball_spin) * self.twist_before + turned)
+            * self.torsion(at);
         let limit = self.friction * linear.dot(middle.normal) * touch.ball.radius * self.twist_arm + 1e-30;
         let free = spin * touch.ball.inertia;
         free / ((free / limit).squared() + 1.0).sqrt()

@@ -19,10 +19,10 @@ const BALL_MASS: f64 = 0.0459;
 fn drive(curvature: f64) -> FirstTouch<f64> {
     let mut inputs = [0.0; INPUT_COUNT];
     inputs[..8].copy_from_slice(&[48.0, 0.03, 0.04, 0.22, -0.02, 0.0, 0.012, -0.007]);
-    inputs[11..15].copy_from_slice(&[CLUB_MASS, 40.8e-3, 11.4e-3, 1e-3]);
-    inputs[15..21].copy_from_slice(&[2843e-7, 5679e-7, 4085e-7, -733e-7, 530.2e-7, 0.5e-7]);
-    inputs[21..28].copy_from_slice(&[0.17, 1.0 / curvature, 1.0 / curvature, 0.12, 0.06, 0.0, 1.0]);
-    inputs[28..31].copy_from_slice(&[BALL_MASS, 0.0213, 83.36e-7]);
+    inputs[14..18].copy_from_slice(&[CLUB_MASS, 40.8e-3, 11.4e-3, 1e-3]);
+    inputs[18..24].copy_from_slice(&[2843e-7, 5679e-7, 4085e-7, -733e-7, 530.2e-7, 0.5e-7]);
+    inputs[24..31].copy_from_slice(&[0.17, 1.0 / curvature, 1.0 / curvature, 0.12, 0.06, 0.0, 1.0]);
+    inputs[31..34].copy_from_slice(&[BALL_MASS, 0.0213, 83.36e-7]);
     FirstTouch::of_inputs(&inputs)
 }
 

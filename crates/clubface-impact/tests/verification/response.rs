@@ -48,7 +48,7 @@ proptest! {
         let (impulse, normal) = (rigid.impulse(), rigid.touch.normal);
         let pressed = impulse.dot(normal);
         prop_assert!(pressed >= 0.0 && impulse.reject(normal).norm() <= friction * pressed * (1.0 + 1e-9) + 1e-15);
-        let torque = rigid.ball_spin * rigid.touch.ball.inertia;
+        let torque = rigid.spin_gained() * rigid.touch.ball.inertia;
         prop_assert!(torque.reject(normal).dot(impulse).abs() <= 1e-12 * impulse.norm());
     }
 }

@@ -46,6 +46,11 @@ impl Rigid {
         self.ball_velocity * self.touch.ball.mass
     }
 
+    /// Spin that the ball gained, rad/s.
+    pub fn spin_gained(&self) -> Vec3<f64> {
+        self.ball_spin - self.touch.ball_spin
+    }
+
     /// Momentum of the head before impact, N s.
     fn momentum_before(&self) -> f64 {
         self.club_mass * self.touch.club_velocity.norm()
@@ -63,7 +68,7 @@ impl Rigid {
     /// changes it.
     pub fn angular_momentum_error(&self) -> f64 {
         let touch = &self.touch;
-        let ball = (-self.ball_arm).cross(self.impulse()) + self.ball_spin * touch.ball.inertia;
+        let ball = (-self.ball_arm).cross(self.impulse()) + self.spin_gained() * touch.ball.inertia;
         let club_velocity = (self.club_velocity - touch.club_velocity) * self.club_mass;
         let club = (-touch.contact).cross(club_velocity) + touch.inertia * (self.club_spin - touch.club_spin);
         let (change, impulse) = (ball + club, self.impulse());
@@ -81,7 +86,8 @@ impl Rigid {
 
     /// Kinetic energy before impact, J.
     pub fn energy_before(&self) -> f64 {
-        self.energy((Vec3::zero(), Vec3::zero()), (self.touch.club_velocity, self.touch.club_spin))
+        let touch = &self.touch;
+        self.energy((Vec3::zero(), touch.ball_spin), (touch.club_velocity, touch.club_spin))
     }
 
     /// Kinetic energy lost, J.
@@ -92,7 +98,8 @@ impl Rigid {
 
     /// Velocity of the ball relative to the face at the contact point before impact, m/s.
     pub fn relative_before(&self) -> Vec3<f64> {
-        -(self.touch.club_velocity + self.touch.club_spin.cross(self.touch.contact))
+        let touch = &self.touch;
+        touch.ball_spin.cross(self.ball_arm) - (touch.club_velocity + touch.club_spin.cross(touch.contact))
     }
 
     /// The same after impact.

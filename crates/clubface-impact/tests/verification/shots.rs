@@ -117,7 +117,7 @@ pub fn played(club: Club) -> Inputs {
     shot(club).with(&[("attack", f64::to_radians(attack)), ("loft", f64::to_radians(loft))])
 }
 
-/// Off-centre, across the ball, with the head turning about every axis: no value is zero.
+/// Off-centre, across the ball, with head and ball turning about every axis: no value is zero.
 pub fn mishit(club: Club, hand: f64) -> Inputs {
     played(club).with(&[
         ("path", 0.05),
@@ -128,6 +128,9 @@ pub fn mishit(club: Club, hand: f64) -> Inputs {
         ("closure", 40.0),
         ("pitch_rate", 12.0),
         ("lie_rate", -8.0),
+        ("ball_backspin", 90.0),
+        ("ball_sidespin", -40.0),
+        ("ball_riflespin", 25.0),
         ("hand", hand),
     ])
 }
@@ -296,8 +299,9 @@ pub fn delivered(club: Club) -> impl Strategy<Value = Inputs> {
     };
     let angles = (attack, -0.14..0.14f64, loft, -0.14..0.14f64, -0.14..0.14f64);
     let rates = (-10.0..60.0f64, -20.0..20.0f64, -20.0..20.0f64);
-    (speed, angles, (-toe..toe, -12e-3..12e-3f64), rates, prop::bool::ANY).prop_map(
-        move |(speed, (attack, path, loft, face, lie), (toe, high), rates, left)| {
+    let spins = (-150.0..150.0f64, -150.0..150.0f64, -150.0..150.0f64);
+    (speed, angles, (-toe..toe, -12e-3..12e-3f64), rates, spins, prop::bool::ANY).prop_map(
+        move |(speed, (attack, path, loft, face, lie), (toe, high), rates, spins, left)| {
             shot(club).with(&[
                 ("speed", speed),
                 ("attack", attack),
@@ -310,6 +314,9 @@ pub fn delivered(club: Club) -> impl Strategy<Value = Inputs> {
                 ("closure", rates.0),
                 ("pitch_rate", rates.1),
                 ("lie_rate", rates.2),
+                ("ball_backspin", spins.0),
+                ("ball_sidespin", spins.1),
+                ("ball_riflespin", spins.2),
                 ("hand", if left { -1.0 } else { 1.0 }),
             ])
         },

@@ -11,16 +11,20 @@ fn to_the_right(v: Vec3<f64>, angle: f64) -> Vec3<f64> {
     Vec3::new(v.x * c - v.z * s, v.y, v.x * s + v.z * c)
 }
 
-/// The same swing aimed further right. The rates of loft and lie are about world axes, so their axes turn as well; a
-/// left-hander's are given in the mirror.
+/// The same swing aimed further right. The rates of loft and lie and the spin of the ball are about world axes, so
+/// their axes turn as well; a left-hander's rates are given in the mirror.
 fn aimed(inputs: &Inputs, angle: f64) -> Inputs {
     let rates = Vec3::new(-inputs.at("lie_rate"), 0.0, inputs.at("pitch_rate"));
     let rates = to_the_right(rates, angle * inputs.at("hand"));
+    let spin = Vec3::new(inputs.at("ball_riflespin"), 0.0, inputs.at("ball_backspin"));
+    let spin = to_the_right(spin, angle);
     inputs.with(&[
         ("path", inputs.at("path") + angle),
         ("face", inputs.at("face") + angle),
         ("lie_rate", -rates.x),
         ("pitch_rate", rates.z),
+        ("ball_riflespin", spin.x),
+        ("ball_backspin", spin.z),
     ])
 }
 
@@ -56,7 +60,7 @@ proptest! {
         }
     }
 
-    /// Path and face are world angles and change sign in the mirror; toe, lie and the rates follow the club. Bit for
+    /// Path, face and spin of the ball are in world terms and change sign in the mirror; toe, lie and the rates follow the club. Bit for
     /// bit, since the mirror image is computed as such.
     #[test]
     fn a_left_hander_hits_the_mirror_image((club, inputs) in any_delivery()) {
@@ -64,6 +68,8 @@ proptest! {
             ("hand", -inputs.at("hand")),
             ("path", -inputs.at("path")),
             ("face", -inputs.at("face")),
+            ("ball_sidespin", -inputs.at("ball_sidespin")),
+            ("ball_riflespin", -inputs.at("ball_riflespin")),
         ]);
         let reversed = ["azimuth", "sidespin", "spin_axis", "velocity_z", "spin_x", "spin_y", "club_velocity_z",
             "club_spin_x", "club_spin_y"];
@@ -83,9 +89,9 @@ proptest! {
     /// Speeds alone set no direction: an impulse is linear in the speed of the club (rates of turning in step).
     #[test]
     fn an_impulse_scales_with_the_speed((club, inputs) in any_delivery(), factor in 0.5..2.0f64) {
-        let scaled: Vec<_> = ["speed", "closure", "pitch_rate", "lie_rate"]
-            .into_iter()
-            .map(|name| (name, inputs.at(name) * factor))
+        let moving =
+            ["speed", "closure", "pitch_rate", "lie_rate", "ball_backspin", "ball_sidespin", "ball_riflespin"];
+        let scaled: Vec<_> = moving.into_iter().map(|name| (name, inputs.at(name) * factor))
             .collect();
         for model in [STANDARD, ADJUSTED, SLIP, JORGENSEN] {
             let parameters = published(model, club);

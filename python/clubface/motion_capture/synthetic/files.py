@@ -16,7 +16,7 @@ from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import BALL, CLUSTERS, FACE, Cameras, kind_of
 from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH, SyntheticSwing
 from clubface.recorded.shots import RecordedShots
-from clubface.simulation.delivery import DIMENSIONS
+from clubface.simulation.delivery import OF_CLUB
 
 MOST = 100_000
 MAPPING, CALIBRATION, TRUTH = "markers.toml", "calibration.c3d", "truth.csv"
@@ -105,7 +105,7 @@ def truth(swings: Sequence[SyntheticSwing], source: str = "synthetic") -> Record
     count = len(swings)
     sides = ["left" if each.club.hand < 0 else "right" for each in swings]
     return RecordedShots(
-        deliveries={name: np.array([each.truth[name] for each in swings]) for name in DIMENSIONS},
+        deliveries={name: np.array([each.truth[name] for each in swings]) for name in OF_CLUB},
         launches={name: np.array([each.launch[name] for each in swings]) for name in LAUNCH},
         clubs=np.array([each.club.name for each in swings], dtype=object),
         hand=np.array(sides, dtype=object),

@@ -56,10 +56,19 @@ impl<S: Scalar> Mobility<S> {
 }
 
 impl<S: Scalar> Bodies<'_, S> {
-    /// Velocity of the ball's surface relative to the face at a point, before impact, m/s.
+    /// Velocity of the ball's surface, at a distance from its centre, relative to the face at a place, before impact,
+    /// m/s.
     #[inline(always)]
-    pub fn approach(&self, point: Vec3<S>) -> Vec3<S> {
-        -(self.touch.club_velocity + self.touch.club_spin.cross(point))
+    pub fn approach(&self, place: Place<S>, arm: S) -> Vec3<S> {
+        let Place { point, normal } = place;
+        let touch = self.touch;
+        normal.cross(touch.ball_spin) * arm - (touch.club_velocity + touch.club_spin.cross(point))
+    }
+
+    /// The same along the face, where only an estimate of the lever is needed.
+    #[inline(always)]
+    pub fn sliding(&self, place: Place<S>) -> Vec3<S> {
+        self.approach(place, self.touch.ball.radius * LEVER).reject(place.normal)
     }
 
     /// Relative velocity at `seen` per impulse at `point`, without the turning of the ball.
@@ -89,7 +98,7 @@ impl<S: Scalar> Bodies<'_, S> {
     #[inline(always)]
     pub fn estimate(&self, place: Place<S>, speed: S, mobility: &Mobility<S>) -> Vec3<S> {
         let normal = self.estimated_normal(speed, mobility);
-        let sliding = self.approach(place.point).reject(place.normal);
+        let sliding = self.sliding(place);
         let rolling = self.rolling(sliding, normal, mobility) * S::from_f64(-GRIP);
         let need = self.need(rolling, normal);
         place.normal * normal + rolling * (need.squared() + 1.0).sqrt().sqrt().recip()
@@ -150,7 +159,7 @@ impl<S: Scalar> Impulse<S> {
         let head_torque = place.point.cross(linear) + twisting;
         let head_spin = bodies.inverse_inertia * head_torque;
         // Energy gained by a share of the impulse: share * first + share^2 * second.
-        let first = linear.dot(bodies.approach(place.point)) - twisting.dot(touch.club_spin);
+        let first = linear.dot(bodies.approach(place, arm)) - twisting.dot(touch.club_spin - touch.ball_spin);
         let second = (linear.norm_squared() * (ball.mass.recip() + mass.recip())
             + spin.norm_squared() * ball.inertia
             + head_spin.dot(head_torque))
@@ -160,7 +169,7 @@ impl<S: Scalar> Impulse<S> {
         let share = S::zero().max(S::one().min(most));
         let (linear, spin, head_spin) = (linear * share, spin * share, head_spin * share);
         (
-            Motion { velocity: linear * ball.mass.recip(), spin },
+            Motion { velocity: linear * ball.mass.recip(), spin: touch.ball_spin + spin },
             Motion {
                 velocity: touch.club_velocity - linear * mass.recip(),
                 spin: touch.club_spin - head_spin,
