@@ -206,6 +206,19 @@ def test_the_deck_of_ogdens_rubber_holds_its_terms(tmp_path):
     assert fields(viscous) == pytest.approx([5e6, 1e5])
 
 
+def test_the_deck_of_neo_hookean_rubber_holds_half_its_shear_modulus_as_c10(tmp_path):
+    """The card's energy is C10 (I1 - 3) + C01 (I2 - 3), so its shear modulus 2 (C10 + C01) is that of the law."""
+    given = throw_case()
+    core, cover = given.ball.pieces
+    rubber = fem.Material(law="neo-hookean", constants={"shear": 9e6}, poisson=0.49, density=1150.0)
+    ball = replace(given.ball, pieces=(replace(core, material=rubber), cover))
+    deck = Deck(keyword.write(given.replace(ball=ball), tmp_path / "neo.k"))
+    head, constants = deck.one("MAT_HYPERELASTIC_RUBBER")
+    assert fields(head)[2:] == [0.49, 0, 0]
+    assert fields(constants) == [4.5e6, 0.0]
+    assert 2.0 * sum(fields(constants)) == rubber.shear
+
+
 def test_the_deck_of_a_head_of_shells_holds_its_mass_and_motion(tmp_path):
     given, head = shells_case().replace(toe="8 mm", closure="2400 deg/s"), coarse_head()
     deck = Deck(keyword.write(given, tmp_path / "shells.k"))

@@ -75,7 +75,13 @@ def digest(path):
 
 PUBLICATIONS = sorted(
     str(path.relative_to(DATA))
-    for pattern in ("measurements/*.*", "published_*.toml", "parameters/*.toml", "clubs/driver.toml", "clubs/7-iron.toml")
+    for pattern in (
+        "measurements/*.*",
+        "published_*.toml",
+        "parameters/*.toml",
+        "clubs/driver.toml",
+        "clubs/7-iron.toml",
+    )
     for path in DATA.glob(pattern)
 )
 
