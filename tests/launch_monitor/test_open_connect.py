@@ -137,7 +137,7 @@ def test_a_simulator_is_told_the_spin_of_the_launch_in_both_ways_of_telling_it()
         },
         rel=1e-12,  # conversions round two or three times
     )  # fmt: skip
-    # 3000 rpm at 30 deg to the right: back 3000 cos 30, side 3000 sin 30; and 4, -3 thousand are 5 thousand at -36.87 deg.
+    # 3000 rpm at 30 deg to the right: back 3000 cos 30, side 3000 sin 30; 4000 and -3000: 5000 at -36.87 deg.
     start = {"ball_speed": 60.0, "launch": 0.2}
     ball = to_json(start | {"total_spin": "3000 rpm", "spin_axis": "30 deg"}, shot_number=1)["BallData"]
     assert (ball["BackSpin"], ball["SideSpin"]) == pytest.approx((2598.0762113533, 1500.0), rel=1e-12)
