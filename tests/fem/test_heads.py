@@ -34,6 +34,38 @@ def test_the_head_of_the_paper_is_as_the_paper_says():
     assert sum(mass for name, mass in head.report.items() if name != "scale") < 0.07
 
 
+def test_a_target_of_the_mass_centre_is_met_on_the_side_that_it_names():
+    """cg_x, cg_y and cg_z lead from the CG to the face centre, which is the origin of the mesh: the nodes say where
+    the CG is."""
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
+    target = {"mass": "210 g", "cg_x": "33 mm", "cg_y": "3 mm", "cg_z": "2.5 mm"}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", TargetWarning)
+        head = replace(design, elements=(14, 8, 10), target=target).mesh()
+    corners = head.nodes[head.quads]
+    areas = 0.5 * np.linalg.norm(np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]), axis=1)
+    masses = head.added.copy()
+    np.add.at(masses, head.quads, (0.25 * 4430.0 * areas * head.thickness)[:, None])
+    centre = masses @ head.nodes / masses.sum()
+    # Behind the face centre, below it and on the side of the heel; targets are met to 0.1 mm, or a warning says so.
+    assert centre == pytest.approx([-0.033, -0.003, -0.0025], abs=1e-4)
+    assert head.club.cg == pytest.approx(tuple(-centre), abs=1e-6)
+    normal = np.array([np.cos(head.loft), np.sin(head.loft), 0.0])
+    above = (centre - (centre @ normal) * normal) @ np.array([-normal[1], normal[0], 0.0])
+    assert head.cg_above == pytest.approx(above, abs=1e-6)
+
+
+def test_the_height_of_the_mass_centre_above_the_face_normal_is_met_up_and_down():
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
+    for height in ("1.5 mm", "-1.5 mm"):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", TargetWarning)
+            head = replace(design, elements=(14, 8, 10), target={"mass": "210 g", "cg_above": height}).mesh()
+        centre = -np.array(head.club.cg)
+        above = centre @ np.array([-np.sin(head.loft), np.cos(head.loft), 0.0])
+        assert above == pytest.approx(float(height[:-3]) * 1e-3, abs=1e-4)  # as near as without a warning
+
+
 def test_targets_that_cannot_be_met_stand_beside_what_was_reached():
     design = from_toml(builtin_path("head", "paper", "fem_heads"))
     wide = replace(design, name="wide", elements=(14, 8, 10), target={**design.target, "izz": "15260 g cm2"})
