@@ -14,7 +14,7 @@ from clubface.identification.linear_step import best_step, linear_cost
 
 
 def test_hubers_loss_is_square_to_the_knee_and_then_a_line_of_the_same_slope():
-    """Huber (1964): rho(t) = t^2 / 2 for |t| <= k, else k |t| - k^2 / 2; the cost is twice its mean over noise units."""
+    """Huber (1964): rho(t) = t^2 / 2 for |t| <= k, else k |t| - k^2 / 2; the cost is twice its mean."""
     measured = np.zeros((1, 4))
     cost = cost_of("robust", measured, ("ball_speed",), noise={"ball_speed": 0.5})
     inside, outside = 0.5 * HUBER * 0.99, 0.5 * HUBER * 4.0  # of the knee, which lies at HUBER deviations
