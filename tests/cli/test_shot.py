@@ -9,6 +9,7 @@ import clubface
 from clubface import units
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.equipment.ranges import RANGES
+from command_line import assert_mistake
 
 SHOT_KEYS = [
     "model", "ball_speed_mps", "smash", "launch_deg", "azimuth_deg", "backspin_rpm", "sidespin_rpm", "total_spin_rpm",
@@ -139,6 +140,22 @@ def test_a_bare_number_is_si_and_said_to_be(clubface_):
     ran = clubface_("shot", "driver", "--speed", "50", "--json")
     assert ran.json[0]["ball_speed_mps"] == clubface.impact("driver", speed=50.0).ball_speed
     assert ran.err == "clubface: note: --speed 50 has no unit and is taken in m/s\n"
+
+
+@pytest.mark.parametrize(
+    ("given", "asked"),
+    [
+        (["--speed", "105"], '--speed "105 mph"'),
+        (["--speed", "48 m/s", "--loft", "12"], '--loft "12 deg"'),
+        (["--speed", "48 m/s", "--attack", "-1.3"], '--attack "-1.3 deg"'),
+        (["--speed", "48 m/s", "--toe", "8"], '--toe "8 mm"'),
+        (["--speed", "48 m/s", "--closure", "2400"], '--closure "2400 deg/s"'),
+        (["--speed", "48 m/s", "--temperature", "30"], '--temperature "30 degC"'),
+        (["--speed", "48 m/s", "--wind", "50"], '--wind "50 mph"'),
+    ],
+)
+def test_a_bare_number_that_no_shot_has_in_si_is_asked_for_its_unit(clubface_, given, asked):
+    assert_mistake(clubface_("shot", "driver", *given), "has no unit; give it, as in " + asked, "a number alone is in")
 
 
 def test_models_are_chosen_by_commas_or_repetition_in_the_order_asked(clubface_):

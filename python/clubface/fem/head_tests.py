@@ -10,7 +10,7 @@ from clubface.equipment.clubs import Club, club
 from clubface.errors import RunError
 from clubface.fem.balls import Ball, Piece
 from clubface.fem.core import Progress
-from clubface.fem.heads import MeshedHead, head as meshed
+from clubface.fem.heads import MeshedHead, head as meshed, mesh_of
 from clubface.fem.heads.read import Design
 from clubface.fem.materials import Material
 from clubface.fem.result import Impact
@@ -73,7 +73,8 @@ def restitution(
 
     from clubface.equipment.face import face_point, turn_to_sole
 
-    shaped = head if isinstance(head, MeshedHead) else club(head)
+    found = head if isinstance(head, MeshedHead) else club(head)
+    shaped = mesh_of(found) or found
     rigid = shaped.club if isinstance(shaped, MeshedHead) else shaped
     approach = units.parse(speed, "speed", name="speed")
     cg = turn_to_sole(rigid.loft).T @ np.asarray(rigid.cg)
