@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+import clubface
 from fem_runs import write_case
 
 pytest.importorskip("typer")
@@ -11,11 +12,15 @@ pytest.importorskip("typer")
 RPM, DEG = math.pi / 30.0, math.pi / 180.0
 # What stands in a line, by the key of the JSON document, with the size of the unit and the digits printed.
 LAUNCH = {
-    "ball speed, m/s": ("ball_speed", 1.0, 2),
+    "ball speed, mph": ("ball_speed", 0.44704, 1),
     "launch angle, deg": ("launch", DEG, 2),
     "azimuth, deg": ("azimuth", DEG, 2),
     "backspin, rpm": ("backspin", RPM, 0),
     "sidespin, rpm": ("sidespin", RPM, 0),
+    "spin axis, deg": ("spin_axis", DEG, 1),
+    "carry, yd": ("carry", 0.9144, 1),
+    "side, yd": ("side", 0.9144, 1),
+    "apex, yd": ("apex", 0.9144, 1),
 }
 REBOUND = {
     "velocity off the plane, m/s": ("normal_velocity", 1.0, 2),
@@ -98,6 +103,12 @@ def test_a_run_with_a_head_prints_its_launch_with_the_signs_of_a_golfer(clubface
     assert_printed(clubface_("fem", "run", str(path)).out, document, LAUNCH | CONTACT)
     # A ball hit towards the toe of a driver starts to the right and turns to the left.
     assert document["azimuth"] > 0.0 > document["sidespin"]
+    terms = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
+    flown = clubface.fly({**{name: document[name] for name in terms}, "ball_mass": 0.046, "ball_radius": 0.0214})
+    # A monitor's terms leave out the spin about the direction of launch, some per cent of it here.
+    assert document["carry"] == pytest.approx(flown.carry, rel=5e-3)
+    assert document["side"] == pytest.approx(flown.side, rel=0.05)
+    assert document["apex"] == pytest.approx(flown.apex, rel=5e-3)
 
 
 def test_the_paper_prints_a_column_a_method_and_the_reference_one(clubface_, tmp_path):

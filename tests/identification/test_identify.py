@@ -9,7 +9,7 @@ import pytest
 
 import clubface
 from clubface.errors import FileError, InputError, UnknownNameError
-from synthetic_shots import widths_in_standard_errors, published, recorded
+from synthetic_shots import published, recorded, widths_in_standard_errors
 
 # What 1e-4 means where the true value is 0: of other published displacements, 0.5 mm, and Penner's slope, 0.0029 s/m.
 ZERO = {"dcg_x": 5e-8, "cor_slope": 2.9e-7}

@@ -11,12 +11,11 @@ from clubface.cli.failures import say
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.support.checks import check_choice, check_names
 
-
 USUAL = {
     "speed": (0.0, 115.0, "mph"), "angle": (0.0, 1.3, "deg"), "length": (0.0, 0.2, "mm"),
     "angular rate": (0.0, 2000.0, "rpm"), "temperature": (200.0, 330.0, "degC"), "pressure": (4e4, 1.2e5, "hPa"),
 }  # fmt: skip
-"""Least and most [SI] that a quantity of a dimension comes to in golf, whatever its sign, and the unit it is told in."""
+"""Least and most [SI] of a dimension in golf, whatever the sign, and the unit in which it is told."""
 USUAL_OF = {
     "--speed": (0.0, 75.0, "mph"), "--wind": (0.0, 40.0, "mph"), "--altitude": (0.0, 5000.0, "ft"),
     **dict.fromkeys(("--attack", "--path", "--face", "--lie", "--azimuth"), (0.0, 0.8, "deg")),

@@ -35,6 +35,7 @@ def restitution(
     toe: Any = None,
     high: Any = None,
     friction: Any = None,
+    safety: float | None = None,
     threads: int = 0,
     progress: Progress | None = None,
 ) -> float:
@@ -52,6 +53,8 @@ def restitution(
         Where the ball is struck [m]. If neither is given: in front of the CG, as the rules had it.
     friction
         Coefficient of Coulomb friction; that of the ball unless given.
+    safety
+        As of :class:`clubface.fem.Settings`.
     threads
         Number of threads; 0 for all cores.
     progress
@@ -83,7 +86,7 @@ def restitution(
     across = units.parse(toe or 0.0, "length", name="toe")
     up = units.parse(high or 0.0, "length", name="high")
     found = strike(
-        shaped, which=which, friction=friction, settings=_settings(threads), progress=progress,
+        shaped, which=which, friction=friction, settings=_settings(threads, safety), progress=progress,
         speed=approach, loft=0.0, toe=across, high=up,
     )  # fmt: skip
     _check_complete(found)
@@ -102,6 +105,7 @@ def characteristic_time(
     speed: Any = STRIKER_SPEED,
     toe: Any = 0.0,
     high: Any = 0.0,
+    safety: float | None = None,
     threads: int = 0,
     progress: Progress | None = None,
 ) -> float:
@@ -123,6 +127,8 @@ def characteristic_time(
         Speed of the sphere [m/s].
     toe, high
         Where it strikes [m].
+    safety
+        As of :class:`clubface.fem.Settings`.
     threads
         Number of threads; 0 for all cores.
     progress
@@ -135,8 +141,8 @@ def characteristic_time(
     """
     approach = units.parse(speed, "speed", name="speed")
     found = strike(
-        meshed(head), which=striker(), friction=0.0, settings=_settings(threads, interval=1e-6), progress=progress,
-        speed=approach, loft=0.0, toe=toe, high=high,
+        meshed(head), which=striker(), friction=0.0, settings=_settings(threads, safety, interval=1e-6),
+        progress=progress, speed=approach, loft=0.0, toe=toe, high=high,
     )  # fmt: skip
     _check_complete(found)
     gained = found.motion["velocity"][:, 0]
@@ -145,8 +151,8 @@ def characteristic_time(
     return last - first
 
 
-def _settings(threads: int, interval: float = Settings.interval) -> Settings:
-    return Settings(duration=1.5e-3, interval=interval, until_separation=True, threads=threads)
+def _settings(threads: int, safety: float | None, interval: float = Settings.interval) -> Settings:
+    return Settings(duration=1.5e-3, interval=interval, until_separation=True, threads=threads, safety=safety)
 
 
 def _check_complete(found: Impact) -> None:
