@@ -107,7 +107,7 @@ def test_a_run_with_a_head_prints_its_launch_with_the_signs_of_a_golfer(clubface
     flown = clubface.fly({**{name: document[name] for name in terms}, "ball_mass": 0.046, "ball_radius": 0.0214})
     # A monitor's terms leave out the spin about the direction of launch, some per cent of it here.
     assert document["carry"] == pytest.approx(flown.carry, rel=5e-3)
-    assert document["side"] == pytest.approx(flown.side, rel=0.05)
+    assert document["side"] == pytest.approx(flown.side, rel=0.1)
     assert document["apex"] == pytest.approx(flown.apex, rel=5e-3)
 
 
