@@ -186,3 +186,19 @@ def test_people_read_spin_in_rpm_and_closure_in_degrees_a_second():
     assert units.display_unit("closure", "rad/s") == "deg/s"
     assert units.display_unit("ball_speed", "m/s") == "m/s"
     assert units.show(0.204, "g") == "204 g"
+
+
+# The unit in which golfers and engineers read each quantity.
+SHOWN = {
+    "toe": "mm", "high": "mm", "bulge": "mm", "roll": "mm", "face_width": "mm", "face_height": "mm", "cg_x": "mm",
+    "cg_y": "mm", "cg_z": "mm", "dcg_x": "mm", "dcg_y": "mm", "dcg_z": "mm", "ball_radius": "mm", "radius": "mm",
+    "cover_thickness": "mm", "penetration": "mm", "contact_area": "mm2", "contact_time": "us", "peak_force": "kN",
+    "characteristic_time": "us", "included_time": "us", "shear_modulus": "MPa", "ring_modulus": "MPa", "humidity": "%",
+    "closure": "deg/s", "pitch_rate": "deg/s", "lie_rate": "deg/s",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "unit"), SHOWN.items())
+def test_a_quantity_is_shown_in_the_unit_it_is_read_in(name, unit):
+    si = units.SI_UNITS[units.unit(unit).dimension]
+    assert units.display_unit(name, si) == unit

@@ -1,6 +1,7 @@
 """Every number that ``clubface fem`` prints is the run's, in the unit printed beside it."""
 
 import math
+import re
 
 import pytest
 
@@ -135,3 +136,44 @@ def test_the_document_of_the_reference_case_is_that_of_its_run(clubface_, tmp_pa
     }
     for key, spin in (("spin_rpm", run.backspin), ("spin_max_rpm", run.spin_max)):
         assert document[key] == pytest.approx(spin / RPM, rel=1e-12), key  # a conversion rounds two or three times
+
+
+SWEEP = (
+    "speed_mps",
+    "loft_deg",
+    "ball_speed_mps",
+    "launch_deg",
+    "spin_rpm",
+    "club_speed_after_mps",
+    "peak_force_n",
+    "f",
+)
+DIGITS = (1, 1, 1, 2, 0, 1, 0, 4)
+
+
+def test_a_sweep_prints_a_line_a_run(clubface_, tmp_path):
+    path = write_case(tmp_path, duration=1000, old='kind = "plane"', new='kind = "rigid"\nclub = "driver"')
+    path.write_text(path.read_text().replace("angle =", "loft ="))
+    arguments = ("fem", "sweep", "--case", str(path), "--speed", "30,40", "--loft", "9")
+    rows = clubface_(*arguments, "--json").json
+    lines = clubface_(*arguments).out.split("─\n")[1].splitlines()
+    for line, row in zip(lines, rows, strict=True):
+        for cell, key, digits in zip(line.split(), SWEEP, DIGITS, strict=True):
+            assert float(cell) == pytest.approx(row[key], abs=0.5001 * 10.0**-digits), key
+            assert len(cell.partition(".")[2]) == digits, key
+
+
+def test_a_head_is_printed_in_grams_millimetres_and_gram_centimetres_squared(clubface_):
+    document = clubface_("fem", "head", "paper", "--json").json
+    lines = clubface_("fem", "head", "paper").out.split("─\n")[1].splitlines()
+    told = {re.split(r"  +", line)[0]: [float(each) for each in re.split(r"  +", line)[1:]] for line in lines}
+    assert told["mass, g"] == pytest.approx([document["mass_kg"] * 1e3, 210.0], abs=0.005001)
+    for axis, value in zip("xyz", document["cg_m"], strict=True):
+        assert told[f"CG to face centre, {axis}, mm"][0] == pytest.approx(value * 1e3, abs=0.005001)
+    for place, axis in enumerate("xyz"):
+        moment = document["inertia_kgm2"][place][place] * 1e7
+        assert told[f"I{axis}{axis}, g cm2"][0] == pytest.approx(moment, abs=0.5001)
+    for name, mass in document["tuning"].items():
+        if name != "scale":
+            assert told[f"added mass {name}, g"] == pytest.approx([mass * 1e3], abs=0.05001)
+    assert told["walls over design"] == pytest.approx([document["tuning"]["scale"]], abs=0.0005001)

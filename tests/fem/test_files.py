@@ -275,3 +275,24 @@ def test_a_field_is_ten_characters_and_close(value):
     text = cards.field(value)
     assert len(text) == 10
     assert float(text) == pytest.approx(value, rel=1e-4)
+
+
+def test_every_piece_of_the_ball_is_a_part_of_its_own_set_with_its_section_and_material(reference_deck):
+    given, deck = reference_deck
+    parts = [fields(cards[1]) for cards in deck.all("PART")]
+    # Part, section, material, equation of state, hourglass control.
+    assert parts == [[number, 1, number, 0, 1] for number in range(1, len(given.ball.pieces) + 1)]
+    identifier, members = deck.one("SET_PART_LIST")
+    assert fields(identifier) == [keyword.BALL_SET]
+    assert fields(members) == [part[0] for part in parts]
+
+
+def test_a_deck_of_a_grooved_head_says_what_it_leaves_out(tmp_path):
+    grooves = {"width": 0.9e-3, "depth": 0.4e-3, "pitch": 3.6e-3, "wall": 0.2e-3}
+    head = replace(fem.head("7-iron"), grooves=grooves)
+    told = "the grooves of the face are felt by the contact alone"
+    for name, made in (("grooved", head), ("plain", replace(head, grooves=None))):
+        text = keyword.write(shells_case().replace(club=made), tmp_path / f"{name}.k").read_text()
+        assert (told in " ".join(line[2:] for line in text.splitlines() if line.startswith("$ "))) == (
+            name == "grooved"
+        )

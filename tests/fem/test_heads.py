@@ -220,3 +220,21 @@ speed = "35 m/s"
         case(path)
     with pytest.raises(InputError, match="it must be a club"):
         case("paper-rigid").replace(club=coarse_head())
+
+
+@pytest.mark.parametrize("limits", [(0.05, 2.0), (0.5, 11.0), (1.1, 2.0), (0.5, 0.9)])
+def test_limits_of_the_walls_are_a_tenth_to_one_and_one_to_ten(limits):
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
+    assert replace(design, scales=(0.1, 10.0)).scales == (0.1, 10.0)
+    with pytest.raises(InputError, match=r"0\.1 to 1 and 1 to 10"):
+        replace(design, scales=limits)
+
+
+def test_a_file_tells_limits_of_the_walls_as_two_numbers(tmp_path):
+    text = builtin_path("head", "paper", "fem_heads").read_text()
+    path = tmp_path / "head.toml"
+    path.write_text("scales = [0.4, 3]\n" + text)
+    assert from_toml(path).scales == (0.4, 3)
+    path.write_text("scales = [0.4, 1.0, 3]\n" + text)
+    with pytest.raises(FileError, match=r"head\.toml:1: scales .*a list of two numbers"):
+        from_toml(path)

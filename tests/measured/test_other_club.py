@@ -56,6 +56,7 @@ def test_a_mismatch_is_refused_or_noted_and_nothing_else():
     assert check_club(driver, ["Driver", "G430", ""], None) == []
     assert check_club(driver.replace(name="prototype"), ["7 Iron"], None) == []
     (note,) = check_club(driver, None, lofts, "note")
+    assert "the median dynamic loft is 28.5 deg, the static loft of driver 9.8 deg:" in note
     assert note.endswith("is this the right club?")
     with pytest.raises(UnknownNameError, match="refuse, note"):
         check_club(driver, None, lofts, "ignore")
