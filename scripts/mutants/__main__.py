@@ -9,9 +9,9 @@ plants the same errors.
 from __future__ import annotations
 
 import argparse
+import hashlib
 import json
 import os
-import random
 import shutil
 import subprocess
 import sys
@@ -85,9 +85,8 @@ def pytest_in(copy: Path, *arguments: str, timeout: float | None = None, **envir
     env = os.environ | {"PYTHONPATH": str(copy / "python"), "PYTHONDONTWRITEBYTECODE": "1"} | environment
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *arguments]
     try:
-        return subprocess.run(
-            command, cwd=copy, env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=timeout
-        ).returncode
+        with (copy / "tests.log").open("w") as log:
+            return subprocess.run(command, cwd=copy, env=env, stdout=log, stderr=log, timeout=timeout).returncode
     except subprocess.TimeoutExpired:
         return 1
 
@@ -100,7 +99,8 @@ class Records:
         paths = f"{copy / 'python'}{os.pathsep}{Path(__file__).parent}"
         status = pytest_in(copy, "-p", "recorder", "-n", str(workers), **env | {"PYTHONPATH": paths})
         if status != 0:
-            sys.exit("the tests must pass before errors are planted")
+            told = (copy / "tests.log").read_text(encoding="utf-8").splitlines()[-20:]
+            sys.exit("\n".join([*told, "the tests must pass before errors are planted"]))
         self.times: dict[str, float] = {}
         for path in folder.glob("times-*.json"):
             self.times |= json.loads(path.read_text(encoding="utf-8"))
@@ -159,7 +159,9 @@ def main() -> None:
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1, help="errors tried at a time")
     given = parser.parse_args()
     every = candidates(given.only)
-    sample = random.Random(given.seed).sample(every, min(given.count, len(every)))
+    # By what an error is and not by its number, so that the sample stays where other lines change.
+    drawn = {each: hashlib.sha256(f"{given.seed} {each.path} {each.text} {each.mutation}".encode()) for each in every}
+    sample = sorted(every, key=lambda each: drawn[each].hexdigest())[: given.count]
     print(
         f"{len(sample)} of {len(every)} errors that can be planted; first all tests, to record what they run",
         flush=True,

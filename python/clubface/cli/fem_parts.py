@@ -97,7 +97,9 @@ def head(
         "asked": asked,
     }
     lengths = {"--toe": toe, "--high": high}
-    place = {name[2:]: given.parsed(name, text, "length") for name, text in lengths.items() if text is not None}
+    place: dict[str, Any] = {
+        name[2:]: given.parsed(name, text, "length") for name, text in lengths.items() if text is not None
+    }
     if not measure and (place or safety is not None or ball is not None):
         raise ClubfaceError("--toe, --high, --ball and --safety say how to measure; add --measure")
     if measure:

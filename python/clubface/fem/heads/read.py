@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.fem.heads.driver import SHAPE, TARGETS, WALLS, DriverHead
 from clubface.fem.heads.iron import GROOVES, SHAPE as IRON_SHAPE, IronHead
-from clubface.fem.heads.meshed import MeshedClub, MeshedHead, mesh_of
+from clubface.fem.heads.meshed import MeshedClub, MeshedHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import MASS_KEYS, parsed_places
 from clubface.fem.heads.user_mesh import Group, MeshHead
@@ -40,8 +40,8 @@ def head_names() -> tuple[str, ...]:
 
 def head(which: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> MeshedHead:
     """Return a meshed head: by its built-in name, from a TOML file, or from its design."""
-    if (known := mesh_of(which)) is not None:
-        return known
+    if isinstance(which, MeshedHead | MeshedClub):
+        return which if isinstance(which, MeshedHead) else which.head
     if isinstance(which, DriverHead | IronHead | MeshHead):
         return which.mesh()
     return _meshed(path_of("head of finite elements", which, FOLDER))
