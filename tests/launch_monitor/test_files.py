@@ -98,6 +98,19 @@ def test_trackman_without_a_row_of_units_is_in_mph_degrees_millimetres_rpm_feet_
     )
 
 
+def test_zeros_for_all_that_is_said_of_the_club_are_no_measurement_even_without_a_speed(write):
+    text = "Swing Direction,Dyn. Loft,Club Path,Attack Angle,Ball Speed,Launch Angle\n"
+    shots = launch_monitor.read(write(text + "0,0,0,0,150,12\n1,13,0,2,150,12\n"))
+    assert_values(
+        shots,
+        loft=[NAN, 13 * DEG],
+        path=[NAN, 0.0],
+        attack=[NAN, 2 * DEG],
+        ball_speed=[150 * MPH] * 2,
+        launch=[12 * DEG] * 2,
+    )
+
+
 def test_trackman_with_semicolons_decimal_commas_and_metric_units():
     shots = launch_monitor.read(DATA / "trackman-semicolon.csv", hand="left")
     assert shots.hand.tolist() == ["left", "left"]
