@@ -238,3 +238,13 @@ def test_a_file_tells_limits_of_the_walls_as_two_numbers(tmp_path):
     path.write_text("scales = [0.4, 1.0, 3]\n" + text)
     with pytest.raises(FileError, match=r"head\.toml:1: scales .*a list of two numbers"):
         from_toml(path)
+
+
+def test_the_striker_of_the_characteristic_time_meets_no_friction_and_flies_along_the_face_normal(monkeypatch):
+    struck, strike = [], head_tests.strike
+    monkeypatch.setattr(head_tests, "strike", lambda *args, **how: struck.append(how) or strike(*args, **how))
+    head_tests.characteristic_time(coarse_head(), toe="10 mm", high="3 mm")
+    (how,) = struck
+    # The pendulum of the rules has no grip on the face; the face normal at the centre is level.
+    assert (how["friction"], how["loft"]) == (0.0, 0.0)
+    assert (how["toe"], how["high"]) == ("10 mm", "3 mm")
