@@ -157,8 +157,8 @@ def test_a_rotation_and_its_rate_are_those_of_the_closed_form_at_every_size(angl
     np.testing.assert_allclose(
         exponential(angle * axis.astype(float)) - np.eye(3), (exact - np.eye(3)).astype(float), rtol=2e-14, atol=3e-16
     )
-    # The rate of a rotation vector r becomes J r': J = 1 + (1 - cos a) x + (a - sin a) x^2 over a; a - sin a is its series
-    # where it would lose digits.
+    # The rate of a rotation vector r becomes J r with J = 1 + (1 - cos a) x + (a - sin a) x^2 over a; a - sin a is its
+    # series where it would lose digits.
     rest = a**3 / 6 - a**5 / 120 + a**7 / 5040 - a**9 / 362880 if a < 0.1 else a - np.sin(a)
     jacobian = np.eye(3, dtype=np.longdouble) + 2 * half * half / a * x + rest / a * (x @ x)
     np.testing.assert_allclose(left_jacobian(angle * axis.astype(float)), jacobian.astype(float), rtol=0, atol=1e-15)
