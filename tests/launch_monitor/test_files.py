@@ -63,6 +63,54 @@ def test_trackman_is_read_with_its_units_row_its_signs_and_its_empty_cells():
     assert "Spin Rate Type: 1 Measured, 1 Estimated" in shots.notes
 
 
+def test_trackman_without_a_row_of_units_is_in_mph_degrees_millimetres_rpm_feet_and_yards(write):
+    names = (
+        "Club Speed,Attack Angle,Club Path,Dyn. Loft,Face Angle,Swing Direction,Impact Offset,Impact Height,Ball Speed,"
+        "Smash Factor,Launch Angle,Launch Direction,Spin Rate,Spin Axis,Max Height - Height,Carry Flat - Length,"
+        "Carry Flat - Side,Carry Flat - Land. Angle,Carry Flat - Time,Est. Total Flat - Length,Est. Total Flat - Side"
+    )
+    shots = launch_monitor.read(
+        write(f"{names}\n100,-1.5,2,12,-3,1,10,-4,147.5,1.475,10.5,-1,2500,-8,90,250,-12,38,6,270,-15\n")
+    )
+    assert shots.format == "trackman"
+    assert_values(
+        shots,
+        speed=[100 * MPH],
+        attack=[-1.5 * DEG],
+        path=[2 * DEG],
+        loft=[12 * DEG],
+        face=[-3 * DEG],
+        toe=[10 * MM],
+        high=[-4 * MM],
+        ball_speed=[147.5 * MPH],
+        smash=[1.475],
+        launch=[10.5 * DEG],
+        azimuth=[-1 * DEG],
+        total_spin=[2500 * RPM],
+        spin_axis=[-8 * DEG],
+        apex=[90 * FT],
+        carry=[250 * YD],
+        side=[-12 * YD],
+        landing_angle=[38 * DEG],
+        flight_time=[6.0],
+        total=[270 * YD],
+        total_side=[-15 * YD],
+    )
+
+
+def test_zeros_for_all_that_is_said_of_the_club_are_no_measurement_even_without_a_speed(write):
+    text = "Swing Direction,Dyn. Loft,Club Path,Attack Angle,Ball Speed,Launch Angle\n"
+    shots = launch_monitor.read(write(text + "0,0,0,0,150,12\n1,13,0,2,150,12\n"))
+    assert_values(
+        shots,
+        loft=[NAN, 13 * DEG],
+        path=[NAN, 0.0],
+        attack=[NAN, 2 * DEG],
+        ball_speed=[150 * MPH] * 2,
+        launch=[12 * DEG] * 2,
+    )
+
+
 def test_trackman_with_semicolons_decimal_commas_and_metric_units():
     shots = launch_monitor.read(DATA / "trackman-semicolon.csv", hand="left")
     assert shots.hand.tolist() == ["left", "left"]

@@ -76,8 +76,8 @@ class Session:
         Headings that would give a quantity but for what is in their brackets.
     guessed_hand
         Whether something told in terms of the club was read as a right-hander's because nothing tells the hand.
-    names_clubs, names_hands
-        Whether there is a column for them.
+    names_clubs
+        Whether there is a column for the club.
     """
 
     shots: list[Shot] = field(default_factory=list)
@@ -89,7 +89,6 @@ class Session:
     unused: dict[str, None] = field(default_factory=dict)
     guessed_hand: bool = False
     names_clubs: bool = False
-    names_hands: bool = False
 
 
 class SessionReader:
@@ -140,7 +139,6 @@ class SessionReader:
             self.session.assumed.update(self._columns.assumed)
             self.session.unused.update(dict.fromkeys(self._columns.unused))
             self.session.names_clubs |= bool(self._columns.club)
-            self.session.names_hands |= self._columns.hand is not None
             if units is not None:
                 return
         columns = self._columns

@@ -38,9 +38,12 @@ class Request(NamedTuple):
     ----------
     own
         The ball as :meth:`Backend.balls` gave it.
+    club
+        As of :func:`clubface.club`; the inputs hold its values, some of which a shot may have changed.
     """
 
     own: Any
+    club: Any
     model: str
     inputs: Sequence[Any]
     parameters: Sequence[Any]
@@ -75,7 +78,7 @@ class ReducedCore:
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
         """Compute all shots at once."""
-        return core.impact(*shots[1:])
+        return core.impact(*shots[2:])
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
         """Return None: :func:`clubface.history` tells more."""
