@@ -9,9 +9,6 @@ from typing import NamedTuple
 from clubface.tables.cells import NUMBER, is_missing, number, without_thousands
 from clubface.tables.spelling import bracketed, plain, unit_symbol
 
-NOT_MEASURED = 1e30
-"""A number beyond this stands for no measurement: some programs write the largest number they can."""
-
 WORLD, CLUB = "world", "club"
 """Whose left and right a side is told in: that of the course, or that of the club, which a left-hander mirrors."""
 

@@ -19,7 +19,8 @@ from clubface.launch_monitor.formats import POINTS, Format
 from clubface.launch_monitor.mapping import Mapped, mapping_of
 from clubface.launch_monitor.registry import FORMATS
 from clubface.launch_monitor.rows import Session, SessionReader, Shot
-from clubface.recorded.file import read_shots, refuse_empty
+from clubface.recorded.file import read_shots, refuse_empty, without_emptied
+from clubface.recorded.possible import without_impossible
 from clubface.recorded.shots import SIDES, RecordedShots
 from clubface.simulation.quantities import inputs
 from clubface.support.checks import check_choice
@@ -169,19 +170,21 @@ def _laid_out(session: Session, path: str, layout: Format, other_encoding: bool)
             shot.values.setdefault("face", shot.values["path"] + to_path)
     names = [name for name in (*inputs(), *shot_words().dimensions) if any(name in shot.values for shot in shots)]
     columns = {name: np.array([shot.values.get(name, np.nan) for shot in shots]) for name in dict.fromkeys(names)}
-    return RecordedShots(
-        deliveries={name: values for name, values in columns.items() if name in inputs()},
-        launches={name: values for name, values in columns.items() if name not in inputs()},
+    found = without_impossible(columns)
+    every = RecordedShots(
+        deliveries={name: values for name, values in found.columns.items() if name in inputs()},
+        launches={name: values for name, values in found.columns.items() if name not in inputs()},
         clubs=np.array([shot.club for shot in shots], dtype=object) if session.names_clubs else None,
         hand=_hands(shots),
         rows=np.array([shot.line for shot in shots], dtype=np.int64),
         source=path,
         format=layout.name,
         rejected=tuple(session.rejected),
-        notes=tuple(_notes(session, layout, other_encoding)),
+        notes=(*_notes(session, layout, other_encoding), *found.notes),
         speed_at=layout.speed_at,
         face_at=layout.face_at,
     )
+    return without_emptied(every, found.emptied)
 
 
 def _hands(shots: Sequence[Shot]) -> Any:
@@ -209,7 +212,7 @@ def _notes(session: Session, layout: Format, other_encoding: bool) -> Iterator[s
     if session.summaries:
         yield f"rows of averages and deviations that were passed over: {session.summaries}"
     if session.without_club:
-        yield f"shots without club data, for which the file holds zeros or no number: {session.without_club}"
+        yield f"shots without club data, for which the file holds no club speed that can be: {session.without_club}"
     if other_encoding:
         yield "the file is not UTF-8: read as Windows-1252"
 
