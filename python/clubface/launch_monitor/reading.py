@@ -151,7 +151,7 @@ def _session(
         cells = [cell for row in sample if not isinstance(row, Reject) for cell in row[0]]
         comma = uses_decimal_comma(cells, delimiter)
     side = float(HANDS[hand]) if hand is not None else float("nan")
-    reader = SessionReader(path, layout, side, units, comma)
+    reader = SessionReader(path, layout, side, units, comma, sample)
     session = reader.read(chain(sample, rest))
     if not reader.found_header:
         first = next((row for row in sample if not isinstance(row, Reject)), None)

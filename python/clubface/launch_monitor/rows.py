@@ -17,7 +17,7 @@ from clubface.tables.cells import hand_of, shortened
 from clubface.tables.csv_rows import Row
 from clubface.tables.rows import Reject
 from clubface.tables.spelling import plain
-from clubface.units import to_si
+from clubface.units import to_si, unit
 
 SUMMARIES = frozenset(
     {
@@ -96,8 +96,17 @@ class Session:
 class SessionReader:
     """Goes through the rows of a file of a known layout."""
 
-    def __init__(self, path: str, layout: Format, hand: float, units: Mapping[str, str], decimal_comma: bool) -> None:
+    def __init__(
+        self,
+        path: str,
+        layout: Format,
+        hand: float,
+        units: Mapping[str, str],
+        decimal_comma: bool,
+        sample: Sequence[Row | Reject] = (),
+    ) -> None:
         self._path = path
+        self._sample = [row for row in sample if not isinstance(row, Reject)]
         self._layout = layout
         self._hand = hand
         self._units = units
@@ -136,7 +145,8 @@ class SessionReader:
         if self._columns is None:
             units = cells if is_units_row(cells) else None
             place = (self._path, self._header_line)
-            self._columns = columns_of(self._layout, self._header, units, self._units, place)
+            below = [each for each, at, _ in self._sample if at > self._header_line]
+            self._columns = columns_of(self._layout, self._header, units, self._units, place, below)
             self._counting = [place for place, each in enumerate(self._header) if plain(each) in COUNTING]
             self.session.assumed.update(self._columns.assumed)
             self.session.unused.update(dict.fromkeys(self._columns.unused))
@@ -223,4 +233,8 @@ class SessionReader:
             if hand < 0.0:
                 value = -value
             self.session.guessed_hand |= hand != hand
-        return to_si(value, column.unit)
+        if found.unit is None:
+            return to_si(value, column.unit)
+        if unit(found.unit).dimension != unit(column.unit).dimension:
+            raise CellError(f"{column.heading}: {shortened(cell.strip())} is not in {column.unit} or another such unit")
+        return to_si(value, found.unit)
