@@ -139,7 +139,7 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
     used: dict[str, Column] = {}
     passed, notes = [], []
     for place, heading in enumerate(named):
-        name, unit = _split(heading, words)
+        name, unit = split_heading(heading, words)
         quantity = words.names.get(name)
         if quantity is None:
             passed.append(heading)
@@ -172,7 +172,7 @@ def listed(headings: Sequence[str]) -> str:
     return "there are: " + ", ".join(shown) + (", ..." if len(headings) > 12 else "")
 
 
-def _split(heading: str, words: Vocabulary) -> tuple[str, str | None]:
+def split_heading(heading: str, words: Vocabulary) -> tuple[str, str | None]:
     """Return the name in lower case and the unit of a heading, known or not: ``club_speed_mph``, ``Speed [mph]``."""
     before, told = bracketed(heading)
     name = plain_name(before)
