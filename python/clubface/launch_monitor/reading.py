@@ -107,6 +107,21 @@ def read(
     return _referred(shots, club)
 
 
+def is_monitors(path: str | os.PathLike[str]) -> bool:
+    """Tell whether a file is one of a launch monitor: CSV with the columns of a known layout."""
+    source = Path(path)
+    _refuse_no_table(source)
+    if source.suffix.lower() in PARQUET:
+        return False
+    rows = CsvRows(source, any_encoding=True, head_lines=HEAD_ROWS)
+    try:
+        return detected(str(path), list(islice(_rows(rows), HEAD_ROWS))) is not None
+    except FileError:
+        return False
+    finally:
+        rows.close()
+
+
 def _refuse_no_table(path: Path) -> None:
     """Say of files that people have, and that are no tables, what to do with them."""
     ending = path.suffix.lower()

@@ -13,13 +13,14 @@ from clubface.errors import InputError
 from clubface.recorded.club_names import club_kind, may_be
 from clubface.support.checks import check_choice
 
-MISMATCH = ("refuse", "note")
+REFUSE, NOTE = MISMATCH = ("refuse", "note")
 """What shots of another club may do."""
 LOFT_DIFFERENCE = units.to_si(12.0, "deg")
 """Median dynamic loft further than this [rad] from the static loft is most likely another club's."""
 LEAST_LOFT = 0.6
 """So is one below this part of the static loft, where that allows more: of short irons, players take off more than of
 long ones. The launch angles of the published tour averages need 0.60 (5-iron) to 0.72 (pitching wedge) of it."""
+
 
 def check_club(
     club: Club, names: Iterable[object] | None, lofts: NDArray[np.float64] | None, mismatch: str = "refuse"
@@ -41,7 +42,7 @@ def check_club(
     found = _other_name(club, names) or _other_loft(club, lofts)
     if found is None:
         return []
-    if mismatch == "refuse":
+    if mismatch == REFUSE:
         advice = 'the club of these shots: {} (mismatch="note" or --mismatch note takes them all the same)'
         raise InputError("club", club.name, advice.format(found))
     return [f"{found}: is this the right club?"]

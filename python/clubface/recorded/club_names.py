@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from functools import lru_cache
+from itertools import pairwise
 
 WEDGES = {"pitching": (40, 49), "gap": (48, 53), "sand": (52, 58), "lob": (57, 64)}
 """Lofts in degrees by which wedges go, from and to; makers differ, so that the ranges overlap."""
@@ -41,7 +42,7 @@ def club_kind(name: str) -> str | None:
     whole = next((_WHOLE[each] for each in words if each in _WHOLE), None)
     if whole is not None:
         return whole
-    pairs = list(zip(words, words[1:], strict=False))
+    pairs = list(pairwise(words))
     for number, family in (*pairs, *((second, first) for first, second in pairs)):
         if re.fullmatch(r"[1-9]", number) and family in _FAMILIES:
             return "driver" if (number, _FAMILIES[family]) == ("1", "wood") else f"{number}-{_FAMILIES[family]}"
@@ -52,7 +53,7 @@ def club_kind(name: str) -> str | None:
 
 
 def same_club(one: str, other: str) -> bool:
-    """Tell whether two names mean the same club: ``7i`` and ``7 Iron``; names that tell nothing are compared as text."""
+    """Tell whether two names mean the same club, as ``7i`` and ``7 Iron``; names that tell nothing must be one text."""
     kinds = club_kind(one), club_kind(other)
     if kinds[0] is None or kinds[1] is None:
         return one.strip().casefold() == other.strip().casefold()

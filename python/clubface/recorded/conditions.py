@@ -1,4 +1,4 @@
-"""Conditions that choose shots: ``smash > 1.3 and club == '7i'``, ``abs(face - path) < 2 deg``, ``150 < ball_speed_mph``.
+"""Conditions that choose shots: ``smash > 1.3 and club == '7i'``, ``abs(face - path) < 2 deg``.
 
 A condition is an expression of Python's grammar, of which only comparisons, ``and``, ``or``, ``not``, ``in``, the four
 operations and ``abs`` are known: nothing of it is ever run as a program. A number may have a unit behind it. A shot in
@@ -11,6 +11,7 @@ import ast
 import operator
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -25,7 +26,7 @@ from clubface.units import DIMENSIONLESS, from_si, symbols, to_si, unit
 
 LONGEST = 1000
 """Characters of a condition."""
-EXAMPLE = "as in \"smash > 1.3 and club == '7i'\" or \"ball_speed > 150 mph\""
+EXAMPLE = 'as in "smash > 1.3 and club == \'7i\'" or "ball_speed > 150 mph"'
 CLUB, ROW, SMASH = "club", "row", "smash"
 
 _QUOTED = re.compile(r"""('[^']*'|"[^"]*")""")
@@ -87,8 +88,8 @@ def chosen(shots: RecordedShots, condition: str) -> Chosen:
         The shots.
     condition
         Quantities of a delivery or launch by the names of :class:`RecordedShots` or as headings with a unit
-        (``ball_speed_mph``, a number in that unit), ``club``, ``hand`` and ``row``; numbers with units; texts in quotation
-        marks. A club is known by every name that people give it: ``'7i'`` is "7 Iron" too.
+        (``ball_speed_mph``, a number in that unit), ``club``, ``hand`` and ``row``; numbers with units; texts in
+        quotation marks. A club is known by every name that people give it: ``'7i'`` is "7 Iron" too.
 
     Raises
     ------
@@ -115,6 +116,18 @@ def chosen(shots: RecordedShots, condition: str) -> Chosen:
         raise InputError("where", condition, f"a condition that is true or false, {EXAMPLE}")
     true, false = (np.broadcast_to(each, len(shots)) for each in found)
     return Chosen(true, int((~(true | false)).sum()))
+
+
+def chosen_shots(shots: RecordedShots, condition: str) -> tuple[RecordedShots, NDArray[np.intp]]:
+    """Return the shots that fulfil a condition, with a note that counts them, and their places; there must be one."""
+    mask, undecided = chosen(shots, condition)
+    lacking = f"{undecided} lack something on which it turns"
+    if not mask.any():
+        told = f"; {lacking}" if undecided else ""
+        raise InputError("where", condition, f"a condition that some of the {len(shots)} shots fulfil{told}")
+    note = f"{int(mask.sum())} of {len(shots)} shots fulfil {condition}{f'; {lacking}' if undecided else ''}"
+    found = shots.select(mask)
+    return replace(found, notes=(*found.notes, note)), np.flatnonzero(mask)
 
 
 def _named(found: re.Match[str], given: dict[str, _Number]) -> str:
@@ -160,10 +173,10 @@ class _Reader:
                 return number._replace(values=np.abs(number.values))
             case ast.Constant(value=bool() | None):
                 raise self._error(f"{node.value} is no value of a shot; compare with a number or a text")
-            case ast.Constant(value=int() | float()):
-                return _Number(float(node.value), None, str(node.value))
-            case ast.Constant(value=str()):
-                return _Text(node.value)
+            case ast.Constant(value=int() | float() as number):
+                return _Number(float(number), None, str(number))
+            case ast.Constant(value=str() as text):
+                return _Text(text)
             case ast.Name():
                 return self._name(node.id)
             case _:
@@ -222,7 +235,7 @@ class _Reader:
 
     def _compared(self, node: ast.Compare) -> _Truth:
         sides = [node.left, *node.comparators]
-        parts = [self._pair(*each) for each in zip(node.ops, sides, sides[1:], strict=False)]
+        parts = [self._pair(*each) for each in zip(node.ops, sides[:-1], sides[1:], strict=True)]
         return self._joined(ast.And(), parts)
 
     def _pair(self, how: ast.cmpop, left: ast.expr, right: ast.expr) -> _Truth:

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from clubface.errors import FileError
 from clubface.recorded.possible import without_impossible
-from clubface.recorded.shots import POINTS, SIDES, RecordedShots, RejectedRow
+from clubface.recorded.shots import SIDES, RecordedShots, RejectedRow
 from clubface.simulation.quantities import inputs
 from clubface.tables.cells import is_missing
-from clubface.tables.headings import HAND, Column, Layout, layout, listed, plain_name, shot_words
+from clubface.tables.headings import HAND, POINTS, Column, Layout, layout, listed, plain_name, shot_words
 from clubface.tables.reader import open_table
 from clubface.tables.rows import Chunk
 from clubface.units import to_si

@@ -55,7 +55,9 @@ RANGES: Mapping[str, tuple[float, float]] = {
 def can_be(name: str, values: Any) -> Any:
     """Tell which values [SI] of a quantity a golf shot can have; NaN, nothing measured, counts as one."""
     low, high = RANGES.get(name, (-math.inf, math.inf))
-    return ~((values < low) | (values > high)) if isinstance(values, np.ndarray) else not (values < low or values > high)
+    return (
+        ~((values < low) | (values > high)) if isinstance(values, np.ndarray) else not (values < low or values > high)
+    )
 
 
 class Cleaned(NamedTuple):

@@ -126,6 +126,11 @@ class Layout(NamedTuple):
     notes: tuple[str, ...]
 
 
+POINTS = {"speed_at": ("cg", "face", "unknown"), "face_at": ("face", "contact", "unknown")}
+"""Columns that say where on the club its motion and its face angles were taken, and what they may say, first where
+models want them. They are there only where it is elsewhere."""
+
+
 def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabulary | None = None) -> Layout:
     """Find the quantities among ``headings``; a unit that does not fit or a repeated column is an error.
 
@@ -143,7 +148,7 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
         quantity = words.names.get(name)
         if quantity is None:
             passed.append(heading)
-            near = _near(name, words.names)
+            near = None if name in POINTS else _near(name, words.names)
             if near is not None:
                 notes.append(f"the column {heading!r} is not used; did you mean {near}?")
             continue
