@@ -38,7 +38,7 @@ def shots(write):
 
 
 def test_face_angles_of_the_impact_point_are_referred_to_the_face_centre(shots):
-    """A driver with a bulge of some 305 mm points 2.8 deg more to the right 15 mm towards the toe than at its centre."""
+    """With a bulge of 305 mm a driver points 2.8 deg more to the right 15 mm towards the toe than at its centre."""
     report = predict(shots, club="driver", only="Driver")
     azimuth = column(report.output, "predicted_azimuth_deg")
     delivery = {"speed": "100 mph", "loft": 13 * DEG, "face": 2 * DEG, "toe": 0.015, "high": 0.0}
