@@ -22,6 +22,7 @@ from clubface.launch_monitor.rows import Session, SessionReader, Shot
 from clubface.recorded.file import read_shots, refuse_empty, without_emptied
 from clubface.recorded.possible import without_impossible
 from clubface.recorded.shots import SIDES, RecordedShots
+from clubface.recorded.signs import suspected_signs
 from clubface.simulation.quantities import inputs
 from clubface.support.checks import check_choice
 from clubface.tables.cells import uses_decimal_comma
@@ -137,7 +138,8 @@ def _own(path: str | os.PathLike[str], hand: str | None, club: Any) -> RecordedS
 
 
 def _referred(shots: RecordedShots, club: Any) -> RecordedShots:
-    """Return the shots, referred to the points of a club where one is given."""
+    """Return the shots with notes on signs, referred to the points of a club where one is given."""
+    shots = replace(shots, notes=(*shots.notes, *suspected_signs(shots)))
     if club is None:
         return shots
     from clubface.launch_monitor.reference_points import refer
