@@ -9,6 +9,7 @@ import typer
 
 from clubface.cli import given, options, output
 from clubface.cli.monitor_live import listen, send
+from clubface.cli.monitor_summary import Hand, summary
 from clubface.cli.recorded import READING, read_shots
 from clubface.cli.tables import print_numbers, print_words
 from clubface.errors import InputError
@@ -17,13 +18,12 @@ from clubface.units import display_unit, from_si
 if TYPE_CHECKING:
     from clubface.recorded.shots import RecordedShots
 
-Hand = Annotated[str | None, options.option("--hand", metavar="right|left", text="Hand of the player.")]
-
 app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Launch monitors: their files, and their shots live."
 )
 app.command("listen")(listen)
 app.command("send")(send)
+app.command("summary")(summary)
 
 
 @app.command("read")
@@ -55,11 +55,7 @@ def read(
     output.check_target("--rejects", rejects, (".csv",), read_files)
     if target is not None and rejects is not None and Path(target).resolve() == Path(rejects).resolve():
         raise InputError("--rejects", rejects, "another file than the output")
-    shots = read_shots(file, texts | {"hand": hand}, _clubs(club or []))
-    if texts["where"] is not None:
-        from clubface.recorded.conditions import chosen_shots
-
-        shots, _ = chosen_shots(shots, texts["where"])
+    shots = read_shots(file, texts | {"hand": hand}, _clubs(club or []), where=True)
     if target is not None:
         shots.write(target)
     if rejects is not None:

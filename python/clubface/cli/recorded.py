@@ -58,12 +58,17 @@ RECORDED: Group = {
 """The same, where the club may be that which the shots name."""
 
 
-def read_shots(path: str, texts: Mapping[str, Any], club: Any = None) -> RecordedShots:
-    """Return the shots of a file, from the options of ``READING`` but ``where``, and ``hand``."""
+def read_shots(path: str, texts: Mapping[str, Any], club: Any = None, *, where: bool = False) -> RecordedShots:
+    """Return the shots of a file, from ``hand`` and the options of ``READING``; of ``--where`` only if ``where``."""
     from clubface import launch_monitor
 
     units = given.pairs(texts["unit"] or (), "--unit")
-    return launch_monitor.read(path, texts["format"], texts["hand"], texts["mapping"], units=units, club=club)
+    shots = launch_monitor.read(path, texts["format"], texts["hand"], texts["mapping"], units=units, club=club)
+    if not where or texts["where"] is None:
+        return shots
+    from clubface.recorded.conditions import chosen_shots
+
+    return chosen_shots(shots, texts["where"])[0]
 
 
 def recorded_shots(path: str, texts: Mapping[str, Any]) -> ReadyShots:
