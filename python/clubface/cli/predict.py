@@ -10,7 +10,7 @@ import typer
 from clubface.cli import given, options, output
 from clubface.cli.failures import say
 from clubface.cli.progress import progress_bar
-from clubface.cli.recorded import CHOICE
+from clubface.cli.recorded import CHOICE, assumed
 
 app = typer.Typer(add_completion=False)
 
@@ -49,7 +49,7 @@ def predict(
             accuracy=texts["accuracy"], carry=carry, output=target, rejects=rejects, resume=resume,
             hand=texts["hand"], format=texts["format"], mapping=texts["mapping"],
             units=given.pairs(texts["unit"] or (), "--unit"), only=texts["only"], where=texts["where"],
-            mismatch=texts["mismatch"], assume=given.pairs(texts["assume"] or (), "--assume"),
+            mismatch=texts["mismatch"], assume=assumed(texts),
             progress=update and (lambda part, rows: update(part, 1.0, rows)), **conditions,
         )  # fmt: skip
     if as_json:

@@ -80,5 +80,15 @@ def recorded_shots(path: str, texts: Mapping[str, Any]) -> ReadyShots:
 
 def choice(texts: Mapping[str, Any]) -> dict[str, Any]:
     """Return what :func:`clubface.measured.ready.ready_shots` takes, from the options of ``RECORDED``."""
-    assume = given.pairs(texts["assume"] or (), "--assume")
-    return {name: texts[name] for name in ("club", "hand", "only", "where", "mismatch")} | {"assume": assume}
+    return {name: texts[name] for name in ("club", "hand", "only", "where", "mismatch")} | {"assume": assumed(texts)}
+
+
+def assumed(texts: Mapping[str, Any]) -> dict[str, str]:
+    """Return the values that are stated for what was not measured; one without a unit is told."""
+    from clubface.simulation.delivery import DIMENSIONS
+
+    found = given.pairs(texts["assume"] or (), "--assume")
+    for name, text in found.items():
+        if name in DIMENSIONS:
+            given.parsed(f"--assume {name}", text, DIMENSIONS[name])
+    return found

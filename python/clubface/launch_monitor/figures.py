@@ -25,7 +25,7 @@ def session_figure(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Figure
     """Draw carry against side with an ellipse of one standard deviation for each club, beside carries and gaps [yd]."""
     drawn = [each for each in clubs if "carry" in each.spreads]
     if not drawn:
-        raise InputError("plot", Told("a picture of carries"), "left out: the file has no carry")
+        raise InputError("picture", Told("of carries"), "leave it out: the file has no carry")
     with_side = [each for each in drawn if "side" in each.spreads]
     figure = Figure(figsize=(WIDTH, 4.4), layout="constrained")
     panels = figure.subplots(1, 2 if with_side else 1, squeeze=False, sharey=True)[0]

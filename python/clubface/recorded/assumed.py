@@ -9,6 +9,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from clubface import units
+from clubface.errors import InputError
+from clubface.recorded.possible import can_be
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.delivery import DIMENSIONS
 from clubface.support.checks import check_names
@@ -30,10 +32,12 @@ def with_assumed(shots: Shots, assume: Mapping[str, Any]) -> Shots:
     deliveries, notes = dict(shots.deliveries), []
     for name, stated in assume.items():
         value = units.parse(stated, DIMENSIONS[name], name=f"assume {name}")
+        if not can_be(name, value):
+            raise InputError(f"assume {name}", stated, "a value with its unit that a shot can have")
         measured = deliveries.get(name, np.full(len(shots), np.nan))
         lacking = np.isnan(measured)
         deliveries[name] = np.where(lacking, value, measured)
-        shown = stated if isinstance(stated, str) else units.show(value, units.SI_UNITS[DIMENSIONS[name]])
+        shown = stated if _has_unit(stated) else units.show(value, units.SI_UNITS[DIMENSIONS[name]])
         if count := int(lacking.sum()):
             notes.append(
                 f"{name} was not measured in {count} of {len(shots)} shots, which take {shown} for it, as stated"
@@ -41,3 +45,7 @@ def with_assumed(shots: Shots, assume: Mapping[str, Any]) -> Shots:
         else:
             notes.append(f"{name} was measured in every shot: the {shown} stated for it is not used")
     return replace(shots, deliveries=deliveries, notes=(*shots.notes, *notes))
+
+
+def _has_unit(stated: Any) -> bool:
+    return isinstance(stated, str) and stated.strip()[-1:] not in "0123456789."
