@@ -84,6 +84,25 @@ def test_what_was_not_measured_is_rejected_unless_a_value_is_stated(shots):
     assert column(stated.output, "predicted_azimuth_deg")[2] != pytest.approx(before, abs=0.01)  # the face closes
 
 
+def test_rows_and_results_stay_together_beside_rows_that_are_left_out(write):
+    lines = CONTACT.splitlines()
+    source = write("\n".join([lines[0], lines[3], lines[4], lines[1], lines[3], lines[2]]))
+    report = predict(source, club="driver", only="Dr")
+    rows = rows_of(report.output)
+    assert [(row["player"], row["club_speed_mph"]) for row in rows] == [("A", "100"), ("B", "101")]
+    assert [line for line, _ in report.first_rejects] == [3]
+    with open(report.rejects, newline="") as file:
+        assert [(row["line"], row["club_speed_mph"]) for row in csv.DictReader(file)] == [("3", "99")]
+
+
+def test_a_monitors_rejected_rows_are_told_once_whatever_the_chunks(tmp_path):
+    said = {"club": "7-iron", "only": "7i", "assume": {"speed": "80 mph", "path": 0.0, "attack": 0.0}}
+    whole, parts = (predict(TRACKMAN, output=tmp_path / f"{rows}.csv", chunk_rows=rows, **said) for rows in (1000, 1))
+    assert (whole.written, whole.rejected) == (parts.written, parts.rejected) == (2, 3)
+    assert Path(whole.output).read_bytes() == Path(parts.output).read_bytes()
+    assert Path(whole.rejects).read_bytes() == Path(parts.rejects).read_bytes()
+
+
 def test_shots_of_another_club_are_refused_or_noted(shots, write):
     with pytest.raises(InputError, match="several clubs that were hit"):
         predict(shots, club="driver")

@@ -55,7 +55,7 @@ def test_a_turned_column_of_the_launch_is_told_if_everything_runs_against_it():
 
 
 def test_a_left_hander_is_the_mirror_image():
-    shots = some("7-iron")
+    shots = some("7-iron", 120)  # so many that the gear effect shows, which tells left from right
     mirrored = turned(shots, "path", "face", "azimuth", "sidespin", "spin_axis")
     left = replace(mirrored, hand=np.array(["left"] * len(shots), dtype=object))
     assert suspected_signs(left) == ()

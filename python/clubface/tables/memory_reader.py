@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from clubface.tables.headings import Column
 from clubface.tables.rows import Reject
+from clubface.tables.writer import cell_text
 
 
 class MemoryReader:
@@ -73,7 +74,7 @@ class MemoryChunk:
     def texts(self, rows: Sequence[int] | None) -> list[list[str]]:
         """Return the cells of some rows (None: all) as text."""
         which = range(len(self.lines)) if rows is None else rows
-        return [[_cell(column[row]) for column in self._columns] for row in which]
+        return [[cell_text(column[row]) for column in self._columns] for row in which]
 
     def written(self, rows: Sequence[int] | None, delimiter: str) -> list[str]:
         """Return some rows (None: all) as they would stand in a CSV file."""
@@ -93,9 +94,3 @@ class MemoryChunk:
 
         values = self._columns[place] if rows is None else self._columns[place][list(rows)]
         return pyarrow.array(values, from_pandas=True)  # NaN is null: nothing was measured
-
-
-def _cell(value: Any) -> str:
-    if isinstance(value, str):
-        return value
-    return "" if value != value else repr(float(value))
