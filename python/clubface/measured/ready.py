@@ -86,7 +86,7 @@ def ready_shots(
     recorded = given if isinstance(given, RecordedShots) else read(given)
     recorded, places = (recorded, np.arange(len(recorded))) if where is None else chosen_shots(recorded, where)
     takes_all = club is not None and only is None and mismatch == NOTE
-    of_club = np.arange(len(recorded)) if takes_all else of_one_club(recorded, only)
+    of_club = np.arange(len(recorded)) if takes_all else of_one_club(recorded, only, club is not None)
     recorded, places = recorded.select(of_club), places[of_club]
     head = club_of(recorded, club)
     if hand is not None:
@@ -98,8 +98,8 @@ def ready_shots(
     return ReadyShots(**{**told, "notes": tuple(dict.fromkeys((*found.notes, *notes)))}, club=head, places=places)
 
 
-def of_one_club(recorded: RecordedShots, only: str | None) -> NDArray[np.int64]:
-    """Return the places of the shots of the one club wanted."""
+def of_one_club(recorded: RecordedShots, only: str | None, club_is_given: bool) -> NDArray[np.int64]:
+    """Return the places of the shots of the one club wanted; an error says what to do where there are several."""
     if recorded.clubs is None:
         if only is not None:
             raise InputError("only", only, "leave it out: the shots name no club")
@@ -109,7 +109,8 @@ def of_one_club(recorded: RecordedShots, only: str | None) -> NDArray[np.int64]:
     if only is None:
         first = next(iter(counts), "")
         if not all(same_club(name, first) for name in counts):
-            raise InputError("only", None, f"give one of the several clubs that were hit: {listed}")
+            others = ', or mismatch="note" (--mismatch note) for all of them as one club' if club_is_given else ""
+            raise InputError("only", None, f"give one of the several clubs that were hit: {listed}{others}")
         return np.arange(len(recorded))
     chosen_names = [name for name in counts if same_club(name, only)]
     if not chosen_names:
