@@ -11,6 +11,7 @@ import typer
 
 from clubface.cli import options, output
 from clubface.cli.failures import say
+from clubface.cli.recorded import READING, read_shots
 from clubface.errors import FileError, InputError
 from clubface.units import from_si, parse
 
@@ -68,6 +69,7 @@ def listen(
     say(_kept(len(got), target))
 
 
+@options.takes(READING)
 def send(
     file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a table of clubface.")],
     port: Port = 921,
@@ -79,12 +81,12 @@ def send(
     timeout: Annotated[
         str, typer.Option("--timeout", metavar='"5 s"', help="How long to wait for each answer.")
     ] = "5 s",
+    **texts: Any,
 ) -> None:
     """Send the launches of a table to a simulator by GSPro Open Connect, as a launch monitor does."""
-    from clubface import launch_monitor
     from clubface.launch_monitor.open_connect import Sender
 
-    shots = launch_monitor.read(file)
+    shots = read_shots(file, texts | {"hand": None}, where=True)
     first, last = _range(which, len(shots))
     seconds = parse(pause, "time", name="pause")
     refused = sent = 0

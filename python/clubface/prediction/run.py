@@ -69,7 +69,9 @@ class Task:
         columns: Layout,
         results: Mapping[str, tuple[str, str]],
         provenance: Mapping[str, Any],
+        content: str = "",
     ) -> None:
+        self.content = content
         self.shot = shot
         self.provenance = provenance
         self.flight = flight
@@ -91,7 +93,7 @@ class Task:
             os.path.abspath(source), os.stat(source).st_size, output.suffix, self.columns, list(self.results.items()),
             shot["model"], dict(shot["parameters"].values), shot["parameters"].characteristic_time,
             shot["club"].inputs(), told_ball, shot["accuracy"], self.hand,
-            repr(flight.get("air")), repr(flight.get("wind")),
+            repr(flight.get("air")), repr(flight.get("wind")), self.content,
         ]  # fmt: skip
         return fingerprint(told)
 

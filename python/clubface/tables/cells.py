@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from clubface.equipment.described import HANDS
 from clubface.tables.headings import HAND, Column
+from clubface.tables.spelling import unit_symbol
+from clubface.units import from_si, to_si, unit
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -93,13 +95,25 @@ def parsed(cells: Sequence[str], column: Column, decimal_comma: bool) -> tuple[N
     for row, cell in enumerate(cells):
         text = cell.strip()
         try:
-            values[row] = hand_of(text) if is_hand else number(text, decimal_comma)
+            values[row] = hand_of(text) if is_hand else _in_unit(text, column.unit, decimal_comma)
             if not math.isfinite(values[row]):
                 reasons[row] = f"{column.heading}: {text!r} is not a finite number"
         except ValueError:
             told = f"{shortened(text)} is not {'right or left' if is_hand else 'a number'}"
             reasons[row] = f"{column.heading}: {told if text else 'the cell is empty'}"
     return values, reasons
+
+
+def _in_unit(text: str, symbol: str, decimal_comma: bool) -> float:
+    """Return the number of a cell, which may name a unit of its own, in the unit of its column; else ValueError."""
+    found = NUMBER.fullmatch(text)
+    if found is None or found["before"] or not found["rest"]:
+        return number(text, decimal_comma)
+    told = unit_symbol(found["rest"])
+    if told is None or unit(told).dimension != unit(symbol).dimension:
+        raise ValueError
+    value = number(found["number"], decimal_comma)
+    return value if told == symbol else from_si(to_si(value, told), symbol)
 
 
 def shortened(text: str) -> str:

@@ -129,6 +129,11 @@ class Layout(NamedTuple):
     notes: tuple[str, ...]
 
 
+POINTS = {"speed_at": ("cg", "face", "unknown"), "face_at": ("face", "contact", "unknown")}
+"""Columns that say where on the club its motion and its face angles were taken, and what they may say, first where
+models want them. They are there only where it is elsewhere."""
+
+
 def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabulary | None = None) -> Layout:
     """Find the quantities among ``headings``; a unit that does not fit or a repeated column is an error.
 
@@ -142,11 +147,11 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
     used: dict[str, Column] = {}
     passed, notes = [], []
     for place, heading in enumerate(named):
-        name, unit = _split(heading, words)
+        name, unit = split_heading(heading, words)
         quantity = words.names.get(name)
         if quantity is None:
             passed.append(heading)
-            near = _near(name, words.names)
+            near = None if name in POINTS else _near(name, words.names)
             if near is not None:
                 notes.append(f"the column {heading!r} is not used; did you mean {near}?")
             continue
@@ -175,7 +180,7 @@ def listed(headings: Sequence[str]) -> str:
     return "there are: " + ", ".join(shown) + (", ..." if len(headings) > 12 else "")
 
 
-def _split(heading: str, words: Vocabulary) -> tuple[str, str | None]:
+def split_heading(heading: str, words: Vocabulary) -> tuple[str, str | None]:
     """Return the name in lower case and the unit of a heading, known or not: ``club_speed_mph``, ``Speed [mph]``."""
     before, told = bracketed(heading)
     name = plain_name(before)

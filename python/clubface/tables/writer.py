@@ -140,11 +140,12 @@ def write_columns(columns: Mapping[str, Any], path: Path) -> None:
         with open_text(part, None) as file:
             out = csv.writer(file, delimiter="\t" if path.suffix.lower() == ".tsv" else ",", lineterminator="\n")
             out.writerow(columns)
-            out.writerows(zip(*(map(_cell, each) for each in columns.values()), strict=True))
+            out.writerows(zip(*(map(cell_text, each) for each in columns.values()), strict=True))
     os.replace(part, path)
 
 
-def _cell(value: Any) -> str:
+def cell_text(value: Any) -> str:
+    """Return a text or a number as a cell has it, NaN as an empty one."""
     if isinstance(value, str):
         return value
     return "" if math.isnan(value) else repr(float(value))
