@@ -25,7 +25,7 @@ class ClubfaceError(Exception):
 
 _LINE = 100
 """Characters of a file's, a caller's or another program's text that a message repeats at most, in one piece."""
-_LONGEST = 1600
+_LONGEST = 1000
 """Characters of a message; the longest of the project's own are lists of names."""
 
 

@@ -58,7 +58,9 @@ def complete_lines(path: Path) -> list[str]:
         return content.decode().split("\n")[:-1]
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
-        raise FileError(str(path), line, "this file is damaged: it is not UTF-8 text; remove it and start again") from None
+        raise FileError(
+            str(path), line, "this file is damaged: it is not UTF-8 text; remove it and start again"
+        ) from None
 
 
 def cut_incomplete_line(path: Path) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from clubface.equipment.described import HANDS
+from clubface.errors import shortened
 from clubface.tables.headings import HAND, Column
 
 if TYPE_CHECKING:
@@ -95,13 +96,13 @@ def parsed(cells: Sequence[str], column: Column, decimal_comma: bool) -> tuple[N
         try:
             values[row] = hand_of(text) if is_hand else number(text, decimal_comma)
             if not math.isfinite(values[row]):
-                reasons[row] = f"{column.heading}: {text!r} is not a finite number"
+                reasons[row] = f"{column.heading}: {quoted_cell(text)} is not a finite number"
         except ValueError:
-            told = f"{shortened(text)} is not {'right or left' if is_hand else 'a number'}"
+            told = f"{quoted_cell(text)} is not {'right or left' if is_hand else 'a number'}"
             reasons[row] = f"{column.heading}: {told if text else 'the cell is empty'}"
     return values, reasons
 
 
-def shortened(text: str) -> str:
+def quoted_cell(text: str) -> str:
     """Return a cell as an error shows it."""
-    return repr(text if len(text) <= 40 else text[:37] + "...")
+    return repr(shortened(text, 40))
