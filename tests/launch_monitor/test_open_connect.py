@@ -288,16 +288,17 @@ def test_the_monitor_that_was_silent_longest_makes_room_and_one_that_speaks_stay
     monkeypatch.setattr(open_connect.listener, "SILENT", 0.3)
     monkeypatch.setattr(open_connect.listener, "MOST_CLIENTS", 2)
     with listening() as (listener, heard, told), Sender(listener.port) as quiet, Sender(listener.port) as busy:
-        quiet.heartbeat()
-        wait_for(lambda: len(heard) == 1)
+        for each in (quiet, busy):
+            each.heartbeat()
+        wait_for(lambda: len(heard) == 2)
         time.sleep(0.4)  # longer than SILENT; monitors that have spoken are not closed for it alone
         busy.heartbeat()
-        wait_for(lambda: len(heard) == 2)
+        wait_for(lambda: len(heard) == 3)
         with Sender(listener.port) as third:
             third.heartbeat()
-            wait_for(lambda: len(heard) == 3)
+            wait_for(lambda: len(heard) == 4)
         busy.heartbeat()
-        wait_for(lambda: len(heard) == 4)
+        wait_for(lambda: len(heard) == 5)
         assert sum("makes room" in each for each in told) == 1
         with pytest.raises(LinkError):
             quiet.send({"ball_speed": 70.0, "launch": 0.2, "backspin": 250.0, "sidespin": 0.0})
