@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from clubface.errors import FileError, shortened
+from clubface.errors import FileError, in_a_line, shortened
 from clubface.fem.heads.mesh_lines import check_lines
 from clubface.support.apart import Apart, ApartError
 
@@ -56,7 +56,9 @@ def read_mesh(path: str) -> Mesh:
         found = LIBRARY.call("contents", os.path.abspath(path), memory=MEMORY * size, seconds=size / SPEED)
     except ApartError as error:
         raise FileError(path, None, f"this mesh cannot be read: {shortened(str(error), 200)}") from None
-    sys.stderr.write(found.pop("notes"))
+    notes = found.pop("notes")
+    if notes.strip():
+        print(in_a_line(f"{path}: {shortened(' '.join(notes.split()), 200)}"), file=sys.stderr)
     return Mesh(**found)
 
 
