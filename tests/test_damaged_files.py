@@ -17,6 +17,7 @@ from clubface.identification.checkpoint import Checkpoint
 from clubface.identification.simulator import Effort
 from clubface.recorded.file import read_shots
 from clubface.support.strict_toml import MOST_PARTS, Document
+from clubface.tables.cells import NUMBER
 from fem_meshes import HEAD, write_mesh
 
 MEMORY = 60_000_000
@@ -92,6 +93,13 @@ COLUMNS = "club_speed_mph,ball_speed_mph\n"
 def test_a_row_that_no_table_has_is_named_by_its_line(write, read, text, line, words):
     path = write(text, "shots.csv")
     refused(lambda: read(path), f"shots.csv:{line}: the row that begins here", words)
+
+
+@pytest.mark.parametrize("cell", ["-" + "," * 100_000 + "1", "1" + " " * 100_000 + "1", "L" + " " * 100_000 + "x"])
+def test_a_long_cell_that_is_nearly_a_number_is_looked_at_once(cell):
+    began = time.monotonic()
+    assert NUMBER.fullmatch(cell) is None
+    assert time.monotonic() - began < PATIENCE
 
 
 def test_a_reject_repeats_no_more_than_a_few_cells(write):

@@ -16,8 +16,11 @@ if TYPE_CHECKING:
 
 MISSING = frozenset({"", "-", "--", "---", "–", "—", "n/a", "na", "nan", "null", "none"})
 """Cells that say that nothing was measured, in lower case."""
-NUMBER = re.compile(r"(?:(?P<before>[LR])\s*)?(?P<number>[-+]?[\d.,]+(?:e[-+]?\d+)?)\s*(?P<rest>\D*)", re.IGNORECASE)
-"""A number, which a side may precede or follow, and a unit follow."""
+NUMBER = re.compile(
+    r"(?:(?P<before>[LR])\s*+)?(?P<number>[-+]?[\d.,]++(?:e[-+]?\d++)?)\s*+(?P<rest>\D*+)", re.IGNORECASE
+)
+"""A number, which a side may precede or follow, and a unit follow. It gives nothing back (``++``): a cell of 40,000
+commas and a digit would be tried in a billion ways."""
 THOUSANDS = {
     ",": re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?"),
     ".": re.compile(r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?"),
