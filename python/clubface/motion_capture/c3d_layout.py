@@ -57,7 +57,7 @@ def check_layout(path: str | os.PathLike[str]) -> Layout:
     """Return what a C3D file says it holds; one that is empty, cut short or damaged is a :class:`FileError`."""
     name = os.fspath(path)
     if os.path.exists(name) and not os.path.isfile(name):
-        raise FileError(name, None, "this is not a file")
+        raise FileError(name, None, "cannot be read: this is not a file")
     try:
         content = Path(name).read_bytes()
     except (OSError, ValueError) as error:
