@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage fuzz clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -111,6 +111,11 @@ mutants: dev ## errors planted in a sample of the package and the core: how many
 
 capture-coverage: dev ## errors and coverage of motion capture on 200 and 400 synthetic swings; some minutes
 	$(PYTHON) -m pytest -q -m study tests/motion_capture/test_study.py
+
+COUNT ?= 1000000
+SEED ?= 0
+fuzz: dev ## damaged files for every reader (COUNT=1000000, a night; SEED=0); findings in out/fuzz
+	$(PYTHON) tests/fuzz/fuzz.py --count $(COUNT) --seed $(SEED)
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks

@@ -6,7 +6,7 @@ import math
 import socket
 import threading
 import time
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 
 import pytest
 from hypothesis import given, settings, strategies as st
@@ -307,6 +307,38 @@ def test_the_iteration_ends_when_nothing_comes_and_a_monitor_too_many_is_turned_
         assert second.recv(10) == b""
     assert "turned away" in told[-1]
     assert list(listener.messages()) == []
+
+
+def test_connections_that_say_nothing_do_not_lock_out_a_monitor(monkeypatch):
+    monkeypatch.setattr(open_connect.listener, "SILENT", 0.3)
+    with listening() as (listener, heard, told), ExitStack() as idle:
+        connections = [idle.enter_context(raw(listener.port))[0] for _ in range(open_connect.listener.MOST_CLIENTS)]
+        wait_for(lambda: len(told) == len(connections))
+        wait_for(lambda: sum("silent for too long" in each for each in told) == len(connections))
+        assert all(connection.recv(10) == b"" for connection in connections)
+        with Sender(listener.port) as ninth:
+            assert ninth.send({"ball_speed": 70.0, "launch": 0.2, "backspin": 250.0, "sidespin": 0.0}).was_taken
+    assert len(heard) == 1
+
+
+def test_the_monitor_that_was_silent_longest_makes_room_and_one_that_speaks_stays(monkeypatch):
+    monkeypatch.setattr(open_connect.listener, "SILENT", 0.3)
+    monkeypatch.setattr(open_connect.listener, "MOST_CLIENTS", 2)
+    with listening() as (listener, heard, told), Sender(listener.port) as quiet, Sender(listener.port) as busy:
+        for each in (quiet, busy):
+            each.heartbeat()
+        wait_for(lambda: len(heard) == 2)
+        time.sleep(0.4)  # longer than SILENT; monitors that have spoken are not closed for it alone
+        busy.heartbeat()
+        wait_for(lambda: len(heard) == 3)
+        with Sender(listener.port) as third:
+            third.heartbeat()
+            wait_for(lambda: len(heard) == 4)
+        busy.heartbeat()
+        wait_for(lambda: len(heard) == 5)
+        assert sum("makes room" in each for each in told) == 1
+        with pytest.raises(LinkError):
+            quiet.send({"ball_speed": 70.0, "launch": 0.2, "backspin": 250.0, "sidespin": 0.0})
 
 
 def test_a_port_that_is_taken_or_nobody_listens_on_is_told():

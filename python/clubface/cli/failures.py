@@ -8,7 +8,7 @@ import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from clubface.errors import ClubfaceError, InputError, RuleWarning, UnknownNameError
+from clubface.errors import ClubfaceError, InputError, RuleWarning, UnknownNameError, in_a_line
 
 EXTRAS = {
     "typer": "cli",
@@ -34,8 +34,8 @@ class ReaderGone(BaseException):
 
 
 def say(message: str) -> None:
-    """Write one message on the error stream."""
-    print(f"clubface: {message}", file=sys.stderr)
+    """Write one message on the error stream, on one line."""
+    print(f"clubface: {in_a_line(message)}", file=sys.stderr)
 
 
 def say_written(files: Sequence[object]) -> None:

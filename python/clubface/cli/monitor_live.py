@@ -129,9 +129,13 @@ def _range(text: str | None, count: int) -> tuple[int, int]:
     if text is None:
         return 1, count
     first, _, last = text.partition(":")
-    if first.isdigit() and (last or first).isdigit() and 1 <= int(first) <= int(last or first) <= count:
+    if _is_place(first) and _is_place(last or first) and 1 <= int(first) <= int(last or first) <= count:
         return int(first), int(last or first)
     raise InputError("--shot", text, f"a number or FIRST:LAST, from 1 to {count}")
+
+
+def _is_place(text: str) -> bool:
+    return text.isdecimal() and len(text) < 10
 
 
 def _row(columns: Any, row: int) -> dict[str, float]:

@@ -98,17 +98,18 @@ def infer_shots(
     part = unfinished(target)
     content = [shots.source, shots.rows, shots.launches, repr(sorted(options.items()))]
     journal = Journal(unfinished(target, ".json"), fingerprint(content), others=OTHERS)
+    headings = ["row", *_headings(wanted, options["prior"].names), "effective", REMARK]
     done = 0
     if resume and part.exists() and journal.read(lambda state: state) is not None:
         cut_incomplete_line(part)
-        done = max(0, len(complete_lines(part)) - 1)
+        done = max(0, _finished(part, headings) - 1)
     try:
         if not done:
             journal.write({})
         with part.open("a" if done else "w", newline="", encoding="utf-8") as file:
             out = csv.writer(file, lineterminator="\n")
             if not done:
-                out.writerow(["row", *_headings(wanted, options["prior"].names), "effective", REMARK])
+                out.writerow(headings)
             for place in range(done, len(shots)):
                 out.writerow(_row(shots, place, wanted, options))
                 file.flush()
@@ -125,6 +126,19 @@ def infer_shots(
         rows = list(csv.DictReader(file))
     without = sum(not row["effective"] for row in rows)
     return InferReport(str(target), len(rows), done, without, sum(bool(row[REMARK]) for row in rows) - without)
+
+
+def _finished(part: Path, headings: list[str]) -> int:
+    """Return the number of rows in an unfinished file, the headings among them; refuse a damaged one."""
+    lines = complete_lines(part)
+    for number, line in enumerate(lines, 1):
+        try:
+            (cells,) = csv.reader([line], strict=True)
+        except (csv.Error, ValueError):
+            cells = []
+        if len(cells) != len(headings) or (number == 1 and cells != headings):
+            raise FileError(str(part), number, "this is no row of the table; start again without --resume")
+    return len(lines)
 
 
 def _headings(wanted: list[str], names: Iterable[str]) -> list[str]:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from clubface.equipment.described import HANDS
-from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.errors import FileError, InputError, UnknownNameError, shortened
 from clubface.launch_monitor.cells import FACE_TO_PATH
 from clubface.launch_monitor.detection import OWN, asked_for, detected, others
 from clubface.launch_monitor.formats import POINTS, Format
@@ -34,6 +34,8 @@ from clubface.units import unit
 
 HEAD_ROWS = 30
 """Rows among which the header must be."""
+TOLD = 10
+"""Different values of a column that a note counts."""
 
 
 def read(
@@ -223,9 +225,11 @@ def _notes(session: Session, layout: Format, other_encoding: bool) -> Iterator[s
         told = ", ".join(f"{name} in {symbol}" for name, symbol in session.assumed.items())
         yield f"the file does not name these units, which were assumed: {told}"
     if session.unused:
-        yield f"not used, since what is in brackets is no unit: {', '.join(session.unused)}"
+        unused = ", ".join(shortened(each, 40) for each in islice(session.unused, TOLD))
+        yield f"not used, since what is in brackets is no unit: {unused}"
     for name, counts in session.told.items():
-        yield f"{name}: " + ", ".join(f"{count} {value}" for value, count in counts.items())
+        shown = [f"{count} {shortened(value, 40)}" for value, count in islice(counts.items(), TOLD)]
+        yield f"{shortened(name, 40)}: {', '.join(shown)}" + ", ..." * (len(counts) > TOLD)
     if session.summaries:
         yield f"rows of averages and deviations that were passed over: {session.summaries}"
     if session.without_club:

@@ -13,7 +13,7 @@ from clubface.launch_monitor.formats import Format
 from clubface.recorded.possible import can_be
 from clubface.recorded.shots import RejectedRow
 from clubface.simulation.quantities import inputs
-from clubface.tables.cells import hand_of, shortened
+from clubface.tables.cells import hand_of, quoted_cell
 from clubface.tables.csv_rows import Row
 from clubface.tables.rows import Reject
 from clubface.tables.spelling import plain
@@ -180,7 +180,7 @@ class SessionReader:
             try:
                 hand = hand_of(cells[columns.hand])
             except ValueError:
-                told = f"{self._header[columns.hand].strip()}: {cells[columns.hand].strip()!r}"
+                told = f"{self._header[columns.hand].strip()}: {quoted_cell(cells[columns.hand].strip())}"
                 raise CellError(f"{told} is not a hand") from None
         values: dict[str, float] = {}
         for quantity, used in columns.used.items():
@@ -193,7 +193,7 @@ class SessionReader:
                 if not isclose(value, found[0][1], rel_tol=SAME):
                     first, second = (cells[which.place].strip() for which in (found[0][0], each))
                     message = f"{each.heading}: the columns {found[0][0].place + 1} and {each.place + 1} differ"
-                    raise CellError(f"{message}: {first!r} and {second!r}")
+                    raise CellError(f"{message}: {quoted_cell(first)} and {quoted_cell(second)}")
             values[quantity] = found[0][1]
         club = next((cells[place].strip() for place in columns.club if cells[place].strip()), "")
         return Shot(line, self._checked(values), club, hand)
@@ -222,7 +222,7 @@ class SessionReader:
         try:
             found = reading(cell, column.quantity, self._decimal_comma)
         except CellError as error:
-            raise CellError(f"{column.heading}: {shortened(cell.strip())} is {error}") from None
+            raise CellError(f"{column.heading}: {quoted_cell(cell.strip())} is {error}") from None
         if found is None:
             return None
         side = found.side or column.side
@@ -234,5 +234,6 @@ class SessionReader:
         if found.unit is None:
             return to_si(value, column.unit)
         if unit(found.unit).dimension != unit(column.unit).dimension:
-            raise CellError(f"{column.heading}: {shortened(cell.strip())} is not in {column.unit} or another such unit")
+            told = f"{quoted_cell(cell.strip())} is not in {column.unit} or another such unit"
+            raise CellError(f"{column.heading}: {told}")
         return to_si(value, found.unit)

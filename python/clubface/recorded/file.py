@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import FileError
+from clubface.errors import FileError, shortened
 from clubface.recorded.possible import without_impossible
 from clubface.recorded.shots import SIDES, RecordedShots, RejectedRow
 from clubface.simulation.quantities import inputs
@@ -115,10 +115,9 @@ class _Columns:
         """Take where club data was taken, which must be the same for all shots."""
         told |= {self._taken[name]} if name in self._taken else set()
         if len(told) > 1 or not told <= set(POINTS[name]):
+            held = ", ".join(shortened(each, 40) for each in sorted(told)[:SHOWN])
             allowed = f"one of {', '.join(POINTS[name])}, the same for all shots"
-            raise FileError(
-                path, None, f"the column {name!r} holds {', '.join(sorted(told))}; it must be {allowed}", name
-            )
+            raise FileError(path, None, f"the column {name!r} holds {held}; it must be {allowed}", name)
         if told:
             self._taken[name] = told.pop()
 

@@ -90,4 +90,4 @@ REDUCED = ReducedCore()
 
 def backend_of(model: str) -> Backend:
     """Return what computes a model; of an unknown one, its parameters say that there is none."""
-    return import_module(MODULES[model]).BACKEND if model in MODULES else REDUCED
+    return import_module(MODULES[model]).BACKEND if isinstance(model, str) and model in MODULES else REDUCED

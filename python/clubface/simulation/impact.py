@@ -159,7 +159,7 @@ def model_names(model: ModelNames) -> tuple[str, ...]:
         names = tuple(model)
     except TypeError:
         names = ()
-    if not names:
+    if not names or not all(isinstance(each, str) for each in names):
         raise InputError("model", model, '"all" or at least one of ' + ", ".join(models()))
     return names
 

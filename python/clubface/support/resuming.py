@@ -13,6 +13,8 @@ from typing import Any
 from clubface.errors import FileError
 from clubface.support.plain_json import plain
 
+LARGEST = 64_000_000
+"""Bytes of a file in which work is recorded."""
 UNREADABLE = "this file cannot be read; start again without resuming"
 OTHERS = "this file was begun from another file or with other settings; start again without resuming"
 
@@ -33,12 +35,32 @@ def once(path: Path, compute: Callable[[], Any]) -> Any:
     """Return what a JSON file holds, computed and written there if it is not."""
     if not path.exists():
         write_whole(path, json.dumps(plain(compute()), allow_nan=False))
-    return json.loads(path.read_text(encoding="utf-8"))
+    try:
+        return _read_json(path)
+    except (OSError, ValueError):
+        raise FileError(str(path), None, "this file cannot be read; remove it, and it is computed again") from None
+
+
+def _read_json(path: Path) -> Any:
+    """Return what a JSON file holds; a ``ValueError`` where it is damaged, however deep or long it has become."""
+    if path.stat().st_size > LARGEST:
+        raise ValueError
+    try:
+        return json.loads(path.read_bytes())
+    except RecursionError:
+        raise ValueError from None
 
 
 def complete_lines(path: Path) -> list[str]:
     """Return the whole lines of a text file; a run that was cut off may have ended within one more."""
-    return path.read_bytes().decode().split("\n")[:-1]
+    content = path.read_bytes()
+    try:
+        return content.decode().split("\n")[:-1]
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise FileError(
+            str(path), line, "this file is damaged: it is not UTF-8 text; remove it and start again"
+        ) from None
 
 
 def cut_incomplete_line(path: Path) -> None:
@@ -65,8 +87,12 @@ def _told(value: Any) -> Any:
     return str(value)
 
 
+def _sum(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
 class Journal:
-    """How far some work has come, in a JSON file beside what it makes.
+    """How far some work has come, in a JSON file beside what it makes; a sum over it tells a damaged one.
 
     Parameters
     ----------
@@ -86,7 +112,8 @@ class Journal:
 
     def write(self, state: Mapping[str, Any]) -> None:
         """Record ``state``, whole or not at all."""
-        write_whole(self.path, json.dumps({"settings": self.settings, **state}))
+        text = json.dumps({"settings": self.settings, **state})
+        write_whole(self.path, f'{{"sum": "{_sum(text)}", {text[1:]}')
 
     def read(self, check: Callable[[Any], Any], *, resume: bool = True) -> Any:
         """Return ``check`` of what was recorded, None where nothing was; refuse what is no journal or of other work.
@@ -95,11 +122,13 @@ class Journal:
         more than that which is looked at.
         """
         try:
-            state = json.loads(self.path.read_text(encoding="utf-8"))
+            state = _read_json(self.path)
+            if state.pop("sum") != _sum(json.dumps(state)):
+                raise ValueError
             begun, found = state["settings"], check(state)
         except FileNotFoundError:
             return None
-        except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        except (OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError):
             raise FileError(str(self.path), None, self._unreadable) from None
         if not resume:
             return None

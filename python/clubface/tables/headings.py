@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from functools import cache
 from typing import NamedTuple
 
 from clubface import units
-from clubface.errors import FileError
+from clubface.errors import FileError, shortened
 from clubface.simulation.quantities import flight_outputs, input_dimensions, inputs, outputs
 from clubface.tables.spelling import bracketed, plain, unit_of_column
 
@@ -141,9 +142,9 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
     """
     words = words or delivery_words()
     named = tuple(heading.strip() or f"column_{place + 1}" for place, heading in enumerate(headings))
-    for place, heading in enumerate(named):
-        if heading in named[:place]:
-            raise FileError(path, line, f"the column {heading!r} is there twice", heading)
+    if len(set(named)) < len(named):
+        heading = next(each for each, count in Counter(named).items() if count > 1)
+        raise FileError(path, line, f"the column {heading!r} is there twice", heading)
     used: dict[str, Column] = {}
     passed, notes = [], []
     for place, heading in enumerate(named):
@@ -153,7 +154,7 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
             passed.append(heading)
             near = None if name in POINTS else _near(name, words.names)
             if near is not None:
-                notes.append(f"the column {heading!r} is not used; did you mean {near}?")
+                notes.append(f"the column {shortened(heading, 80)!r} is not used; did you mean {near}?")
             continue
         if quantity in used:
             message = f"the columns {used[quantity].heading!r} and {heading!r} both give the {quantity}"
@@ -162,7 +163,7 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
         if unit is not None:
             symbol = unit_of_column(unit, dimension, heading, (path, line))
         elif (symbol := units.SI_UNITS[dimension]) != "1":
-            notes.append(f"the column {heading!r} names no unit and is taken in {symbol}")
+            notes.append(f"the column {shortened(heading, 80)!r} names no unit and is taken in {symbol}")
         used[quantity] = Column(place, heading, quantity, symbol)
     return Layout(named, tuple(used.values()), tuple(passed), tuple(notes))
 
@@ -176,7 +177,8 @@ def require_speed(found: Layout, path: str, line: int | None) -> None:
 
 def listed(headings: Sequence[str]) -> str:
     """Name the columns there are, the first dozen of them; what no terminal should be sent becomes a question mark."""
-    shown = ["".join(each if each.isprintable() else "?" for each in heading) for heading in headings[:12]]
+    first = [shortened(heading, 40) for heading in headings[:12]]
+    shown = ["".join(each if each.isprintable() else "?" for each in heading) for heading in first]
     return "there are: " + ", ".join(shown) + (", ..." if len(headings) > 12 else "")
 
 
