@@ -147,8 +147,8 @@ class Posterior:
         if self.surprise < SURPRISING:
             told = f"expects {self.expected}" if self.expected else "hardly ever makes these values together"
             found.append(
-                f"what was measured contradicts the prior ({self.prior.name}), which by {self.model} {told}; check units"
-                " and club, or give a prior that suits the golfer"
+                f"what was measured contradicts the prior ({self.prior.name}), which by {self.model} {told}; check"
+                " units and club, or give a prior that suits the golfer"
             )
         mean = self.mean
         far = []

@@ -114,8 +114,8 @@ class Sheet:
     def _beside(self, base: Floats) -> tuple[Floats, list[list[Floats]]]:
         """Return the places of the sheet beside ``base``, shape (n, sharp), and the factor of the curvature there.
 
-        The latter is that of minus the logarithm of the posterior, its lower factor by rows. Where the place at which a step begins is
-        impossible, nothing is known of the sheet, and that of the peak stands for it.
+        The latter is that of minus the logarithm of the posterior, its lower factor by rows. Where the place at which a
+        step begins is impossible, nothing is known of the sheet, and that of the peak stands for it.
         """
         start = np.tile(self._centre_across, (len(base), 1))
         off = self._residuals(base + start @ self._across)

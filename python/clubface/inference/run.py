@@ -15,12 +15,11 @@ from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
 from clubface.errors import InputError, RangeWarning
 from clubface.evaluation.noise import MONITOR, standard_deviations
+from clubface.inference.drawing import drawn
 from clubface.inference.expectation import Expectation, unreachable
-from clubface.inference.importance import Sample, attempt, sample, standard_normal, standard_t
 from clubface.inference.observation import Observer
 from clubface.inference.posterior import Posterior
 from clubface.inference.prior import Prior, prior_of
-from clubface.inference.ridge import Peak, Residuals, Sheet, Slopes, peak
 from clubface.launch_monitor.formats import CG, FACE
 from clubface.measured.shots import QUANTITIES
 from clubface.simulation.delivery import DIMENSIONS
@@ -47,8 +46,6 @@ FEWEST_AT_ALL = 50
 FARTHEST = 15.0
 """Standard deviations by which a shot misses the prior from where on it is refused: no normal distribution of
 deliveries means anything there, and the usual cause is another unit or club."""
-MOST_CENTRES = 4
-"""Places from which a posterior is sampled without adaptation, before its proposals are adapted."""
 _POLAR = {"total_spin": "angular rate", "spin_axis": "angle"}
 _DIMENSIONS = {name: units.unit(unit).dimension for name, unit in QUANTITIES.items()}
 
@@ -113,7 +110,7 @@ def infer(
         delivery_noise=delivery_noise, samples=samples, seed=seed, accuracy=accuracy, threads=threads,
     )  # fmt: skip
     found = prepared.of(launch, delivery, progress=progress)
-    warn_if_outside((prepared.struck(found.mean),))
+    warn_if_outside((prepared.struck({**found.known, **found.mean}),))
     return found
 
 
@@ -163,7 +160,7 @@ class Inference:
         *,
         progress: Callable[[float], object] | None = None,
     ) -> Posterior:
-        """Return the posterior of one shot, as :func:`infer` does, but without a warning for what is outside a range."""
+        """Return the posterior of one shot, as :func:`infer` does, but warn of nothing that is outside a range."""
         measured, club_data = _measured(launch), _measured_club(delivery or {})
         known = {name: value for name, value in club_data.items() if name not in self.prior.names}
         club_data = {name: value for name, value in club_data.items() if name not in known}
@@ -182,19 +179,20 @@ class Inference:
             return (values - target) / scale, table / scale[:, None]
 
         self._observer.impacts = 0
-        top = peak(residuals, slopes, np.zeros(len(self.prior.names)))
         try:
-            drawn = self._sampled(residuals, slopes, top, progress)
+            found, misfit = drawn(
+                residuals, slopes, len(self.prior.names), size=self._samples, seed=self._seed, progress=progress
+            )
         except FloatingPointError:
             advice = f"one whose deliveries {self.club.name} and {self.model} can compute"
             raise InputError("prior", self.prior.name, advice) from None
         impacts = self._observer.impacts
         expected = self._expectation(seen, names + club_names, scale, known)
-        if drawn.effective < FEWEST_AT_ALL or (top is not None and top.misfit > FARTHEST**2):
+        if found.effective < FEWEST_AT_ALL or misfit > FARTHEST**2:
             who = f"the prior ({self.prior.name}), which by {self.model}"
             raise unreachable({**measured, **club_data}, expected, who)
-        deliveries = self.prior.deliveries(drawn.points)
-        again = seen(drawn.points).mean(axis=0).tolist()
+        deliveries = self.prior.deliveries(found.points)
+        again = seen(found.points).mean(axis=0).tolist()
         noises = dict(zip((*names, *club_names), scale.tolist(), strict=True))
         middle = self.struck({**known, **{name: float(values.mean()) for name, values in deliveries.items()}})
         return Posterior(
@@ -207,7 +205,7 @@ class Inference:
             club=self.club,
             model=self.model,
             parameters=self.parameters,
-            sample=drawn._replace(evaluations=impacts),
+            sample=found._replace(evaluations=impacts),
             surprise=expected.surprise(target),
             expected=expected.told(expected.far(target)),
             reproduced=dict(zip((*names, *club_names), again, strict=True)),
@@ -222,46 +220,6 @@ class Inference:
                 self.club, delivery, model=self.model, parameters=self.parameters, ball=self._ball,
                 accuracy=self._accuracy, threads=self._threads, on_error="nan",
             )  # fmt: skip
-
-    def _sampled(
-        self, residuals: Residuals, slopes: Slopes, top: Peak | None, progress: Callable[[float], object] | None
-    ) -> Sample:
-        """Sample in coordinates that bend with the posterior; where no peak was found, from the prior on.
-
-        The peak may stand in a corner, off the bulk of the posterior. Then the coordinates begin in the bulk.
-        """
-        size = len(self.prior.names)
-        before, after = standard_normal(size), standard_t(size)
-        options: dict[str, Any] = {"size": self._samples, "seed": self._seed}
-
-        def density(points: Floats) -> Floats:
-            return before.log_density(points) - 0.5 * np.sum(residuals(points) ** 2, axis=1)
-
-        def bent(sheet: Sheet) -> Callable[[Floats], Floats]:
-            def of(coordinates: Floats) -> Floats:
-                points, log_volume = sheet.points(coordinates)
-                return density(points) + log_volume
-
-            return of
-
-        best, chosen = None, None
-        for _ in range(MOST_CENTRES if top is not None else 0):
-            sheet = Sheet(top, residuals)
-            found = attempt(bent(sheet), after, **options)
-            found = found._replace(points=sheet.points(found.points)[0])
-            if best is None or found.effective > best.effective:
-                best, chosen = found, sheet
-            if best.effective >= 2 * self._samples:
-                return best
-            middle = found.points.mean(axis=0)
-            off, table = slopes(middle)
-            if not (np.isfinite(off).all() and np.isfinite(table).all()):
-                break
-            top = Peak(middle, table, math.nan)
-        if chosen is None:
-            return sample(density, before, **options, progress=progress)
-        found = sample(bent(chosen), after, **options, progress=progress)
-        return found._replace(points=chosen.points(found.points)[0])
 
     def _scale(self, names: tuple[str, ...], club_names: tuple[str, ...]) -> Floats:
         for what, given, noises in (
