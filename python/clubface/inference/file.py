@@ -31,6 +31,8 @@ class InferReport(NamedTuple):
         Number of rows without a delivery; their remark says why.
     warned
         Number of rows with a delivery and a warning.
+    used
+        The quantities of the delivery that were measured and counted, too.
     """
 
     output: str
@@ -38,6 +40,7 @@ class InferReport(NamedTuple):
     resumed: int
     without: int
     warned: int
+    used: tuple[str, ...]
 
 
 def infer_shots(
@@ -109,4 +112,5 @@ def infer_shots(
     with target.open(newline="", encoding="utf-8") as file:
         written = list(csv.DictReader(file))
     without = sum(not row["effective"] for row in written)
-    return InferReport(str(target), len(written), done, without, sum(bool(row[REMARK]) for row in written) - without)
+    warned = sum(bool(row[REMARK]) for row in written) - without
+    return InferReport(str(target), len(written), done, without, warned, tuple(rows.club))
