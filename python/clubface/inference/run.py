@@ -18,7 +18,7 @@ from clubface.evaluation.noise import MONITOR, standard_deviations
 from clubface.inference.drawing import drawn
 from clubface.inference.expectation import Expectation, unreachable
 from clubface.inference.observation import Observer
-from clubface.inference.posterior import Posterior
+from clubface.inference.posterior import FEWEST_EFFECTIVE, Posterior
 from clubface.inference.prior import Prior, prior_of
 from clubface.launch_monitor.formats import CG, FACE
 from clubface.measured.shots import QUANTITIES
@@ -46,6 +46,8 @@ FEWEST_AT_ALL = 50
 FARTHEST = 15.0
 """Standard deviations by which a shot misses the prior from where on it is refused: no normal distribution of
 deliveries means anything there, and the usual cause is another unit or club."""
+RETRIED = 5
+"""How many times as many draws are tried where a sample becomes too small."""
 _POLAR = {"total_spin": "angular rate", "spin_axis": "angle"}
 _DIMENSIONS = {name: units.unit(unit).dimension for name, unit in QUANTITIES.items()}
 
@@ -180,9 +182,11 @@ class Inference:
 
         self._observer.impacts = 0
         try:
-            found, misfit = drawn(
-                residuals, slopes, len(self.prior.names), size=self._samples, seed=self._seed, progress=progress
-            )
+            options: dict[str, Any] = {"seed": self._seed, "progress": progress}
+            found, misfit = drawn(residuals, slopes, len(self.prior.names), size=self._samples, **options)
+            if found.effective < min(FEWEST_EFFECTIVE, self._samples):  # of few draws, proposals are made badly
+                again, _ = drawn(residuals, slopes, len(self.prior.names), size=RETRIED * self._samples, **options)
+                found = again._replace(points=again.points[: self._samples])
         except FloatingPointError:
             advice = f"one whose deliveries {self.club.name} and {self.model} can compute"
             raise InputError("prior", self.prior.name, advice) from None
@@ -192,7 +196,7 @@ class Inference:
             who = f"the prior ({self.prior.name}), which by {self.model}"
             raise unreachable({**measured, **club_data}, expected, who)
         deliveries = self.prior.deliveries(found.points)
-        again = seen(found.points).mean(axis=0).tolist()
+        reproduced = seen(found.points).mean(axis=0).tolist()
         noises = dict(zip((*names, *club_names), scale.tolist(), strict=True))
         middle = self.struck({**known, **{name: float(values.mean()) for name, values in deliveries.items()}})
         return Posterior(
@@ -208,7 +212,7 @@ class Inference:
             sample=found._replace(evaluations=impacts),
             surprise=expected.surprise(target),
             expected=expected.told(expected.far(target)),
-            reproduced=dict(zip((*names, *club_names), again, strict=True)),
+            reproduced=dict(zip((*names, *club_names), reproduced, strict=True)),
             seed=self._seed,
             outside=Tally().add_all((middle,)).remark(),
         )
