@@ -9,6 +9,7 @@ import typer
 
 from clubface.cli import given, options, output
 from clubface.cli.monitor_live import listen, send
+from clubface.cli.monitor_report import report
 from clubface.cli.tables import print_numbers, print_words
 from clubface.errors import InputError
 from clubface.units import display_unit, from_si
@@ -21,6 +22,7 @@ app = typer.Typer(
 )
 app.command("listen")(listen)
 app.command("send")(send)
+app.command("report")(report)
 
 
 @app.command("read")
