@@ -47,16 +47,21 @@ def _draw_shots(axes: Axes, of: ClubFigures) -> None:
         axes.set_ylabel("carry (yd)")
         axes.set_title("Where your shots land")
     else:
-        across = units.from_si(columns.get("azimuth", np.full(len(of.shots), np.nan)), "deg")
-        along = units.from_si(columns["ball_speed"], "mph") if "ball_speed" in columns else np.arange(len(of.shots))
+        nothing = np.full(len(of.shots), np.nan)
+        across = units.from_si(columns.get("azimuth", nothing), "deg")
+        along = units.from_si(columns.get("ball_speed", nothing), "mph")
         axes.set_xlabel("left - start direction (deg) - right")
-        axes.set_ylabel("ball speed (mph)" if "ball_speed" in columns else "shot")
+        axes.set_ylabel("ball speed (mph)")
         axes.set_title("How your shots start")
+    known = np.isfinite(across) & np.isfinite(along)
+    if not known.any():
+        axes.text(0.5, 0.5, "no direction was measured", transform=axes.transAxes, ha="center", va="center")
+        return
+    across, along = across[known], along[known]
     axes.plot(across, along, "o", color=COLOURS[0], alpha=0.7)
-    axes.plot(np.nanmean(across) if np.isfinite(across).any() else [], np.nanmean(along), "+", color="black",
-              markersize=14, markeredgewidth=1.6)  # fmt: skip
+    axes.plot(across.mean(), along.mean(), "+", color="black", markersize=14, markeredgewidth=1.6)
     axes.axvline(0.0, color="0.5", linewidth=0.8)
-    widest = max(float(np.nanmax(np.abs(across))) if np.isfinite(across).any() else 1.0, 1.0)
+    widest = max(float(np.abs(across).max()), 1.0)
     axes.set_xlim(-1.15 * widest, 1.15 * widest)
 
 

@@ -123,7 +123,8 @@ def line(of: ClubFigures) -> Iterator[str]:
             f" by {swung:.1f}°."
         )
     apart = face - path
-    if abs(math.degrees(apart)) >= SMALL["deg"]:
+    known_to = 0.0 if not guessed or of.inferred is None else 2.0 * max(of.inferred.doubt[name] for name in angles)
+    if abs(apart) > known_to and abs(math.degrees(apart)) >= SMALL["deg"]:
         side = "right" if apart > 0.0 else "left"
         yield (
             f"The face looks {amount(abs(apart), 'face')} further {side} than the club moves, which bends a ball"
