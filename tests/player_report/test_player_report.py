@@ -114,7 +114,7 @@ def test_what_is_not_known_is_said():
     putter = figures_of(shots(club="Chipper"), "Chipper")
     assert putter.club is None
     assert putter.changes == ()
-    assert "no model of a club that is called Chipper" in " ".join(words.doubt(putter))
+    assert "no model of Chipper" in " ".join(words.doubt(putter))
 
 
 def test_shots_whose_figures_do_not_go_together_are_named():
@@ -177,5 +177,5 @@ def test_the_command_writes_the_report_of_a_monitors_file(clubface_, tmp_path, w
     assert "the face angle to about" in text
     nothing = write("ball_speed_mph,carry_yd\n110,150\n", "carry.csv")
     clubface_("monitor", "report", str(nothing), "-o", str(target))
-    assert "It carries 150 yards; that is one shot." in target.read_text()
+    assert "It carries 150 yards." in target.read_text()
     assert as_markdown(list(blocks([figures_of(shots(2), "Driver")], shots(2)))).startswith("# Your shots")

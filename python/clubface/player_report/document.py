@@ -15,7 +15,7 @@ from clubface.player_report.figures_of_club import ClubFigures, figures_of
 from clubface.recorded.shots import RecordedShots
 
 ENDINGS = (".html", ".md")
-CLUBLESS = "the club without a name"
+CLUBLESS = "a club without a name"
 _STYLE = (
     "body{font:17px/1.55 Georgia,serif;max-width:44em;margin:2em auto;padding:0 1em;color:#222}"
     "h1,h2,h3{font-family:system-ui,sans-serif;line-height:1.2}h2{border-bottom:2px solid #0072B2;margin-top:2em}"
@@ -35,9 +35,11 @@ def blocks(clubs: list[ClubFigures], shots: RecordedShots) -> Iterator[Block]:
     """Yield the pieces of the report on shots, of which ``clubs`` holds the figures club by club."""
     yield Block("h1", ("Your shots, and what they say",))
     names = [f"{each.name} ({len(each.shots)})" for each in clubs]
-    yield Block("p", (f"This report is about {len(shots)} shots of {Path(shots.source).name}: {', '.join(names)}.",))
+    yield Block(
+        "p", (f"This report is about {words.counted(len(shots))} of {Path(shots.source).name}: {', '.join(names)}.",)
+    )
     for each in clubs:
-        yield Block("h2", (each.name,))
+        yield Block("h2", (each.name[:1].upper() + each.name[1:],))
         yield Block("p", tuple(words.measured(each)))
         yield Block("img", (f"{each.name}: where the shots go, and face, path and start line",), _picture(each))
         for title, texts in (

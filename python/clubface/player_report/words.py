@@ -63,11 +63,15 @@ def sided(value: float, name: str) -> str:
     return f"{amount(abs(value), name)} {how}"
 
 
+def counted(shots: int) -> str:
+    """Write a number of shots."""
+    return f"{shots} shot{'s' * (shots != 1)}"
+
+
 def measured(of: ClubFigures) -> Iterator[str]:
     """Yield what was measured and the typical shot."""
-    count = len(of.shots)
     there = [NAMES[name] for name in NAMES if name in of.measured and not (of.computed and name in ("carry", "side"))]
-    yield f"We measured {count} shot{'s' * (count != 1)}: {_listed(there)}."
+    yield f"We measured {counted(len(of.shots))}: {_listed(there)}."
     lacking = [NAMES[name] for name in ("speed", "path", "face", "toe") if name not in of.measured]
     if lacking:
         yield f"Your monitor did not give us: {_listed(lacking)}."
@@ -80,9 +84,9 @@ def measured(of: ClubFigures) -> Iterator[str]:
         yield f"Your typical shot: {_listed(typical)}."
     if carry := of.measured.get("carry"):
         how = " (computed from the start of its flight, in still air)" if of.computed else ""
-        yield f"It carries {amount(carry.mean, 'carry')}{how}; {_spread(carry, 'carry')}"
+        yield f"It carries {amount(carry.mean, 'carry')}{how}{_spread(carry, 'carry', '; ')}."
     if side := of.measured.get("side"):
-        yield f"On average it finishes {sided(side.mean, 'side')}; {_spread(side, 'side')}"
+        yield f"On average it finishes {sided(side.mean, 'side')}{_spread(side, 'side', '; ')}."
 
 
 def line(of: ClubFigures) -> Iterator[str]:
@@ -138,7 +142,8 @@ def strike(of: ClubFigures) -> Iterator[str]:
     if seen:
         told = [sided(of.measured[name].mean, name) for name in seen]
         yield f"On average the ball meets the face {_listed(told)}."
-        yield from (f"{NAMES[name].capitalize()}: {_spread(of.measured[name], name)}" for name in seen)
+        many = [name for name in seen if of.measured[name].count > 1]
+        yield from (f"{NAMES[name].capitalize()}: {_spread(of.measured[name], name)}." for name in many)
     elif of.inferred is not None:
         for name in ("toe", "high"):
             value, doubt = of.inferred.mean[name], 2.0 * of.inferred.doubt[name]
@@ -199,16 +204,19 @@ def doubt(of: ClubFigures) -> Iterator[str]:
             yield f"{found.refused} of the shots cannot be of this club as measured, and are left out there."
     elif of.club is None:
         yield (
-            f"We have no model of a club that is called {of.name}: nothing is said of face, path and strike beyond what"
+            f"We have no model of {of.name}: nothing is said of face, path and strike beyond what"
             " was measured, and no what-if is given."
         )
 
 
-def _spread(of: Figure, name: str) -> str:
+def _spread(of: Figure, name: str, before: str = "") -> str:
+    """Return how much shots differ, with what stands ``before`` it; nothing for a single shot."""
+    if of.count < 2:
+        return ""
     if of.count < ENOUGH:
-        return f"the shots differ by {amount(of.spread, name)} on average." if of.count > 1 else "a single shot."
+        return f"{before}the shots differ by {amount(of.spread, name)} on average"
     low, high = (sided(each, name) if name in SIDES else amount(each, name) for each in (of.low, of.high))
-    return f"two out of three shots lie between {low} and {high}."
+    return f"{before}two out of three shots lie between {low} and {high}"
 
 
 def _bend(degrees: float) -> str:
