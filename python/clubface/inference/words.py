@@ -86,7 +86,7 @@ def notes(of: Posterior) -> list[str]:
     found.append(
         f"{of.model} with {of.parameters.name} is taken as exact; its errors belong into the noise. {len(of)} draws"
         f" from {of.sample.draws} weighted ones, of which {of.effective:.0f} are effective;"
-        f" {of.sample.evaluations} impacts in {of.sample.stages} stages, seed {of.seed}."
+        f" {of.sample.evaluations} impacts, seed {of.seed}."
     )
     return found
 
