@@ -1,6 +1,7 @@
 """Models beside measured shots: statistics against hand-worked ones, and known answers on shots made for them."""
 
 import csv
+import dataclasses
 import io
 import json
 import math
@@ -16,6 +17,7 @@ from clubface.evaluation import report, tables
 from clubface.evaluation.evaluation import evaluate
 from clubface.evaluation.noise import TO_MEAN_ABSOLUTE
 from clubface.evaluation.published_accuracy import published
+from clubface.evaluation.statistics import best_of, fewest_groups, fewest_resamples
 from clubface.measured.shots import QUANTITIES
 from clubface.recorded.shots import RecordedShots
 from clubface.support.plain_json import plain
@@ -158,6 +160,45 @@ def test_groups_are_one_a_shot_of_the_source():
     assert found.sizes["launch"]["standard"].shots == 29
     with pytest.raises(InputError, match=r"one for each shot: \(30,\)"):
         evaluate(shots, club="driver", models="standard", groups=players[:5])
+
+
+def test_shots_of_a_file_belong_together_by_their_player(tmp_path):
+    """Forty shots of two players are no forty independent ones."""
+    shots = made(40)
+    players = np.repeat(["Ann", "Ben", ""], [19, 19, 2]).astype(object)
+    named = dataclasses.replace(shots, players=players)
+    named.write(tmp_path / "shots.csv")
+    read = clubface.read_shots(tmp_path / "shots.csv")
+    assert read.players is not None
+    assert read.players.tolist() == players.tolist()
+    found = evaluate(tmp_path / "shots.csv", club="driver", models=["standard", "slip"])
+    assert found.groups == 4  # a shot without a name belongs to nobody
+    by_hand = [*["A"] * 19, *["B"] * 19, "C", "D"]
+    same = evaluate(read, club="driver", models=["standard", "slip"], groups=by_hand)
+    alone = evaluate(read, club="driver", models=["standard", "slip"], groups=range(40))
+    assert found.sizes["launch"]["slip"] == same.sizes["launch"]["slip"]
+    assert found.sizes["launch"]["slip"].mae_interval != alone.sizes["launch"]["slip"].mae_interval
+    assert all(not each.is_worse for best in found.best.values() for each in best.rivals)
+    assert "resamples of the 4 groups of shots, such as players" in report.as_markdown(found)
+    one = dataclasses.replace(read, players=np.full(40, "Ann", dtype=object))
+    assert evaluate(one, club="driver", models="standard").groups is None
+
+
+def test_as_many_resamples_are_asked_for_as_a_correction_for_many_rivals_needs():
+    # 2 / (B + 1) times 7 rivals is below 0.05 from B = 280 on; at 279 it is 0.05 itself.
+    with pytest.raises(InputError, match="from 280 on: with fewer, none of 8 models can be called worse"):
+        evaluate(made(30), club="driver", resamples=279)
+    assert [fewest_resamples(count) for count in (1, 2, 8)] == [0, 40, 280]
+    # 2^(1 - G) times 7 rivals: 0.055 for 8 shots, 0.027 for 9; of one rival 0.0625 for 5 and 0.031 for 6.
+    assert [fewest_groups(count) for count in (2, 8)] == [6, 9]
+    worse = np.linspace(1.0, 2.0, 280)
+    for groups, told in ((8, False), (9, True)):
+        resampled = {"good": 0.0 * worse, **{f"bad {place}": worse for place in range(7)}}
+        best = best_of({name: float(each.mean()) for name, each in resampled.items()}, resampled, groups)
+        assert all(each.is_worse is told for each in best.rivals)
+    fewer = {name: each[:278] for name, each in resampled.items()}
+    best = best_of({name: float(each.mean()) for name, each in fewer.items()}, fewer, 9)
+    assert not any(each.is_worse for each in best.rivals)
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 
 import numpy as np
@@ -9,6 +10,8 @@ import pytest
 
 import clubface
 from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.identification.profile import Profile
+from clubface.identification.sanity import contradicted
 from synthetic_shots import published, recorded, widths_in_standard_errors
 
 # What 1e-4 means where the true value is 0: of other published displacements, 0.5 mm, and Penner's slope, 0.0029 s/m.
@@ -170,7 +173,45 @@ def test_a_fit_at_a_bound_is_warned_of():
     shots = recorded(20, "slip", noise=0.1)
     found = clubface.identify(shots, club="driver", model="slip", bounds={"slip_y": (-0.01, 0.5)}, **QUICK)
     assert any(text.startswith("slip_y meets its lower bound, -0.01") for text in found.warnings)
+    # A value at a bound is not found but stopped; the others are found.
+    assert found.at_bound == ("slip_y",)
+    assert {name: found.identified(name) for name in found.free if name != "slip_y"} == {"slip_z": "yes"}
+    assert found.identified("slip_y") == "at its bound"
+    assert found.to_dict()["identified"]["slip_y"] == "at its bound"
     assert clubface.identify(shots, club="driver", model="slip", **QUICK).warnings == ()
+
+
+def test_a_parameter_whose_interval_does_not_hold_its_value_is_not_called_identified():
+    found = clubface.identify(recorded(20, "slip", noise=0.1), club="driver", model="slip", **QUICK)
+    assert found.identified("slip_z") == "yes"
+    value = float(found.parameters.values["slip_z"])
+    for interval in ((value + 0.01, value + 0.02), (value - 0.02, value - 0.01)):
+        moved = dataclasses.replace(found, intervals={**found.intervals, "slip_z": interval})
+        assert moved.identified("slip_z") == "contradicted"
+        told = contradicted(found.parameters.values, moved.intervals, {})
+        assert told[0].startswith("outside of their own interval: slip_z;")
+    held = Profile("slip_z", np.array([]), np.array([]), (value + 0.01, value + 0.02), (True, True))
+    assert dataclasses.replace(found, profiles={"slip_z": held}).identified("slip_z") == "contradicted"
+    assert contradicted(found.parameters.values, found.intervals, {}) == []
+
+
+def test_a_fit_that_makes_a_quantity_worse_says_so():
+    # Backspin 30% too high, which takes another slip ratio; with it, the launch angle is that of no shot.
+    shots = recorded(25, "slip")
+    spoiled = {**shots.launches, "backspin": 1.3 * shots.launches["backspin"]}
+    shots = dataclasses.replace(shots, launches=spoiled)
+    found = clubface.identify(shots, club="driver", model="slip", free=["slip_y"], **QUICK)
+    better, spoilt = found.deviations["backspin"], found.deviations["launch"]
+    assert better.mae < better.mae_before
+    assert spoilt.mae > spoilt.mae_before
+    (told,) = [text for text in found.warnings if "worse than" in text]
+    assert "launch (MAE" in told
+    assert "deg before)" in told
+    assert "backspin" not in told
+    # Before is the published set, which is impact's own.
+    launch = clubface.impact("driver", shots.delivery(), model="slip")
+    off = np.mean(np.abs(launch.backspin - shots.launches["backspin"]))
+    assert better.mae_before == pytest.approx(off, rel=1e-9)
 
 
 def test_an_unphysical_contact_is_warned_of():

@@ -15,6 +15,12 @@ from clubface.inference.importance import (  # fmt: skip
 )
 
 
+def drawn(likelihood, dimensions, **options):
+    """A sample from a standard normal prior."""
+    prior = standard_normal(dimensions)
+    return sample(lambda x: prior.log_density(x) + likelihood(x), prior, **options)
+
+
 def linear(dimensions=6, measured=3, noise=0.05, seed=0):
     """A linear measurement with normal noise: its posterior is normal, and its evidence known."""
     random = np.random.default_rng(seed)
@@ -30,7 +36,7 @@ def linear(dimensions=6, measured=3, noise=0.05, seed=0):
 @pytest.mark.parametrize("noise", [1.0, 0.05, 0.002])
 def test_a_linear_measurement_gives_its_normal_posterior(noise):
     likelihood, mean, covariance, evidence = linear(noise=noise)
-    found = sample(likelihood, 6, size=4000, seed=1)
+    found = drawn(likelihood, 6, size=4000, seed=1)
     assert found.effective >= 8000
     # Means of 4000 draws: five standard errors; covariances to 5 % of the largest of their row and column.
     deviation = np.sqrt(np.diag(covariance))
@@ -42,7 +48,7 @@ def test_a_linear_measurement_gives_its_normal_posterior(noise):
 
 def test_a_posterior_of_two_places_is_drawn_from_both():
     # The square of the first coordinate is measured as 4: half the posterior is near -2 and half near 2.
-    found = sample(lambda x: -0.5 * ((x[:, 0] ** 2 - 4.0) / 0.3) ** 2, 3, size=4000, seed=2)
+    found = drawn(lambda x: -0.5 * ((x[:, 0] ** 2 - 4.0) / 0.3) ** 2, 3, size=4000, seed=2)
     positive = np.mean(found.points[:, 0] > 0.0)
     # Of 4000 draws, five standard deviations of a fair coin.
     assert positive == pytest.approx(0.5, abs=0.04)
@@ -53,7 +59,7 @@ def test_impossible_points_are_never_returned():
     def likelihood(x):
         return np.where(x[:, 0] > 1.0, -0.5 * x[:, 1] ** 2, np.nan)
 
-    found = sample(likelihood, 2, size=1000, seed=3)
+    found = drawn(likelihood, 2, size=1000, seed=3)
     assert (found.points[:, 0] > 1.0).all()
     # A standard normal beyond 1 has the mean phi(1)/Q(1) = 1.5251; its deviation there is 0.45.
     assert found.points[:, 0].mean() == pytest.approx(1.5251, abs=5 * 0.45 / math.sqrt(1000))
@@ -61,12 +67,12 @@ def test_impossible_points_are_never_returned():
 
 def test_nothing_possible_is_an_error():
     with pytest.raises(FloatingPointError):
-        sample(lambda x: np.full(len(x), np.nan), 2, size=100, seed=0)
+        drawn(lambda x: np.full(len(x), np.nan), 2, size=100, seed=0)
 
 
 def test_the_same_seed_gives_the_same_draws():
     likelihood = linear()[0]
-    one, two, other = (sample(likelihood, 6, size=200, seed=seed).points for seed in (5, 5, 6))
+    one, two, other = (drawn(likelihood, 6, size=200, seed=seed).points for seed in (5, 5, 6))
     assert np.array_equal(one, two)
     assert not np.array_equal(one, other)
 

@@ -24,20 +24,33 @@ _PRIOR = options.option(
 _NOISE = options.option(
     "--noise", metavar="NAME=VALUE", text='Standard deviation of a measurement: "backspin=100 rpm". Repeatable.'
 )
+_DELIVERY_NOISE = options.option(
+    "--delivery-noise", metavar="NAME=VALUE", text='The same of measured club data: "attack=2 deg". Repeatable.'
+)
+_IGNORE = options.option(
+    "--ignore",
+    metavar="NAME",
+    text="Club data of a file that is not used, several with commas or repeated, or all.",
+)
 _OUTPUT = options.output(
     "FILE", "Write the draws, CSV or Parquet; for a file of launches, a CSV file with a row for each."
 )
 
 
 @app.command()
-@options.takes(options.MEASURED_LAUNCH, RECORDED, options.ONE_MODEL)
+@options.takes(options.MEASURED_LAUNCH, options.MEASURED_CLUB, RECORDED, options.ONE_MODEL)
 def infer(
     shots: Annotated[
         str | None, typer.Argument(metavar="[SHOTS]", help="A file of launches, in place of the options of one launch.")
     ] = None,
     prior: Annotated[str | None, _PRIOR] = None,
     noise: Annotated[list[str] | None, _NOISE] = None,
-    samples: Annotated[int, typer.Option("--samples", metavar="N", help="Number of deliveries that are drawn.")] = 2000,
+    delivery_noise: Annotated[list[str] | None, _DELIVERY_NOISE] = None,
+    ignore: Annotated[list[str] | None, _IGNORE] = None,
+    samples: Annotated[
+        int | None,
+        typer.Option("--samples", metavar="N", help="Number of deliveries drawn; 2000, or 400 a shot of a file."),
+    ] = None,
     seed: options.Seed = 0,
     target: Annotated[str | None, _OUTPUT] = None,
     picture: Annotated[str | None, options.picture("every pair of quantities")] = None,
@@ -46,24 +59,29 @@ def infer(
     **texts: Any,
 ) -> None:
     """Sample the deliveries that can have made a launch, and say what the launch leaves open."""
+    from clubface.simulation.delivery import OF_CLUB
     from clubface.simulation.quantities import outputs
 
     dimensions = {name: outputs()[name].dimension for name in options.MEASURED_LAUNCH}
-    launch = given.quantities(texts, dimensions, {})
+    launch, delivery = given.quantities(texts, dimensions, {}), given.quantities(texts, OF_CLUB, {})
     settings: dict[str, Any] = {
-        "model": texts["model"], "ball": texts["ball"], "prior": prior, "samples": samples, "seed": seed,
-        "accuracy": texts["accuracy"], "noise": given.pairs(noise or (), "--noise"),
+        "model": texts["model"], "ball": texts["ball"], "prior": prior, "seed": seed, "accuracy": texts["accuracy"],
+        "noise": given.pairs(noise or (), "--noise"),
+        "delivery_noise": given.pairs(delivery_noise or (), "--delivery-noise"),
+        **({} if samples is None else {"samples": samples}),
     }  # fmt: skip
     if shots is not None:
-        if launch or picture:
-            option = "plot" if picture else next(iter(launch)).replace("_", "-")
+        if launch or delivery or picture:
+            option = "plot" if picture else next(iter({**launch, **delivery})).replace("_", "-")
             raise ClubfaceError(f"--{option} is for one launch; leave out either --{option} or the file {shots}")
         recorded = recorded_shots(shots, texts)
         for note in recorded.notes:
             say(f"note: {note}")
         settings |= {"club": recorded.club, "parameters": given.one_set(recorded.club, texts)}
-        _whole_file(recorded, settings, target, resume, as_json)
+        _whole_file(_without(recorded, given.names(ignore)), settings, target, resume, as_json)
         return
+    if ignore:
+        raise ClubfaceError("--ignore is for a file of shots; of one launch, leave out the club data itself")
     if texts["club"] is None:
         raise ClubfaceError("--club is missing; give the club, as in --club driver")
     head = given.club_of(texts["club"], texts["hand"])
@@ -75,7 +93,7 @@ def infer(
     if not launch:
         measured = ", ".join(f"--{name.replace('_', '-')}" for name in options.MEASURED_LAUNCH)
         raise ClubfaceError(f"no launch is given; give at least one of {measured}")
-    found = compute(launch, club=head, parameters=given.one_set(head, texts), **settings)
+    found = compute(launch, club=head, delivery=delivery, parameters=given.one_set(head, texts), **settings)
     if target is not None:
         found.shots().write(target)
         say(f"wrote {target}")
@@ -93,6 +111,23 @@ def infer(
         output.print_notes(words.notes(found))
 
 
+def _without(recorded: Any, ignored: list[str]) -> Any:
+    """Return the shots without the club data ``ignored``."""
+    from dataclasses import replace
+
+    from clubface.simulation.delivery import OF_CLUB
+    from clubface.support.checks import check_choice
+
+    for name in ignored:
+        check_choice("--ignore", name, (*OF_CLUB, "all"))
+    left = {
+        name: values
+        for name, values in recorded.deliveries.items()
+        if name not in OF_CLUB or not {name, "all"} & set(ignored)
+    }
+    return replace(recorded, deliveries=left)
+
+
 def _whole_file(recorded: Any, settings: dict[str, Any], target: str | None, resume: bool, as_json: bool) -> None:
     if target is None:
         raise ClubfaceError("--output is missing; give the CSV file to write, as in --output deliveries.csv")
@@ -104,5 +139,7 @@ def _whole_file(recorded: Any, settings: dict[str, Any], target: str | None, res
         output.print_json(report._asdict())
         return
     print(f"{report.shots - report.without} of {report.shots} launches inferred: {report.output}")
+    if report.used:
+        say(f"note: measured club data counted, too: {', '.join(report.used)}")
     if report.warned:
         say(f"note: {report.warned} with a remark in the last column")

@@ -9,6 +9,7 @@ import typer
 
 from clubface.cli import given, options, output
 from clubface.cli.monitor_live import listen, send
+from clubface.cli.monitor_report import report
 from clubface.cli.monitor_summary import Hand, summary
 from clubface.cli.recorded import READING, read_shots
 from clubface.cli.tables import print_numbers, print_words
@@ -24,6 +25,7 @@ app = typer.Typer(
 app.command("listen")(listen)
 app.command("send")(send)
 app.command("summary")(summary)
+app.command("report")(report)
 
 
 @app.command("read")

@@ -54,23 +54,31 @@ def picture(of: str) -> Any:
     return option("--plot", metavar="FILE", text=f"Draw {of}: .png, .svg or .pdf.")
 
 
+_CLUB_DATA = {
+    "speed": ("113 mph", "Speed of the clubhead's CG."),
+    "attack": ("-1.3 deg", "Attack angle: up is positive."),
+    "path": ("2 deg", "Club path: to the right is positive."),
+    "loft": ("12.8 deg", "Dynamic loft."),
+    "face": ("1 deg", "Face angle: to the right is positive."),
+    "lie": ("1 deg", "Lie: toe up is positive."),
+    "toe": ("8 mm", "Impact point: towards the toe is positive."),
+    "high": ("-3 mm", "Impact point: towards the crown is positive."),
+    "closure": ("2400 deg/s", "Rate at which the face closes."),
+    "pitch_rate": ("500 deg/s", "Rate at which the loft grows."),
+    "lie_rate": ("100 deg/s", "Rate at which the toe rises."),
+}
 DELIVERY: Group = _quantities(
     "Delivery",
-    speed=("113 mph", "Speed of the clubhead's CG. Required."),
-    attack=("-1.3 deg", "Attack angle: up is positive."),
-    path=("2 deg", "Club path: to the right is positive."),
-    loft=("12.8 deg", "Dynamic loft; the club's static loft unless given."),
-    face=("1 deg", "Face angle: to the right is positive."),
-    lie=("1 deg", "Lie: toe up is positive."),
-    toe=("8 mm", "Impact point: towards the toe is positive."),
-    high=("-3 mm", "Impact point: towards the crown is positive."),
-    closure=("2400 deg/s", "Rate at which the face closes."),
-    pitch_rate=("500 deg/s", "Rate at which the loft grows."),
-    lie_rate=("100 deg/s", "Rate at which the toe rises."),
-    ball_backspin=("300 rpm", "Backspin of the ball before impact."),
-    ball_sidespin=("300 rpm", "Sidespin of the ball before impact."),
-    ball_riflespin=("300 rpm", "Spin of the ball before impact about the line to the target."),
+    **_CLUB_DATA
+    | {
+        "speed": ("113 mph", "Speed of the clubhead's CG. Required."),
+        "loft": ("12.8 deg", "Dynamic loft; the club's static loft unless given."),
+        "ball_backspin": ("300 rpm", "Backspin of the ball before impact."),
+        "ball_sidespin": ("300 rpm", "Sidespin of the ball before impact."),
+        "ball_riflespin": ("300 rpm", "Spin of the ball before impact about the line to the target."),
+    },
 )
+MEASURED_CLUB: Group = _quantities("Club data, as much of it as was measured", **_CLUB_DATA)
 _DIRECTION_AND_SPIN = {
     "azimuth": ("1 deg", "Azimuth: to the right is positive."),
     "backspin": ("2700 rpm", "Backspin; or give the total spin and its axis."),

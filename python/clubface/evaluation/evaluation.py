@@ -14,8 +14,9 @@ from clubface.errors import InputError, RangeWarning, Told
 from clubface.evaluation import noise as noises
 from clubface.evaluation.model_errors import ModelErrors
 from clubface.evaluation.report import write
-from clubface.evaluation.statistics import Resamples, error_sizes
+from clubface.evaluation.statistics import Resamples, error_sizes, fewest_resamples
 from clubface.evaluation.trends import trends
+from clubface.launch_monitor import read
 from clubface.measured.shots import QUANTITIES, MeasuredShots, measured_shots
 from clubface.recorded.shots import RecordedShots, RejectedRow
 from clubface.simulation.impact import impact, model_names
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from clubface.equipment.clubs import Club
 
 FEWEST_RESAMPLES = 100
+"""Resamples below which no interval is worth showing; several models take more, see ``fewest_resamples``."""
 SHORTEST = 0.02
 """Seconds; a computation shorter than this is timed over several runs."""
 
@@ -88,7 +90,7 @@ def evaluate(
         reached.
     groups
         One label for each shot of ``shots`` that says which shots belong together, such as the player. Resamples then
-        draw whole groups.
+        draw whole groups. If left out: the players, if the shots name several; otherwise every shot is its own.
     resamples
         Number of bootstrap resamples.
     seed
@@ -102,12 +104,20 @@ def evaluate(
         There is no usable shot, the shots are of several clubs or of another club, a speed is missing, or a name is
         unknown.
     """
-    if isinstance(resamples, bool) or not isinstance(resamples, int) or resamples < FEWEST_RESAMPLES:
-        raise InputError("resamples", resamples, f"a whole number from {FEWEST_RESAMPLES} on")
-    monitor, disturbance = noises.monitor_noise(noise), noises.delivery_noise(delivery_noise)
-    taken = measured_shots(shots, club=club, only=only, mismatch=mismatch)
-    belonging = _groups_of(groups, shots, taken)
     names = model_names(models)
+    enough = fewest_resamples(len(names))
+    if isinstance(resamples, bool) or not isinstance(resamples, int) or resamples < max(enough, FEWEST_RESAMPLES):
+        why = f": with fewer, none of {len(names)} models can be called worse than another" * (
+            enough > FEWEST_RESAMPLES
+        )
+        raise InputError("resamples", resamples, f"a whole number from {max(enough, FEWEST_RESAMPLES)} on{why}")
+    monitor, disturbance = noises.monitor_noise(noise), noises.delivery_noise(delivery_noise)
+    recorded = shots if isinstance(shots, RecordedShots) else read(shots)
+    if groups is not None and recorded is not shots:
+        advice = "give RecordedShots, to which groups can belong, one to each shot"
+        raise InputError("groups", Told("for a file"), advice)
+    taken = measured_shots(recorded, club=club, only=only, mismatch=mismatch)
+    belonging = _groups_of(recorded.groups() if groups is None else groups, recorded, taken)
     given = parameters or {}
     for name in given:
         if name not in names:
@@ -154,6 +164,7 @@ def evaluate(
         shots=taken, parameters=sets, predicted=predicted, sizes=sizes, best=best, trends=lines,
         floor={name: least[name] for name in sizes if name in least}, monitor_noise=monitor,
         delivery_noise=disturbance, seconds=seconds, failed=failed, resamples=resamples, seed=seed,
+        groups=None if belonging is None else len(set(belonging.tolist())),
     )  # fmt: skip
 
 
@@ -171,14 +182,12 @@ def _timed(compute: Callable[[], dict[str, Floats]], shots: int) -> tuple[dict[s
     return result, spent / shots
 
 
-def _groups_of(groups: Sequence[object] | NDArray[Any] | None, shots: Any, taken: MeasuredShots) -> NDArray[Any] | None:
+def _groups_of(
+    groups: Sequence[object] | NDArray[Any] | None, shots: RecordedShots, taken: MeasuredShots
+) -> NDArray[Any] | None:
     """Return the groups of the shots taken, of which ``groups`` gives one for every shot of the source."""
     if groups is None:
         return None
-    if not isinstance(shots, RecordedShots):
-        raise InputError(
-            "groups", Told("for a file"), "give RecordedShots, to which groups can belong, one to each shot"
-        )
     found = np.asarray(groups)
     if found.shape != (len(shots),):
         raise InputError("groups", Told(f"of shape {found.shape}"), f"one for each shot: ({len(shots)},)")

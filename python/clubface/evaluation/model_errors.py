@@ -47,6 +47,8 @@ class ModelErrors:
         Shots that a model could not compute, with the reason; they are left out.
     resamples, seed
         Number of bootstrap resamples, and the seed of the random numbers.
+    groups
+        Number of groups of shots that belong together, such as players, which are drawn whole; None if there are none.
     """
 
     shots: MeasuredShots
@@ -62,6 +64,7 @@ class ModelErrors:
     failed: tuple[RejectedRow, ...]
     resamples: int
     seed: int
+    groups: int | None = None
 
     @property
     def models(self) -> list[str]:

@@ -169,7 +169,7 @@ def document(of: ModelErrors) -> dict[str, Any]:
             name: {"source": each.source, "mae": dict(each.mae), "std": dict(each.std), "caveats": list(each.caveats)}
             for name, each in of.published.items()
         },
-        "bootstrap": {"resamples": of.resamples, "seed": of.seed},
+        "bootstrap": {"resamples": of.resamples, "seed": of.seed, "groups": of.groups},
         "notes": [*tables.remarks(of), *tables.notes(of)],
     }
 

@@ -223,7 +223,7 @@ def best_of(mae: Mapping[str, float], resampled: Mapping[str, Floats], groups: i
     resampled
         The same over each resample, paired.
     groups
-        How many shots, or groups of them, were drawn. Fewer than six are never significant.
+        How many shots, or groups of them, were drawn. Fewer than ``fewest_groups`` are never significant.
     """
     # All of them favour the same model in two of 2^groups changes of sign.
     least = 2.0 ** (1 - groups)
@@ -237,6 +237,23 @@ def best_of(mae: Mapping[str, float], resampled: Mapping[str, Floats], groups: i
         rivals.append(Rival(name, mae[name] - mae[first], interval(lead, groups), p))
     corrected = holm([each.p for each in rivals])
     return Best(first, tuple(each._replace(p=p) for each, p in zip(rivals, corrected, strict=True)))
+
+
+def fewest_resamples(models: int) -> int:
+    """Return how many resamples are needed so that one of several models can be called worse at all.
+
+    Of B resamples the least two-sided probability is 2 / (B + 1), and Holm's correction takes it times the number of
+    rivals, which must stay below ``SIGNIFICANCE``.
+    """
+    return math.ceil(2.0 * (models - 1) / SIGNIFICANCE - 1e-9)
+
+
+def fewest_groups(models: int) -> int:
+    """Return how many shots, or groups of them, are needed so that one of several models can be called worse at all.
+
+    The least probability of G groups is 2^(1 - G), and Holm's correction takes it times the number of rivals.
+    """
+    return 2 + math.floor(math.log2(max(1, models - 1) / SIGNIFICANCE) + 1e-9)
 
 
 def holm(probabilities: Sequence[float]) -> list[float]:

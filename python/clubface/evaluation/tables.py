@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from clubface import units
 from clubface.evaluation.model_errors import ModelErrors
-from clubface.evaluation.statistics import Interval
+from clubface.evaluation.statistics import Interval, fewest_groups
 from clubface.evaluation.trends import COVARIATES
 from clubface.measured.shots import QUANTITIES
 
@@ -261,10 +261,13 @@ def notes(of: ModelErrors) -> list[str]:
             "One shot, or shots all alike, give no intervals and cannot tell which model is better: that takes shots"
             " with different deliveries."
         )
+    what = "shots" if of.groups is None else f"{of.groups} groups of shots, such as players"
+    least, units_of = fewest_groups(len(of.models)), "shots" if of.groups is None else "groups"
     found.append(
-        f"Intervals hold 95% of {of.resamples} bootstrap resamples of the shots (seed {of.seed}). Models are compared"
+        f"Intervals hold 95% of {of.resamples} bootstrap resamples of the {what} (seed {of.seed}). Models are compared"
         " on the same resamples; p is two-sided, after Holm's correction for the number of rivals, and differences of"
-        " fewer than six shots are never significant. Which model is best was chosen on the same shots, and parameters"
+        f" fewer than {least} {units_of} are never significant between {counted(len(of.models), 'model')}. Which"
+        " model is best was chosen on the same shots, and parameters"
         " identified on them flatter the model with more of them: only shots held out tell."
     )
     if of.published:

@@ -111,12 +111,13 @@ def prepared_shots(
         The launch quantities to compare, which must have been measured. If left out: those of ball speed, launch angle,
         azimuth, backspin and sidespin that were measured.
     groups
-        One label for each shot of ``given``. If left out, every shot is a group of its own.
+        One label for each shot of ``given``. If left out: the players, if the shots name several; otherwise every shot
+        is a group of its own.
     parameters
         A parameter set of the model.
     """
     recorded = given if isinstance(given, RecordedShots) else read(given)
-    labels = _groups(groups, len(recorded))
+    labels = _groups(recorded.groups() if groups is None else groups, len(recorded))
     asked = tuple(QUANTITIES) if quantities is None else _asked(quantities)
     measured = measured_shots(recorded, club=club, only=only, mismatch=mismatch, quantities=asked)
     there = tuple(name for name, values in measured.launch.items() if np.isfinite(values).any())

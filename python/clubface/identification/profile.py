@@ -60,6 +60,13 @@ class Profile:
         return "no"
 
 
+def outside(value: float, interval: tuple[float, float], profile: Profile | None) -> bool:
+    """Return whether an interval of a parameter, or that of its profile, does not hold its value [SI]."""
+    spans = [interval] if profile is None else [interval, profile.interval]
+    # To rounding: the end of an interval may be the value itself, by way of the unit cube.
+    return any(not low - abs(low) * 1e-9 <= value <= high + abs(high) * 1e-9 for low, high in spans)
+
+
 class Profiler:
     """Makes profiles of the parameters of a fit.
 

@@ -11,7 +11,7 @@ from clubface import units
 from clubface.equipment.models import model as model_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.identification.identifiability import Identifiability
-from clubface.identification.profile import Profile
+from clubface.identification.profile import Profile, outside
 from clubface.measured.shots import QUANTITIES
 from clubface.recorded.shots import RejectedRow
 from clubface.simulation.quantities import outputs
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 PARAMETER_HEADS = ("parameter", "value", "from", "to", "profile", "identified")
-DEVIATION_HEADS = ("quantity", "mean size", "MAE", "held out", "bias", "std")
+DEVIATION_HEADS = ("quantity", "mean size", "MAE", "held out", "before", "bias", "std")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -40,6 +40,8 @@ class Deviation:
         Standard deviation of simulated minus measured values.
     mae_holdout
         Mean absolute error if every shot is simulated with a fit that did not see it; NaN without hold-out.
+    mae_before
+        Mean absolute error with the set that the fit began with, such as the published one.
     """
 
     mean: float
@@ -47,6 +49,7 @@ class Deviation:
     bias: float
     std: float
     mae_holdout: float
+    mae_before: float
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -96,6 +99,8 @@ class Identification:
         Fisher's information of the shots.
     profiles
         Profile likelihoods by parameter.
+    at_bound
+        Names of the free parameters whose value meets a bound of the search.
     warnings
         What you must know before you use the parameters.
     notes
@@ -125,6 +130,7 @@ class Identification:
     held_out: NDArray[Any] | None
     identifiability: Identifiability
     profiles: Mapping[str, Profile]
+    at_bound: tuple[str, ...]
     warnings: tuple[str, ...]
     notes: tuple[str, ...]
     settings: Mapping[str, Any]
@@ -171,6 +177,7 @@ class Identification:
                 }
                 for name, each in self.profiles.items()
             },
+            "at_bound": list(self.at_bound),
             "identified": {name: self.identified(name) for name in self.free},
             "warnings": list(self.warnings),
             "notes": list(self.notes),
@@ -180,15 +187,20 @@ class Identification:
     def identified(self, name: str) -> str:
         """Return whether the shots determine a parameter.
 
-        "yes", "no", "from below only" or "from above only"; or "not alone", where a combination with other parameters
-        changes no launch.
+        "yes", "no", "from below only" or "from above only"; "not alone", where a combination with other parameters
+        changes no launch; "at its bound", where the best value may lie beyond; or "contradicted", where an interval
+        does not hold the value.
         """
         told = self.identifiability
         if not math.isfinite(told.errors[told.names.index(name)]):
             return "not alone"
-        if name in self.profiles:
-            return self.profiles[name].verdict
-        return "no" if name in told.unknown else "yes"
+        judged = "no" if name in told.unknown else "yes"
+        verdict = self.profiles[name].verdict if name in self.profiles else judged
+        if verdict == "no":
+            return verdict
+        if outside(float(self.parameters.values[name]), self.intervals[name], self.profiles.get(name)):
+            return "contradicted"
+        return "at its bound" if verdict == "yes" and name in self.at_bound else verdict
 
     def shown(self, name: str, value: float, digits: int = 4) -> str:
         """Return a value of a parameter as text, in the unit in which people read it."""
@@ -202,7 +214,7 @@ class Identification:
 def _entry(name: str, of: Deviation) -> dict[str, Any]:
     return {
         "unit": outputs()[name].unit, "mean": of.mean, "mae": of.mae, "bias": of.bias, "std": of.std,
-        "mae_holdout": of.mae_holdout,
+        "mae_holdout": of.mae_holdout, "mae_before": of.mae_before,
     }  # fmt: skip
 
 
@@ -238,7 +250,7 @@ def deviation_rows(of: Identification) -> list[list[str]]:
     rows = []
     for name, each in of.deviations.items():
         unit = QUANTITIES.get(name) or display_unit(name, outputs()[name].unit)
-        numbers = (each.mean, each.mae, each.mae_holdout, each.bias, each.std)
+        numbers = (each.mean, each.mae, each.mae_holdout, each.mae_before, each.bias, each.std)
         shown = ["" if math.isnan(number) else f"{from_si(number, unit):.4g}" for number in numbers]
         rows.append([f"{name} [{unit}]", *shown])
     return rows

@@ -93,8 +93,8 @@ def identify(
         Launch quantities to compare. If left out: those of ball speed, launch angle, azimuth, backspin and sidespin
         that were measured.
     groups
-        One label for each shot, such as its player. The shots of a group are held out and drawn together. If left out,
-        the shots are taken as independent.
+        One label for each shot. The shots of a group are held out and drawn together. If left out: the players, if the
+        shots name several; otherwise the shots are taken as independent.
     cost
         "published" is equation 22 of Caldwell and McPhee; "least-squares" is weighted by the noise; "robust" is the
         same with Huber's loss.

@@ -10,12 +10,18 @@ from clubface import units
 from clubface.errors import InputError
 from clubface.identification.free_parameters import FreeParameters
 from clubface.identification.identifiability import Identifiability, identifiability
-from clubface.identification.profile import Profile
+from clubface.identification.profile import Profile, outside
+from clubface.identification.result import Deviation
 from clubface.identification.simulator import Simulator
+from clubface.measured.shots import QUANTITIES
+from clubface.simulation.quantities import outputs
 from clubface.support.arrays import Floats
 
 AT_BOUND = 1e-4
 """A parameter within this part of its range of a bound meets it."""
+WORSE, NOTHING = 0.05, 1e-6
+"""Part by which a mean absolute error must grow to be called worse; less is the luck of the shots. A change of the
+latter part of the mean size is rounding."""
 CONTACT_TIME = (350e-6, 600e-6)
 """Mean contact times [s] outside this are unphysical: measured ones are 400 to 500 us."""
 PEAK_FORCE = (8e3, 17e3)
@@ -95,11 +101,46 @@ def apart(intervals: Mapping[str, tuple[float, float]], profiles: Mapping[str, P
     ]
 
 
+def at_bound(free: FreeParameters, point: Floats) -> tuple[str, ...]:
+    """Return the names of the parameters that meet a bound."""
+    return tuple(name for name, place in zip(free.names, point, strict=True) if _meets(place))
+
+
+def contradicted(
+    values: Mapping[str, float], intervals: Mapping[str, tuple[float, float]], profiles: Mapping[str, Profile]
+) -> list[str]:
+    """Return a warning of parameters [SI] whose interval, or that of their profile, does not hold their value."""
+    names = [name for name in intervals if outside(float(values[name]), intervals[name], profiles.get(name))]
+    if not names:
+        return []
+    return [
+        f"outside of their own interval: {', '.join(names)}; fits to parts of the shots, or the likelihood, lead"
+        " elsewhere, so that neither value nor interval can be trusted"
+    ]
+
+
+def worse(deviations: Mapping[str, Deviation], before: str) -> list[str]:
+    """Return a warning of the quantities that the fit makes worse than the set called ``before``."""
+    told = []
+    for name, each in deviations.items():
+        if each.mae > (1.0 + WORSE) * each.mae_before + NOTHING * each.mean:
+            unit = QUANTITIES.get(name) or units.display_unit(name, outputs()[name].unit)
+            after, then = (units.from_si(value, unit) for value in (each.mae, each.mae_before))
+            told.append(f"{name} (MAE {after:.3g} {unit}, {then:.3g} {unit} before)")
+    if not told:
+        return []
+    return [f"the fit makes some quantities worse than {before}, with which it began: {', '.join(told)}"]
+
+
+def _meets(place: float) -> bool:
+    return place < AT_BOUND or place > 1.0 - AT_BOUND
+
+
 def _bounds(free: FreeParameters, point: Floats) -> list[str]:
     found = []
     for each, place, low, high in zip(free.declared(), point, free.lower, free.upper, strict=True):
         side, bound = ("lower", low) if place < AT_BOUND else ("upper", high)
-        if place < AT_BOUND or place > 1.0 - AT_BOUND:
+        if _meets(place):
             shown = units.show(float(bound), units.display_unit(each.name, each.unit), 4)
             found.append(f"{each.name} meets its {side} bound, {shown}: the best value may lie beyond it")
     return found

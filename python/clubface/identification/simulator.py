@@ -93,6 +93,15 @@ class Simulator:
         """Return the launch quantities [SI] at one point, shape (quantities, shots)."""
         return self.launches(point[None, :])[:, 0, :]
 
+    def before(self) -> Floats:
+        """Return the launch quantities [SI] with the set that holds the fixed parameters, shape (quantities, shots)."""
+        found, _ = core.impact(
+            self.free.fixed.model, self.shots.columns, self.free.fixed.columns(), len(self.shots), self.accuracy,
+            self.threads,
+        )  # fmt: skip
+        self.effort.add(1, len(self.shots))
+        return found[self._places]
+
     def derivatives(self, point: Floats) -> tuple[Floats, Floats]:
         """Return the launch quantities at a point, shape (quantities, shots), and their derivatives by its coordinates.
 

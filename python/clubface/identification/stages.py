@@ -19,7 +19,7 @@ from clubface.identification.profile import Profile, Profiler
 from clubface.identification.refine import refine
 from clubface.identification.resampling import Refits, bootstrap, held_out, interval_of
 from clubface.identification.result import Deviation, Identification
-from clubface.identification.sanity import apart, fit_warnings
+from clubface.identification.sanity import apart, at_bound, contradicted, fit_warnings, worse
 from clubface.identification.search import Population, search
 from clubface.identification.simulator import Effort, Simulator
 from clubface.support.arrays import Floats
@@ -121,7 +121,18 @@ class Stages:
         shots = self.simulator.shots
         confidence = self.settings["confidence"]
         intervals = self._intervals(point, told, samples, profiles)
-        warnings = tuple(fit_warnings(self.simulator, point, told, costs) + apart(intervals, profiles))
+        before = self.simulator.before()
+        deviations = {
+            name: _deviation(measured[place], simulated[place], before[place], None if held is None else held[place])
+            for place, name in enumerate(shots.quantities)
+        }
+        values = dict(zip(free.names, free.values(point).tolist(), strict=True))
+        warnings = (
+            *worse(deviations, free.fixed.name),
+            *fit_warnings(self.simulator, point, told, costs),
+            *apart(intervals, profiles),
+            *contradicted(values, intervals, profiles),
+        )
         spans = ", ".join(f"{each.name} {_span(each, intervals[each.name])}" for each in free.declared())
         parameters = free.parameters(
             point, name=f"identified from {Path(shots.source).name}".replace("/", " "), reference=f"{len(shots)} shots",
@@ -135,13 +146,10 @@ class Stages:
             method="bootstrap" if len(samples) else "information",
             cost=min(costs), cost_holdout=float("nan") if held is None else self.cost.value(held),
             cost_kind=self.settings["cost"],
-            deviations={
-                name: _deviation(measured[place], simulated[place], None if held is None else held[place])
-                for place, name in enumerate(shots.quantities)
-            },
+            deviations=deviations,
             evaluations=spent.evaluations, impacts=spent.impacts, wall_s=self.checkpoint.seconds, shots=len(shots),
             dropped=shots.dropped, refined=tuple(costs), samples=samples, held_out=held,
-            identifiability=told, profiles=profiles,
+            identifiability=told, profiles=profiles, at_bound=at_bound(free, point),
             warnings=warnings, notes=notes, settings=dict(self.settings),
         )  # fmt: skip
 
@@ -223,11 +231,12 @@ def _span(of: Parameter, interval: tuple[float, float]) -> str:
     return " to ".join(units.show(end, unit, 4) for end in interval)
 
 
-def _deviation(measured: Floats, simulated: Floats, held: Floats | None) -> Deviation:
+def _deviation(measured: Floats, simulated: Floats, before: Floats, held: Floats | None) -> Deviation:
     there = np.isfinite(measured)
     off = (simulated - measured)[there]
     return Deviation(
         mean=float(np.mean(np.abs(measured[there]))), mae=float(np.mean(np.abs(off))), bias=float(np.mean(off)),
         std=float(np.std(off, ddof=1)) if len(off) > 1 else float("nan"),
+        mae_before=float(np.mean(np.abs((before - measured)[there]))),
         mae_holdout=float("nan") if held is None else float(np.mean(np.abs((held - measured)[there]))),
     )  # fmt: skip

@@ -3,27 +3,16 @@
 from __future__ import annotations
 
 import csv
-import math
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import numpy as np
-
-from clubface import units
-from clubface.equipment.clubs import club
-from clubface.errors import FileError, InputError, RangeWarning
-from clubface.inference.expectation import UnreachableLaunchError
-from clubface.inference.posterior import unit_of
-from clubface.inference.prior import prior_of
-from clubface.inference.run import infer
-from clubface.measured.shots import QUANTITIES
+from clubface.errors import FileError, InputError
+from clubface.inference.rows import REMARK, Rows
 from clubface.recorded.shots import RecordedShots
 from clubface.support.resuming import Journal, complete_lines, cut_incomplete_line, fingerprint, unfinished
-from clubface.support.warning import without_warnings
 
-REMARK = "remark"
 OTHERS = "of an unfinished file of other settings; finish it with those, or start again without --resume"
 
 
@@ -42,6 +31,8 @@ class InferReport(NamedTuple):
         Number of rows without a delivery; their remark says why.
     warned
         Number of rows with a delivery and a warning.
+    used
+        The quantities of the delivery that were measured and counted, too.
     """
 
     output: str
@@ -49,6 +40,7 @@ class InferReport(NamedTuple):
     resumed: int
     without: int
     warned: int
+    used: tuple[str, ...]
 
 
 def infer_shots(
@@ -66,7 +58,7 @@ def infer_shots(
     Parameters
     ----------
     shots
-        Recorded shots with at least one launch quantity.
+        Recorded shots with at least one launch quantity. What they hold of the delivery counts as measured, too.
     output
         Path of a CSV file.
     resume
@@ -74,7 +66,7 @@ def infer_shots(
     progress
         Called with the number of shots done and the number of shots.
     **options
-        As for :func:`infer`.
+        As for :func:`infer`; ``samples`` are 400 if left out.
 
     Raises
     ------
@@ -90,28 +82,23 @@ def infer_shots(
         raise FileError(str(target), None, "the output must be another file than the one that is read")
     if not target.parent.is_dir():
         raise FileError(str(target), None, f"there is no folder {str(target.parent)!r}")
-    wanted = [name for name in QUANTITIES if name in shots.launches]
-    if not wanted:
-        raise InputError("shots", shots.source, f"shots with a measured launch: {', '.join(QUANTITIES)}")
-    head = club(options.pop("club"))
-    options = {**options, "club": head, "prior": prior_of(options.get("prior"), head)}
+    rows = Rows(shots, **options)
     part = unfinished(target)
-    content = [shots.source, shots.rows, shots.launches, repr(sorted(options.items()))]
+    content = [shots.source, shots.rows, shots.launches, shots.deliveries, repr(sorted(rows.options.items()))]
     journal = Journal(unfinished(target, ".json"), fingerprint(content), others=OTHERS)
-    headings = ["row", *_headings(wanted, options["prior"].names), "effective", REMARK]
     done = 0
     if resume and part.exists() and journal.read(lambda state: state) is not None:
         cut_incomplete_line(part)
-        done = max(0, _finished(part, headings) - 1)
+        done = max(0, _finished(part, rows.headings) - 1)
     try:
         if not done:
             journal.write({})
         with part.open("a" if done else "w", newline="", encoding="utf-8") as file:
             out = csv.writer(file, lineterminator="\n")
             if not done:
-                out.writerow(headings)
+                out.writerow(rows.headings)
             for place in range(done, len(shots)):
-                out.writerow(_row(shots, place, wanted, options))
+                out.writerow(rows.of(place))
                 file.flush()
                 if progress is not None:
                     progress(place + 1, len(shots))
@@ -123,9 +110,10 @@ def infer_shots(
         message = f"interrupted: finished shots are in {part}; --resume goes on after them"
         raise KeyboardInterrupt(message) from None
     with target.open(newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    without = sum(not row["effective"] for row in rows)
-    return InferReport(str(target), len(rows), done, without, sum(bool(row[REMARK]) for row in rows) - without)
+        written = list(csv.DictReader(file))
+    without = sum(not row["effective"] for row in written)
+    warned = sum(bool(row[REMARK]) for row in written) - without
+    return InferReport(str(target), len(written), done, without, warned, tuple(rows.club))
 
 
 def _finished(part: Path, headings: list[str]) -> int:
@@ -139,47 +127,3 @@ def _finished(part: Path, headings: list[str]) -> int:
         if len(cells) != len(headings) or (number == 1 and cells != headings):
             raise FileError(str(part), number, "this is no row of the table; start again without --resume")
     return len(lines)
-
-
-def _headings(wanted: list[str], names: Iterable[str]) -> list[str]:
-    """Return the headings of measured quantities, and four of each uncertain one."""
-    found = [_heading(name, QUANTITIES[name]) for name in wanted]
-    for name in names:
-        column = _heading(name, unit_of(name))
-        found += [
-            column,
-            *(column.replace(_spelled(name), f"{_spelled(name)}_{each}", 1) for each in ("std", "from", "to")),
-        ]
-    return found
-
-
-def _spelled(name: str) -> str:
-    return "club_speed" if name == "speed" else name
-
-
-def _heading(name: str, unit: str) -> str:
-    return f"{_spelled(name)}_{unit}" if unit.isalnum() else f"{_spelled(name)} [{unit}]"
-
-
-def _row(shots: RecordedShots, place: int, wanted: list[str], options: Mapping[str, Any]) -> list[Any]:
-    """Return the cells of one shot; one that cannot be inferred says why in its last."""
-    launch = {name: float(shots.launches[name][place]) for name in wanted}
-    cells: list[Any] = [int(shots.rows[place]), *(_cell(launch[name], QUANTITIES[name]) for name in wanted)]
-    names = options["prior"].names
-    measured = {name: value for name, value in launch.items() if np.isfinite(value)}
-    if not measured:
-        return [*cells, *[""] * (4 * len(names)), "", "nothing of the launch was measured"]
-    try:
-        with without_warnings(RangeWarning):
-            found = infer(measured, **options)
-    except UnreachableLaunchError as error:
-        return [*cells, *[""] * (4 * len(names)), "", str(error)]
-    for name in names:
-        values = (found.mean[name], found.deviation[name], *found.interval(name))
-        cells += [_cell(value, unit_of(name)) for value in values]
-    remarks = [*found.warnings, *([found.outside] if found.outside else [])]
-    return [*cells, round(found.effective), "; ".join(remarks)]
-
-
-def _cell(value: float, unit: str) -> str:
-    return "" if math.isnan(value) else f"{float(units.from_si(value, unit)):.6g}"

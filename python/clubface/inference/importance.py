@@ -1,11 +1,11 @@
 """Samples of a posterior by tempered, adaptive importance sampling.
 
-The prior is a standard normal distribution; the caller scales the quantities accordingly. The first proposal is the
-prior. Its draws are weighted by the likelihood raised to a power, which is as high as the draws can bear. The mean and
-covariance of the weighted draws make the next proposal, a multivariate t distribution with heavier tails. Once the
-power is one, draws are collected until as many are effective as wanted. All draws of the last proposal are independent,
-so their effective number is known, which it is not for a Markov chain. Tempering follows Neal (2001), adaptation
-follows Cappé et al. (2004).
+Draws of a first proposal are weighted by the ratio of the posterior to it. If enough of them stay effective, they are
+the sample. Otherwise the ratio is raised to a power, which is as high as the draws can bear. The mean and covariance of
+the weighted draws make the next proposal, a multivariate t distribution with heavier tails. Once the power is one,
+draws are collected until as many are effective as wanted. All draws of the last proposal are independent, so their
+effective number is known, which it is not for a Markov chain. Tempering follows Neal (2001), adaptation follows Cappé
+et al. (2004).
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 
 from clubface.support.arrays import Floats
 
-PER_STAGE = 4000
-"""Draws from which a proposal is made."""
+FEWEST_A_STAGE, MOST_A_STAGE = 1500, 4000
+"""Draws from which a proposal is made; between these, four times as many as are wanted."""
 TARGET = 0.25
 """Part of a stage's draws that must stay effective; it decides how far the power of the likelihood rises."""
 FREEDOM = 7.0
@@ -28,10 +28,13 @@ FREEDOM = 7.0
 INFLATION = 1.15
 """By how much their covariance exceeds that of the weighted draws."""
 MOST_STAGES = 60
-REFINEMENTS = 4
+REFINEMENTS = 3
 """Proposals made at power one."""
-MOST_DRAWS = 400_000
-"""Draws after which a sample is given up to be as large as wanted."""
+LEAST_GAIN, STALLED, MOST_WHEN_STALLED = 0.01, 8, 16_000
+"""A stage in which the power gains less is followed by one of twice as many draws, up to these. After so many such
+stages it is left where it is: what was reached is wider than the posterior, so that its proposal will do."""
+MOST_DRAWS, MOST_DRAWS_A_POINT = 400_000, 100
+"""Draws after which a sample is given up to be as large as wanted, at most and for each point wanted."""
 HOPELESS_DRAWS, HOPELESS = 40_000, 5.0
 """Draws after which a sample is given up that has no more effective ones than this."""
 RIDGE = 1e-9
@@ -50,11 +53,11 @@ class Sample(NamedTuple):
     draws
         Number of weighted draws, of the last proposal alone.
     evaluations
-        Number of likelihoods computed in all.
+        Number of densities computed in all.
     stages
         Number of proposals made.
     log_evidence
-        Logarithm of the mean likelihood under the prior.
+        Logarithm of the integral of the density.
     largest_weight
         Largest fraction of the total weight that a single draw has. If it is near 1, the sample rests on one draw.
     """
@@ -105,87 +108,120 @@ class Proposal(NamedTuple):
 
 
 def standard_normal(dimensions: int) -> Proposal:
-    """Return the prior."""
+    """Return the standard normal distribution."""
     return Proposal(np.zeros(dimensions), np.eye(dimensions), math.inf)
 
 
+def standard_t(dimensions: int) -> Proposal:
+    """Return the t distribution about the origin that has the scale matrix 1."""
+    return Proposal(np.zeros(dimensions), np.eye(dimensions), FREEDOM)
+
+
 def sample(
-    log_likelihood: Callable[[Floats], Floats],
-    dimensions: int,
+    log_density: Callable[[Floats], Floats],
+    first: Proposal,
     *,
     size: int,
     seed: int,
     progress: Callable[[float], object] | None = None,
 ) -> Sample:
-    """Sample the posterior of a likelihood and a standard normal prior.
+    """Sample a posterior.
 
     Parameters
     ----------
-    log_likelihood
-        Computes the logarithm of the likelihood of points, shape (n, dimensions); NaN or minus infinity where a point
-        is impossible.
-    dimensions
-        Number of dimensions of the points.
+    log_density
+        Computes the logarithm of its density, of any scale, at points of shape (n, dimensions); NaN or minus infinity
+        where a point is impossible.
+    first
+        The first proposal: the prior, or what is known of the posterior.
     size
         How many points to return. Twice as many draws are made effective.
     seed
         Seed of the random numbers.
     progress
-        Called before each stage with the power of the likelihood that is reached, 0 to 1.
+        Called before each stage with the power that is reached, 0 to 1.
 
     Raises
     ------
     FloatingPointError
-        No draw of the prior is possible.
+        No draw of the first proposal is possible.
     """
-    random = np.random.default_rng(seed)
-    prior = proposal = standard_normal(dimensions)
-    power, stages, refined, evaluations, best = 0.0, 0, 0, 0, 0.0
-    chosen = proposal
-    while stages < MOST_STAGES and refined < REFINEMENTS:
+    random, count = np.random.default_rng(seed), _a_stage(size)
+    proposal = chosen = first
+    power, stages, refined, evaluations, best, stalled = 0.0, 0, 0, 0, 0.0, 0
+    while stages < MOST_STAGES and refined < REFINEMENTS and stalled < STALLED:
         if progress is not None:
             progress(power)
-        points = proposal.draw(random, PER_STAGE)
-        likelihood, base = log_likelihood(points), prior.log_density(points) - proposal.log_density(points)
-        stages, evaluations = stages + 1, evaluations + PER_STAGE
-        possible = np.isfinite(likelihood)
+        points = proposal.draw(random, count)
+        density, own = log_density(points), proposal.log_density(points)
+        stages, evaluations = stages + 1, evaluations + count
+        start = own if proposal is first else first.log_density(points)
+        possible = np.isfinite(density)
         if not possible.any():
             raise FloatingPointError("no draw is possible")
         # At any power: zero times minus infinity would be none.
-        likelihood, base = np.where(possible, likelihood, 0.0), np.where(possible, base, -np.inf)
-        power = _power(base, likelihood, power)
-        weights = normalised(base + power * likelihood)
+        ratio, base = np.where(possible, density - start, 0.0), np.where(possible, start - own, -np.inf)
+        before, power = power, _power(base, ratio, power)
+        if power - before < LEAST_GAIN and power < 1.0:
+            stalled, count = stalled + 1, min(2 * count, MOST_WHEN_STALLED)
+        weights = normalised(base + power * ratio)
         if power == 1.0:
+            if proposal is first:
+                logs = base + ratio
+                return _collected(
+                    log_density, first, random, size, stages, evaluations - count, points, logs, count, MOST_DRAWS
+                )
             refined += 1
             if effective(weights) > best:
                 best, chosen = effective(weights), proposal
         proposal = _fitted(points, weights)
     last = proposal if refined < REFINEMENTS else chosen
-    return _collected(log_likelihood, prior, last, random, size, stages, evaluations)
+    none, count = (np.empty((0, first.mean.size)), np.empty(0)), max(MOST_A_STAGE, size)
+    return _collected(log_density, last, random, size, stages, evaluations, *none, count, MOST_DRAWS)
+
+
+def attempt(log_density: Callable[[Floats], Floats], proposal: Proposal, *, size: int, seed: int) -> Sample:
+    """Sample a posterior from one proposal, if it is good enough; otherwise return what one stage gives, of few draws.
+
+    The arguments are those of :func:`sample`.
+    """
+    random, count = np.random.default_rng(seed), _a_stage(size)
+    points = proposal.draw(random, count)
+    logs = log_density(points) - proposal.log_density(points)
+    logs = np.where(np.isfinite(logs), logs, -np.inf)
+    if not np.isfinite(logs).any():
+        raise FloatingPointError("no draw is possible")
+    good = effective(normalised(logs)) >= TARGET * count
+    return _collected(log_density, proposal, random, size, 1, 0, points, logs, count, MOST_DRAWS if good else count)
+
+
+def _a_stage(size: int) -> int:
+    return min(max(4 * size, FEWEST_A_STAGE), MOST_A_STAGE)
 
 
 def _collected(
-    log_likelihood: Callable[[Floats], Floats],
-    prior: Proposal,
+    log_density: Callable[[Floats], Floats],
     proposal: Proposal,
     random: np.random.Generator,
     size: int,
     stages: int,
     evaluations: int,
+    all_points: Floats,
+    all_logs: Floats,
+    count: int,
+    most: int,
 ) -> Sample:
-    """Draw from the last proposal until enough draws are effective, and resample them."""
-    all_points, all_logs = np.empty((0, prior.mean.size)), np.empty(0)
+    """Draw from the last proposal until enough draws are effective, and resample them with those there are."""
+    most = min(most, max(MOST_DRAWS_A_POINT * size, HOPELESS_DRAWS))
     while True:
-        points = proposal.draw(random, max(PER_STAGE, size))
-        likelihood = log_likelihood(points)
-        base = prior.log_density(points) - proposal.log_density(points)
-        logs = np.where(np.isfinite(likelihood), likelihood + base, -np.inf)
-        all_points, all_logs = np.concatenate([all_points, points]), np.concatenate([all_logs, logs])
-        weights = normalised(all_logs)
-        reached = effective(weights)
-        if reached >= 2 * size or all_logs.size >= (HOPELESS_DRAWS if reached <= HOPELESS else MOST_DRAWS):
+        reached = effective(normalised(all_logs)) if all_logs.size else 0.0
+        if reached >= 2 * size or all_logs.size >= (HOPELESS_DRAWS if reached <= HOPELESS else most):
             break
-    top = float(all_logs.max())
+        points = proposal.draw(random, count)
+        density = log_density(points)
+        logs = np.where(np.isfinite(density), density - proposal.log_density(points), -np.inf)
+        all_points, all_logs = np.concatenate([all_points, points]), np.concatenate([all_logs, logs])
+    weights, top = normalised(all_logs), float(all_logs.max())
     return Sample(
         points=all_points[systematic(weights, size, random)],
         effective=reached,
@@ -215,11 +251,11 @@ def systematic(weights: Floats, size: int, random: np.random.Generator) -> NDArr
     return random.permutation(places)
 
 
-def _power(base: Floats, likelihood: Floats, reached: float) -> float:
+def _power(base: Floats, ratio: Floats, reached: float) -> float:
     """Return the largest power, from that ``reached`` to 1, at which enough draws are effective."""
 
     def enough(power: float) -> bool:
-        return effective(normalised(base + power * likelihood)) >= TARGET * base.size
+        return effective(normalised(base + power * ratio)) >= TARGET * base.size
 
     if enough(1.0):
         return 1.0

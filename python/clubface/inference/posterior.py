@@ -11,10 +11,10 @@ from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError
+from clubface.inference.expectation import FAR, shown as with_unit, unit_of as unit_of
 from clubface.inference.importance import Sample
 from clubface.inference.prior import Prior
 from clubface.recorded.shots import RecordedShots
-from clubface.simulation.delivery import OF_CLUB
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
@@ -24,15 +24,10 @@ if TYPE_CHECKING:
 FEWEST_EFFECTIVE = 400
 """Effective draws below which a sample should not be trusted."""
 SURPRISING = 0.001
-"""Probability under the prior below which a launch contradicts it."""
+"""Probability under the prior below which a shot contradicts it."""
 MOST_WEIGHT = 0.05
 """Part of the weight on one draw from which it is warned of."""
 DIGITS = {"mph": 1, "deg": 1, "mm": 1, "deg/s": 0}
-
-
-def unit_of(name: str) -> str:
-    """Return the unit a quantity of a delivery is read in."""
-    return "mph" if name == "speed" else units.display_unit(name, units.SI_UNITS[OF_CLUB[name]])
 
 
 def shown(value: float, name: str) -> str:
@@ -51,8 +46,12 @@ class Posterior:
         Values of each uncertain quantity, one for each draw.
     launch
         The measured launch.
+    delivery
+        What was measured of the club and is part of the prior.
+    known
+        What was measured of the club and is no part of the prior: it is taken as exact.
     noise
-        Standard deviations of the measurement.
+        Standard deviations of the measurement, of launch and delivery.
     prior
         What was believed about the delivery before the launch was known.
     club, model, parameters
@@ -60,7 +59,11 @@ class Posterior:
     sample
         How the sample was drawn.
     surprise
-        Probability, under the prior, of a launch that lies further from the expected ones than this launch.
+        Probability, under the prior, of a shot that lies further from the expected ones than this.
+    expected
+        What the prior expects of the measured quantities that are far from it, in words; "" if none is.
+    reproduced
+        Mean of each measured quantity over the draws, which are close to the measured ones if the model can make them.
     seed
         Seed of the random numbers.
     outside
@@ -69,6 +72,8 @@ class Posterior:
 
     deliveries: dict[str, Floats]
     launch: dict[str, float]
+    delivery: dict[str, float]
+    known: dict[str, float]
     noise: dict[str, float]
     prior: Prior
     club: Club
@@ -76,6 +81,8 @@ class Posterior:
     parameters: ParameterSet
     sample: Sample
     surprise: float
+    expected: str
+    reproduced: dict[str, float]
     seed: int
     outside: str = ""
 
@@ -123,12 +130,7 @@ class Posterior:
     @property
     def warnings(self) -> list[str]:
         """Reasons not to trust the sample."""
-        found = []
-        if self.surprise < SURPRISING:
-            found.append(
-                f"the launch contradicts the prior ({self.prior.name}): fewer than {SURPRISING:.1%} of launches by"
-                f" {self.model} are as far from what it expects; give a prior that suits the golfer"
-            )
+        found = [*self._against_the_prior(), *self._not_reproduced()]
         wanted = min(FEWEST_EFFECTIVE, len(self))
         if self.effective < wanted:
             found.append(
@@ -138,6 +140,39 @@ class Posterior:
         if self.sample.largest_weight > MOST_WEIGHT:
             found.append(f"a single draw has {self.sample.largest_weight:.0%} of the weight")
         return found
+
+    def _against_the_prior(self) -> list[str]:
+        """Say where the measured values and the deliveries found are far from what was believed before."""
+        found = []
+        if self.surprise < SURPRISING:
+            told = f"expects {self.expected}" if self.expected else "hardly ever makes these values together"
+            found.append(
+                f"what was measured contradicts the prior ({self.prior.name}), which by {self.model} {told}; check"
+                " units and club, or give a prior that suits the golfer"
+            )
+        mean = self.mean
+        far = []
+        for name, value in mean.items():
+            before, spread = self.prior.mean[name], self.prior.deviation[name]
+            away = abs(value - before) / spread
+            if away > FAR:
+                far.append(
+                    f"{name} {with_unit(name, value, 3)} is {away:.1f} standard deviations from"
+                    f" {with_unit(name, before, 3)}"
+                )
+        if far:
+            found.append(f"a delivery far from the prior: {', '.join(far)}")
+        return found
+
+    def _not_reproduced(self) -> list[str]:
+        """Say which measured values the deliveries found do not make."""
+        measured = {**self.launch, **self.delivery}
+        far = [
+            f"{name} {with_unit(name, value, 4)} ({with_unit(name, self.reproduced[name], 4)})"
+            for name, value in measured.items()
+            if not abs(self.reproduced[name] - value) <= FAR * self.noise[name]
+        ]
+        return [f"not reproduced by these deliveries: {', '.join(far)}"] if far else []
 
     def shots(self) -> RecordedShots:
         """Return the draws as recorded shots, which can be written and predicted."""

@@ -15,14 +15,16 @@ from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
 from clubface.errors import InputError, RangeWarning
 from clubface.evaluation.noise import MONITOR, standard_deviations
-from clubface.inference.expectation import expected_launches, surprise, unreachable
-from clubface.inference.importance import sample
-from clubface.inference.posterior import Posterior
+from clubface.inference.drawing import drawn
+from clubface.inference.expectation import Expectation, unreachable
+from clubface.inference.observation import Observer
+from clubface.inference.posterior import FEWEST_EFFECTIVE, Posterior
 from clubface.inference.prior import Prior, prior_of
+from clubface.launch_monitor.formats import CG, FACE
 from clubface.measured.shots import QUANTITIES
+from clubface.simulation.delivery import OF_CLUB
 from clubface.simulation.impact import Parameters, impact
 from clubface.simulation.inputs import parameter_set
-from clubface.simulation.launch import Launch
 from clubface.simulation.outside import Tally, warn_if_outside
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_names
@@ -31,8 +33,21 @@ from clubface.support.warning import without_warnings
 NOISE = {"ball_speed": 0.25, **MONITOR}
 """Standard deviations of the measured launch [SI] by default: those that Caldwell and McPhee (2023) quote for their
 monitor, and 0.25 m/s of ball speed."""
+CLUB_NOISE = {
+    name: units.parse(text, OF_CLUB[name])
+    for name, text in {
+        "speed": "1.5 mph", "attack": "1 deg", "path": "1 deg", "loft": "1 deg", "face": "1 deg", "lie": "1 deg",
+        "toe": "3 mm", "high": "3 mm", "closure": "300 deg/s", "pitch_rate": "300 deg/s", "lie_rate": "300 deg/s",
+    }.items()
+}  # fmt: skip
+"""Standard deviations of measured club data [SI] by default; assumed, those of a good monitor."""
 FEWEST_AT_ALL = 50
 """Effective draws below which there is no sample to speak of: all weight lies on a few draws nearest to the launch."""
+FARTHEST = 15.0
+"""Standard deviations by which a shot misses the prior from where on it is refused: no normal distribution of
+deliveries means anything there, and the usual cause is another unit or club."""
+RETRIED = 5
+"""How many times as many draws are tried where a sample becomes too small."""
 _POLAR = {"total_spin": "angular rate", "spin_axis": "angle"}
 _DIMENSIONS = {name: units.unit(unit).dimension for name, unit in QUANTITIES.items()}
 
@@ -41,11 +56,13 @@ def infer(
     launch: Mapping[str, Any],
     *,
     club: str | os.PathLike[str] | Club,
+    delivery: Mapping[str, Any] | None = None,
     model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     prior: Prior | str | os.PathLike[str] | None = None,
     noise: Mapping[str, Any] | None = None,
+    delivery_noise: Mapping[str, Any] | None = None,
     samples: int = 2000,
     seed: int = 0,
     accuracy: float | None = None,
@@ -63,6 +80,8 @@ def infer(
     launch
         What was measured, as text with units or as SI numbers: some of ``ball_speed``, ``launch``, ``azimuth``,
         ``backspin`` and ``sidespin``, or ``total_spin`` and ``spin_axis`` instead of the last two.
+    delivery
+        What was measured of the club, likewise: some of ``speed``, ``attack``, ``path``, ``loft``, ``face``, ...
     club, model, parameters, ball, accuracy, threads
         As for :func:`impact`.
     prior
@@ -72,6 +91,8 @@ def infer(
     noise
         Standard deviations of the measured quantities by name, as text with units or as SI numbers. They should include
         the errors of the model. Those left out are the ones that Caldwell and McPhee (2023) quote for their monitor.
+    delivery_noise
+        The same for what was measured of the club. Those left out are assumed: 1.5 mph, 1 degree, 3 mm and 300 deg/s.
     samples
         Number of draws to return.
     seed
@@ -86,62 +107,144 @@ def infer(
     UnreachableLaunchError
         No delivery anywhere near the prior makes the launch. The usual cause is a wrong unit or club.
     """
-    if isinstance(samples, bool) or not isinstance(samples, int) or not 1 <= samples <= 100_000:
-        raise InputError("samples", samples, "a whole number from 1 to 100000")
-    measured = _measured(launch)
-    deviations = {**NOISE, **standard_deviations(noise, _DIMENSIONS, "noise")}
-    for name in measured:
-        if deviations[name] <= 0.0:
-            raise InputError(f"noise {name}", deviations[name], "positive: an exact measurement cannot be sampled")
-    head = club_named(club)
-    reduced_model(model, "one that computes thousands of deliveries a second")
-    chosen = parameter_set(model, head, parameters)
-    before = prior_of(prior, head)
-    target = np.array(list(measured.values()))
-    scale = np.array([deviations[name] for name in measured])
+    prepared = Inference(
+        club=club, model=model, parameters=parameters, ball=ball, prior=prior, noise=noise,
+        delivery_noise=delivery_noise, samples=samples, seed=seed, accuracy=accuracy, threads=threads,
+    )  # fmt: skip
+    found = prepared.of(launch, delivery, progress=progress)
+    warn_if_outside((prepared.struck({**found.known, **found.mean}),))
+    return found
 
-    def struck(delivery: Mapping[str, Any]) -> Launch:
-        with without_warnings(RangeWarning):  # of what is tried; what is found is told below
+
+class Inference:
+    """What is common to the inference of many shots; its arguments are those of :func:`infer`.
+
+    ``speed_at`` and ``face_at`` tell where club data was measured, see :class:`clubface.RecordedShots`.
+    """
+
+    def __init__(
+        self,
+        *,
+        club: str | os.PathLike[str] | Club,
+        model: str = DEFAULT_MODEL,
+        parameters: Parameters | None = None,
+        ball: str | os.PathLike[str] | Ball | None = None,
+        prior: Prior | str | os.PathLike[str] | None = None,
+        noise: Mapping[str, Any] | None = None,
+        delivery_noise: Mapping[str, Any] | None = None,
+        samples: int = 2000,
+        seed: int = 0,
+        accuracy: float | None = None,
+        threads: int | None = None,
+        speed_at: str = CG,
+        face_at: str = FACE,
+    ) -> None:
+        if isinstance(samples, bool) or not isinstance(samples, int) or not 1 <= samples <= 100_000:
+            raise InputError("samples", samples, "a whole number from 1 to 100000")
+        self._samples, self._seed = samples, seed
+        self._noise = {**NOISE, **standard_deviations(noise, _DIMENSIONS, "noise")}
+        self._club_noise = {**CLUB_NOISE, **standard_deviations(delivery_noise, OF_CLUB, "delivery_noise")}
+        self.club = club_named(club)
+        reduced_model(model, "one that computes thousands of deliveries a second")
+        self.model, self._ball, self._accuracy, self._threads = model, ball, accuracy, threads
+        self.parameters = parameter_set(model, self.club, parameters)
+        self.prior = prior_of(prior, self.club)
+        self._observer = Observer(
+            self.club, ball=ball, model=model, parameters=self.parameters, prior=self.prior, accuracy=accuracy,
+            threads=threads, speed_at=speed_at, face_at=face_at,
+        )  # fmt: skip
+        self._expected: dict[tuple[Any, ...], Expectation] = {}
+
+    def of(
+        self,
+        launch: Mapping[str, Any],
+        delivery: Mapping[str, Any] | None = None,
+        *,
+        progress: Callable[[float], object] | None = None,
+    ) -> Posterior:
+        """Return the posterior of one shot, as :func:`infer` does, but warn of nothing that is outside a range."""
+        measured, club_data = _measured(launch), _measured_club(delivery or {})
+        known = {name: value for name, value in club_data.items() if name not in self.prior.names}
+        club_data = {name: value for name, value in club_data.items() if name not in known}
+        names, club_names = tuple(measured), tuple(club_data)
+        scale = self._scale(names, club_names)
+        target = np.array([*measured.values(), *club_data.values()])
+
+        def seen(standard: Floats) -> Floats:
+            return self._observer.seen(standard, names, club_names, known)
+
+        def residuals(standard: Floats) -> Floats:
+            return (seen(standard) - target) / scale
+
+        def slopes(standard: Floats) -> tuple[Floats, Floats]:
+            values, table = self._observer.derivatives(standard, names, club_names, known)
+            return (values - target) / scale, table / scale[:, None]
+
+        self._observer.impacts = 0
+        try:
+            options: dict[str, Any] = {"seed": self._seed, "progress": progress}
+            found, misfit = drawn(residuals, slopes, len(self.prior.names), size=self._samples, **options)
+            if found.effective < min(FEWEST_EFFECTIVE, self._samples):  # of few draws, proposals are made badly
+                again, _ = drawn(residuals, slopes, len(self.prior.names), size=RETRIED * self._samples, **options)
+                found = again._replace(points=again.points[: self._samples])
+        except FloatingPointError:
+            advice = f"one whose deliveries {self.club.name} and {self.model} can compute"
+            raise InputError("prior", self.prior.name, advice) from None
+        impacts = self._observer.impacts
+        expected = self._expectation(seen, names + club_names, scale, known)
+        if found.effective < FEWEST_AT_ALL or misfit > FARTHEST**2:
+            who = f"the prior ({self.prior.name}), which by {self.model}"
+            raise unreachable({**measured, **club_data}, expected, who)
+        deliveries = self.prior.deliveries(found.points)
+        reproduced = seen(found.points).mean(axis=0).tolist()
+        noises = dict(zip((*names, *club_names), scale.tolist(), strict=True))
+        middle = self.struck({**known, **{name: float(values.mean()) for name, values in deliveries.items()}})
+        return Posterior(
+            deliveries=deliveries,
+            launch=measured,
+            delivery=club_data,
+            known=known,
+            noise=noises,
+            prior=self.prior,
+            club=self.club,
+            model=self.model,
+            parameters=self.parameters,
+            sample=found._replace(evaluations=impacts),
+            surprise=expected.surprise(target),
+            expected=expected.told(expected.far(target)),
+            reproduced=dict(zip((*names, *club_names), reproduced, strict=True)),
+            seed=self._seed,
+            outside=Tally().add_all((middle,)).remark(),
+        )
+
+    def struck(self, delivery: Mapping[str, float]) -> Any:
+        """Return the launch of one delivery, NaN where it cannot be computed, without a warning."""
+        with without_warnings(RangeWarning):
             return impact(
-                head, delivery, model=model, parameters=chosen, ball=ball, accuracy=accuracy, threads=threads,
-                on_error="nan",
+                self.club, delivery, model=self.model, parameters=self.parameters, ball=self._ball,
+                accuracy=self._accuracy, threads=self._threads, on_error="nan",
             )  # fmt: skip
 
-    def predict(standard: Floats) -> Floats:
-        delivery = before.deliveries(standard)
-        possible = delivery["speed"] > 0.0
-        delivery["speed"] = np.where(possible, delivery["speed"], before.mean["speed"])
-        found = struck(delivery)
-        values = np.stack([np.asarray(getattr(found, name)) for name in measured], axis=1)
-        values[~possible] = np.nan
-        return values
+    def _scale(self, names: tuple[str, ...], club_names: tuple[str, ...]) -> Floats:
+        for what, given, noises in (
+            ("noise", names, self._noise),
+            ("delivery_noise", club_names, self._club_noise),
+        ):
+            for name in given:
+                if noises[name] <= 0.0:
+                    raise InputError(f"{what} {name}", noises[name], "positive: an exact measurement cannot be sampled")
+        return np.array([*(self._noise[name] for name in names), *(self._club_noise[name] for name in club_names)])
 
-    def log_likelihood(standard: Floats) -> Floats:
-        return -0.5 * np.sum(((predict(standard) - target) / scale) ** 2, axis=1)
-
-    try:
-        drawn = sample(log_likelihood, len(before.names), size=samples, seed=seed, progress=progress)
-    except FloatingPointError:
-        raise InputError("prior", before.name, f"one whose deliveries {head.name} and {model} can compute") from None
-    expected = expected_launches(predict, len(before.names), seed)
-    if drawn.effective < FEWEST_AT_ALL:
-        raise unreachable(measured, expected, f"the prior ({before.name}), which by {model}")
-    deliveries = before.deliveries(drawn.points)
-    middle = struck({name: float(values.mean()) for name, values in deliveries.items()})
-    warn_if_outside((middle,))
-    return Posterior(
-        deliveries=deliveries,
-        launch=measured,
-        noise={name: deviations[name] for name in measured},
-        prior=before,
-        club=head,
-        model=model,
-        parameters=chosen,
-        sample=drawn,
-        surprise=surprise(expected, target, scale, seed),
-        seed=seed,
-        outside=Tally().add_all((middle,)).remark(),
-    )
+    def _expectation(
+        self, seen: Callable[[Floats], Floats], names: tuple[str, ...], scale: Floats, known: Mapping[str, float]
+    ) -> Expectation:
+        """Return what the prior expects of the quantities; it is computed once for shots with the same ones."""
+        key = (names, tuple(known.items()))
+        if key not in self._expected:
+            if known:
+                self._expected.clear()  # of values that hardly come again
+            self._expected[key] = Expectation(seen, names, scale, len(self.prior.names), self._seed)
+        return self._expected[key]
 
 
 def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
@@ -162,3 +265,14 @@ def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
     if not given:
         raise InputError("launch", dict(launch), f"at least one of {', '.join(QUANTITIES)}")
     return {name: given[name] for name in QUANTITIES if name in given}
+
+
+def _measured_club(delivery: Mapping[str, Any]) -> dict[str, float]:
+    """Return what was measured of the club, SI."""
+    check_names("delivery value", delivery, OF_CLUB)
+    given = {
+        name: units.parse(value, OF_CLUB[name], name=name) for name, value in delivery.items() if value is not None
+    }
+    if not given.get("speed", 1.0) > 0.0:
+        raise InputError("speed", given["speed"], "positive")
+    return {name: given[name] for name in OF_CLUB if name in given}

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from clubface import units
+from clubface.inference.expectation import shown as with_unit
 from clubface.inference.posterior import Posterior, shown, unit_of
-from clubface.measured.shots import QUANTITIES
 from clubface.simulation.delivery import OF_CLUB
 
 CLOSE = 0.5
@@ -70,19 +70,23 @@ def not_learned(of: Posterior) -> list[str]:
 def notes(of: Posterior) -> list[str]:
     """Return what a reader of the tables must know."""
     given = ", ".join(
-        f"{name} {units.show(value, QUANTITIES[name], 5)} +- {units.show(of.noise[name], QUANTITIES[name], 2)}"
-        for name, value in of.launch.items()
+        f"{name} {with_unit(name, value, 5)} +- {with_unit(name, of.noise[name], 2)}"
+        for name, value in {**of.launch, **of.delivery}.items()
     )
     found = [*of.warnings]
     found.append(f"Measured: {given}. Before: {of.prior.name}.")
+    if of.known:
+        told = ", ".join(f"{name} {with_unit(name, value, 4)}" for name, value in of.known.items())
+        found.append(f"Measured, and taken as exact since the prior leaves it out: {told}.")
     found += [f"{text}." for text in ambiguities(of)]
     unknown = not_learned(of)
     if unknown:
-        found.append(f"The launch tells nothing of {', '.join(unknown)}: there the prior is seen again.")
+        what = "The launch tells" if not of.delivery else "What was measured tells"
+        found.append(f"{what} nothing of {', '.join(unknown)}: there the prior is seen again.")
     found.append(
         f"{of.model} with {of.parameters.name} is taken as exact; its errors belong into the noise. {len(of)} draws"
         f" from {of.sample.draws} weighted ones, of which {of.effective:.0f} are effective;"
-        f" {of.sample.evaluations} impacts in {of.sample.stages} stages, seed {of.seed}."
+        f" {of.sample.evaluations} impacts, seed {of.seed}."
     )
     return found
 
@@ -94,6 +98,7 @@ def document(of: Posterior) -> dict[str, Any]:
         "model": of.model,
         "parameters": {"name": of.parameters.name, "values": dict(of.parameters.values)},
         "launch": of.launch,
+        "delivery": {**of.delivery, **of.known},
         "noise": of.noise,
         "prior": {
             "name": of.prior.name,
@@ -119,6 +124,7 @@ def document(of: Posterior) -> dict[str, Any]:
             "largest_weight": of.sample.largest_weight,
             "log_evidence": of.sample.log_evidence,
             "surprise": of.surprise,
+            "reproduced": of.reproduced,
             "seed": of.seed,
         },
         "warnings": of.warnings,

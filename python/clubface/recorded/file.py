@@ -21,6 +21,7 @@ from clubface.tables.rows import Chunk
 from clubface.units import to_si
 
 CLUB_HEADINGS = ("club", "club_name", "club_type")
+PLAYER_HEADINGS = ("player", "player_name")
 CHUNK_ROWS = 16384
 SHOWN = 3
 """Reasons an error names."""
@@ -31,7 +32,8 @@ def read_shots(path: str | os.PathLike[str]) -> RecordedShots:
 
     Columns are found by name and carry their unit, as for :func:`predict`: ``club_speed_mph``, ``attack [deg]``, and
     of the launch ``ball_speed_mph``, ``launch_deg``, ``azimuth_deg``, ``backspin_rpm``, ``sidespin_rpm``,
-    ``total_spin_rpm``, ``spin_axis_deg``, ``carry_yd`` and so on; ``club`` names the club, ``hand`` is right or left.
+    ``total_spin_rpm``, ``spin_axis_deg``, ``carry_yd`` and so on; ``club`` names the club, ``player`` the player,
+    ``hand`` is right or left.
     An empty cell is a value not measured.
 
     Raises
@@ -46,8 +48,11 @@ def read_shots(path: str | os.PathLike[str]) -> RecordedShots:
         if not [each for each in found.used if each.quantity != HAND]:
             message = f"no column is of a delivery or a launch, such as ball_speed_mph; {listed(found.headings)}"
             raise FileError(reader.path, reader.header_line, message)
-        club = next((place for place, name in enumerate(found.headings) if plain_name(name) in CLUB_HEADINGS), None)
-        read_so_far = _Columns(found, club)
+        club, player = (
+            next((place for place, name in enumerate(found.headings) if plain_name(name) in headings), None)
+            for headings in (CLUB_HEADINGS, PLAYER_HEADINGS)
+        )
+        read_so_far = _Columns(found, club, player)
         for chunk in reader.chunks(CHUNK_ROWS, 0):
             read_so_far.take(chunk, reader.path)
     finally:
@@ -79,11 +84,13 @@ def without_emptied(shots: RecordedShots, emptied: NDArray[np.bool_]) -> Recorde
 class _Columns:
     """The columns of a file, chunk by chunk."""
 
-    def __init__(self, found: Layout, club: int | None) -> None:
+    def __init__(self, found: Layout, club: int | None, player: int | None) -> None:
         self._layout = found
         self._club = club
+        self._player = player
         self._values: dict[str, list[NDArray[Any]]] = {each.quantity: [] for each in found.used}
         self._clubs: list[str] = []
+        self._players: list[str] = []
         self._points = {name: found.headings.index(name) for name in POINTS if name in found.headings}
         self._taken: dict[str, str] = {}
         self.rows: list[int] = []
@@ -110,6 +117,8 @@ class _Columns:
             self._take_point(name, {cells[place].strip() for cells in chunk.texts(kept)}, path)
         if self._club is not None:
             self._clubs += [cells[self._club].strip() for cells in chunk.texts(kept)]
+        if self._player is not None:
+            self._players += [cells[self._player].strip() for cells in chunk.texts(kept)]
 
     def _take_point(self, name: str, told: set[str], path: str) -> None:
         """Take where club data was taken, which must be the same for all shots."""
@@ -130,6 +139,7 @@ class _Columns:
             deliveries={name: each for name, each in found.columns.items() if name in inputs()},
             launches={name: each for name, each in found.columns.items() if name not in inputs()},
             clubs=np.array(self._clubs, dtype=object) if self._club is not None else None,
+            players=np.array(self._players, dtype=object) if self._player is not None else None,
             hand=None if hand is None else np.array([SIDES[each] for each in hand], dtype=object),
             rows=np.array(self.rows, dtype=np.int64),
             source=path,

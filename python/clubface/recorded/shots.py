@@ -60,6 +60,8 @@ class RecordedShots:
         spin axis was measured, the other follows: backspin = total cos(axis), sidespin = total sin(axis).
     clubs
         Name of the club as in the file, or None where the file has none.
+    players
+        Name of the player as in the file, or None where the file has none.
     hand
         ``"right"`` or ``"left"``, or None where it is not known.
     rows
@@ -82,6 +84,7 @@ class RecordedShots:
     deliveries: dict[str, Floats]
     launches: dict[str, Floats]
     clubs: NDArray[Any] | None = None
+    players: NDArray[Any] | None = None
     hand: NDArray[Any] | None = None
     rows: NDArray[np.int64]
     source: str
@@ -99,7 +102,7 @@ class RecordedShots:
         known_deliveries = [name for name in inputs() if name != HAND]
         checked["deliveries"] = _floats(self.deliveries, known_deliveries, count)
         checked["launches"] = with_both_spins(_floats(self.launches, LAUNCH_SYNONYMS, count))
-        for name in ("clubs", "hand"):
+        for name in ("clubs", "players", "hand"):
             given = getattr(self, name)
             if given is not None:
                 checked[name] = _of_length(np.asarray(given, dtype=object), name, count)
@@ -131,9 +134,20 @@ class RecordedShots:
             deliveries={name: values[index] for name, values in self.deliveries.items()},
             launches={name: values[index] for name, values in self.launches.items()},
             clubs=None if self.clubs is None else self.clubs[index],
+            players=None if self.players is None else self.players[index],
             hand=None if self.hand is None else self.hand[index],
             rows=self.rows[index],
         )
+
+    def groups(self) -> NDArray[Any] | None:
+        """Return a label for each shot that says which belong together, those of a player; None if there is one player.
+
+        A shot whose player is not named belongs to none.
+        """
+        if self.players is None or len(set(self.players) - {""}) < 2:
+            return None
+        lonely = np.array([f"row {row}" for row in self.rows], dtype=object)
+        return np.where(self.players == "", lonely, self.players).astype(str)
 
     def delivery(self) -> dict[str, Floats]:
         """Return what :func:`impact` takes as ``delivery``: the deliveries, and the hand as +1 or -1."""
@@ -148,7 +162,7 @@ class RecordedShots:
         return {name: SI_UNITS[dimensions[name]] for name in (*self.deliveries, *self.launches)}
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return one row a shot, SI: ``row``, ``club`` and ``hand`` where known, then every quantity.
+        """Return one row a shot, SI: ``row``, ``club``, ``player`` and ``hand`` where known, then every quantity.
 
         ``attrs`` of the frame holds ``units`` and ``source``, ``format``, ``rejected``, ``notes``, ``speed_at``,
         ``face_at``.
@@ -156,7 +170,7 @@ class RecordedShots:
         import pandas
 
         columns: dict[str, Any] = {"row": self.rows}
-        for name, values in (("club", self.clubs), (HAND, self.hand)):
+        for name, values in (("club", self.clubs), ("player", self.players), (HAND, self.hand)):
             if values is not None:
                 columns[name] = values
         frame = pandas.DataFrame(columns | self.deliveries | self.launches)
@@ -167,7 +181,7 @@ class RecordedShots:
     def columns(self) -> dict[str, Any]:
         """Return the columns of a table of the shots by their headings, numbers in the units that these name."""
         columns: dict[str, Any] = {}
-        for name, texts in (("club", self.clubs), (HAND, self.hand)):
+        for name, texts in (("club", self.clubs), ("player", self.players), (HAND, self.hand)):
             if texts is not None:
                 columns[name] = [str(each) for each in texts]
         for name, points in POINTS.items():
