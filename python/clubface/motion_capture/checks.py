@@ -31,8 +31,10 @@ MOVED = 2e-3
 FEW_FREEDOMS = 30
 
 
-def of_delivery(values: Mapping[str, float], deviations: Mapping[str, float], club: Club) -> list[str]:
-    """Return remarks on implausible values of a delivery."""
+def of_delivery(
+    values: Mapping[str, float], deviations: Mapping[str, float], club: Club, *, assumed: float = 0.0
+) -> list[str]:
+    """Return remarks on implausible values of a delivery; ``assumed`` is by how much the loft is assumed."""
     notes = []
     toe, high = values["toe"], values["high"]
     if abs(toe) > 0.5 * club.face_width or abs(high) > 0.5 * club.face_height:
@@ -52,7 +54,7 @@ def of_delivery(values: Mapping[str, float], deviations: Mapping[str, float], cl
         notes.append(
             f"the lie of {units.fixed(values['lie'], 'deg', 0)} is no club's: the axis that points up may be wrong"
         )
-    if deviations["loft"] > units.to_si(2.0, "deg"):
+    if math.sqrt(max(deviations["loft"] ** 2 - assumed**2, 0.0)) > units.to_si(2.0, "deg"):
         notes.append(
             "the dynamic loft is not known to 2 deg: too few markers, too near together, or gaps before impact"
         )

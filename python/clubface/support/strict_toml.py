@@ -11,6 +11,10 @@ from clubface.errors import ClubfaceError, FileError, UnknownNameError
 MAXIMUM_SIZE = 1_000_000
 """Bytes; no club, ball or parameter file comes near it."""
 
+BARE = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.")
+"""Letters of keys without quotes, and the point between parts of one."""
+LONGEST_KEY = 60
+
 
 class Document:
     """One TOML file: its content, and where each key stands.
@@ -32,7 +36,9 @@ class Document:
             self.data: dict[str, Any] = tomllib.loads(text)
         except (ValueError, RecursionError) as error:
             message = "nested too deeply" if isinstance(error, RecursionError) else str(error)
-            raise FileError(path, _line_in(message), f"this is not TOML: {message}") from None
+            raise FileError(
+                path, _line_in(message), f"this is not TOML: {message}{self._unquoted(_line_in(message))}"
+            ) from None
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Document:
@@ -54,6 +60,14 @@ class Document:
             line = content[: error.start].count(b"\n") + 1
             raise FileError(name, line, "this is not UTF-8 text") from None
         return cls(text, name)
+
+    def _unquoted(self, number: int | None) -> str:
+        """Say how to write the key of a line if TOML takes it in quotes only."""
+        line = self._lines[number - 1] if number is not None and number <= len(self._lines) else ""
+        key, equals, _ = (part.strip() for part in line.partition("="))
+        if not equals or not key or key[0] in "\"'[" or len(key) > LONGEST_KEY or all(c in BARE for c in key):
+            return ""
+        return f"; put the name into quotes: {quoted(key)} = ..."
 
     def line(self, key: str, table: str = "", occurrence: int = 0) -> int | None:
         """Find the line (from 1) that sets ``key`` in the given ``occurrence`` of ``table``, or opens it, or None.
