@@ -285,4 +285,8 @@ def _print_many(found: Any) -> None:
     last = [output.number(mean, digits) for mean, (*_, digits) in zip(means, SHOWN, strict=True)]
     rows.append(["standard deviation", *last])
     print_numbers(heads, rows, summary=True)
+    shared = [str(each) for each in found.captured[0].geometry]
+    for known in shared:
+        if all(known in map(str, each.geometry) for each in found.captured):
+            output.print_paragraph(known)
     output.print_notes(found.shots.notes)

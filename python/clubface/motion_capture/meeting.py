@@ -100,9 +100,12 @@ def meet(recording: Recording, followed: Track, cluster: Registration, setup: Se
     if mapping.ball is None and (mapping.ball_position is None or mapping.ball_deviation > SURE):
         try:
             return _by_blow(recording, followed, cluster, setup, turn)
-        except FileError:
+        except FileError as error:
             if mapping.ball_position is None:
                 raise
+            met = _by_ball(recording, followed, setup, turn)
+            told = "the blow cannot be read, so that all depends on the given place of the ball:"
+            return met._replace(remarks=(*met.remarks, f"{told} {error.message}"))
     return _by_ball(recording, followed, setup, turn)
 
 

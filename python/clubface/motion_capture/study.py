@@ -24,6 +24,7 @@ from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH
 from clubface.simulation.delivery import DIMENSIONS
+from clubface.support.warning import without_warnings
 
 UNITS = {
     name: "m/s" if name == "speed" else units.display_unit(name, units.SI_UNITS[dimension])
@@ -79,10 +80,11 @@ class Study:
         return _told(np.sqrt((self.deviations[name] ** 2).mean(0)))
 
     def coverage(self, name: str, level: float = 0.95) -> dict[str, float]:
-        """Return how often the intervals of an estimator hold the truth, by quantity; ``level`` is how often they should."""
+        """Return how often intervals of an estimator hold the truth, by quantity; refused swings do not count."""
         half = NormalDist().inv_cdf(0.5 + 0.5 * level)
         inside = np.abs(self.errors[name]) < half * self.deviations[name]
-        return dict(zip(QUANTITIES, inside.mean(0).tolist(), strict=True))
+        read = np.isfinite(self.errors[name][:, 0])
+        return dict(zip(QUANTITIES, inside[read].mean(0).tolist(), strict=True))
 
     def launch_errors(self, name: str, model: str = DEFAULT_MODEL) -> dict[str, Array]:
         """Return the error of a launch that is computed from the captured instead of the true deliveries.
@@ -216,7 +218,8 @@ def bare_study(
     for number in range(count):
         asked = asked_at_random(np.random.default_rng([seed, number, 2]))
         blow = blows[number % len(blows)]
-        swing = random_swing(np.random.default_rng([seed, number, 0]), club=head, model=blow, **asked)
+        with without_warnings():
+            swing = random_swing(np.random.default_rng([seed, number, 0]), club=head, model=blow, **asked)
         truths[number] = [swing.truth[name] for name in QUANTITIES]
         bare = record_bare(swing, seen, np.random.default_rng([seed, number, 1]))
         for place, name in enumerate(names):

@@ -104,11 +104,13 @@ def record_bare(
 
 
 def asked_at_random(seed: int | np.random.Generator, assumed: Assumed | None = None) -> dict[str, float]:
-    """Return lie and impact point of a random swing, as widely scattered as a reader has to assume [SI]."""
+    """Return face angle, lie and impact point of a swing, as widely scattered as a reader has to assume [SI]."""
     random, spread = np.random.default_rng(seed), assumed or Assumed()
+    deviations = {
+        "face": spread.delivered_face, "lie": spread.delivered_lie, "toe": spread.toe, "high": spread.high,
+    }  # fmt: skip
     return {
-        name: deviation * float(np.clip(random.normal(), -FARTHEST, FARTHEST))
-        for name, deviation in (("lie", spread.delivered_lie), ("toe", spread.toe), ("high", spread.high))
+        name: deviation * float(np.clip(random.normal(), -FARTHEST, FARTHEST)) for name, deviation in deviations.items()
     }
 
 
