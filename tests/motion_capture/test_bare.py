@@ -99,6 +99,22 @@ def test_positions_that_contradict_the_address_are_told():
     assert not any("contradict" in note for note in read(swing, recorded, cluster=recorded.cluster).notes)
 
 
+@pytest.mark.parametrize("hand", ["right", "left"])
+def test_a_blow_at_the_centre_shows_loft_and_face_angle(hand):
+    cameras = Cameras(rate=720.0, noise=1e-5)
+    usual = Assumed(
+        delivered_loft=0.5, delivered_face=0.5, delivered_lie=0.01, blow=1e-3, toe=1e-4, high=1e-4, place=1e-6
+    )
+    for seed in (3, 5, 6):
+        swing = random_swing(seed, hand=hand, toe=0.0, high=0.0, lie=0.0)
+        recorded = record_bare(swing, cameras, seed, assumed=usual)
+        found = read(swing, recorded, "swing", cameras=cameras, assumed=usual)
+        # Of 12 m/s that are lost, 0.1 to 0.2 m/s of the fits before and after are a degree. The mean of the markers, 45
+        # mm from the CG, turns about it by 0.4 m/s and more: two or three degrees, if that were forgotten.
+        assert found.delivery.loft == pytest.approx(swing.truth["loft"], abs=np.radians(1.2))
+        assert found.delivery.face == pytest.approx(swing.truth["face"], abs=np.radians(1.2))
+
+
 def test_deviations_that_are_stated_hold_the_truth():
     found = bare_study(40, ways=("address", "swing"), seed=4)
     for name in ("address", "swing"):
@@ -276,14 +292,15 @@ def test_the_picture_shows_the_frames_and_the_delivery():
     pytest.importorskip("matplotlib")
     from clubface.motion_capture.swing_figure import swing_figure
 
-    swing, recorded = bare(5, hand="left")
-    found = read(swing, recorded)
+    swing = random_swing(5, hand="left", face=0.08)
+    found = read(swing, record_bare(swing, CAMERAS, 5))
     side, above, _, face, left = swing_figure(found).axes
     assert f"attack of {np.degrees(found.delivery.attack):.1f}" in side.get_title(loc="left")
     assert f"path of {np.degrees(found.delivery.path):.1f}" in above.get_title(loc="left")
     [point] = [each for each in face.lines if each.get_marker() == "s"]
     assert point.get_ydata()[0] == pytest.approx(np.degrees(found.delivery.face))
-    # The last frame before impact looks where the path through all of them says, to what the face turns in a frame.
-    before = face.lines[0].get_ydata()
-    assert abs(before[-1] - np.degrees(found.delivery.face)) < 1.2 * abs(before[-1] - before[-2])
+    # From the last frame before impact the face turns on, for the part of a frame that is left; noise is 0.3 degrees.
+    when, before = face.lines[0].get_data()
+    ahead = before[-1] - when[-1] * (before[-1] - before[-2]) / (when[-1] - when[-2])
+    assert ahead == pytest.approx(np.degrees(found.delivery.face), abs=1.5)
     assert np.nanmean(left.lines[0].get_ydata()) == pytest.approx(0.3, rel=0.15)
