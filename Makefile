@@ -101,8 +101,8 @@ response-fit: dev ## the model response for a ball (BALL=modern, or the path of 
 identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats
 	$(PYTHON) -m pytest -m study tests/identification/test_coverage.py -s
 
-capture-coverage: dev ## errors and coverage of motion capture on 200 and 400 synthetic swings; some minutes
-	$(PYTHON) -m pytest -q -m study tests/motion_capture/test_study.py
+capture-coverage: dev ## errors and coverage of motion capture on 200 to 400 synthetic swings; ten minutes
+	$(PYTHON) -m pytest -q -m study tests/motion_capture/test_study.py tests/motion_capture/test_bare.py
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks

@@ -12,7 +12,6 @@ from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.errors import FileError
 from clubface.motion_capture.geometry import Known
-from clubface.motion_capture.laboratory import axis
 from clubface.motion_capture.mapping_file import MarkerMap
 from clubface.motion_capture.placement import Attitude, placed
 from clubface.motion_capture.recording import Recording
@@ -52,9 +51,7 @@ def from_address(mapping: MarkerMap, club: Club, recording: Recording, turn: Arr
     first, last = _frames(mapping, recording, seen)
     markers = _mean(seen[first : last + 1], tuple(mapping.cluster), recording, first)
     attitude = Attitude(np.array([club.loft, 0.0, 0.0]), np.diag([assumed.loft, assumed.face, assumed.lie]) ** 2)
-    up = turn @ axis(mapping.up)
-    height = None if mapping.ground is None else mapping.ground * float(up[1])
-    found = placed(markers, attitude, mapping, club, height)
+    found = placed(markers, attitude, mapping, club, mapping.ground)
     told = (
         Known.of("loft at address", "assumed", "deg", [club.loft], [assumed.loft]),
         Known.of("face angle at address", "assumed", "deg", [0.0], [assumed.face]),

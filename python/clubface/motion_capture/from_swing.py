@@ -60,20 +60,15 @@ def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording,
     mean, spread = _place(mapping, club)
     arm = float(np.linalg.norm(np.hypot(spread, np.abs(mean + np.array(club.cg)))) / np.sqrt(3.0))
     blow = find_blow(recording.times, followed, noise=max(noise, 1e-6), arm=arm, where=where)
-    attitude = _attitude(blow, followed, mapping, club, ball, where)
+    attitude = _attitude(blow, mapping, club, ball, where)
     markers = blow.position + followed.shape @ blow.rotation.T
     found = placed(markers, attitude, mapping, club, None)
     deviations = np.sqrt(np.diag(attitude.covariance))
     told = (
-        Known.of(
-            "loft and face angle at impact, from the blow and what is usual",
-            "assumed",
-            "deg",
-            attitude.values[:2],
-            deviations[:2],
-        ),
+        Known.of("loft and face angle at impact, from the blow and what is usual", "assumed", "deg",
+                 attitude.values[:2], deviations[:2]),
         Known.of("lie at impact", "assumed", "deg", [0.0], deviations[2:]),
-    )
+    )  # fmt: skip
     return found._replace(geometry=(*told, *found.geometry))
 
 
@@ -84,16 +79,15 @@ def followed_alone(mapping: MarkerMap, recording: Recording, turn: Array) -> Tra
     check_seen(seen, names, recording.path)
     whole = np.flatnonzero(np.all(visible(seen), axis=-1))
     if not len(whole):
-        hidden = ", ".join(
-            name for name, each in zip(names, np.any(visible(seen), axis=0).tolist(), strict=True) if not each
-        )
+        counts = visible(seen).sum(0).tolist()
+        hidden = ", ".join(name for name, count in zip(names, counts, strict=True) if not count)
         told = f"{hidden} never seen" if hidden else "no frame shows all of them at once"
         raise FileError(recording.path, None, f"markers of the cluster: {told}; take out of [cluster] what is not seen")
     first = seen[whole[len(whole) // 2]]
     return track(first - first.mean(0), seen, names, recording.path)
 
 
-def _attitude(blow: Blow, followed: Track, mapping: MarkerMap, club: Club, ball: Ball, where: str) -> Attitude:
+def _attitude(blow: Blow, mapping: MarkerMap, club: Club, ball: Ball, where: str) -> Attitude:
     """Return loft, face angle and lie at first touch from the direction of the blow, and their covariance."""
     from clubface.simulation.impact import impact
 

@@ -18,6 +18,8 @@ from clubface.errors import InputError
 from clubface.motion_capture.rotations import Array
 
 _DEGREE, _MM = units.size("deg"), units.size("mm")
+FINE = 0.095
+"""In the units shown: smaller deviations are written with two digits after the point."""
 GIVEN = 1.0 * _MM
 """Of a given position whose accuracy is not told: what a calliper on a rounded head gives."""
 GUESSED = 10.0 * _MM
@@ -56,14 +58,13 @@ class Known(NamedTuple):
         return self._asdict() | {"values": list(self.values), "deviations": list(self.deviations)}
 
     def __str__(self) -> str:
-        shown = self.deviations or self.values
-        digits = 2 if self.unit == "ms" else 1
-        cells = []
-        for place in range(len(shown)):
-            parts = [f"{self.values[place]:.{digits}f}"] if self.values else []
-            parts += [f"± {self.deviations[place]:.{digits}f}"] if self.deviations else []
-            cells.append(" ".join(parts))
-        return f"{self.what}: {self.how}{', ' if cells else ''}{', '.join(cells)}{f' {self.unit}' if cells else ''}"
+        if self.deviations and not any(self.deviations):
+            return f"{self.what}: {self.how}, exact"
+        digits = 1 if min(self.deviations, default=1.0) >= FINE else 2
+        values = [f"{each:.{digits}f}" for each in self.values] or [""] * len(self.deviations)
+        deviations = [f"± {each:.{digits}f}" for each in self.deviations] or [""] * len(values)
+        cells = [" ".join(filter(None, pair)) for pair in zip(values, deviations, strict=True)]
+        return f"{self.what}: {self.how}" + (f", {', '.join(cells)} {self.unit}" if cells else "")
 
 
 @dataclass(frozen=True, kw_only=True)
