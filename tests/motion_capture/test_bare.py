@@ -223,6 +223,17 @@ def test_a_file_without_an_address_says_what_to_do():
     assert capture(late, prepare(bare_map(swing.club, CAMERAS, "swing"), swing.club)).delivery.speed > 40.0
 
 
+def test_an_axis_or_a_hand_that_is_wrong_is_told_where_nothing_else_contradicts_it():
+    swing, recorded = bare(5)
+    assert not any("may be wrong" in note for note in read(swing, recorded).notes)
+    assert any(
+        "axis that points to the target may be wrong" in note for note in read(swing, recorded, target="+x").notes
+    )
+    mapping = bare_map(swing.club, CAMERAS)
+    left = capture(recorded.recording, prepare(mapping, swing.club, hand="left"))
+    assert any("the hand of the club may be wrong" in note for note in left.notes)
+
+
 def test_the_address_may_be_a_file_of_its_own(tmp_path):
     from clubface.motion_capture import write_c3d
 
@@ -272,10 +283,11 @@ def test_a_mapping_that_lacks_its_calibration_says_which_there_are(changes, mess
     ("line", "message"),
     [
         ("S:C1 = 'seen'", r'map\.toml:2: this is not TOML.*put the name into quotes: "S:C1" = \.\.\.'),
+        ("C = 'seen'\n[assumed]\nface = '-2 deg'", r"map\.toml:4: face is '-2 deg'; it must be above 0"),
         ("S.C1 = 'seen'", r'map\.toml:2: a name with a point needs quotes: "S\.C1" = \.\.\.'),
     ],
 )
-def test_a_marker_name_that_needs_quotes_is_told_to_be_quoted(line, message):
+def test_a_line_that_cannot_be_used_is_told_with_what_to_write(line, message):
     with pytest.raises(FileError, match=message):
         MarkerMap.from_text(f"[cluster]\n{line}\n", "map.toml")
 
@@ -304,3 +316,43 @@ def test_the_picture_shows_the_frames_and_the_delivery():
     ahead = before[-1] - when[-1] * (before[-1] - before[-2]) / (when[-1] - when[-2])
     assert ahead == pytest.approx(np.degrees(found.delivery.face), abs=1.5)
     assert np.nanmean(left.lines[0].get_ydata()) == pytest.approx(0.3, rel=0.15)
+
+
+@pytest.mark.parametrize("by", ["address", "swing"])
+def test_whatever_happens_to_a_bare_recording_it_is_read_or_refused(by):
+    """Recordings hidden, shifted, cut, shuffled, reversed and scaled in part; numpy must not warn either."""
+    import warnings
+
+    swing, recorded = bare(5)
+    ready = prepare(bare_map(swing.club, CAMERAS, by), swing.club)
+    random = np.random.default_rng(6)
+    outcomes = []
+    for number in range(24):
+        positions = recorded.recording.positions.copy()
+        first, last = np.sort(random.integers(0, len(positions), 2))
+        if number % 2:
+            first, last = np.sort(len(positions) - 1 - random.integers(0, 40, 2))  # about impact
+        some = random.permutation(3)[: random.integers(1, 4)]
+        match number % 6:
+            case 0:
+                positions[first:last, some] = np.nan
+            case 1:
+                positions[first:last, some] += random.normal(size=3) * 10.0 ** random.uniform(-4, 1)
+            case 2:
+                positions = positions[first : last + 2]
+            case 3:
+                positions[first:, some] = positions[first:, random.permutation(some)]
+            case 4:
+                positions = np.repeat(positions[:: random.choice([1, -1])], 2, axis=0)
+            case 5:
+                positions[first:last] *= 10.0 ** random.uniform(-3, 3)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", RuntimeWarning)
+            try:
+                found = capture(replace(recorded.recording, positions=positions), ready)
+                assert np.isfinite(list(found.uncertainty.values())).all()
+                outcomes.append("read")
+            except FileError as error:
+                assert "\n" not in str(error)
+                outcomes.append("refused")
+    assert 3 < outcomes.count("refused") < 24

@@ -164,7 +164,8 @@ class _Reader:
         for key, value in values.items():
             try:
                 found[key] = units.parse(value, DIMENSIONS[key], name=key)
-                Assumed(**{key: found[key]})
+                if not found[key] > 0.0:
+                    raise InputError(key, value, "above 0")
             except InputError as error:
                 raise self.document.error(str(error), key, "assumed") from None
         return Assumed(**found)

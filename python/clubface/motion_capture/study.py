@@ -219,7 +219,7 @@ def bare_study(
         asked = asked_at_random(np.random.default_rng([seed, number, 2]))
         blow = blows[number % len(blows)]
         with without_warnings():
-            swing = random_swing(np.random.default_rng([seed, number, 0]), club=head, model=blow, **asked)
+            swing = random_swing(np.random.default_rng([seed, number, 0]), club=head, hand=None, model=blow, **asked)
         truths[number] = [swing.truth[name] for name in QUANTITIES]
         bare = record_bare(swing, seen, np.random.default_rng([seed, number, 1]))
         for place, name in enumerate(names):
