@@ -135,10 +135,10 @@ def test_ninety_percent_hold_the_truth_in_many_swings_of_bare_files(club, hand):
     for name in WAYS:
         read = np.isfinite(found.errors[name][:, 0]).mean()
         # A blow far off centre spins an iron so fast that the swing alone may not calibrate it; that is refused.
-        assert read > (0.8 if name == "swing" else 0.99), name
+        assert read > (0.75 if name == "swing" else 0.99), name
         for quantity, rate in found.coverage(name, 0.9).items():
-            # 200 intervals scatter by 2.1%. What is drawn less widely than it may be is covered more often.
-            assert 0.80 <= rate <= 0.995, (name, quantity, rate)
+            # 200 intervals scatter by 2.1%, to first order: 80 to 98% is four to five times that about 90%.
+            assert 0.80 <= rate <= 0.98, (name, quantity, rate)
 
 
 def guessed_ball(seed, by, **changes):
