@@ -109,8 +109,8 @@ mutants: dev ## errors planted in a sample of the package and the core: how many
 	@command -v cargo-mutants >/dev/null || cargo install --locked --quiet cargo-mutants@27.1.0 --root target/tools
 	PATH="$(CURDIR)/target/tools/bin:$$PATH" cargo mutants $(RUST_MUTANTS)
 
-capture-coverage: dev ## errors and coverage of motion capture on 200 and 400 synthetic swings; some minutes
-	$(PYTHON) -m pytest -q -m study tests/motion_capture/test_study.py
+capture-coverage: dev ## errors and coverage of motion capture on 200 to 400 synthetic swings; ten minutes
+	$(PYTHON) -m pytest -q -m study tests/motion_capture/test_study.py tests/motion_capture/test_bare.py
 
 COUNT ?= 1000000
 SEED ?= 0

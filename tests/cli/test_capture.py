@@ -177,3 +177,57 @@ def test_ctrl_c_keeps_the_swings_that_were_read(clubface_, folder, monkeypatch):
     assert ran.status == 130
     assert "interrupted: 2 of 3 swings read" in ran.err
     assert (folder / "shots.csv").read_text().count("\n") == 3
+
+
+@pytest.fixture
+def bare(clubface_, tmp_path):
+    target = tmp_path / "bare"
+    ran = clubface_("capture", "synthesize", "-o", str(target), "--bare", "--count", "2", "--noise", "0.3 mm")
+    assert ran.status == 0
+    assert "wrote 2 swings, markers.toml, truth.csv" in ran.err
+    return target
+
+
+def test_bare_swings_are_read_and_what_was_assumed_is_told(clubface_, bare):
+    shown = clubface_("capture", "markers", str(bare / "swing-001.c3d"), "--json").json
+    assert shown["rate_hz"] == 360.0
+    assert [each["label"] for each in shown["markers"]] == ["HEAD1", "HEAD3", "HEAD4"]
+    ran = clubface_(*arguments(bare))
+    assert ran.status == 0
+    assert "face angle at address: assumed, 0.0 ± 2.0 deg" in ran.out
+    assert "ball: assumed: where the clubhead loses speed" in ran.out
+    many = clubface_(*arguments(bare, "swing-001.c3d", "swing-002.c3d"))
+    assert many.out.count("face angle at address: assumed, 0.0 ± 2.0 deg") == 1
+    found = clubface_(*arguments(bare), "--json").json["geometry"]
+    assert {"what": "lie at address", "how": "assumed", "values": [0.0], "deviations": [2.0], "unit": "deg"} in found
+
+
+def test_a_table_gets_its_pictures_beside_it_and_a_printed_delivery_none(clubface_, folder):
+    assert clubface_(*arguments(folder)).status == 0
+    assert not list(folder.glob("*.pdf"))
+    names = [f"swing-00{number}.c3d" for number in (1, 2, 3)]
+    ran = clubface_(*arguments(folder, *names), "-o", str(folder / "shots.csv"))
+    assert "shots.csv" in ran.err
+    pages = (folder / "shots.pdf").read_bytes()
+    assert pages.count(b"/Type /Page ") == 3
+    clubface_(*arguments(folder, *names), "-o", str(folder / "shots.csv"))
+    assert (folder / "shots.pdf").read_bytes() == pages
+    picture = folder / "swing.png"
+    assert clubface_(*arguments(folder), "--plot", str(picture)).status == 0
+    assert picture.stat().st_size > 20_000
+    assert_mistake(clubface_(*arguments(folder, *names), "--plot", str(picture)), "--plot", "several swings", ".pdf")
+
+
+def test_a_template_names_the_markers_of_a_file(clubface_, folder):
+    ran = clubface_("capture", "template", str(folder / "swing-001.c3d"))
+    assert 'HEAD5 = "seen"\nBALL = "seen"\n' in ran.out
+
+
+def test_without_matplotlib_the_table_is_written_all_the_same(clubface_, folder, monkeypatch):
+    from clubface.cli import capture_pictures
+
+    monkeypatch.setattr(capture_pictures, "find_spec", lambda name: None)
+    ran = clubface_(*arguments(folder), "-o", str(folder / "shots.csv"))
+    assert ran.status == 0
+    assert "no picture is written beside the table" in ran.err
+    assert not list(folder.glob("*.pdf"))

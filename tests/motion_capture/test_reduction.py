@@ -74,9 +74,9 @@ def test_the_stated_covariance_is_that_of_the_scatter():
     blocks = [root @ root.T for root in roots]
     position = np.concatenate([np.zeros((1, 6)), rate])
     path = Path(position, rate, blocks[0], 1.0)
-    _, _, stated = with_covariance(
+    stated = with_covariance(
         path, ball, attitude, club, 0.0213, ball_covariance=blocks[1], club_covariance=blocks[2]
-    )
+    ).covariance
     drawn = [random.normal(size=(20000, len(root))) @ root.T for root in roots]
     many = Inputs(
         position + drawn[0][:, :18].reshape(-1, 3, 6),

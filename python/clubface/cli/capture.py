@@ -9,6 +9,7 @@ import typer
 from clubface import units
 from clubface.cli import options, output
 from clubface.cli.capture_join import join
+from clubface.cli.capture_pictures import PICTURES, pictures_of
 from clubface.cli.failures import Interrupted, say, say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
@@ -79,6 +80,7 @@ def read(
         ),
     ] = None,
     target_file: Annotated[str | None, options.output(FILE, "Write the deliveries, CSV or Parquet.")] = None,
+    picture: Annotated[str | None, options.picture(PICTURES)] = None,
     as_json: options.Json = False,
 ) -> None:
     """Read the delivery, with its uncertainty, from recordings of swings."""
@@ -86,6 +88,7 @@ def read(
     from clubface.tables.writer import KINDS
 
     output.check_target("--output", target_file, KINDS, [*files, markers])
+    pictures = pictures_of(picture, target_file, files, markers)
     with progress_bar("swings") as progress:
         found = read_swings(
             files, markers, club, estimator=estimator, roughness=roughness, hand=hand, ball=ball, target=target, up=up,
@@ -93,6 +96,10 @@ def read(
             progress=progress,
         )  # fmt: skip
     written = found.write(target_file) if target_file is not None and len(found) else []
+    if pictures is not None and len(found):
+        from clubface.motion_capture.swing_figure import save_swings
+
+        written.append(save_swings(found.captured, pictures))
     if as_json:
         documents: Any = [each.document() for each in found.captured]
         rejected = [each.reason for each in found.rejected]
@@ -145,12 +152,16 @@ def markers(
 
 @app.command("template")
 def template(
+    file: Annotated[
+        str | None, typer.Argument(metavar=FILE, help="A C3D file, whose markers are named in the mapping.")
+    ] = None,
     target_file: options.Template = None,
 ) -> None:
     """Print an explained mapping file to start your own from."""
-    from clubface.motion_capture import template as text
+    from clubface.motion_capture import read_c3d, template as text
 
-    output.write_template(text(), target_file, "fill it in, then give it as --markers")
+    written = text() if file is None else text(read_c3d(file, unit="mm").labels)
+    output.write_template(written, target_file, "fill it in, then give it as --markers")
 
 
 @app.command("synthesize")
@@ -161,13 +172,24 @@ def synthesize(
     hand: Hand = None,
     noise: Noise = "0 mm",
     gaps: Gaps = 0.0,
-    rate: Rate = 720.0,
+    rate: Annotated[
+        float | None,
+        options.option("--rate", metavar="HZ", text="Frames per second; 720, or 360 with --bare, unless given."),
+    ] = None,
     seed: Seed = 1,
+    bare: Annotated[
+        bool, typer.Option("--bare", help="Three markers on the head, an address, no ball and no calibration.")
+    ] = False,
 ) -> None:
     """Write swings whose delivery is known exactly, with calibration, mapping file and truth."""
-    from clubface.motion_capture.synthetic import Cameras, synthesize as write
+    from clubface.motion_capture.synthetic import Cameras, synthesize as write_usual, synthesize_bare
+    from clubface.motion_capture.synthetic.files import BARE_RATE
 
-    cameras = Cameras(rate=rate, noise=units.parse(noise, "length", name="--noise"), gaps=gaps)
+    write = synthesize_bare if bare else write_usual
+    usual = BARE_RATE if bare else Cameras.rate
+    cameras = Cameras(
+        rate=usual if rate is None else rate, noise=units.parse(noise, "length", name="--noise"), gaps=gaps
+    )
     with progress_bar("swings") as progress:
         files = write(
             folder, count, club=club, hand=hand, cameras=cameras, seed=seed,
@@ -243,6 +265,8 @@ def _print_one(found: Any) -> None:
         rows.append([f"{label}, {unit}", output.number(value, digits), output.number(deviation, digits)])
     print_numbers(("", "", "standard\ndeviation"), rows, title=f"{found.source}: {found.club.name}, {found.estimator}")
     noise = f"markers' noise {units.fixed(found.marker_noise, 'mm', 3)}"
+    for known in found.geometry:
+        output.print_paragraph(str(known))
     print(f"first touch {found.time:.6f} s, after frame {found.frames[0]}; {found.used} frames used; {noise}")
     output.print_notes(found.notes)
 
@@ -261,4 +285,8 @@ def _print_many(found: Any) -> None:
     last = [output.number(mean, digits) for mean, (*_, digits) in zip(means, SHOWN, strict=True)]
     rows.append(["standard deviation", *last])
     print_numbers(heads, rows, summary=True)
+    shared = [str(each) for each in found.captured[0].geometry]
+    for known in shared:
+        if all(known in map(str, each.geometry) for each in found.captured):
+            output.print_paragraph(known)
     output.print_notes(found.shots.notes)

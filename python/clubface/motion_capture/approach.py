@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -89,21 +90,10 @@ def follow(
 
     def extended() -> Approach:
         """Fit the path about ``touch`` and move that to where the path meets the ball."""
-        frames = _usable(known[-most:], rotation)
+        frames = usable(known[-most:], rotation)
         if len(frames) < fewest:
             raise FileError(where, None, _too_few(len(frames), fewest, name))
-        attitude = rotation[frames[-1]]
-        turned = logarithm(rotation[frames] @ attitude.T)
-        errors = noise**2 * np.linalg.inv(pose_information(followed.shape, rotation[frames], followed.seen[frames]))
-        to_vector = np.zeros_like(errors)
-        to_vector[:, :3, :3] = np.eye(3)
-        to_vector[:, 3:, 3:] = np.linalg.inv(left_jacobian(turned))
-        coordinates = np.concatenate([position[frames], turned], 1)
-        errors = to_vector @ errors @ np.swapaxes(to_vector, 1, 2)
-        try:
-            path = extend(times[frames] - touch, coordinates, errors, roughness=roughness)
-        except np.linalg.LinAlgError:
-            raise FileError(where, None, "the frames before impact do not determine the path of the clubhead") from None
+        path, attitude = path_through(times[frames] - touch, followed, frames, noise, extend, roughness, where)
         _, time = deliver(Inputs(path.position, path.rate, ball, np.zeros(6)), attitude, club, radius)
         if not abs(float(time)) < TIME:
             raise FileError(where, None, f"the path of the clubhead by {name} does not lead to the ball")
@@ -120,7 +110,69 @@ def follow(
     raise FileError(where, None, f"the path of the clubhead by {name} does not settle on an instant of impact")
 
 
-def _usable(recent: Array, rotation: Array) -> Array:
+def follow_until(
+    times: Array, followed: Track, touch: float, *, noise: float, name: str, roughness: float, where: str
+) -> Approach:
+    """Extend the path of the clubhead to an instant of first touch that is known, such as that of the blow.
+
+    The parameters and errors are those of :func:`follow`.
+    """
+    extend, fewest, most = estimator(name)
+    known = np.flatnonzero(followed.known & (times <= touch))
+    frames = usable(known[-most:], followed.poses.rotation)
+    if len(frames) < fewest:
+        raise FileError(where, None, _too_few(len(frames), fewest, name))
+    path, attitude = path_through(times[frames] - touch, followed, frames, noise, extend, roughness, where)
+    return Approach(path, attitude, touch, frames)
+
+
+def path_through(
+    times: Array,
+    followed: Track,
+    frames: Array,
+    noise: float,
+    extend: Callable[..., Path],
+    roughness: float,
+    where: str,
+) -> tuple[Path, Array]:
+    """Return the path through some frames about time zero, and the attitude from which its rotation vector counts.
+
+    Parameters
+    ----------
+    times
+        Of the frames [s], ascending; counted backwards for a path that is followed back in time.
+    followed, frames
+        The clubhead, and the numbers of the frames; the last is the nearest to time zero.
+    noise
+        Standard deviation of a marker along an axis [m].
+    extend, roughness
+        The estimator's function, and its roughness.
+    where
+        The file, for error messages.
+    """
+    coordinates, errors, attitude = coordinates_of(followed, frames, noise)
+    try:
+        return extend(times, coordinates, errors, roughness=roughness), attitude
+    except np.linalg.LinAlgError:
+        raise FileError(where, None, "the frames before impact do not determine the path of the clubhead") from None
+
+
+def coordinates_of(followed: Track, frames: Array, noise: float) -> tuple[Array, Array, Array]:
+    """Return position and rotation vector of the frames, their covariances, and the attitude it counts from.
+
+    Coordinates have shape (frames, 6); the attitude is that in the last of the frames.
+    """
+    position, rotation = followed.poses.position, followed.poses.rotation
+    attitude = rotation[frames[-1]]
+    turned = logarithm(rotation[frames] @ attitude.T)
+    errors = noise**2 * np.linalg.inv(pose_information(followed.shape, rotation[frames], followed.seen[frames]))
+    to_vector = np.zeros_like(errors)
+    to_vector[:, :3, :3] = np.eye(3)
+    to_vector[:, 3:, 3:] = np.linalg.inv(left_jacobian(turned))
+    return np.concatenate([position[frames], turned], 1), to_vector @ errors @ np.swapaxes(to_vector, 1, 2), attitude
+
+
+def usable(recent: Array, rotation: Array) -> Array:
     """Return the last frames that hang together and in which the head turns by no more than ``TURN``."""
     angle = np.linalg.norm(logarithm(rotation[recent] @ rotation[recent[-1]].T), axis=-1)
     broken = (angle > TURN) | (np.diff(recent, append=recent[-1]) > WIDEST)

@@ -5,17 +5,44 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from statistics import NormalDist
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError
+from clubface.motion_capture.geometry import Known
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.rotations import Array
 from clubface.simulation.delivery import OF_CLUB, Delivery
 from clubface.support.checks import check_choice
+
+
+class Trace(NamedTuple):
+    """A head through a recording, in world axes.
+
+    Attributes
+    ----------
+    times
+        Of the frames [s].
+    face_centre
+        [m], shape (frames, 3); NaN without a pose.
+    loft, face
+        Dynamic loft and face angle [rad], shape (frames,).
+    residual
+        Root mean square along an axis of what is left between the markers and the head [m], shape (frames,).
+    ball, radius
+        Centre of the ball at rest, shape (3,), and its radius [m].
+    """
+
+    times: Array
+    face_centre: Array
+    loft: Array
+    face: Array
+    residual: Array
+    ball: Array
+    radius: float
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -54,6 +81,10 @@ class CapturedDelivery:
         Residuals of the path divided by the expected ones. Above 1.5 the uncertainty is too small. NaN for ``linear``.
     notes
         What you should know about the result, warnings first.
+    geometry
+        How markers, club and ball are known: measured, given, or assumed with which standard deviation.
+    trace
+        The head through the recording, for pictures.
     source
         The file.
     """
@@ -72,6 +103,8 @@ class CapturedDelivery:
     marker_noise_freedom: int
     misfit: float
     notes: tuple[str, ...]
+    geometry: tuple[Known, ...]
+    trace: Trace
     source: str
 
     def interval(self, name: str, level: float = 0.95) -> tuple[float, float]:
@@ -113,6 +146,7 @@ class CapturedDelivery:
             "marker_noise_m": self.marker_noise,
             "marker_noise_freedom": self.marker_noise_freedom,
             "misfit": None if math.isnan(self.misfit) else self.misfit,
+            "geometry": [each.document() for each in self.geometry],
             "notes": list(self.notes),
         }
 
@@ -122,4 +156,4 @@ class CapturedDelivery:
             unit = units.display_unit(name, units.SI_UNITS[OF_CLUB[name]])
             value, deviation = self.get(name, unit)
             lines.append(f"  {name:<10} {value:10.3f} ± {deviation:.3f} {unit}")
-        return "\n".join([*lines, *(f"  * {note}" for note in self.notes)])
+        return "\n".join([*lines, *(f"  {known}" for known in self.geometry), *(f"  * {note}" for note in self.notes)])

@@ -26,13 +26,19 @@ DIRECTION_OFF = units.to_si(6.0, "deg")
 """By which launch and azimuth may differ from those of the default model; published models: 1.2 degrees."""
 SPEED_OFF = 0.15
 ROUGH = 1.5
+ASKEW = units.to_si(30.0, "deg")
+"""Path beyond which the target line is doubted: golfers swing within some 15 degrees of it."""
+OPENING = units.to_si(500.0, "deg/s")
+"""Full swings close the face with 1000 to 4000 deg/s; short ones with hardly any."""
 MOVED = 2e-3
 """Metres."""
 FEW_FREEDOMS = 30
 
 
-def of_delivery(values: Mapping[str, float], deviations: Mapping[str, float], club: Club) -> list[str]:
-    """Return remarks on implausible values of a delivery."""
+def of_delivery(
+    values: Mapping[str, float], deviations: Mapping[str, float], club: Club, *, assumed: float = 0.0
+) -> list[str]:
+    """Return remarks on implausible values of a delivery; ``assumed`` is by how much the loft is assumed."""
     notes = []
     toe, high = values["toe"], values["high"]
     if abs(toe) > 0.5 * club.face_width or abs(high) > 0.5 * club.face_height:
@@ -52,7 +58,17 @@ def of_delivery(values: Mapping[str, float], deviations: Mapping[str, float], cl
         notes.append(
             f"the lie of {units.fixed(values['lie'], 'deg', 0)} is no club's: the axis that points up may be wrong"
         )
-    if deviations["loft"] > units.to_si(2.0, "deg"):
+    if abs(values["path"]) > ASKEW:
+        notes.append(
+            f"the club goes {units.fixed(values['path'], 'deg', 0)} to the right of the target: the axis that points to"
+            " the target may be wrong (target under [laboratory], or --target)"
+        )
+    if values["closure"] < -OPENING - 3.0 * deviations["closure"]:
+        notes.append(
+            f"the face opens through impact, with {units.fixed(-values['closure'], 'deg/s', 0)}: the hand of the club"
+            " may be wrong (--hand)"
+        )
+    if math.sqrt(max(deviations["loft"] ** 2 - assumed**2, 0.0)) > units.to_si(2.0, "deg"):
         notes.append(
             "the dynamic loft is not known to 2 deg: too few markers, too near together, or gaps before impact"
         )

@@ -107,7 +107,7 @@ def linear(times: Array, coordinates: Array, covariances: Array, *, roughness: f
 
 def polynomial(times: Array, coordinates: Array, covariances: Array, *, roughness: float = ROUGHNESS) -> Path:
     """Fit a quartic to the last twenty frames by weighted least squares; the parameters are those of :func:`linear`."""
-    return _fit(times, coordinates, covariances, 4, 0.0)
+    return fit(times, coordinates, covariances, 4, 0.0)
 
 
 def smoother(times: Array, coordinates: Array, covariances: Array, *, roughness: float = ROUGHNESS) -> Path:
@@ -130,10 +130,14 @@ def smoother(times: Array, coordinates: Array, covariances: Array, *, roughness:
     roughness
         How much the path may depart from a quartic; 0 makes it one.
     """
+    return fit(times, coordinates, covariances, 4, wandering(times, coordinates, roughness))
+
+
+def wandering(times: Array, coordinates: Array, roughness: float) -> Array:
+    """Return the spectral density by which the :func:`smoother` lets position and rotation wander, shape (6,)."""
     turning = float(np.linalg.norm(coordinates[-1, 3:] - coordinates[-4, 3:]) / (times[-1] - times[-4])) * TIME
     speed = float(np.linalg.norm(coordinates[-1, :3] - coordinates[-4, :3]) / (times[-1] - times[-4])) * TIME
-    density = np.repeat([(speed * turning**4) ** 2, STEADY * turning**10], 3) / turning * roughness
-    return _fit(times, coordinates, covariances, 4, density)
+    return np.repeat([(speed * turning**4) ** 2, STEADY * turning**10], 3) / turning * roughness
 
 
 ESTIMATORS = {
@@ -157,26 +161,47 @@ def check_roughness(value: object) -> float:
     raise InputError("roughness", value, f"a number above 0; {ROUGHNESS:g} unless given")
 
 
-def _fit(times: Array, z: Array, covariances: Array, degree: int, density: Array | float) -> Path:
-    """Fit a polynomial about time zero whose errors are those of the frames and of a wandering derivative."""
-    tau, count = times / TIME, len(times)
+def fit(
+    times: Array, z: Array, covariances: Array, degree: int, density: Array | float, common: Array | None = None
+) -> Path:
+    """Fit a polynomial about time zero whose errors are those of the frames and of a wandering derivative.
+
+    Parameters
+    ----------
+    times
+        Of the frames [s], ascending, counted from the instant for which the path is wanted.
+    z
+        Coordinates of the frames, shape (frames, n).
+    covariances
+        Of them, shape (frames, n, n).
+    degree
+        Of the polynomial, whose derivative of this degree wanders.
+    density
+        Spectral density of the wandering, for times in ``TIME``; a number or shape (n,).
+    common
+        Errors that all frames share: how coordinates change by one standard deviation of each, shape (frames, n, m).
+    """
+    tau, (count, width) = times / TIME, z.shape
     powers = np.stack([tau**j / math.factorial(j) for j in range(degree + 1)], 1)
     wandering = _wandering(-tau, degree)
     wandering[np.diag_indices(count)] *= 1.0 + JITTER
-    errors = np.kron(wandering, np.diag(np.broadcast_to(density, 6)))
+    errors = np.kron(wandering, np.diag(np.broadcast_to(density, width)))
     for place, each in enumerate(covariances):
-        errors[6 * place : 6 * place + 6, 6 * place : 6 * place + 6] += each
+        errors[width * place : width * (place + 1), width * place : width * (place + 1)] += each
+    if common is not None:
+        shared = common.reshape(count * width, -1)
+        errors += shared @ shared.T
     root = np.linalg.cholesky(errors)
-    design = np.linalg.solve(root, np.kron(powers, np.eye(6)))
+    design = np.linalg.solve(root, np.kron(powers, np.eye(width)))
     seen = np.linalg.solve(root, z.ravel())
     orthogonal, triangle = np.linalg.qr(design)
     found = np.linalg.solve(triangle, orthogonal.T @ seen)
     inverse = np.linalg.inv(triangle)
     left = seen - design @ found
-    freedom = 6 * (count - degree - 1)
+    freedom = width * (count - degree - 1)
     # The rates are the same coefficients, from the second on.
-    pick = np.concatenate([np.arange(6 * (degree + 1)), np.arange(6, 6 * (degree + 1))])
-    coefficients = found.reshape(degree + 1, 6)
+    pick = np.concatenate([np.arange(width * (degree + 1)), np.arange(width, width * (degree + 1))])
+    coefficients = found.reshape(degree + 1, width)
     covariance = (inverse @ inverse.T)[np.ix_(pick, pick)]
     return Path(coefficients, coefficients[1:], covariance, float(left @ left) / freedom if freedom > 0 else math.nan)
 

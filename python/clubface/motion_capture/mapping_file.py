@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import Any, Self
 
 from clubface import units
 from clubface.errors import ClubfaceError, InputError
+from clubface.motion_capture.geometry import DIMENSIONS, Assumed
 from clubface.motion_capture.markers import FacePoint, Markers, Point
 from clubface.support.strict_toml import Document, quoted
 
 TABLES = {
     "cluster": None,
     "face": None,
-    "calibration": ("file", "accuracy"),
-    "ball": ("marker", "offset", "position"),
+    "calibration": ("by", "file", "frames", "ground", "accuracy"),
+    "assumed": tuple(DIMENSIONS),
+    "ball": ("marker", "offset", "position", "accuracy"),
     "laboratory": ("target", "up", "unit"),
     "noise": ("marker",),
 }
@@ -58,7 +61,7 @@ def marker_map(which: str | os.PathLike[str] | MarkerMap) -> MarkerMap:
 def _given(document: Document) -> dict[str, Any]:
     """Return the values that a TOML document gives."""
     data = document.data
-    document.check_keys(data, [*TABLES, "club"], ["cluster", "ball"])
+    document.check_keys(data, [*TABLES, "club"], ["cluster"])
     document.check_text(data, ["club"])
     for table, known in TABLES.items():
         if not isinstance(data.get(table, {}), dict):
@@ -73,11 +76,28 @@ def _given(document: Document) -> dict[str, Any]:
         "club": data.get("club"),
         "path": document.path,
     }
-    document.check_text(part["calibration"], ["file"], "calibration")
+    document.check_text(part["calibration"], ["by", "file"], "calibration")
     document.check_text(part["laboratory"], ["up", "unit"], "laboratory")
     document.check_text(part["ball"], ["marker"], "ball")
     calibration, ball, laboratory, noise = (part[name] for name in ("calibration", "ball", "laboratory", "noise"))
-    given["calibration"], given["ball"] = calibration.get("file"), ball.get("marker")
+    given["by"], given["calibration"], given["ball"] = (
+        calibration.get("by"),
+        calibration.get("file"),
+        ball.get("marker"),
+    )
+    if "ball" in data and "marker" not in ball and "position" not in ball:
+        raise document.error(
+            "[ball] names neither a marker nor a position; give one, or leave the whole table out: then the ball is"
+            " where the clubhead loses speed", "", "ball",
+        )  # fmt: skip
+    if "frames" in calibration:
+        given["frames"] = read.frames(calibration["frames"])
+    if "ground" in calibration:
+        given["ground"] = read.length(calibration["ground"], "ground", "calibration")
+    if part["assumed"]:
+        given["assumed"] = read.assumed(part["assumed"])
+    if "accuracy" in ball:
+        given["ball_accuracy"] = read.length(ball["accuracy"], "accuracy", "ball", above=-1e-300)
     if "accuracy" in calibration:
         given["accuracy"] = read.length(calibration["accuracy"], "accuracy", "calibration", above=-1e-300)
     if "offset" in ball:
@@ -117,6 +137,9 @@ class _Reader:
 
     def position(self, value: Any, key: str, table: str) -> Point | None:
         """Read the position of a marker, ``"seen"`` for one that the calibration places."""
+        if isinstance(value, dict):
+            whole = f"{key}.{next(iter(value), '')}"
+            raise self.document.error(f"a name with a point needs quotes: {quoted(whole)} = ...", whole, table)
         return None if value == SEEN else self.vector(value, key, table)
 
     def face_point(self, value: Any, key: str) -> FacePoint:
@@ -130,6 +153,22 @@ class _Reader:
             raise self.document.error(f"{key} lacks {' and '.join(missing)}", key, "face")
         lengths = (self.length(value.get(name, 0.0), key, "face") for name in FacePoint._fields)
         return FacePoint(*lengths)
+
+    def frames(self, value: Any) -> tuple[int, int]:
+        if isinstance(value, list) and len(value) == 2 and all(type(each) is int for each in value):
+            return value[0], value[1]
+        raise self.document.error("frames must be the first and the last, as in [1, 90]", "frames", "calibration")
+
+    def assumed(self, values: dict[str, Any]) -> Assumed:
+        found = {}
+        for key, value in values.items():
+            try:
+                found[key] = units.parse(value, DIMENSIONS[key], name=key)
+                if not found[key] > 0.0:
+                    raise InputError(key, value, "above 0")
+            except InputError as error:
+                raise self.document.error(str(error), key, "assumed") from None
+        return Assumed(**found)
 
     def target(self, value: Any) -> str | tuple[str, str]:
         if isinstance(value, list) and len(value) == 2 and all(isinstance(each, str) for each in value):
@@ -146,41 +185,60 @@ class _Reader:
 
 
 TEMPLATE = """\
-# Which marker is what. A length is text with its unit.
+# Which marker is what. A length is text with its unit. Put names with a colon or a blank into quotes: "Subject:CLUB1".
 club = "driver"               # optional: refuses swings said to be of another club
 
-[cluster]                     # markers on the clubhead, three or more, not on a line
-HEAD1 = "seen"                # "seen": placed by the calibration below. Without [face], its position from the
-HEAD2 = "seen"                # face centre instead, in the axes of the club at its static loft: to the target,
-HEAD3 = "seen"                # up, towards the toe, as in ["-25 mm", "32 mm", "-20 mm"]
-HEAD4 = "seen"
+[cluster]                     # markers on the clubhead and no others, three or more, not on a line
+{cluster}
+# "seen": placed by the calibration below. Or its position from the face centre, in the axes of the club at its static
+# loft: to the target, up, towards the toe, as in "Subject:CLUB1" = ["-25 mm", "32 mm", "-20 mm"]
 
 [calibration]
-file = "calibration.c3d"      # where cluster and face are seen together; left out, the file of the swing
-accuracy = "0.3 mm"           # optional: how well the positions given here are known, a standard deviation
+by = "face"                   # "face": by points of the face, below; "positions": by those under [cluster];
+                              # "address": by the head at rest behind the ball; "swing": by the blow, roughly
+file = "calibration.c3d"      # for "face" and "address": where that is seen; left out, the file of the swing
+accuracy = "0.3 mm"           # how well the positions given here are known, a standard deviation; 1 mm if left out
+# frames = [1, 90]            # for "address": its first and last frame; found if left out
+# ground = "0 mm"             # for "address": height of the ground, on which the sole rests
 
 [face]                        # points on the face, from its centre in the plane that touches it there
-FACE_CENTRE = { toe = "0 mm", high = "0 mm", standoff = "2 mm" }   # standoff: of the marker's centre
-FACE_TOE = { toe = "30 mm", high = "0 mm", standoff = "2 mm" }
-FACE_TOP = { toe = "0 mm", high = "18 mm", standoff = "2 mm" }
+FACE_CENTRE = {{ toe = "0 mm", high = "0 mm", standoff = "2 mm" }}   # standoff: of the marker's centre
+FACE_TOE = {{ toe = "30 mm", high = "0 mm", standoff = "2 mm" }}
+FACE_TOP = {{ toe = "0 mm", high = "18 mm", standoff = "2 mm" }}
 
-[ball]
+[ball]                        # leave the table out if nothing shows the ball: it is then where the head loses speed
 marker = "BALL"               # its centre is that of the ball; or: position = ["0 mm", "1200 mm", "51 mm"]
 # offset = ["0 mm", "0 mm", "0 mm"]   # from the marker to the ball's centre: to the target, up, right
+# accuracy = "10 mm"          # of a position, a standard deviation
 
 [laboratory]
 target = "+y"                 # axis to the target, or two markers on the target line: ["NEAR", "FAR"]
 up = "+z"
 # unit = "mm"                 # of the files, where they name none or a wrong one
 
+# [assumed]                   # standard deviations of what is not measured, here as they are unless given
+# face = "2 deg"              # at address: of the face angle, about square
+# loft = "2 deg"              # and of loft and lie, about those of the club
+# lie = "2 deg"
+# sole = "5 mm"               # of the height of the face centre over the ground
+# place = "15 mm"             # of the markers on the head, where none is given its position
+# toe = "12 mm"               # of the impact point, where the ball is not measured
+# high = "10 mm"
+
 # [noise]
 # marker = "0.3 mm"           # standard deviation along each axis; estimated from the residuals unless given
 """
 
 
-def template() -> str:
-    """Return the TOML text of a mapping file to start from, with every key explained."""
-    return TEMPLATE
+def template(markers: Sequence[str] = ("HEAD1", "HEAD2", "HEAD3", "HEAD4")) -> str:
+    """Return the TOML text of a mapping file to start from, with every key explained.
+
+    Parameters
+    ----------
+    markers
+        Names for the table of the cluster; those that TOML does not take as they are stand in quotes.
+    """
+    return TEMPLATE.format(cluster="\n".join(f"{_key(name)} = {quoted(SEEN)}" for name in markers))
 
 
 def _to_toml(mapping: MarkerMap) -> str:
@@ -194,26 +252,36 @@ def _to_toml(mapping: MarkerMap) -> str:
     lines.append("[cluster]")
     for name, place in mapping.cluster.items():
         lines.append(f"{_key(name)} = {quoted(SEEN) if place is None else vector(place)}")
-    told = [f"file = {quoted(mapping.calibration)}"] if mapping.calibration is not None else []
-    told += [f"accuracy = {length(mapping.accuracy)}"] if mapping.accuracy else []
+    told = [f"by = {quoted(mapping.by)}"] if mapping.by is not None else []
+    told += [f"file = {quoted(mapping.calibration)}"] if mapping.calibration is not None else []
+    told += [f"frames = {list(mapping.frames)}"] if mapping.frames is not None else []
+    told += [f"ground = {length(mapping.ground)}"] if mapping.ground is not None else []
+    told += [f"accuracy = {length(mapping.accuracy)}"] if mapping.accuracy is not None else []
     lines += ["", "[calibration]", *told] if told else []
     if mapping.face:
         lines += ["", "[face]"]
     for name, point in mapping.face.items():
         values = ", ".join(f"{key} = {length(value)}" for key, value in point._asdict().items())
         lines.append(f"{_key(name)} = {{ {values} }}")
-    lines += ["", "[ball]"]
+    lines += ["", "[ball]"] if mapping.ball is not None or mapping.ball_position is not None else []
     if mapping.ball is not None:
         lines.append(f"marker = {quoted(mapping.ball)}")
     if any(mapping.ball_offset):
         lines.append(f"offset = {vector(mapping.ball_offset)}")
     if mapping.ball_position is not None:
         lines.append(f"position = {vector(mapping.ball_position)}")
+    if mapping.ball_accuracy is not None:
+        lines.append(f"accuracy = {length(mapping.ball_accuracy)}")
     target = mapping.target if isinstance(mapping.target, str) else None
     line = quoted(target) if target else f"[{', '.join(quoted(each) for each in mapping.target)}]"
     lines += ["", "[laboratory]", f"target = {line}", f"up = {quoted(mapping.up)}"]
     lines += [f"unit = {quoted(mapping.unit)}"] if mapping.unit is not None else []
     lines += ["", "[noise]", f"marker = {length(mapping.noise)}"] if mapping.noise is not None else []
+    told = mapping.assumed.told()
+    lines += ["", "[assumed]"] if told else []
+    for name, value in told.items():
+        shown = length(value) if DIMENSIONS[name] == "length" else quoted(f"{units.from_si(value, 'deg'):.10g} deg")
+        lines.append(f"{name} = {shown}")
     return "\n".join(lines) + "\n"
 
 

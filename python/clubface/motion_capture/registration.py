@@ -11,6 +11,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.face import face_point, nearest
 from clubface.errors import FileError
 from clubface.motion_capture.attitude import face_axes
+from clubface.motion_capture.geometry import Known
 from clubface.motion_capture.mapping_file import MarkerMap
 from clubface.motion_capture.recording import Recording
 from clubface.motion_capture.rigid_body import FEWEST, degrees_of_freedom, fit_poses, pose_information, visible
@@ -36,6 +37,8 @@ class Registration(NamedTuple):
         Root mean square of what is left between the face points and the face [m]; NaN without any.
     notes
         What a reader should know.
+    geometry
+        How it is known.
     """
 
     names: tuple[str, ...]
@@ -43,6 +46,7 @@ class Registration(NamedTuple):
     covariance: Array
     misfit: float
     notes: tuple[str, ...] = ()
+    geometry: tuple[Known, ...] = ()
 
 
 def given_positions(mapping: MarkerMap, club: Club) -> Registration:
@@ -50,7 +54,8 @@ def given_positions(mapping: MarkerMap, club: Club) -> Registration:
     names = tuple(mapping.cluster)
     shape = np.array([mapping.cluster[name] for name in names], dtype=np.float64) + np.array(club.cg)
     covariance = np.linalg.inv(pose_information(shape, np.eye(3)[None], np.ones((1, len(shape))))[0])
-    return Registration(names, shape, covariance * mapping.accuracy**2, float("nan"))
+    told = Known.of("markers from the face centre", "given", "mm", deviations=[mapping.position_deviation])
+    return Registration(names, shape, covariance * mapping.position_deviation**2, float("nan"), geometry=(told,))
 
 
 def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array) -> Registration:
@@ -109,12 +114,17 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
     face_part = np.linalg.inv(pose_information(local, np.eye(3)[None], np.ones((1, len(local))))[0])
     shape_part = np.linalg.inv(pose_information(shape, np.eye(3)[None], np.ones((1, len(shape))))[0])
     covariance = (
-        face_part * (noise**2 / frames + mapping.accuracy**2) + shape_part * noise**2 / counts[counts > 0].min()
+        face_part * (noise**2 / frames + mapping.position_deviation**2)
+        + shape_part * noise**2 / counts[counts > 0].min()
     )
     about_cg = np.eye(6)
     about_cg[:3, 3:] = skew(np.array(club.cg))
     notes = (f"{', '.join(absent)} not seen in the calibration: left out",) if absent else ()
-    return Registration(names, shape + np.array(club.cg), about_cg @ covariance @ about_cg.T, misfit, notes)
+    told = (
+        Known.of("markers from the face", "measured", "mm", deviations=[misfit]),
+        Known.of("points of the face", "given", "mm", deviations=[mapping.position_deviation]),
+    )
+    return Registration(names, shape + np.array(club.cg), about_cg @ covariance @ about_cg.T, misfit, notes, told)
 
 
 def _face_points(mapping: MarkerMap, club: Club) -> Array:

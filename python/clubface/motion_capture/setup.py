@@ -13,7 +13,9 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError
+from clubface.motion_capture.address import from_address
 from clubface.motion_capture.estimators import ROUGHNESS, check_roughness, estimator as estimator_of
+from clubface.motion_capture.from_swing import from_swing
 from clubface.motion_capture.laboratory import to_world
 from clubface.motion_capture.mapping_file import MarkerMap, marker_map
 from clubface.motion_capture.recording import Recording, read_c3d
@@ -54,7 +56,12 @@ class Setup:
         """Return the cluster on the club, calibrated from ``recording`` where no other file is."""
         if self.registration is not None:
             return self.registration
-        return calibrated(self.mapping, self.club, recording, self.turn(recording))
+        turn = self.turn(recording)
+        if self.mapping.way == "swing":
+            return from_swing(self.mapping, self.club, self.ball, recording, turn)
+        if self.mapping.way == "address":
+            return from_address(self.mapping, self.club, recording, turn)
+        return calibrated(self.mapping, self.club, recording, turn)
 
 
 class Options(TypedDict, total=False):
@@ -136,9 +143,8 @@ def prepare(
         mapping=meant, club=head, ball=ball_of(ball), estimator=estimator,
         roughness=check_roughness(roughness), registration=None,
     )  # fmt: skip
-    if not meant.face:
+    if meant.way == "positions":
         return replace(found, registration=given_positions(meant, head))
     if meant.calibration_path is None:
         return found
-    seen = read_c3d(meant.calibration_path, unit=meant.unit)
-    return replace(found, registration=calibrated(meant, head, seen, found.turn(seen)))
+    return replace(found, registration=found.cluster(read_c3d(meant.calibration_path, unit=meant.unit)))

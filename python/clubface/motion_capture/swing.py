@@ -12,21 +12,19 @@ import numpy as np
 from clubface.equipment.clubs import Club
 from clubface.errors import CaptureWarning, FileError
 from clubface.motion_capture import checks
-from clubface.motion_capture.approach import follow
-from clubface.motion_capture.ball_flight import Launched, RestingBall, flight, resting_places
-from clubface.motion_capture.captured import CapturedDelivery
-from clubface.motion_capture.impact_frame import find_impact
+from clubface.motion_capture.attitude import angles
+from clubface.motion_capture.ball_flight import Launched, flight
+from clubface.motion_capture.captured import CapturedDelivery, Trace
 from clubface.motion_capture.mapping_file import MarkerMap
+from clubface.motion_capture.meeting import meet
 from clubface.motion_capture.recording import Recording, read_c3d
-from clubface.motion_capture.reduction import QUANTITIES, with_covariance
-from clubface.motion_capture.rigid_body import visible
-from clubface.motion_capture.rotations import Array
+from clubface.motion_capture.reduction import QUANTITIES, Inputs, with_covariance
+from clubface.motion_capture.rigid_body import degrees_of_freedom
+from clubface.motion_capture.rotations import exponential
 from clubface.motion_capture.setup import Options, Setup, prepare
 from clubface.motion_capture.tracking import LEAST_MISFIT, Track, look_alikes, track
 from clubface.simulation.delivery import Delivery
 
-FLOOR = 1e-6
-"""Metres; the least noise of a marker, above the rounding of a file in single precision."""
 MIRROR = np.array([1.0, 1.0, -1.0])
 
 
@@ -78,31 +76,25 @@ def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
     where, head, radius = recording.path, setup.club, setup.ball.radius
     turn, cluster = setup.turn(recording), setup.cluster(recording)
     followed = track(cluster.shape, recording.markers(cluster.names) @ turn.T, cluster.names, where)
-    seen_ball, places = _ball(recording, setup, turn)
-    position, rotation = followed.poses.position, followed.poses.rotation
-    interval, ball = find_impact(position, rotation, seen_ball, places, head, radius, recording.rate, where)
-    noise, freedom = _noise(followed, interval.before, setup, where)
-    approach = follow(
-        recording.times, followed, interval, ball.centre, head, radius,
-        noise=noise, name=setup.estimator, roughness=setup.roughness, where=where,
+    met = meet(recording, followed, cluster, setup, turn)
+    approach, noise, freedom = met.approach, met.noise, met.noise_freedom
+    reduced = with_covariance(
+        approach.path, met.ball.centre, approach.attitude, head, radius,
+        ball_covariance=met.ball_covariance, club_covariance=cluster.covariance, evidence=met.evidence,
     )  # fmt: skip
-    rest = np.eye(3) * (_ball_noise(ball, setup) ** 2 / max(ball.frames, 1))
-    found, _, covariance = with_covariance(
-        approach.path, ball.centre, approach.attitude, head, radius,
-        ball_covariance=rest, club_covariance=cluster.covariance,
-    )  # fmt: skip
-    values = dict(zip(QUANTITIES, found.tolist(), strict=True))
+    covariance, touch = reduced.covariance, approach.touch + (reduced.time if met.evidence is not None else 0.0)
+    values = dict(zip(QUANTITIES, reduced.values.tolist(), strict=True))
     if abs(values["path"]) > 0.5 * math.pi:
         raise FileError(where, None, "the clubhead moves away from the target: turn the axis that points to it round")
     deviations = dict(zip(QUANTITIES, np.sqrt(np.diag(covariance)).tolist(), strict=True))
-    before = math.floor(approach.touch * recording.rate)
-    flown = flight(seen_ball, recording.times, ball, approach.touch)
+    before = math.floor(touch * recording.rate)
+    flown = flight(met.seen_ball, recording.times, met.ball, touch)
     notes = [
         *checks.of_track(followed, cluster, recording.first_frame),
-        *checks.of_delivery(values, deviations, head),
-        *checks.of_launch(values, head.replace(hand="right"), setup.ball, flown, approach.touch),
+        *checks.of_delivery(values, deviations, head, assumed=float(np.sqrt(cluster.covariance[5, 5]))),
+        *checks.of_launch(values, head.replace(hand="right"), setup.ball, flown, touch),
         *checks.of_fit(approach.path.misfit, before - int(approach.frames[-1]), freedom),
-        *interval.notes,
+        *met.notes(reduced.surprise),
         *cluster.notes,
         *(
             f"the cluster looks the same with {words}: that could not be noticed"
@@ -121,47 +113,32 @@ def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
         launch_uncertainty=launch_uncertainty,
         club=head,
         estimator=setup.estimator,
-        time=approach.touch,
+        time=touch,
         frames=(before + recording.first_frame, before + recording.first_frame + 1),
         used=len(approach.frames),
         marker_noise=noise,
         marker_noise_freedom=freedom,
         misfit=approach.path.misfit,
         notes=tuple(notes),
+        geometry=(*cluster.geometry, *met.geometry),
+        trace=_trace(recording, followed, reduced.inputs, setup),
         source=where,
     )
 
 
-def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[RestingBall]]:
-    """Return the centre of the ball in every frame and where it rests, in world axes as a right-hander sees them."""
-    mapping = setup.mapping
-    if mapping.ball is None:
-        place = turn @ np.array(mapping.ball_position)
-        always = (0, len(recording.positions) - 1)
-        return np.full((len(recording.positions), 3), np.nan), [RestingBall(place, mapping.accuracy, 1, always, None)]
-    offset = np.array(mapping.ball_offset) * (MIRROR if setup.club.hand < 0 else 1.0)
-    seen = recording.marker(mapping.ball) @ turn.T + offset
-    found = resting_places(seen, recording.rate)
-    if not found:
-        lost = "seen at rest" if visible(seen).any() else "seen"
-        raise FileError(recording.path, None, f"the ball's marker {mapping.ball} is never {lost}; give its position")
-    return seen, found
-
-
-def _ball_noise(ball: RestingBall, setup: Setup) -> float:
-    if setup.mapping.ball is None or setup.mapping.noise is None:
-        return max(ball.noise, FLOOR)
-    return max(setup.mapping.noise, FLOOR)
-
-
-def _noise(followed: Track, last: int, setup: Setup, where: str) -> tuple[float, int]:
-    """Return the noise of a marker along an axis [m], and the degrees of freedom of its estimate."""
-    if setup.mapping.noise is not None:
-        return max(setup.mapping.noise, FLOOR), 0
-    noise, freedom = followed.noise(np.arange(len(followed.known)) <= last)
-    if freedom <= 0:
-        raise FileError(where, None, "no frame before impact shows the clubhead's pose")
-    return max(noise, FLOOR), freedom
+def _trace(recording: Recording, followed: Track, inputs: Inputs, setup: Setup) -> Trace:
+    """Return the head through the recording, the club where it was found to stand on its markers."""
+    head, rotation = setup.club, followed.poses.rotation
+    arm, turned = inputs.club[:3], rotation @ exponential(inputs.club[3:])
+    centre = followed.poses.position + rotation @ arm + turned @ np.array(head.cg)
+    loft, face, _ = angles(turned, head.loft)
+    squares = followed.poses.residuals**2
+    freedom = np.maximum(degrees_of_freedom(followed.poses.residuals), 1)
+    residual = np.where(followed.known, np.sqrt(np.nansum(squares, axis=(-1, -2)) / freedom), np.nan)
+    mirror = MIRROR if head.hand < 0 else np.ones(3)
+    return Trace(
+        recording.times, centre * mirror, loft, face * head.hand, residual, inputs.ball * mirror, setup.ball.radius
+    )
 
 
 def _launch(flown: Launched | None, hand: int) -> tuple[dict[str, float], dict[str, float]]:

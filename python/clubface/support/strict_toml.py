@@ -18,6 +18,10 @@ INTEGERS = range(-(2**63), 2**63)
 _TEXT = r'"""(?:[^\\]|\\.)*?"""|\'\'\'.*?\'\'\'|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'|#[^\n]*'
 """Texts and comments."""
 
+BARE = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.")
+"""Letters of keys without quotes, and the point between parts of one."""
+LONGEST_KEY = 60
+
 
 class Document:
     """One TOML file: its content, and where each key stands.
@@ -42,7 +46,8 @@ class Document:
             message = NESTED if isinstance(error, RecursionError) else str(error)
             if "int_max_str_digits" in message:
                 message = "a whole number has thousands of digits"
-            raise FileError(path, _line_in(message), f"this is not TOML: {message}") from None
+            line = _line_in(message)
+            raise FileError(path, line, f"this is not TOML: {message}{self._unquoted(line)}") from None
         for key, value in self.data.items():
             if not _is_within_integers(value):
                 message = f"{key} holds a whole number of more than 64 bits, which TOML does not have"
@@ -68,6 +73,14 @@ class Document:
             line = content[: error.start].count(b"\n") + 1
             raise FileError(name, line, "this is not UTF-8 text") from None
         return cls(text, name)
+
+    def _unquoted(self, number: int | None) -> str:
+        """Say how to write the key of a line if TOML takes it in quotes only."""
+        line = self._lines[number - 1] if number is not None and number <= len(self._lines) else ""
+        key, equals, _ = (part.strip() for part in line.partition("="))
+        if not equals or not key or key[0] in "\"'[" or len(key) > LONGEST_KEY or all(c in BARE for c in key):
+            return ""
+        return f"; put the name into quotes: {quoted(key)} = ..."
 
     def line(self, key: str, table: str = "", occurrence: int = 0) -> int | None:
         """Find the line (from 1) that sets ``key`` in the given ``occurrence`` of ``table``, or opens it, or None.

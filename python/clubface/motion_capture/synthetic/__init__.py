@@ -5,10 +5,12 @@
 
 from __future__ import annotations
 
+from clubface.motion_capture.synthetic.bare import BareSwing as BareSwing, record_bare as record_bare
 from clubface.motion_capture.synthetic.files import (
     calibration_map as calibration_map,
     positions_map as positions_map,
     synthesize as synthesize,
+    synthesize_bare as synthesize_bare,
     truth as truth,
 )
 from clubface.motion_capture.synthetic.golfer import random_chain as random_chain, random_swing as random_swing

@@ -12,6 +12,7 @@ from clubface.equipment.clubs import Club
 from clubface.errors import InputError
 from clubface.motion_capture.mapping_file import MarkerMap
 from clubface.motion_capture.recording import write_c3d
+from clubface.motion_capture.synthetic.bare import bare_map, record_bare
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import BALL, CLUSTERS, FACE, Cameras, kind_of
 from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH, SyntheticSwing
@@ -19,13 +20,20 @@ from clubface.recorded.shots import RecordedShots
 from clubface.simulation.delivery import OF_CLUB
 
 MOST = 100_000
+BARE_RATE = 360.0
+"""Hz; of cameras that follow a whole golfer."""
 MAPPING, CALIBRATION, TRUTH = "markers.toml", "calibration.c3d", "truth.csv"
 
 
 def positions_map(club: Club, cameras: Cameras) -> MarkerMap:
     """Return the mapping that gives the positions of the cluster."""
     return MarkerMap(
-        cluster=dict(CLUSTERS[kind_of(club)]), ball=BALL, target=cameras.target, up=cameras.up, club=club.name
+        cluster=dict(CLUSTERS[kind_of(club)]),
+        accuracy=0.0,
+        ball=BALL,
+        target=cameras.target,
+        up=cameras.up,
+        club=club.name,
     )
 
 
@@ -33,7 +41,8 @@ def calibration_map(club: Club, cameras: Cameras, path: str = "<mapping>") -> Ma
     """Return the mapping that has the cluster placed by a calibration file."""
     kind = kind_of(club)
     return MarkerMap(
-        cluster=dict.fromkeys(CLUSTERS[kind]), face=dict(FACE[kind]), calibration=CALIBRATION, ball=BALL,
+        cluster=dict.fromkeys(CLUSTERS[kind]), face=dict(FACE[kind]), calibration=CALIBRATION, accuracy=0.0,
+        ball=BALL,
         target=cameras.target, up=cameras.up, club=club.name, path=path,
     )  # fmt: skip
 
@@ -92,6 +101,40 @@ def synthesize(
     (target / MAPPING).write_text(calibration_map(head, seen).to_toml(), encoding="utf-8")
     truth(swings, str(target)).write(target / TRUTH)
     return [*files, target / CALIBRATION, target / MAPPING, target / TRUTH]
+
+
+def synthesize_bare(
+    folder: str | os.PathLike[str],
+    count: int = 10,
+    *,
+    club: str | Club = "driver",
+    hand: str | None = None,
+    cameras: Cameras | None = None,
+    seed: int = 1,
+    progress: Callable[[int, int], object] | None = None,
+) -> list[Path]:
+    """Write ``count`` swings as most archives hold them: three markers on the head, no ball, an address before.
+
+    What a reader has to assume is drawn at random for every swing, as widely as :class:`Assumed` says. The parameters
+    and files are those of :func:`synthesize`, without a calibration; cameras have 360 Hz and no noise if left out.
+    """
+    from clubface.equipment.clubs import club as club_of
+    from clubface.support.folders import prepared_folder
+
+    check_count(count)
+    seen, head = cameras or Cameras(rate=BARE_RATE), club_of(club)
+    head = head if hand is None else head.replace(hand=hand)
+    target = prepared_folder(folder)
+    swings, files = [], []
+    for number in range(1, count + 1):
+        swings.append(random_swing(np.random.default_rng([seed, number, 0]), club=head))
+        files.append(target / f"swing-{number:03d}.c3d")
+        write_c3d(record_bare(swings[-1], seen, np.random.default_rng([seed, number, 1])).recording, files[-1])
+        if progress is not None:
+            progress(number, count)
+    (target / MAPPING).write_text(bare_map(head, seen).to_toml(), encoding="utf-8")
+    truth(swings, str(target)).write(target / TRUTH)
+    return [*files, target / MAPPING, target / TRUTH]
 
 
 def check_count(count: object) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 
 from clubface import units
 from clubface.equipment.clubs import Club
+from clubface.equipment.models import DEFAULT_MODEL
 from clubface.motion_capture.synthetic.path import Chain, Turn
 from clubface.motion_capture.synthetic.synthetic_swing import SyntheticSwing, swing
 
@@ -31,7 +32,12 @@ FARTHEST = 2.5
 
 
 def random_swing(
-    seed: int | np.random.Generator, *, club: str | Club = "driver", hand: str | None = None, **wanted: float
+    seed: int | np.random.Generator,
+    *,
+    club: str | Club = "driver",
+    hand: str | None = None,
+    model: str = DEFAULT_MODEL,
+    **wanted: float,
 ) -> SyntheticSwing:
     """Return a random swing of the size of an elite golfer's.
 
@@ -45,6 +51,8 @@ def random_swing(
         The club.
     hand
         "right" or "left"; that of the club if left out.
+    model
+        The model of the impact, with its published parameters.
     **wanted
         Values to use instead of random ones [SI]: ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``,
         ``toe``, ``high``; path and face as for a right-hander.
@@ -58,7 +66,7 @@ def random_swing(
     for name, (mean, deviation) in DELIVERIES["iron" if iron else "wood"].items():
         drawn = mean + deviation * float(np.clip(random.normal(), -FARTHEST, FARTHEST))
         asked[name] = wanted.get(name, drawn * _TO_SI.get(name, units.size("deg")))
-    return swing(head, random_chain(random, iron=iron), asked)
+    return swing(head, random_chain(random, iron=iron), asked, model)
 
 
 def random_chain(random: np.random.Generator, *, iron: bool) -> Chain:

@@ -101,7 +101,7 @@ class Cameras:
         times = (first + np.arange(int((self.before + self.after) * self.rate) + 2)) / self.rate
         cluster = CLUSTERS[kind_of(swing.club)]
         head = swing.points(list(cluster.values()), times)
-        seen = self._noisy(np.concatenate([head, swing.ball_centre(times)[:, None]], 1), random)
+        seen = self.measured(np.concatenate([head, swing.ball_centre(times)[:, None]], 1), random)
         hidden = self._gaps(random, len(times), len(cluster))
         seen[:, : len(cluster)][hidden] = np.nan
         return Recording(labels=(*cluster, BALL), positions=seen, rate=self.rate, path=path), float(times[0])
@@ -120,9 +120,9 @@ class Cameras:
         held = local @ delivered(club.loft + 0.03, -0.2, 0.05, club.loft).T + np.array([-0.02, 0.04, 0.01])
         still = np.broadcast_to(held * (MIRROR if club.hand < 0 else 1.0), (self.calibration_frames, *held.shape))
         labels = (*CLUSTERS[kind], *FACE[kind])
-        return Recording(labels=labels, positions=self._noisy(still, random), rate=self.rate, path=path)
+        return Recording(labels=labels, positions=self.measured(still, random), rate=self.rate, path=path)
 
-    def _noisy(self, world: Array, random: np.random.Generator) -> Array:
+    def measured(self, world: Array, random: np.random.Generator) -> Array:
         """Return world positions as the laboratory measures them."""
         target, up = axis(self.target), axis(self.up)
         turn = np.stack([target, up, np.cross(target, up)])

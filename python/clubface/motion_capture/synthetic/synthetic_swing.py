@@ -12,6 +12,7 @@ import numpy as np
 from clubface.equipment.balls import Ball, ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import face_point, nearest
+from clubface.equipment.models import DEFAULT_MODEL
 from clubface.motion_capture.attitude import delivered, face_axes
 from clubface.motion_capture.ball_flight import GRAVITY
 from clubface.motion_capture.rotations import Array, exponential
@@ -20,6 +21,9 @@ from clubface.simulation.impact import impact
 
 CONTACT_TIME = 0.45e-3
 """Seconds; measured impacts of golf balls last 0.4 to 0.5 ms at a driver's speed."""
+RESTRAINT = 250.0
+"""1/s; the shaft turns a head back that the blow has twisted: as at 40 Hz, critically damped. A shaft of a torque of 4
+degrees at 1 ft lb lets a driver's head swing at 31 Hz about it, and bends less than it twists."""
 TEE = 0.03
 """Metres under a ball that lies on a tee."""
 MIRROR = np.array([1.0, 1.0, -1.0])
@@ -37,7 +41,7 @@ class SyntheticSwing:
     truth
         The exact delivery by name [SI], with the signs of :class:`Delivery`.
     launch
-        The launch by the default model [SI].
+        The launch by the model of the blow [SI].
     chain
         The motion of a right-hander before impact, before it is turned into place.
     fixed
@@ -69,7 +73,8 @@ class SyntheticSwing:
         time = np.asarray(time, dtype=np.float64)
         position, rotation = self.chain.pose(time)
         gained = _gained(time)[..., None]
-        attitude = exponential(gained * self.slowed[1]) @ self.turned @ rotation @ self.fixed
+        back = np.exp(-RESTRAINT * np.maximum(time, 0.0))[..., None]
+        attitude = exponential(gained * back * self.slowed[1]) @ self.turned @ rotation @ self.fixed
         return position @ self.turned.T + self.moved + gained * self.slowed[0], attitude
 
     def points(self, local: Any, time: Any) -> Array:
@@ -84,20 +89,21 @@ class SyntheticSwing:
         """
         position, attitude = self.head(time)
         from_cg = np.asarray(local, dtype=np.float64) + np.array(self.club.cg)
-        return (position[:, None] + np.einsum("kij,mj->kmi", attitude, from_cg)) * self._mirror
+        return (position[:, None] + np.einsum("kij,mj->kmi", attitude, from_cg)) * self.mirror
 
     def ball_centre(self, time: Any) -> Array:
         """Return the centre of the ball in the world [m] at times [s], shape (times, 3)."""
         time = np.asarray(time, dtype=np.float64)
         fallen = 0.5 * GRAVITY * np.maximum(time, 0.0)[..., None] ** 2 * np.array([0.0, 1.0, 0.0])
-        return (self.rest + _gained(time)[..., None] * self.struck - fallen) * self._mirror
+        return (self.rest + _gained(time)[..., None] * self.struck - fallen) * self.mirror
 
     @property
-    def _mirror(self) -> Array:
+    def mirror(self) -> Array:
+        """What takes the world of a right-hander to that of the club's hand, shape (3,)."""
         return MIRROR if self.club.hand < 0 else np.ones(3)
 
 
-def swing(club: Club, chain: Chain, asked: Mapping[str, float]) -> SyntheticSwing:
+def swing(club: Club, chain: Chain, asked: Mapping[str, float], model: str = DEFAULT_MODEL) -> SyntheticSwing:
     """Place a chain so that it delivers ``club`` as ``asked``.
 
     The chain runs faster or slower to meet the speed, and is turned as a whole to meet the direction. The head is set
@@ -112,6 +118,8 @@ def swing(club: Club, chain: Chain, asked: Mapping[str, float]) -> SyntheticSwin
         The motion before impact.
     asked
         ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe``, ``high`` [SI], as for a right-hander.
+    model
+        The model of the impact, with its published parameters.
     """
     chain = chain.faster(asked["speed"] / float(np.linalg.norm(motion(chain)[2])))
     position, rotation, velocity, spin = motion(chain)
@@ -123,7 +131,7 @@ def swing(club: Club, chain: Chain, asked: Mapping[str, float]) -> SyntheticSwin
     # As of a right-hander all through; the launch of a left-hander is its mirror image.
     as_right = {**asked, "closure": float(spin[1]), "pitch_rate": float(spin[2]), "lie_rate": float(-spin[0])}
     struck = ball()
-    launched = impact(club.replace(hand="right"), as_right, ball=struck)
+    launched = impact(club.replace(hand="right"), as_right, ball=struck, model=model)
     after = {
         name: np.array([float(getattr(launched, f"{name}_{axis}")) for axis in "xyz"])
         for name in ("velocity", "club_velocity", "club_spin")
