@@ -1,8 +1,9 @@
-"""Inference for a whole file of launches: one row a shot, written as it is found, and resumable."""
+"""Inference for a whole file of launches: one row a shot, kept as it is found, and resumable."""
 
 from __future__ import annotations
 
 import csv
+import io
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping
@@ -20,11 +21,10 @@ from clubface.inference.prior import prior_of
 from clubface.inference.run import infer
 from clubface.measured.shots import QUANTITIES
 from clubface.recorded.shots import RecordedShots
-from clubface.support.resuming import Journal, complete_lines, cut_incomplete_line, fingerprint, unfinished
+from clubface.support.resuming import Store, fingerprint_of_file, unfinished
 from clubface.support.warning import without_warnings
 
 REMARK = "remark"
-OTHERS = "of an unfinished file of other settings; finish it with those, or start again without --resume"
 
 
 class InferReport(NamedTuple):
@@ -61,7 +61,8 @@ def infer_shots(
 ) -> InferReport:
     """Infer the delivery of every shot, and write mean, standard deviation and 95% interval of each quantity as CSV.
 
-    The file has ``.part`` in its name until it is complete. After an interruption it holds the shots that are finished.
+    The file has its name only once it is complete. Until then, the shots that are finished are kept in the folder
+    ``<output>.unfinished``.
 
     Parameters
     ----------
@@ -70,7 +71,7 @@ def infer_shots(
     output
         Path of a CSV file.
     resume
-        Continue where an interrupted run with the same settings stopped.
+        Continue where an interrupted run with the same shots and settings stopped.
     progress
         Called with the number of shots done and the number of shots.
     **options
@@ -79,7 +80,8 @@ def infer_shots(
     Raises
     ------
     FileError
-        The file cannot be written, or an unfinished one belongs to other settings.
+        The file cannot be written, another process is writing it, or an unfinished one belongs to other shots or
+        settings.
     KeyboardInterrupt
         On Ctrl-C; the message says where the finished rows are.
     """
@@ -95,36 +97,37 @@ def infer_shots(
         raise InputError("shots", shots.source, f"shots with a measured launch: {', '.join(QUANTITIES)}")
     head = club(options.pop("club"))
     options = {**options, "club": head, "prior": prior_of(options.get("prior"), head)}
-    part = unfinished(target)
-    content = [shots.source, shots.rows, shots.launches, repr(sorted(options.items()))]
-    journal = Journal(unfinished(target, ".json"), fingerprint(content), others=OTHERS)
-    done = 0
-    if resume and part.exists() and journal.read(lambda state: state) is not None:
-        cut_incomplete_line(part)
-        done = max(0, len(complete_lines(part)) - 1)
-    try:
-        if not done:
-            journal.write({})
-        with part.open("a" if done else "w", newline="", encoding="utf-8") as file:
-            out = csv.writer(file, lineterminator="\n")
-            if not done:
-                out.writerow(["row", *_headings(wanted, options["prior"].names), "effective", REMARK])
-            for place in range(done, len(shots)):
-                out.writerow(_row(shots, place, wanted, options))
-                file.flush()
+    content = {
+        "source": _with_content(shots.source),
+        "set of launches": [shots.rows, shots.launches],
+        "club, prior or option": {name: _with_content(value) for name, value in options.items()},
+    }
+    folder = unfinished(target, [shots.source])
+    with Store(folder, content, of=target, resume=resume) as store:
+        resumed = len(store)
+        try:
+            for place in range(resumed, len(shots)):
+                store.keep(str(place), _row(shots, place, wanted, options))
                 if progress is not None:
                     progress(place + 1, len(shots))
-        os.replace(part, target)
-        journal.remove()
-    except OSError as error:
-        raise FileError(str(target), None, f"cannot be written: {error.strerror or error}") from None
-    except KeyboardInterrupt:
-        message = f"interrupted: finished shots are in {part}; --resume goes on after them"
-        raise KeyboardInterrupt(message) from None
-    with target.open(newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    without = sum(not row["effective"] for row in rows)
-    return InferReport(str(target), len(rows), done, without, sum(bool(row[REMARK]) for row in rows) - without)
+        except KeyboardInterrupt:
+            message = f"interrupted: {len(store)} finished shots are in {folder}; --resume goes on after them"
+            raise KeyboardInterrupt(message) if len(store) else KeyboardInterrupt from None
+        rows = [store[str(place)] for place in range(len(shots))]
+        headings = ["row", *_headings(wanted, options["prior"].names), "effective", REMARK]
+        text = io.StringIO()
+        csv.writer(text, lineterminator="\n").writerows([headings, *rows])
+        with store.result(target) as file:
+            file.write(text.getvalue().encode())
+        store.remove()
+    without = sum(row[-2] == "" for row in rows)
+    return InferReport(str(target), len(rows), resumed, without, sum(bool(row[-1]) for row in rows) - without)
+
+
+def _with_content(value: Any) -> Any:
+    """Return an option, and for the name of a file what the file holds."""
+    named = isinstance(value, (str, os.PathLike)) and os.path.isfile(value)
+    return fingerprint_of_file(value) if named else value
 
 
 def _headings(wanted: list[str], names: Iterable[str]) -> list[str]:
