@@ -200,16 +200,18 @@ def study(
             count, club=club, hand=hand, cameras=cameras, roughness=roughness, seed=seed,
             progress=progress,
         )  # fmt: skip
-    if as_json:
-        output.print_json(found.document())
-    else:
-        _print_study(found)
-    if picture is not None:
-        from clubface import plots
-        from clubface.motion_capture.figures import study_figure
+    try:
+        if picture is not None:
+            from clubface import plots
+            from clubface.motion_capture.figures import study_figure
 
-        told = "no noise" if cameras.noise == 0.0 else f"{units.from_si(cameras.noise, 'mm'):g} mm noise"
-        say(f"wrote {plots.save(study_figure({told: found}), picture)}")
+            told = "no noise" if cameras.noise == 0.0 else f"{units.from_si(cameras.noise, 'mm'):g} mm noise"
+            say(f"wrote {plots.save(study_figure({told: found}), picture)}")
+    finally:  # what took long is shown even where a disk is full
+        if as_json:
+            output.print_json(found.document())
+        else:
+            _print_study(found)
 
 
 def _print_study(found: Any) -> None:

@@ -65,6 +65,10 @@ class Lock:
         except OSError:
             return  # a network drive without locks
 
+    def close(self) -> None:
+        """Let go of the file and remove it."""
+        self.release(remove=True)
+
     def release(self, *, remove: bool = False) -> None:
         """Let go of the file, and remove it if wanted."""
         if self._handle < 0:

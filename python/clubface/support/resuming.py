@@ -122,7 +122,10 @@ class Store:
         try:
             self._begin(told, resume, otherwise)
         except BaseException:
-            self._lock.release()
+            if (folder / WORK).exists():
+                self._lock.release()
+            else:
+                self.remove()
             raise
         self.resumed = tuple(self._values)
 
