@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -103,6 +103,10 @@ identification-coverage: dev ## how often intervals of identified parameters hol
 
 capture-coverage: dev ## errors and coverage of motion capture on 200 and 400 synthetic swings; some minutes
 	$(PYTHON) -m pytest -q -m study tests/motion_capture/test_study.py
+
+KILLS ?= 50
+kills: dev ## kill every long command at random moments (KILLS=50 each), resume it, compare the bytes; an hour
+	$(PYTHON) studies/kills.py $(KILLS)
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks

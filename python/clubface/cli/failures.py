@@ -57,6 +57,8 @@ def as_typed(error: BaseException, options: Mapping[str, str]) -> BaseException:
 
 def report(error: BaseException) -> int:
     """Tell what went wrong; return the exit status."""
+    if isinstance(error.__cause__, KeyboardInterrupt):  # Python gives another error for one while a class is made
+        error = error.__cause__
     if isinstance(error, (Interrupted, KeyboardInterrupt)):
         said = str(error)
         say(said if said.startswith("interrupted") else f"interrupted{': ' if said else ''}{said}")
