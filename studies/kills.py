@@ -87,12 +87,12 @@ INPUTS: dict[str, Callable[[], str]] = {
 }
 COMMANDS = (
     Command(
-        "predict to CSV", ("predict", "deliveries.csv", "--club", "driver", "--model", "rings", "-o", "out.csv"),
+        "predict to CSV", ("predict", "deliveries.csv", "--club", "driver", "--model", "area", "-o", "out.csv"),
         ("--resume",), ("out.csv", "out.rejects.csv"),
     ),
     Command(
         "predict to Parquet",
-        ("predict", "deliveries.csv", "--club", "driver", "--model", "rings", "-o", "out.parquet"),
+        ("predict", "deliveries.csv", "--club", "driver", "--model", "area", "-o", "out.parquet"),
         ("--resume",), ("out.parquet", "out.rejects.csv"),
     ),
     Command(
@@ -121,7 +121,7 @@ COMMANDS = (
     Command("tour", ("tour", "-o", "tour"), (), ("tour/tour.csv", "tour/tour-launch.svg", "tour/tour-errors.png")),
 )  # fmt: skip
 SMALL = Command(
-    "predict", ("predict", "few.csv", "--club", "driver", "--model", "rings", "-o", "out.csv"), ("--resume",),
+    "predict", ("predict", "few.csv", "--club", "driver", "--model", "area", "-o", "out.csv"), ("--resume",),
     ("out.csv", "out.rejects.csv"),
 )  # fmt: skip
 
