@@ -113,7 +113,10 @@ COMMANDS = (
     Command(
         "fem face", ("fem", "face", "paper", "--toe", "-10:10:20", "--high", "0", "-o", "face"), (), ("face/face.csv",)
     ),
-    Command("capture study", ("capture", "study", "--count", "20", "--plot", "study.svg"), (), ("study.svg",)),
+    Command(
+        "capture study", ("capture", "study", "--count", "20", "--plot", "study.svg", "--checkpoint", "kept"), (),
+        ("study.svg",),
+    ),
     Command(
         "capture synthesize", ("capture", "synthesize", "--count", "20", "-o", "swings"), (),
         ("swings/swing-001.c3d", "swings/swing-020.c3d", "swings/markers.toml", "swings/truth.csv"),
@@ -183,7 +186,7 @@ def disturbed(
     _, said = child.communicate()
     if child.returncode or results(command, folder) != whole:
         wrong.append(f"{command.name}: the last run is not as the undisturbed one: {said.strip()}")
-    left = [each.name for each in folder.rglob("*") if each.name.endswith((".unfinished", ".checkpoint"))]
+    left = [each.name for each in folder.rglob("*") if each.name.endswith((".unfinished", ".checkpoint", "kept"))]
     return [*wrong, *(f"{command.name}: {name} is left" for name in left)]
 
 

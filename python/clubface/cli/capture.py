@@ -187,6 +187,14 @@ def study(
     roughness: Roughness = 0.6,
     seed: Seed = 1,
     picture: Annotated[str | None, options.picture("bias and spread")] = None,
+    checkpoint: Annotated[
+        str | None,
+        options.option(
+            "--checkpoint",
+            metavar="FOLDER",
+            text="Keep the swings that are read here; the same command goes on after them.",
+        ),
+    ] = None,
     as_json: options.Json = False,
 ) -> None:
     """Compare the estimators on swings whose truth is known: bias, spread, coverage."""
@@ -197,7 +205,7 @@ def study(
     cameras = Cameras(rate=rate, noise=units.parse(noise, "length", name="--noise"), gaps=gaps)
     with progress_bar("swings") as progress:
         found = run(
-            count, club=club, hand=hand, cameras=cameras, roughness=roughness, seed=seed,
+            count, club=club, hand=hand, cameras=cameras, roughness=roughness, seed=seed, checkpoint=checkpoint,
             progress=progress,
         )  # fmt: skip
     try:
