@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import os
-import secrets
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -47,7 +46,7 @@ def whole_file(path: Name, *, folder: Path | None = None, new: bool = False) -> 
     target = Path(os.path.realpath(path))
     try:
         mode = _mode_of(target, new)
-        fresh = (folder or target.parent) / f".{target.stem[:100]}-{secrets.token_hex(6)}{target.suffix}"
+        fresh = (folder or target.parent) / f".{target.stem[:100]}-{os.urandom(6).hex()}{target.suffix}"
         file = open(fresh, "x+b")  # noqa: SIM115, it is closed below
     except OSError as error:
         raise unwritable(path, error) from None
