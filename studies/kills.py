@@ -80,7 +80,7 @@ def shots(count: int) -> str:
 
 
 INPUTS: dict[str, Callable[[], str]] = {
-    "deliveries.csv": lambda: deliveries(60_000),
+    "deliveries.csv": lambda: deliveries(200_000),
     "launches.csv": lambda: launches(60),
     "shots.csv": lambda: shots(40),
     "few.csv": lambda: deliveries(400),
