@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs study benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage kills clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -16,6 +16,9 @@ export PATH := $(CURDIR)/$(BIN):$(PATH)
 
 RUST_SOURCES := $(wildcard Cargo.toml Cargo.lock crates/*/Cargo.toml) $(shell find crates -name '*.rs')
 RUST_TESTED := --workspace --exclude clubface-python --locked
+# A sample: every 500th error of the crates that compute, which takes minutes.
+RUST_MUTANTS := --package clubface-math --package clubface-impact --package clubface-fem --profile release \
+	--shard 7/500 --sharding round-robin --output target --minimum-test-timeout 120
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r name text; do printf '%-32s %s\n' "$$name" "$$text"; done
@@ -101,8 +104,18 @@ response-fit: dev ## the model response for a ball (BALL=modern, or the path of 
 identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats
 	$(PYTHON) -m pytest -m study tests/identification/test_coverage.py -s
 
+mutants: dev ## errors planted in a sample of the package and the core: how many no test notices; half an hour
+	$(PYTHON) scripts/mutants
+	@command -v cargo-mutants >/dev/null || cargo install --locked --quiet cargo-mutants@27.1.0 --root target/tools
+	PATH="$(CURDIR)/target/tools/bin:$$PATH" cargo mutants $(RUST_MUTANTS)
+
 capture-coverage: dev ## errors and coverage of motion capture on 200 and 400 synthetic swings; some minutes
 	$(PYTHON) -m pytest -q -m study tests/motion_capture/test_study.py
+
+COUNT ?= 1000000
+SEED ?= 0
+fuzz: dev ## damaged files for every reader (COUNT=1000000, a night; SEED=0); findings in out/fuzz
+	$(PYTHON) tests/fuzz/fuzz.py --count $(COUNT) --seed $(SEED)
 
 KILLS ?= 50
 kills: dev ## kill every long command at random moments (KILLS=50 each), resume it, compare the bytes; an hour

@@ -4,7 +4,16 @@ import pickle
 
 import pytest
 
-from clubface.errors import ClubfaceError, FileError, InputError, Told, UnitError, UnknownNameError, nearest_names
+from clubface.errors import (
+    ClubfaceError,
+    FileError,
+    InputError,
+    Told,
+    UnitError,
+    UnknownNameError,
+    in_a_line,
+    nearest_names,
+)
 
 EXAMPLES = [
     InputError("mass", -1.0, "above 0 kg"),
@@ -57,3 +66,29 @@ def test_a_huge_value_does_not_flood_the_message():
 def test_nearest_names_ignore_case_and_put_the_best_first():
     assert nearest_names("DRIVR", ["hybrid", "driver", "drive"])[0] == "driver"
     assert nearest_names("zzz", ["driver"]) == ()
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        FileError("shots.csv", 3, f"the cell {'x y ' * 5000!r} is no number"),
+        FileError("shots.csv", 3, "z" * 10**6),
+        FileError("shots.csv", 3, "word " * 10**5),
+        FileError("/folder/" + "f" * 5000 + ".csv", 3, "empty"),
+        InputError("x" * 10**5, 1.0, "above 0"),
+        UnknownNameError("club", "d" * 10**5, ["driver"]),
+        FileError("a\nb.csv", None, "sends \x1b[31m to the terminal"),
+    ],
+)
+def test_a_message_is_one_line_whatever_was_given(error):
+    assert str(error).isprintable()
+    assert len(str(error)) <= 1000
+
+
+def test_a_message_shortens_what_is_quoted_and_nothing_else():
+    told = in_a_line(f"the ball's value {'a b ' * 100!r} of {'driver'!r} isn't allowed; the others' are 0 to 2")
+    assert told.startswith("the ball's value 'a b a b ")
+    assert told.endswith("' of 'driver' isn't allowed; the others' are 0 to 2")
+    assert len(told) < 200
+    plain = "the ball's own words, and the club's, " * 5
+    assert in_a_line(plain) == plain

@@ -10,18 +10,38 @@ from hypothesis import given, strategies as st
 from clubface import units
 from clubface.errors import InputError, UnitError
 
-# Definitions: international yard and pound (exact), inHg at 0 degC (NIST SP 811), the rest SI prefixes.
+# One unit is so many of the SI, and zero of it is so much. Sources: BIPM, The International System of Units (2019), for
+# prefixes, degrees, minutes and the degree Celsius; the agreement of 1959 on yard (0.9144 m) and pound (0.45359237 kg),
+# exact, for inches, feet, miles and ounces; NIST SP 811 (2008), Appendix B, for inches of mercury at 0 degC and degrees
+# Fahrenheit. Numbers are typed from there, not from the package.
+TURN = 2.0 * math.pi
+FACTORS = {
+    "speed": {"m/s": 1.0, "mph": 0.44704, "km/h": 1000.0 / 3600.0, "ft/s": 0.3048},
+    "angle": {"rad": 1.0, "deg": TURN / 360.0},
+    "length": {"m": 1.0, "mm": 0.001, "cm": 0.01, "in": 0.0254, "yd": 0.9144, "ft": 0.3048},
+    "area": {"m2": 1.0, "cm2": 0.0001, "mm2": 0.000001},
+    "mass": {"kg": 1.0, "g": 0.001, "oz": 0.45359237 / 16.0},
+    "inertia": {"kg m2": 1.0, "g cm2": 0.0000001},
+    "angular rate": {"rad/s": 1.0, "deg/s": TURN / 360.0, "rpm": TURN / 60.0},
+    "temperature": {"K": 1.0, "degC": 1.0, "degF": 5.0 / 9.0},
+    "pressure": {"Pa": 1.0, "hPa": 100.0, "kPa": 1000.0, "MPa": 1000000.0, "GPa": 1000000000.0, "inHg": 3386.389},
+    "time": {"s": 1.0, "ms": 0.001, "us": 0.000001},
+    "force": {"N": 1.0, "kN": 1000.0},
+    "energy": {"J": 1.0},
+    "density": {"kg/m3": 1.0, "g/cm3": 1000.0},
+    "volumetric stiffness": {"N/m3": 1.0},
+    "inverse speed": {"s/m": 1.0, "ms/m": 0.001},
+    "rotary stiffness": {"N m/rad": 1.0},
+    "rotary damping": {"N m s/rad": 1.0},
+    "area damping": {"N s/m2": 1.0},
+    "dimensionless": {"1": 1.0, "%": 0.01},
+}
+ZEROS = {"degC": 273.15, "degF": 459.67 * 5.0 / 9.0}
 DEFINITIONS = [
-    ("1 mph", "speed", 0.44704),
     ("36 km/h", "speed", 10.0),
-    ("1 ft/s", "speed", 0.3048),
     ("180 deg", "angle", math.pi),
-    ("1 in", "length", 0.0254),
-    ("1 yd", "length", 0.9144),
     ("305 mm", "length", 0.305),
     ("204 g", "mass", 0.204),
-    ("1 oz", "mass", 0.028349523125),
-    ("1 g cm2", "inertia", 1e-7),
     ("60 rpm", "angular rate", 2.0 * math.pi),
     ("2400 deg/s", "angular rate", 2400.0 * math.pi / 180.0),
     ("25 degC", "temperature", 298.15),
@@ -41,6 +61,21 @@ DEFINITIONS = [
     ("0.83", "dimensionless", 0.83),
 ]
 ALL_UNITS = sorted({each.symbol for each in units._UNITS.values()})
+
+
+@pytest.mark.parametrize("dimension", FACTORS)
+def test_every_unit_has_the_size_of_its_source(dimension):
+    known = {each.symbol for each in units._UNITS.values() if each.dimension == dimension}
+    assert known == set(FACTORS[dimension])
+    for symbol, factor in FACTORS[dimension].items():
+        zero = ZEROS.get(symbol, 0.0)
+        # Two or three roundings of 1.1e-16 each; a temperature adds those of its zero, 273 K.
+        assert units.parse(f"1 {symbol}", dimension) == pytest.approx(zero + factor, rel=4e-16, abs=0), symbol
+        assert units.from_si(zero + 7.0 * factor, symbol) == pytest.approx(7.0, rel=2e-13 if zero else 4e-16), symbol
+
+
+def test_every_dimension_is_in_the_table():
+    assert {each.dimension for each in units._UNITS.values()} == set(FACTORS)
 
 
 @pytest.mark.parametrize(("text", "dimension", "expected"), DEFINITIONS)
@@ -151,3 +186,19 @@ def test_people_read_spin_in_rpm_and_closure_in_degrees_a_second():
     assert units.display_unit("closure", "rad/s") == "deg/s"
     assert units.display_unit("ball_speed", "m/s") == "m/s"
     assert units.show(0.204, "g") == "204 g"
+
+
+# The unit in which golfers and engineers read each quantity.
+SHOWN = {
+    "toe": "mm", "high": "mm", "bulge": "mm", "roll": "mm", "face_width": "mm", "face_height": "mm", "cg_x": "mm",
+    "cg_y": "mm", "cg_z": "mm", "dcg_x": "mm", "dcg_y": "mm", "dcg_z": "mm", "ball_radius": "mm", "radius": "mm",
+    "cover_thickness": "mm", "penetration": "mm", "contact_area": "mm2", "contact_time": "us", "peak_force": "kN",
+    "characteristic_time": "us", "included_time": "us", "shear_modulus": "MPa", "ring_modulus": "MPa", "humidity": "%",
+    "closure": "deg/s", "pitch_rate": "deg/s", "lie_rate": "deg/s",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "unit"), SHOWN.items())
+def test_a_quantity_is_shown_in_the_unit_it_is_read_in(name, unit):
+    si = units.SI_UNITS[units.unit(unit).dimension]
+    assert units.display_unit(name, si) == unit

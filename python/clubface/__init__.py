@@ -8,7 +8,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from clubface.equipment.backends import MODULES
+from clubface.equipment.backends import CLUB_FILES, MODULES
 from clubface.support.version import __version__ as __version__
 
 if TYPE_CHECKING:
@@ -66,6 +66,7 @@ _HOME = {
 _MODULES = ("benchmark_data", "errors", "fem", "launch_monitor", "measurements", "motion_capture", "units")
 
 MODULES["fem"] = "clubface.fem.backend"
+CLUB_FILES["shape"] = CLUB_FILES["groups"] = "clubface.fem.heads.read"
 
 __all__ = [*_HOME, *_MODULES]  # pyright: ignore[reportUnsupportedDunderAll]
 

@@ -10,7 +10,23 @@ from collections.abc import Iterable
 
 
 class ClubfaceError(Exception):
-    """The root of every error clubface raises on purpose."""
+    """The root of every error clubface raises on purpose.
+
+    Its text is one line, and whatever it repeats of what was given is cut to a part of one.
+    """
+
+    def __str__(self) -> str:
+        return in_a_line(self._message())
+
+    def _message(self) -> str:
+        """Return the text, of whatever length."""
+        return super().__str__()
+
+
+_LINE = 100
+"""Characters of a file's, a caller's or another program's text that a message repeats at most, in one piece."""
+_LONGEST = 1000
+"""Characters of a message; the longest of the project's own are lists of names."""
 
 
 _ADVICE = ("give ", "leave ", "use ", "keep ")
@@ -50,7 +66,7 @@ class InputError(ClubfaceError, ValueError):
         self.value = value
         self.allowed = allowed
 
-    def __str__(self) -> str:
+    def _message(self) -> str:
         given = "missing" if self.value is None else _shown(self.value)
         return f"{self.parameter} is {given}; {'' if self.allowed.startswith(_ADVICE) else 'it must be '}{self.allowed}"
 
@@ -78,7 +94,7 @@ class ShotError(InputError):
         self.row = row
         self.others = others
 
-    def __str__(self) -> str:
+    def _message(self) -> str:
         place = f"shot {', '.join(map(str, self.row))}: " if self.row else ""
         more = f' (and {self.others} more shots; on_error="nan" computes the rest)' if self.others else ""
         return f"{place}{self.parameter}: {self.allowed}{more}"
@@ -104,7 +120,7 @@ class UnknownNameError(InputError, KeyError):
         self.nearest = nearest_names(str(value), self.known)
         super().__init__(parameter, value, "one of " + _listed(self.known) if self.known else "left out")
 
-    def __str__(self) -> str:
+    def _message(self) -> str:
         hint = f" (did you mean {' or '.join(self.nearest)}?)" if self.nearest else ""
         return f"unknown {self.parameter} {_shown(self.value)}{hint}; it must be {self.allowed}"
 
@@ -131,7 +147,7 @@ class FileError(ClubfaceError, ValueError):
         self.message = message
         self.parameter = parameter
 
-    def __str__(self) -> str:
+    def _message(self) -> str:
         place = self.path if self.line is None else f"{self.path}:{self.line}"
         return f"{place}: {self.message}"
 
@@ -152,7 +168,7 @@ class LinkError(ClubfaceError, ConnectionError):
         self.address = address
         self.message = message
 
-    def __str__(self) -> str:
+    def _message(self) -> str:
         return f"{self.address} {self.message}"
 
 
@@ -197,6 +213,27 @@ def nearest_names(name: str, known: Iterable[str], count: int = 3) -> tuple[str,
     for candidate in known:
         spelled.setdefault(candidate.lower(), candidate)
     return tuple(spelled[match] for match in get_close_matches(name[:80].lower(), spelled, count, 0.5))
+
+
+def in_a_line(text: str) -> str:
+    """Return a message on one line: quoted text and long words shortened, and what no terminal should get, escaped."""
+    if text.isprintable() and len(text) <= _LINE:
+        return text
+    import re
+
+    # A quotation begins and ends where no letter stands on its outer side: an apostrophe is none.
+    long = rf"(?<!\w)'(?:[^'\\]|\\.){{{_LINE},}}'(?!\w)|(?<!\w)\"(?:[^\"\\]|\\.){{{_LINE},}}\"(?!\w)|\S{{{2 * _LINE},}}"
+    text = re.sub(long, lambda found: shortened(found[0], _LINE), text, flags=re.DOTALL)
+    text = shortened(text, _LONGEST)
+    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+
+
+def shortened(text: str, most: int) -> str:
+    """Return the beginning and the end of a text that is longer than ``most`` characters, with what they leave out."""
+    if len(text) <= most:
+        return text
+    end = most // 4
+    return f"{text[: most - end - 5]} ... {text[-end:]}"
 
 
 def _shown(value: object) -> str:

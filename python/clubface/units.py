@@ -11,12 +11,14 @@ from collections.abc import Collection
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from clubface.errors import InputError, UnitError, nearest_names
+from clubface.errors import InputError, Told, UnitError, nearest_names
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 DIMENSIONLESS = "dimensionless"
+MOST_DIMENSIONS = 32
+"""Of an array, as the core takes it."""
 
 
 class Unit(NamedTuple):
@@ -126,12 +128,14 @@ _DISPLAY_UNITS_BY_NAME = {
 }  # fmt: skip
 
 
-@lru_cache(maxsize=256)
 def unit(symbol: str, *, name: str = "unit", dimension: str | None = None) -> Unit:
     """Return the unit written ``symbol``, of ``dimension`` where one is given; else a :class:`UnitError`."""
+    if not isinstance(symbol, str):
+        raise UnitError(name, symbol, "text, such as " + symbols(dimension)[0])
     return _unit(symbol, dimension, name, symbol)
 
 
+@lru_cache(maxsize=256)
 def _unit(symbol: str, dimension: str | None, name: str, value: str) -> Unit:
     """Return the unit written ``symbol``, with which ``value`` was given for the quantity called ``name``."""
     found = _UNITS.get(_key(symbol)) if symbol.strip() else _UNITS["1"]
@@ -210,6 +214,8 @@ def parse_values(value: object, dimension: str, *, name: str = "value") -> float
         given = np.asarray(value)
     except ValueError:
         raise InputError(name, value, "a number or an array, whose rows are of one length") from None
+    if given.ndim > MOST_DIMENSIONS:
+        raise InputError(name, Told(f"an array of {given.ndim} dimensions"), f"one of at most {MOST_DIMENSIONS}")
     check_request(given.size, 8)
     if given.dtype.kind in "iuf" and hasattr(value, "filled"):
         return value.astype(np.float64).filled(math.nan)  # pyright: ignore[reportAttributeAccessIssue]

@@ -22,16 +22,57 @@ def arguments(folder, *files):
     return ["capture", "read", *paths, "--markers", str(folder / "markers.toml"), "--club", "driver"]
 
 
-def test_one_swing_is_printed_value_by_value(clubface_, folder):
-    from clubface.recorded.file import read_shots
+DEG = math.pi / 180
+PRINTED = {
+    "club speed, mph": ("speed", 0.44704, 2), "attack, deg": ("attack", DEG, 2), "path, deg": ("path", DEG, 2),
+    "dynamic loft, deg": ("loft", DEG, 2), "face angle, deg": ("face", DEG, 2), "lie, deg": ("lie", DEG, 2),
+    "towards the toe, mm": ("toe", 1e-3, 2), "high, mm": ("high", 1e-3, 2), "closure, deg/s": ("closure", DEG, 0),
+    "pitch rate, deg/s": ("pitch_rate", DEG, 0), "lie rate, deg/s": ("lie_rate", DEG, 0),
+    "ball speed, mph": ("ball_speed", 0.44704, 2), "launch, deg": ("launch", DEG, 2),
+    "azimuth, deg": ("azimuth", DEG, 2),
+}  # fmt: skip
+"""The lines of one swing: quantity, size of the unit, digits."""
 
+
+def test_one_swing_is_printed_value_by_value_each_with_its_standard_deviation(clubface_, folder):
     ran = clubface_(*arguments(folder))
     assert ran.status == 0
+    found = clubface_(*arguments(folder), "--json").json
+    values = found["delivery"] | found["launch"]
+    deviations = found["uncertainty"] | found["launch_uncertainty"]
+    lines = ran.out.split("─\n")[1].splitlines()
+    for line, (label, (name, unit, digits)) in zip(lines, PRINTED.items(), strict=False):
+        assert line.startswith(label)
+        # Rounded to the digits printed.
+        rounded = 0.5001 * 10.0**-digits
+        value, deviation = (float(each) for each in line.split()[-2:])
+        assert value == pytest.approx(values[name] / unit, abs=rounded), line
+        assert deviation == pytest.approx(deviations[name] / unit, abs=rounded), line
+    assert len(lines) > len(PRINTED)
+    assert f"markers' noise {found['marker_noise_m'] * 1e3:.3f} mm" in ran.out
+
+
+def test_a_swing_is_read_within_four_standard_deviations(clubface_, folder):
+    from clubface.recorded.file import read_shots
+
     truth = read_shots(folder / "truth.csv").deliveries
-    row = next(line for line in ran.out.splitlines() if line.startswith("club speed, mph"))
-    value, deviation = (float(each) for each in row.split()[-2:])
-    assert abs(value - truth["speed"][0] / 0.44704) < 4 * deviation
-    assert "markers' noise 0.20" in ran.out
+    found = clubface_(*arguments(folder), "--json").json
+    for name, value in found["delivery"].items():
+        assert abs(value - truth[name][0]) < 4 * found["uncertainty"][name], name
+
+
+def test_the_last_row_of_many_swings_is_the_mean_of_their_standard_deviations(clubface_, folder):
+    names = [f"swing-00{number}.c3d" for number in (1, 2, 3)]
+    found = clubface_(*arguments(folder, *names), "--json").json["swings"]
+    lines = clubface_(*arguments(folder, *names)).out.splitlines()
+    shown = [PRINTED[label] for label in (*list(PRINTED)[:5], *list(PRINTED)[6:9])]
+    rows = {line.split("  ")[0]: line.split() for line in lines}
+    for place, (name, unit, digits) in enumerate(reversed(shown), 1):
+        rounded = 0.5001 * 10.0**-digits
+        for file, swing in zip(names, found, strict=True):
+            assert float(rows[file][-place]) == pytest.approx(swing["delivery"][name] / unit, abs=rounded)
+        mean = sum(swing["uncertainty"][name] for swing in found) / len(found)
+        assert float(rows["standard deviation"][-place]) == pytest.approx(mean / unit, abs=rounded)
 
 
 def test_json_holds_everything_in_si(clubface_, folder):

@@ -96,4 +96,6 @@ def test_a_launch_monitors_file_is_read_as_it_is(clubface_):
     )
     document = clubface_("evaluate", trackman, "--only", "7 iron", "--models", "standard", "--json").json
     assert (document["club"], document["shots"]) == ("7-iron", 1)  # of the other one the clubhead speed is missing
-    assert any("referred to the face centre of 7-iron" in note for note in document["notes"])
+    assert not any("referred to" in note for note in document["notes"])  # no face angle was measured
+    document = clubface_("evaluate", trackman, "--only", "driver", "--models", "standard", "--json").json
+    assert any("referred to the face centre of driver" in note for note in document["notes"])

@@ -130,3 +130,7 @@ def test_a_mistake_of_the_program_is_told_from_one_of_the_user(clubface_, monkey
     assert ran.status == 1
     assert "ZeroDivisionError" in ran.err
     assert "not yours" in ran.err
+
+
+def test_a_mistake_in_an_option_says_where_the_options_are_listed(clubface_):
+    assert "(clubface shot --help lists the options)" in clubface_("shot", "driver", "--sped", "50 m/s").err

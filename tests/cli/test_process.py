@@ -97,3 +97,31 @@ def test_ctrl_c_while_modules_are_loaded_is_told_as_any_other(monkeypatch, capsy
         cli.main()
     assert getattr(left.value, "code", None) == 130
     assert capsys.readouterr().err == "clubface: interrupted\n"
+
+
+def without_stream(number, *arguments):
+    """Run a command line in a process that starts with a stream closed, as by ``>&-``."""
+    command = [sys.executable, "-c", MAIN, *arguments]
+    closing = f"import os; os.close({number}); os.execv({sys.executable!r}, {command!r})"
+    return subprocess.run([sys.executable, "-c", closing], capture_output=True, text=True, timeout=50)
+
+
+@pytest.mark.parametrize("arguments", [["shot", "driver", "--speed", "113 mph"], ["--version"], ["clubs"]])
+def test_a_closed_standard_output_is_told_at_once(arguments):
+    ran = without_stream(1, *arguments)
+    assert ran.returncode == 2
+    assert ran.stderr.startswith("clubface: the standard output is closed")
+    assert ran.stderr.count("\n") == 1
+
+
+def test_a_closed_error_stream_does_not_send_messages_to_the_output():
+    ran = without_stream(2, "shot", "drivr")
+    assert ran.returncode == 2
+    assert ran.stdout == ""
+
+
+@pytest.mark.parametrize("columns", ["²", "٣", "0", "-5", "9" * 5000, "wide"])
+def test_columns_in_the_environment_that_are_no_number_are_passed_over(columns):
+    expected = process("shot", "driver", "--speed", "113 mph")
+    ran = process("shot", "driver", "--speed", "113 mph", env={**os.environ, "COLUMNS": columns})
+    assert (ran.returncode, ran.stdout, ran.stderr) == (0, expected.stdout, expected.stderr)

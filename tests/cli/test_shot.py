@@ -1,5 +1,6 @@
 """``clubface shot``: its table, its JSON and its options."""
 
+import math
 import re
 
 import pytest
@@ -8,6 +9,7 @@ import clubface
 from clubface import units
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.equipment.ranges import RANGES
+from command_line import assert_mistake
 
 SHOT_KEYS = [
     "model", "ball_speed_mps", "smash", "launch_deg", "azimuth_deg", "backspin_rpm", "sidespin_rpm", "total_spin_rpm",
@@ -71,15 +73,54 @@ def test_the_json_of_a_shot_is_what_the_library_computes(clubface_):
     assert row["contact_time_s"] == shot.contact_time
 
 
-def test_the_table_shows_what_golfers_read(clubface_):
-    ran = clubface_("shot", "driver", "--speed", "113 mph", "--model", "rings,standard")
-    cells = ran.out.split("─\n")[1].splitlines()[0].split()
-    shot = clubface.impact("driver", speed="113 mph", model="rings")
-    assert float(cells[1]) == round(units.from_si(shot.ball_speed, "mph"), 1)
-    assert float(cells[5]) == round(shot.get("backspin", "rpm"))
-    assert float(cells[9]) == round(units.from_si(clubface.fly(shot).carry, "yd"), 1)
-    assert float(cells[11]) == round(shot.contact_time * 1e6)
-    assert float(cells[12]) == round(shot.peak_force / 1e3, 1)
+# What is printed: SI by definition of the unit, and the digits printed. Each number is compared with the library's.
+PRINTED = {
+    "ball_speed": (0.44704, 1), "smash": (1.0, 3), "launch": (math.pi / 180, 1), "azimuth": (math.pi / 180, 1),
+    "backspin": (math.pi / 30, 0), "sidespin": (math.pi / 30, 0), "total_spin": (math.pi / 30, 0),
+    "spin_axis": (math.pi / 180, 1), "carry": (0.9144, 1), "side": (0.9144, 1), "apex": (0.9144, 1),
+    "landing_angle": (math.pi / 180, 1), "contact_time": (1e-6, 0), "peak_force": (1e3, 1),
+}  # fmt: skip
+COLUMNS = [name for name in PRINTED if name not in ("apex", "landing_angle")]
+OFF_CENTRE = ["shot", "driver", "--speed", "113 mph", "--toe", "8 mm", "--face", "-4 deg"]
+
+
+def expected(model):
+    """Return the quantities of the shot off centre in the units printed, as the library has them in SI."""
+    shot = clubface.impact("driver", speed="113 mph", toe="8 mm", face="-4 deg", model=model)
+    flight = clubface.fly(shot)
+    of = {name: shot if name in shot.quantities() else flight for name in PRINTED}
+    return {name: getattr(of[name], name) / factor for name, (factor, _) in PRINTED.items()}
+
+
+def test_every_number_of_the_list_is_the_librarys_in_the_unit_beside_it(clubface_):
+    lines = clubface_(*OFF_CENTRE, "--model", "rings").out.splitlines()[2:]
+    told = {line.split("  ")[0].replace(" ", "_"): line.split("  ")[-1].split() for line in lines if "  " in line}
+    assert list(told) == list(PRINTED)
+    for name, value in expected("rings").items():
+        # The number is rounded to the digits printed.
+        assert float(told[name][0]) == pytest.approx(value, abs=0.5001 * 10.0 ** -PRINTED[name][1]), name
+    words = {name: " ".join(cells[1:]) for name, cells in told.items()}
+    side = {name: f"to the {'right' if expected('rings')[name] > 0.0 else 'left'}" for name in told}
+    assert words == {
+        "ball_speed": "mph", "smash": "", "launch": "deg", "azimuth": f"deg {side['azimuth']}", "backspin": "rpm",
+        "sidespin": f"rpm {side['sidespin']}", "total_spin": "rpm", "spin_axis": f"deg {side['spin_axis']}",
+        "carry": "yd", "side": f"yd {side['side']}", "apex": "yd", "landing_angle": "deg", "contact_time": "µs",
+        "peak_force": "kN",
+    }  # fmt: skip
+
+
+def test_every_number_of_the_table_is_the_librarys_in_the_unit_of_its_column(clubface_, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "200")
+    head, body = clubface_(*OFF_CENTRE, "--model", "rings,standard").out.split("─\n")
+    for line in body.splitlines()[:2]:
+        model, *cells = line.split()
+        of = expected(model)
+        # A model of the impulse has neither contact time nor force.
+        names = COLUMNS if model == "rings" else COLUMNS[:-2]
+        for name, cell in zip(names, cells, strict=True):
+            assert float(cell) == pytest.approx(of[name], abs=0.5001 * 10.0 ** -PRINTED[name][1]), (model, name)
+    units_row = ["model", "mph", "smash", "deg", "deg", "rpm", "rpm", "rpm", "deg", "yd", "yd", "µs", "kN"]
+    assert head.splitlines()[-2].split() == units_row
 
 
 def test_an_option_left_out_takes_the_clubs_own_value_or_zero(clubface_):
@@ -99,6 +140,22 @@ def test_a_bare_number_is_si_and_said_to_be(clubface_):
     ran = clubface_("shot", "driver", "--speed", "50", "--json")
     assert ran.json[0]["ball_speed_mps"] == clubface.impact("driver", speed=50.0).ball_speed
     assert ran.err == "clubface: note: --speed 50 has no unit and is taken in m/s\n"
+
+
+@pytest.mark.parametrize(
+    ("given", "asked"),
+    [
+        (["--speed", "105"], '--speed "105 mph"'),
+        (["--speed", "48 m/s", "--loft", "12"], '--loft "12 deg"'),
+        (["--speed", "48 m/s", "--attack", "-1.3"], '--attack "-1.3 deg"'),
+        (["--speed", "48 m/s", "--toe", "8"], '--toe "8 mm"'),
+        (["--speed", "48 m/s", "--closure", "2400"], '--closure "2400 deg/s"'),
+        (["--speed", "48 m/s", "--temperature", "30"], '--temperature "30 degC"'),
+        (["--speed", "48 m/s", "--wind", "50"], '--wind "50 mph"'),
+    ],
+)
+def test_a_bare_number_that_no_shot_has_in_si_is_asked_for_its_unit(clubface_, given, asked):
+    assert_mistake(clubface_("shot", "driver", *given), "has no unit; give it, as in " + asked, "a number alone is in")
 
 
 def test_models_are_chosen_by_commas_or_repetition_in_the_order_asked(clubface_):

@@ -69,8 +69,9 @@ def test_the_rings_of_the_7_iron_differ_from_slip_by_more_than_both_errors():
         for name in ("slip", "rings")
     ]
     assert spin.difference == pytest.approx(means[0] - means[1], rel=1e-12)
-    assert units.from_si(spin.difference, "rpm") == pytest.approx(-1900, abs=50)
-    assert units.from_si(launch.difference, "deg") == pytest.approx(3.6, abs=0.1)
+    # That is what makes it a contradiction, whichever way it goes: rings spin more and launch lower.
+    assert spin.difference < -spin.allowed
+    assert launch.difference > launch.allowed
 
 
 def test_stiffer_rings_agree_with_slip():

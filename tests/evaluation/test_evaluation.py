@@ -1,5 +1,7 @@
 """Models beside measured shots: statistics against hand-worked ones, and known answers on shots made for them."""
 
+import csv
+import io
 import json
 import math
 from html.parser import HTMLParser
@@ -250,3 +252,31 @@ def test_pictures_are_drawn_of_few_quantities_and_shots(tmp_path):
     for name in ("backspin", "sidespin", "azimuth", "total_spin", "spin_axis"):
         del shots.launches[name]
     assert len(evaluate(shots, club="driver", models="standard").write(tmp_path)) == 10
+
+
+def test_the_table_of_shots_holds_every_number_in_its_unit_and_nothing_where_there_is_none():
+    shots = made(8)
+    shots.launches["sidespin"][2] = math.nan
+    found = evaluate(shots, club="driver", models=["slip"], parameters={"slip": TRUTH})
+    rows = list(csv.DictReader(io.StringIO(report.as_csv(found))))
+    sizes = {"ball_speed": 0.44704, "launch": DEG, "azimuth": DEG, "backspin": RPM, "sidespin": RPM}
+    units_ = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
+    predicted = clubface.impact("driver", shots.deliveries, model="slip", parameters=TRUTH)
+    for name, size in sizes.items():
+        told = [row[f"slip_{name}_{units_[name]}"] for row in rows]
+        # Nine digits are written.
+        assert [float(each) for each in told] == pytest.approx(getattr(predicted, name) / size, rel=6e-9)
+    measured = [row["sidespin_rpm"] for row in rows]
+    assert [each == "" for each in measured] == [place == 2 for place in range(8)]
+
+
+def test_the_table_of_trends_is_in_the_unit_of_the_error_per_step_of_the_delivery():
+    # A model without slip misses by an error that grows with the impact's place: 2 rpm a millimetre are planted.
+    shots = made(300, noise=False)
+    planted = 2.0 * RPM * shots.deliveries["toe"] / 1e-3
+    shots.launches["sidespin"] = np.asarray(shots.launches["sidespin"]) - planted
+    found = evaluate(shots, club="driver", models=["slip"], parameters={"slip": TRUTH})
+    table = tables.trend_table(found, "sidespin")
+    (place,) = (number for number, head in enumerate(table.heads) if "toe" in head)
+    assert table.heads[place] == "per mm of toe"
+    assert table.rows[0][place].startswith("+2.0")

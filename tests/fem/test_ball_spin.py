@@ -5,6 +5,7 @@ import pytest
 
 import clubface
 from clubface import fem
+from clubface.fem.case import Case
 from clubface.fem.keyword import write
 
 CAST = {"speed": "40 m/s", "loft": "25 deg", "attack": "-3 deg"}
@@ -29,21 +30,22 @@ def test_without_friction_a_ball_keeps_its_spin_about_the_normal_and_most_of_the
 @pytest.mark.parametrize("name", AXES)
 def test_the_default_model_follows_the_finite_elements_to_balls_that_spin(name):
     """The coefficients were found on balls at rest. With 1000 rpm about any axis they still meet what the fit is asked
-    for, but that the model leaves a sixth of a sidespin where the finite elements leave a fifteenth."""
+    for, but that the model leaves more of a spin across the backspin than the finite elements do: a quarter of 1000
+    rpm at most, which is 3.5% of the backspin."""
     spins = {"ball_backspin": 0.0, name: "1000 rpm"}
     want, got = (clubface.impact("7-iron", {**CAST, **spins}, model=model) for model in ("fem", "response"))
     assert abs(got.ball_speed / want.ball_speed - 1.0) < 0.005
     assert abs(got.launch - want.launch) < np.radians(0.2)
     assert abs(got.backspin / want.backspin - 1.0) < 0.02
-    assert abs(got.sidespin - want.sidespin) < 0.025 * want.backspin
+    assert abs(got.sidespin - want.sidespin) < 0.035 * want.backspin
 
 
 @pytest.mark.parametrize("hand", ["right", "left"])
 def test_a_deck_has_the_spin_of_the_ball(hand, tmp_path):
-    """Turned back to the world, the axis of the card times its rate is the spin asked for; left-handed in the mirror."""
+    """Turned to the world, the axis of the card times its rate is the spin asked for; left-handed in the mirror."""
     club = clubface.club("7-iron")
     club = club.replace(hand=-1) if hand == "left" else club
-    case = fem.Case(name="spinning", ball=fem.ball("modern"), head="rigid", club=club, delivery={**CAST, **SPIN})
+    case = Case(name="spinning", ball=fem.ball("modern"), head="rigid", club=club, delivery={**CAST, **SPIN})
     lines = write(case, tmp_path / "deck.k").read_text(encoding="utf-8").splitlines()
     place = lines.index("*INITIAL_VELOCITY_GENERATION")
     cards = [line for line in lines[place + 1 : place + 5] if not line.startswith("$")][:2]

@@ -4,11 +4,13 @@ import importlib.util
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import clubface
 from clubface import fem
 from clubface.errors import InputError
+from clubface.fem.nodes import node_masses
 
 pytest.importorskip("scipy")
 specification = importlib.util.spec_from_file_location(
@@ -90,3 +92,23 @@ def test_a_changed_ball_is_meshed_as_changed():
 def test_a_ball_without_pieces_is_refused_by_finite_elements(ball):
     with pytest.raises(InputError, match="by its pieces, for fem: distance, modern, paper, reference"):
         clubface.impact("driver", speed=45.0, model="fem", ball=ball)
+
+
+def test_the_nodes_of_a_mesh_share_its_mass():
+    made = fem.ball("reference")
+    shares, properties = node_masses(made.mesh), made.properties()
+    assert shares.sum() == pytest.approx(1.0, rel=1e-12)
+    nodes = made.mesh["nodes"]
+    # Of parallelepipeds in place of the elements: inertia to some per cent, and no moment about the centre.
+    inertia = properties["mass"] * (shares @ (nodes[:, 0] ** 2 + nodes[:, 1] ** 2))
+    assert inertia == pytest.approx(properties["inertia"], rel=0.03)
+    assert abs(shares @ nodes).max() < 1e-9
+    corners = nodes[made.mesh["elements"].astype(int)]
+    volume = np.abs(np.einsum("ij,ij->i", np.cross(corners[:, 1] - corners[:, 0], corners[:, 3] - corners[:, 0]),
+                              corners[:, 4] - corners[:, 0]))  # fmt: skip
+    heaviest = int(np.argmax(shares))
+    touching = (made.mesh["elements"].astype(int) == heaviest).any(axis=1)
+    density = np.asarray(made.mesh["density"])[made.mesh["piece"]]
+    # In the cube of the middle, elements are nearly parallelepipeds.
+    expected = (volume * density)[touching].sum() / 8.0 / properties["mass"]
+    assert shares[heaviest] == pytest.approx(expected, rel=0.1)

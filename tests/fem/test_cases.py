@@ -196,6 +196,9 @@ def test_a_sweep_gives_a_row_a_run_in_order_and_is_resumed(tmp_path):
     assert path.read_text() == text
     with pytest.raises(FileError, match="not the table of this case"):
         sweeps.sweep(base.replace(friction=0.1), **GRID, output=path)
+    with pytest.raises(FileError, match="not the table of this case"):
+        sweeps.sweep(base.replace(toe="5 mm"), **GRID, output=path)
+    assert len(sweeps.sweep(base.replace(speed="50 m/s", loft="3 deg"), **GRID, output=path)) == 4  # what is swept
     path.write_text("\n".join([*text.splitlines()[:2], "1,2,3", ""]))
     with pytest.raises(FileError, match=r"sweep.csv:3: "):
         sweeps.sweep(base, **GRID, output=path)

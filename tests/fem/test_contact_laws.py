@@ -45,12 +45,13 @@ def test_a_ball_that_slides_shows_no_area_term_and_one_that_sticks_seems_to():
     assert abs(sliding.damping) < 5.0
     assert abs(sliding.free_damping) < 5.0
     assert sliding.free_friction == pytest.approx(0.2, rel=1e-3)
-    # Elastic grip that reverses looks like an eta of thousands, with a mu that is not the friction: 2700 and 0.048.
+    # Elastic grip that reverses looks like an eta a hundred times what sliding may show, with a mu that is less than
+    # half the friction: the force along the face changes its sign while that across it does not.
     assert sticking.sliding < 0.5
-    assert sticking.free_damping == pytest.approx(2708.0, rel=0.1)
-    assert sticking.free_friction < 0.08
+    assert sticking.free_damping > 100.0 * 5.0
+    assert sticking.free_friction < 0.5 * 0.2
     # Where it still slides by the law's own measure the sign is the other: grip is less than mu F_N from the start.
-    assert sticking.damping < -500.0
+    assert sticking.damping < -100.0 * 5.0
     # The area is half as large again as pi R d.
     deepest = sticking.sinking.argmax()
     assert sticking.area[deepest] / (math.pi * 21.4e-3 * sticking.sinking[deepest]) == pytest.approx(1.5, abs=0.1)

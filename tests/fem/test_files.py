@@ -206,6 +206,19 @@ def test_the_deck_of_ogdens_rubber_holds_its_terms(tmp_path):
     assert fields(viscous) == pytest.approx([5e6, 1e5])
 
 
+def test_the_deck_of_neo_hookean_rubber_holds_half_its_shear_modulus_as_c10(tmp_path):
+    """The card's energy is C10 (I1 - 3) + C01 (I2 - 3), so its shear modulus 2 (C10 + C01) is that of the law."""
+    given = throw_case()
+    core, cover = given.ball.pieces
+    rubber = fem.Material(law="neo-hookean", constants={"shear": 9e6}, poisson=0.49, density=1150.0)
+    ball = replace(given.ball, pieces=(replace(core, material=rubber), cover))
+    deck = Deck(keyword.write(given.replace(ball=ball), tmp_path / "neo.k"))
+    head, constants = deck.one("MAT_HYPERELASTIC_RUBBER")
+    assert fields(head)[2:] == [0.49, 0, 0]
+    assert fields(constants) == [4.5e6, 0.0]
+    assert 2.0 * sum(fields(constants)) == rubber.shear
+
+
 def test_the_deck_of_a_head_of_shells_holds_its_mass_and_motion(tmp_path):
     given, head = shells_case().replace(toe="8 mm", closure="2400 deg/s"), coarse_head()
     deck = Deck(keyword.write(given, tmp_path / "shells.k"))
@@ -262,3 +275,24 @@ def test_a_field_is_ten_characters_and_close(value):
     text = cards.field(value)
     assert len(text) == 10
     assert float(text) == pytest.approx(value, rel=1e-4)
+
+
+def test_every_piece_of_the_ball_is_a_part_of_its_own_set_with_its_section_and_material(reference_deck):
+    given, deck = reference_deck
+    parts = [fields(cards[1]) for cards in deck.all("PART")]
+    # Part, section, material, equation of state, hourglass control.
+    assert parts == [[number, 1, number, 0, 1] for number in range(1, len(given.ball.pieces) + 1)]
+    identifier, members = deck.one("SET_PART_LIST")
+    assert fields(identifier) == [keyword.BALL_SET]
+    assert fields(members) == [part[0] for part in parts]
+
+
+def test_a_deck_of_a_grooved_head_says_what_it_leaves_out(tmp_path):
+    grooves = {"width": 0.9e-3, "depth": 0.4e-3, "pitch": 3.6e-3, "wall": 0.2e-3}
+    head = replace(fem.head("7-iron"), grooves=grooves)
+    told = "the grooves of the face are felt by the contact alone"
+    for name, made in (("grooved", head), ("plain", replace(head, grooves=None))):
+        text = keyword.write(shells_case().replace(club=made), tmp_path / f"{name}.k").read_text()
+        assert (told in " ".join(line[2:] for line in text.splitlines() if line.startswith("$ "))) == (
+            name == "grooved"
+        )

@@ -34,6 +34,38 @@ def test_the_head_of_the_paper_is_as_the_paper_says():
     assert sum(mass for name, mass in head.report.items() if name != "scale") < 0.07
 
 
+def test_a_target_of_the_mass_centre_is_met_on_the_side_that_it_names():
+    """cg_x, cg_y and cg_z lead from the CG to the face centre, which is the origin of the mesh: the nodes say where
+    the CG is."""
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
+    target = {"mass": "210 g", "cg_x": "33 mm", "cg_y": "3 mm", "cg_z": "2.5 mm"}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", TargetWarning)
+        head = replace(design, elements=(14, 8, 10), target=target).mesh()
+    corners = head.nodes[head.quads]
+    areas = 0.5 * np.linalg.norm(np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]), axis=1)
+    masses = head.added.copy()
+    np.add.at(masses, head.quads, (0.25 * 4430.0 * areas * head.thickness)[:, None])
+    centre = masses @ head.nodes / masses.sum()
+    # Behind the face centre, below it and on the side of the heel; targets are met to 0.1 mm, or a warning says so.
+    assert centre == pytest.approx([-0.033, -0.003, -0.0025], abs=1e-4)
+    assert head.club.cg == pytest.approx(tuple(-centre), abs=1e-6)
+    normal = np.array([np.cos(head.loft), np.sin(head.loft), 0.0])
+    above = (centre - (centre @ normal) * normal) @ np.array([-normal[1], normal[0], 0.0])
+    assert head.cg_above == pytest.approx(above, abs=1e-6)
+
+
+def test_the_height_of_the_mass_centre_above_the_face_normal_is_met_up_and_down():
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
+    for height in ("1.5 mm", "-1.5 mm"):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", TargetWarning)
+            head = replace(design, elements=(14, 8, 10), target={"mass": "210 g", "cg_above": height}).mesh()
+        centre = -np.array(head.club.cg)
+        above = centre @ np.array([-np.sin(head.loft), np.cos(head.loft), 0.0])
+        assert above == pytest.approx(float(height[:-3]) * 1e-3, abs=1e-4)  # as near as without a warning
+
+
 def test_targets_that_cannot_be_met_stand_beside_what_was_reached():
     design = from_toml(builtin_path("head", "paper", "fem_heads"))
     wide = replace(design, name="wide", elements=(14, 8, 10), target={**design.target, "izz": "15260 g cm2"})
@@ -188,3 +220,31 @@ speed = "35 m/s"
         case(path)
     with pytest.raises(InputError, match="it must be a club"):
         case("paper-rigid").replace(club=coarse_head())
+
+
+@pytest.mark.parametrize("limits", [(0.05, 2.0), (0.5, 11.0), (1.1, 2.0), (0.5, 0.9)])
+def test_limits_of_the_walls_are_a_tenth_to_one_and_one_to_ten(limits):
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
+    assert replace(design, scales=(0.1, 10.0)).scales == (0.1, 10.0)
+    with pytest.raises(InputError, match=r"0\.1 to 1 and 1 to 10"):
+        replace(design, scales=limits)
+
+
+def test_a_file_tells_limits_of_the_walls_as_two_numbers(tmp_path):
+    text = builtin_path("head", "paper", "fem_heads").read_text()
+    path = tmp_path / "head.toml"
+    path.write_text("scales = [0.4, 3]\n" + text)
+    assert from_toml(path).scales == (0.4, 3)
+    path.write_text("scales = [0.4, 1.0, 3]\n" + text)
+    with pytest.raises(FileError, match=r"head\.toml:1: scales .*a list of two numbers"):
+        from_toml(path)
+
+
+def test_the_striker_of_the_characteristic_time_meets_no_friction_and_flies_along_the_face_normal(monkeypatch):
+    struck, strike = [], head_tests.strike
+    monkeypatch.setattr(head_tests, "strike", lambda *args, **how: struck.append(how) or strike(*args, **how))
+    head_tests.characteristic_time(coarse_head(), toe="10 mm", high="3 mm")
+    (how,) = struck
+    # The pendulum of the rules has no grip on the face; the face normal at the centre is level.
+    assert (how["friction"], how["loft"]) == (0.0, 0.0)
+    assert (how["toe"], how["high"]) == ("10 mm", "3 mm")

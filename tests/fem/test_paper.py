@@ -144,8 +144,8 @@ def test_the_spin_of_all_nodes_by_shapes_is_that_of_their_velocities():
 
 def test_the_section_takes_off_with_more_spin_than_the_ball_and_then_swings_about_it():
     told = paper.table(found())
-    # 2128 against 2011 rpm; the launch has 2027.
-    assert told["section_spin_rpm"] - told["ball_spin_rpm"] == pytest.approx(117.0, abs=20.0)
+    # By more than ten times what the fit of nodes is off, 0.35 rad/s.
+    assert told["section_spin_rpm"] - told["ball_spin_rpm"] > 10.0 * 0.35 * 30.0 / math.pi
     when, spin = paper.section_spin(found())
     after = spin[when > found().last_touch] * 30.0 / math.pi
     assert after.mean() == pytest.approx(told["spin_rpm"], rel=0.01)
@@ -165,10 +165,12 @@ def test_both_methods_of_contact_that_of_the_case_first():
 def test_the_rigid_head_has_the_mass_and_the_cg_of_the_shells():
     rigid, shells = case("paper-rigid").club, fem.head("paper").club
     assert rigid == shells
-    spin = paper.table(paper.paper("paper-rigid"))["spin_rpm"]
-    # The face that gives takes spin away: 2053 against 2027 rpm.
-    assert spin == pytest.approx(2053.0, abs=5.0)
-    assert spin > paper.table(found())["spin_rpm"] + 15.0
+    stiff, giving = paper.table(paper.paper("paper-rigid")), paper.table(found())
+    # A face that gives springs back with energy that the ball would lose, lies longer against it and takes spin away;
+    # 0.2% is what half the step changes.
+    assert giving["ball_speed_mps"] > 1.002 * stiff["ball_speed_mps"]
+    assert giving["peak_force_n"] < 0.998 * stiff["peak_force_n"]
+    assert giving["spin_rpm"] < 0.998 * stiff["spin_rpm"]
 
 
 def test_a_throw_is_no_variation_of_the_case():

@@ -9,7 +9,7 @@ import pytest
 
 import clubface
 from clubface.errors import FileError, InputError, UnknownNameError
-from synthetic_shots import published, recorded
+from synthetic_shots import published, recorded, widths_in_standard_errors
 
 # What 1e-4 means where the true value is 0: of other published displacements, 0.5 mm, and Penner's slope, 0.0029 s/m.
 ZERO = {"dcg_x": 5e-8, "cor_slope": 2.9e-7}
@@ -152,8 +152,9 @@ def test_the_hold_out_and_the_intervals_say_what_a_fit_is_worth():
     parts = np.abs(found.held_out - measured).mean(axis=1) / np.abs(measured).mean(axis=1)
     assert parts.sum() == pytest.approx(found.cost_holdout, rel=1e-12)
     assert set(found.intervals) == {"cor", "slip_y", "slip_z"}
-    for name, (low, high) in found.intervals.items():
-        assert low < found.parameters.values[name] < high
+    # 60 samples know an end of an interval to 15%; the cost costs up to twice the least error there can be.
+    ratios = widths_in_standard_errors(found)
+    assert all(0.7 < ratio < 2.5 for ratio in ratios.values()), ratios
     assert found.deviations["backspin"].mae < found.deviations["backspin"].mae_holdout
 
 

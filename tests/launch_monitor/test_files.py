@@ -63,12 +63,60 @@ def test_trackman_is_read_with_its_units_row_its_signs_and_its_empty_cells():
     assert "Spin Rate Type: 1 Measured, 1 Estimated" in shots.notes
 
 
+def test_trackman_without_a_row_of_units_is_in_mph_degrees_millimetres_rpm_feet_and_yards(write):
+    names = (
+        "Club Speed,Attack Angle,Club Path,Dyn. Loft,Face Angle,Swing Direction,Impact Offset,Impact Height,Ball Speed,"
+        "Smash Factor,Launch Angle,Launch Direction,Spin Rate,Spin Axis,Max Height - Height,Carry Flat - Length,"
+        "Carry Flat - Side,Carry Flat - Land. Angle,Carry Flat - Time,Est. Total Flat - Length,Est. Total Flat - Side"
+    )
+    shots = launch_monitor.read(
+        write(f"{names}\n100,-1.5,2,12,-3,1,10,-4,147.5,1.475,10.5,-1,2500,-8,90,250,-12,38,6,270,-15\n")
+    )
+    assert shots.format == "trackman"
+    assert_values(
+        shots,
+        speed=[100 * MPH],
+        attack=[-1.5 * DEG],
+        path=[2 * DEG],
+        loft=[12 * DEG],
+        face=[-3 * DEG],
+        toe=[10 * MM],
+        high=[-4 * MM],
+        ball_speed=[147.5 * MPH],
+        smash=[1.475],
+        launch=[10.5 * DEG],
+        azimuth=[-1 * DEG],
+        total_spin=[2500 * RPM],
+        spin_axis=[-8 * DEG],
+        apex=[90 * FT],
+        carry=[250 * YD],
+        side=[-12 * YD],
+        landing_angle=[38 * DEG],
+        flight_time=[6.0],
+        total=[270 * YD],
+        total_side=[-15 * YD],
+    )
+
+
+def test_zeros_for_all_that_is_said_of_the_club_are_no_measurement_even_without_a_speed(write):
+    text = "Swing Direction,Dyn. Loft,Club Path,Attack Angle,Ball Speed,Launch Angle\n"
+    shots = launch_monitor.read(write(text + "0,0,0,0,150,12\n1,13,0,2,150,12\n"))
+    assert_values(
+        shots,
+        loft=[NAN, 13 * DEG],
+        path=[NAN, 0.0],
+        attack=[NAN, 2 * DEG],
+        ball_speed=[150 * MPH] * 2,
+        launch=[12 * DEG] * 2,
+    )
+
+
 def test_trackman_with_semicolons_decimal_commas_and_metric_units():
     shots = launch_monitor.read(DATA / "trackman-semicolon.csv", hand="left")
     assert shots.hand.tolist() == ["left", "left"]
     assert_values(
         shots,
-        speed=[180.5 * KMH, 1080 * KMH],
+        speed=[180.5 * KMH, NAN],
         loft=[12.25 * DEG, NAN],
         ball_speed=[70.5, 70],
         carry=[240.5, NAN],
@@ -76,6 +124,7 @@ def test_trackman_with_semicolons_decimal_commas_and_metric_units():
         azimuth=[-0.5 * DEG, NAN],
         toe=[0.0125, NAN],
     )
+    assert any("speed in 1 of 2 shots, such as 671.08" in note for note in shots.notes)  # 1.080 km/h in mph
 
 
 @pytest.mark.parametrize(
@@ -111,7 +160,7 @@ def test_foresight_speaks_of_in_out_and_open_which_a_left_hander_mirrors(hand, m
         high=[0.004, NAN, NAN, -0.006],
         closure=[2600 * DEG, NAN, NAN, 1800 * DEG],
         ball_speed=[150 * MPH, 151 * MPH, 118 * MPH, NAN],
-        smash=[1.46, 0, 0, NAN],
+        smash=[1.46, NAN, NAN, NAN],
         launch=[12.5 * DEG, 11 * DEG, 17 * DEG, NAN],
         azimuth=[-2 * DEG, 1 * DEG, 0.5 * DEG, NAN],
         backspin=[2400 * RPM, 2200 * RPM, 6500 * RPM, NAN],
@@ -264,8 +313,8 @@ def test_rapsodo_is_a_table_a_club_with_rows_of_averages():
     assert [tuple(each) for each in shots.rejected] == [(11, "7 cells where there are 18 columns")]
     assert any("rows of averages" in note and note.endswith(": 4") for note in shots.notes)
     assert any("Carry Distance in yd" in note for note in shots.notes)
-    metric = launch_monitor.read(DATA / "rapsodo.csv", units={"speed": "m/s", "carry": "m"})
-    assert (metric.deliveries["speed"][0], metric.launches["carry"][0]) == (98, 224.5)
+    metric = launch_monitor.read(DATA / "rapsodo.csv", units={"speed": "ft/s", "carry": "m"})
+    assert (metric.deliveries["speed"][0], metric.launches["carry"][0]) == (pytest.approx(98 * 0.3048), 224.5)
 
 
 def test_flightscope_tells_left_and_right_after_the_number():
@@ -355,7 +404,6 @@ def test_the_preferred_of_two_columns_for_a_quantity_is_taken(write):
         (b"Side Angle,Tilt Angle,Ball Speed\n1,2\n", "line 2: 2 cells where there are 3 columns"),
         (b"Side Angle,Tilt Angle,Ball Speed\n3 Q,2,100\n", "'3 Q' is not a number, or one with its side .l, left"),
         (b"Side Angle,Tilt Angle,Ball Speed\n-3 L,2,100\n", "'-3 L' is a number with both a sign and a side"),
-        (b"Side Angle,Tilt Angle,Ball Speed\n1,2,-100\n", "the ball speed is below 0"),
         (b"Side Angle,Tilt Angle,Ball Speed\n,,-\n", "nothing was measured"),
         (b"Side Angle,Tilt Angle,Ball Speed\n1,2,1_0\n", "'1_0' is not a number"),
         (b'Side Angle,Tilt Angle,Ball Speed\n1,2,"10', "does not end"),

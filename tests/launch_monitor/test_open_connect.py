@@ -6,7 +6,7 @@ import math
 import socket
 import threading
 import time
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 
 import pytest
 from hypothesis import given, settings, strategies as st
@@ -122,6 +122,43 @@ def test_a_launch_becomes_a_message_and_comes_back():
     ):
         with pytest.raises(InputError, match=name):
             to_json(launch, shot_number=1)
+
+
+def test_a_simulator_is_told_the_spin_of_the_launch_in_both_ways_of_telling_it():
+    # A drive off the toe: it starts right and turns left, so the axis is tilted to the left, which is negative.
+    launch = clubface.impact("driver", speed="108 mph", attack="2 deg", loft="13 deg", toe="12 mm")
+    assert launch.sidespin < 0.0 < launch.azimuth
+    ball = to_json(launch, shot_number=1)["BallData"]
+    assert ball == pytest.approx(
+        {
+            "Speed": launch.ball_speed / MPH, "VLA": launch.launch / DEG, "HLA": launch.azimuth / DEG,
+            "BackSpin": launch.backspin / RPM, "SideSpin": launch.sidespin / RPM,
+            "TotalSpin": launch.total_spin / RPM, "SpinAxis": launch.spin_axis / DEG,
+        },
+        rel=1e-12,  # conversions round two or three times
+    )  # fmt: skip
+    # 3000 rpm at 30 deg to the right: back 3000 cos 30, side 3000 sin 30; 4000 and -3000: 5000 at -36.87 deg.
+    start = {"ball_speed": 60.0, "launch": 0.2}
+    ball = to_json(start | {"total_spin": "3000 rpm", "spin_axis": "30 deg"}, shot_number=1)["BallData"]
+    assert (ball["BackSpin"], ball["SideSpin"]) == pytest.approx((2598.0762113533, 1500.0), rel=1e-12)
+    ball = to_json(start | {"backspin": "4000 rpm", "sidespin": "-3000 rpm"}, shot_number=1)["BallData"]
+    assert (ball["TotalSpin"], ball["SpinAxis"]) == pytest.approx((5000.0, -36.869897645844), rel=1e-12)
+
+
+def test_a_simulator_is_told_the_delivery_in_the_units_of_the_protocol():
+    given = {
+        "speed": 50.0, "attack": 0.02, "face": -0.03, "lie": 0.01, "loft": 0.2, "path": 0.04, "high": 0.005,
+        "toe": -0.008, "closure": 40.0,
+    }  # fmt: skip
+    club = to_json({"ball_speed": 60.0, "launch": 0.2}, given, shot_number=1)["ClubData"]
+    assert club == pytest.approx(
+        {
+            "Speed": 50.0 / MPH, "AngleOfAttack": 0.02 / DEG, "FaceToTarget": -0.03 / DEG, "Lie": 0.01 / DEG,
+            "Loft": 0.2 / DEG, "Path": 0.04 / DEG, "VerticalFaceImpact": 5.0, "HorizontalFaceImpact": -8.0,
+            "ClosureRate": 40.0 / DEG, "SpeedAtImpact": 0.0,
+        },
+        rel=1e-12,
+    )  # fmt: skip
 
 
 def test_objects_are_found_wherever_the_bytes_are_cut():
@@ -270,6 +307,38 @@ def test_the_iteration_ends_when_nothing_comes_and_a_monitor_too_many_is_turned_
         assert second.recv(10) == b""
     assert "turned away" in told[-1]
     assert list(listener.messages()) == []
+
+
+def test_connections_that_say_nothing_do_not_lock_out_a_monitor(monkeypatch):
+    monkeypatch.setattr(open_connect.listener, "SILENT", 0.3)
+    with listening() as (listener, heard, told), ExitStack() as idle:
+        connections = [idle.enter_context(raw(listener.port))[0] for _ in range(open_connect.listener.MOST_CLIENTS)]
+        wait_for(lambda: len(told) == len(connections))
+        wait_for(lambda: sum("silent for too long" in each for each in told) == len(connections))
+        assert all(connection.recv(10) == b"" for connection in connections)
+        with Sender(listener.port) as ninth:
+            assert ninth.send({"ball_speed": 70.0, "launch": 0.2, "backspin": 250.0, "sidespin": 0.0}).was_taken
+    assert len(heard) == 1
+
+
+def test_the_monitor_that_was_silent_longest_makes_room_and_one_that_speaks_stays(monkeypatch):
+    monkeypatch.setattr(open_connect.listener, "SILENT", 0.3)
+    monkeypatch.setattr(open_connect.listener, "MOST_CLIENTS", 2)
+    with listening() as (listener, heard, told), Sender(listener.port) as quiet, Sender(listener.port) as busy:
+        for each in (quiet, busy):
+            each.heartbeat()
+        wait_for(lambda: len(heard) == 2)
+        time.sleep(0.4)  # longer than SILENT; monitors that have spoken are not closed for it alone
+        busy.heartbeat()
+        wait_for(lambda: len(heard) == 3)
+        with Sender(listener.port) as third:
+            third.heartbeat()
+            wait_for(lambda: len(heard) == 4)
+        busy.heartbeat()
+        wait_for(lambda: len(heard) == 5)
+        assert sum("makes room" in each for each in told) == 1
+        with pytest.raises(LinkError):
+            quiet.send({"ball_speed": 70.0, "launch": 0.2, "backspin": 250.0, "sidespin": 0.0})
 
 
 def test_a_port_that_is_taken_or_nobody_listens_on_is_told():

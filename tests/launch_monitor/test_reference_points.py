@@ -106,6 +106,33 @@ def test_the_arm_from_centre_of_gravity_to_face_turns_with_loft_and_face_angle()
     np.testing.assert_allclose(found["speed"], 50.0 - rate * 0.04, rtol=1e-14)
 
 
+def test_a_toe_that_rises_carries_the_toe_up_and_the_top_of_the_face_back():
+    """omega x r for the lie rate w alone: omega = (-w, 0, 0), r = (x, y, z) from the CG, so (0, w z, -w y)."""
+    club = DRIVER.replace(cg_x="40 mm", cg_y="10 mm", cg_z="4 mm")
+    rate = 20.0
+    given = {"speed": 50.0, "attack": 0.0, "path": 0.0, "loft": club.loft, "face": 0.0, "closure": 0.0}
+    found = refer(shots(speed_at="face", **given, lie_rate=rate, hand=["right"]), club).deliveries
+    # The face centre lies towards the toe and above: it gains rate * 4 mm up and rate * 10 mm towards the heel.
+    up, right = -rate * 0.004, rate * 0.010
+    np.testing.assert_allclose(found["attack"], math.atan2(up, math.hypot(50.0, right)), rtol=1e-12)
+    np.testing.assert_allclose(found["path"], math.atan2(right, 50.0), rtol=1e-12)
+
+
+def test_a_lie_with_the_toe_up_turns_the_arm_from_the_centre_of_gravity_to_the_face():
+    """With the toe straight up, what pointed to the toe points up, and what pointed up points to the heel."""
+    club = DRIVER.replace(cg_x="40 mm", cg_y="10 mm", cg_z="4 mm", loft="0 deg")
+    rate = 20.0
+    given = {"speed": 50.0, "attack": 0.0, "path": 0.0, "loft": 0.0, "face": 0.0, "lie": 90 * DEG}
+    found = refer(shots(speed_at="face", **given, closure=rate, hand=["right"]), club).deliveries
+    # r = (40, 4, -10) mm; omega = (0, rate, 0); omega x r = rate (-10, 0, -40) mm.
+    forward, right = 50.0 + rate * 0.010, rate * 0.040
+    np.testing.assert_allclose(found["speed"], math.hypot(forward, right), rtol=1e-12)
+    np.testing.assert_allclose(found["path"], math.atan2(right, forward), rtol=1e-12)
+    found = refer(shots(speed_at="face", **given, closure=0.0, pitch_rate=rate, hand=["right"]), club).deliveries
+    # omega = (0, 0, rate); omega x r = rate (-4, 40, 0) mm.
+    np.testing.assert_allclose(found["attack"], math.atan2(-rate * 0.040, 50.0 + rate * 0.004), rtol=1e-12)
+
+
 def test_shots_that_lack_what_is_needed_stay_as_measured_and_are_counted():
     given = {"speed": [50.0, 50.0], "path": [0.01, 0.02], "loft": [0.2, math.nan], "face": [0.0, 0.1]}
     measured = shots(

@@ -9,20 +9,7 @@ import clubface
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.errors import InputError, UnknownNameError
 from clubface.inference.prior import prior_of
-from clubface.measured.other_club import check_club, club_kind
-
-
-@pytest.mark.parametrize(
-    ("name", "kind"),
-    [
-        ("driver", "driver"), ("Driver 9.5", "driver"), ("1W", "driver"), ("D", "driver"), ("7-iron", "7-iron"),
-        ("7 Iron", "7-iron"), ("7i", "7-iron"), ("Iron 7", "7-iron"), ("i7", "7-iron"), ("3 Wood", "3-wood"),
-        ("5w", "5-wood"), ("4h", "4-hybrid"), ("Hybrid 4", "4-hybrid"), ("PW", "pitching-wedge"),
-        ("Pitching Wedge", "pitching-wedge"), ("P790 7 Iron", "7-iron"), ("G425 Max", None), ("", None), ("56", None),
-    ],
-)  # fmt: skip
-def test_a_club_is_known_by_what_people_call_it(name, kind):
-    assert club_kind(name) == kind
+from clubface.measured.other_club import check_club
 
 
 @pytest.mark.parametrize("name", CLUB_NAMES)
@@ -48,7 +35,7 @@ def test_the_benchmarks_drives_and_7_irons_are_told_apart(name):
 
 
 def test_a_mismatch_is_refused_or_noted_and_nothing_else():
-    driver, lofts = clubface.club("driver"), np.radians([28.0, 29.0])
+    driver, lofts = clubface.club("driver"), np.radians([28.0, 28.92])
     with pytest.raises(InputError, match=r"club is 'driver'.*median dynamic loft is 28.5 deg.*--mismatch note"):
         check_club(driver, None, lofts)
     with pytest.raises(InputError, match="the shots name 7 Iron, PW, not driver"):
@@ -56,6 +43,7 @@ def test_a_mismatch_is_refused_or_noted_and_nothing_else():
     assert check_club(driver, ["Driver", "G430", ""], None) == []
     assert check_club(driver.replace(name="prototype"), ["7 Iron"], None) == []
     (note,) = check_club(driver, None, lofts, "note")
+    assert "the median dynamic loft is 28.5 deg, the static loft of driver 9.8 deg:" in note
     assert note.endswith("is this the right club?")
     with pytest.raises(UnknownNameError, match="refuse, note"):
         check_club(driver, None, lofts, "ignore")

@@ -189,6 +189,7 @@ def test_the_template_is_a_mapping():
         ('marker = "BALL"', "", None, "give either its marker or its position"),
         ('file = "calibration.c3d"', "file = 7", 11, "file must be text in quotes"),
         ('# unit = "mm"', 'unit = "furlong"', 26, "in m or mm"),
+        ("# [noise]", '[noise]\nmarker = "0 mm"', None, "marker is '0 mm'; it must be above 0 m"),
         ("[ball]", "[ball", None, "this is not TOML"),
     ],
 )

@@ -43,15 +43,19 @@ def test_p1s_extrapolation_is_off_by_what_the_path_bends_in_a_frame():
 
 def test_the_stated_uncertainties_hold_the_truth_as_often_as_they_say():
     made = [random_swing(1000 + seed) for seed in range(60)]
-    scaled = []
+    scaled, flown = [], []
     for seed, swing in enumerate(made):
         found = captured(swing, Cameras(noise=3e-4), seed=seed)
         scaled.append(errors(found, swing) / deviations(found))
+        off = {name: value - swing.launch[name] for name, value in found.launch.items()}
+        flown.append([off[name] / deviation for name, deviation in found.launch_uncertainty.items()])
     inside = np.mean(np.abs(scaled) < 1.959964)
     # 660 intervals, of which a swing's eleven hang together: as if of 60 x 4, whose rate scatters by 1.4%.
     assert 0.91 < inside < 0.985
     # No quantity by itself is off by a factor: 60 values give a root mean square to 9%, four times that is allowed.
     assert np.sqrt(np.mean(np.square(scaled), axis=0)) == pytest.approx(np.full(11, 0.95), abs=0.36)
+    # Nor is one of the ball's flight: speed, launch and azimuth.
+    assert np.sqrt(np.mean(np.square(flown), axis=0)) == pytest.approx(np.ones(3), abs=0.36)
 
 
 def test_laboratory_axes_do_not_change_the_delivery():
@@ -170,7 +174,25 @@ def test_a_captured_delivery_goes_straight_into_an_impact(tmp_path):
     many = clubface.impact("driver", found.sample(500))
     # Without noise 0.05% of speed is 0.04 m/s of the ball's.
     assert np.std(many.ball_speed) < 0.05
-    low, high = found.interval("speed")
-    assert low < found.delivery.speed < high
     assert found.get("speed", "mph")[0] == pytest.approx(found.delivery.speed / 0.44704)
+    assert found.get("speed", "mph")[1] == pytest.approx(found.uncertainty["speed"] / 0.44704)
     assert SHOWN["speed"] == 1.0
+
+
+def test_the_error_bars_of_a_delivery_are_the_quantiles_of_its_normal_distribution():
+    found = captured(random_swing(3), Cameras(noise=3e-4))
+    variances = np.diag(found.covariance)
+    for place, name in enumerate(QUANTITIES):
+        value, deviation = getattr(found.delivery, name), found.uncertainty[name]
+        assert deviation**2 == pytest.approx(variances[place], rel=1e-12)
+        # 0.975 and 0.995 of a standard normal lie below 1.959964 and 2.575829 (tabulated to seven digits).
+        assert found.interval(name) == pytest.approx(
+            (value - 1.959964 * deviation, value + 1.959964 * deviation), abs=1e-6 * deviation
+        )
+        assert found.interval(name, 0.99)[1] - value == pytest.approx(2.575829 * deviation, rel=1e-6)
+    drawn = found.sample(4000, seed=2)
+    for name in QUANTITIES:
+        # 4000 draws tell a deviation to 1.1% and a mean to 1.6% of it; four times that is allowed.
+        assert np.std(drawn[name]) == pytest.approx(found.uncertainty[name], rel=0.045)
+        off = np.mean(drawn[name]) - getattr(found.delivery, name)
+        assert abs(off) < 0.065 * found.uncertainty[name]

@@ -6,7 +6,7 @@ from hypothesis import given, settings, strategies as st
 
 from clubface.errors import FileError
 from clubface.motion_capture.rigid_body import degrees_of_freedom, fit_poses, pose_information
-from clubface.motion_capture.rotations import exponential, logarithm
+from clubface.motion_capture.rotations import exponential, left_jacobian, logarithm
 from clubface.motion_capture.tracking import look_alikes, track
 
 SHAPE = np.array([[-25, 32, -20], [-30, 34, 25], [-75, 28, 0], [-35, 8, 52], [-12, 40, -48]]) * 1e-3
@@ -143,3 +143,22 @@ def test_degrees_of_freedom_are_three_a_marker_less_six():
     residuals[1, 0] = np.nan
     residuals[2, :3] = np.nan
     assert degrees_of_freedom(residuals).tolist() == [9, 6, 0]
+
+
+@pytest.mark.parametrize("angle", [1e-9, 1e-5, 9.9e-5, 1.01e-4, 9.9e-3, 1.01e-2, 0.3, 3.0])
+def test_a_rotation_and_its_rate_are_those_of_the_closed_form_at_every_size(angle):
+    """Rodrigues' formula in long double, which has four digits more; series stand in for it where angles are small."""
+    axis = np.array([2.0, -3.0, 6.0], np.longdouble) / 7
+    x = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]], np.longdouble)
+    a = np.longdouble(angle)
+    half = np.sin(a / 2)
+    exact = np.eye(3, dtype=np.longdouble) + np.sin(a) * x + 2 * half * half * (x @ x)
+    # Two roundings of numbers of the size of the angle.
+    np.testing.assert_allclose(
+        exponential(angle * axis.astype(float)) - np.eye(3), (exact - np.eye(3)).astype(float), rtol=2e-14, atol=3e-16
+    )
+    # The rate of a rotation vector r becomes J r with J = 1 + (1 - cos a) x + (a - sin a) x^2 over a; a - sin a is its
+    # series where it would lose digits.
+    rest = a**3 / 6 - a**5 / 120 + a**7 / 5040 - a**9 / 362880 if a < 0.1 else a - np.sin(a)
+    jacobian = np.eye(3, dtype=np.longdouble) + 2 * half * half / a * x + rest / a * (x @ x)
+    np.testing.assert_allclose(left_jacobian(angle * axis.astype(float)), jacobian.astype(float), rtol=0, atol=1e-15)

@@ -52,3 +52,13 @@ def test_parquet_without_pyarrow_says_what_to_install(write, tmp_path, monkeypat
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     with pytest.raises(FileError, match="pip install"):
         predict(write(GOOD), club="driver", output=tmp_path / "out.parquet")
+
+
+def test_the_part_that_is_done_grows_from_nothing_to_all(write, tmp_path):
+    predict(write(GOOD), club="driver", output=tmp_path / "in.parquet", carry=False)
+    parts = []
+    predict(
+        tmp_path / "in.parquet", club="driver", output=tmp_path / "out.csv", chunk_rows=1,
+        progress=lambda part, rows: parts.append((part, rows)),
+    )  # fmt: skip
+    assert parts == [(0.5, 1), (1.0, 2)]

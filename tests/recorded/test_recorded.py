@@ -101,8 +101,8 @@ def test_every_quantity_has_a_column_that_is_read_as_itself(tmp_path):
     from clubface.simulation.quantities import inputs
     from clubface.tables.headings import LAUNCH_SYNONYMS
 
-    deliveries = {name: [0.5 + place] for place, name in enumerate(inputs()) if name != "hand"}
-    launches = {name: [0.25 + place] for place, name in enumerate(LAUNCH_SYNONYMS)}
+    deliveries = {name: [0.005 + place / 1000] for place, name in enumerate(inputs()) if name != "hand"}
+    launches = {name: [0.25 + place / 100] for place, name in enumerate(LAUNCH_SYNONYMS)}
     shots(deliveries=deliveries, launches=launches, rows=[1]).write(tmp_path / "all.csv")
     found = read_shots(tmp_path / "all.csv")
     for name, values in (deliveries | launches).items():

@@ -47,6 +47,7 @@ BAD = [
     ({"speed": 50.0, "model": "area", "accuracy": "fine"}, "accuracy", "finite number"),
     ({"speed": 50.0, "threads": -1}, "threads", "from 1 to 1024"),
     ({"speed": 50.0, "threads": 1.5}, "threads", "from 1 to 1024"),
+    ({"speed": 50.0, "threads": True}, "threads", "from 1 to 1024"),
     ({"delivery": "113 mph"}, "delivery", 'speed="113 mph"'),
     ({"speed": 50.0, "bulge": "50 mm"}, "bulge", "does not reach the corners"),
 ]

@@ -50,30 +50,37 @@ impl Environment {
 #[cfg(feature = "threads")]
 mod native {
     use super::{Environment, Executor};
+    use rayon::{Scope, ThreadPool};
     use std::sync::{Arc, LazyLock};
     use std::time::{Duration, Instant};
 
     /// How long a thread sleeps that has waited in vain.
     const SLEEP: Duration = Duration::from_micros(20);
 
-    /// The threads of the rayon pool in which it is used: that of `ThreadPool::install`, or the global one.
-    struct CurrentRayonPool;
+    /// The threads of a rayon pool; without one, of that in which it is used.
+    struct RayonPool(Option<Arc<ThreadPool>>);
 
-    impl Executor for CurrentRayonPool {
+    impl Executor for RayonPool {
         fn threads(&self) -> usize {
-            rayon::current_num_threads()
+            self.0.as_ref().map_or_else(rayon::current_num_threads, |pool| pool.current_num_threads())
         }
         fn run(&self, lead: &mut dyn FnMut(), help: &(dyn Fn() + Sync)) {
-            rayon::in_place_scope(|scope| {
-                for _ in 1..self.threads() {
-                    scope.spawn(|_| help());
-                }
-                lead();
-            });
+            let helpers = self.threads() - 1;
+            match &self.0 {
+                Some(pool) => pool.in_place_scope(|scope| lead_with(scope, helpers, lead, help)),
+                None => rayon::in_place_scope(|scope| lead_with(scope, helpers, lead, help)),
+            }
         }
         fn sleep(&self) {
             std::thread::sleep(SLEEP);
         }
+    }
+
+    fn lead_with<'a>(scope: &Scope<'a>, helpers: usize, lead: &mut dyn FnMut(), help: &'a (dyn Fn() + Sync)) {
+        for _ in 0..helpers {
+            scope.spawn(|_| help());
+        }
+        lead();
     }
 
     impl Environment {
@@ -82,7 +89,13 @@ mod native {
         #[must_use]
         pub fn native() -> Self {
             static START: LazyLock<Instant> = LazyLock::new(Instant::now);
-            Self { clock: || START.elapsed().as_secs_f64(), executor: Arc::new(CurrentRayonPool) }
+            Self { clock: || START.elapsed().as_secs_f64(), executor: Arc::new(RayonPool(None)) }
+        }
+
+        /// The clock of the operating system, and the threads of one rayon pool, from wherever they are called.
+        #[must_use]
+        pub fn of_pool(pool: &Arc<ThreadPool>) -> Self {
+            Self { executor: Arc::new(RayonPool(Some(Arc::clone(pool)))), ..Self::native() }
         }
     }
 }

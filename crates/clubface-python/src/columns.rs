@@ -1,11 +1,13 @@
 //! Columns from Python, and long work in pieces between which Python may interrupt.
 
+use crate::pool::shared_pool;
 use clubface_impact::columns::{Column, Reject};
 use clubface_impact::parallel::in_parallel;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::ops::Range;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// A number, or one number a row.
@@ -37,6 +39,15 @@ pub fn value_error(error: &clubface_impact::ImpactError) -> PyErr {
     PyValueError::new_err((error.input, error.message.clone()))
 }
 
+/// A pool of `threads` threads, or the shared one for 0.
+fn pool_of(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
+    let built = match threads {
+        0 => shared_pool(),
+        _ => rayon::ThreadPoolBuilder::new().num_threads(threads).build().map(Arc::new),
+    };
+    built.map_err(|e| PyValueError::new_err(format!("threads: {e}")))
+}
+
 /// Longest time without a look at signals.
 const PATIENCE: Duration = Duration::from_millis(40);
 
@@ -66,14 +77,9 @@ pub fn run_in_pieces<'py>(
         let mut writer = array.readwrite();
         let all =
             writer.as_slice_mut().map_err(|_| PyValueError::new_err("output array is not contiguous"))?;
-        let pool = if threads == 0 || rows <= chunk {
-            None
-        } else {
-            let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-            Some(built.map_err(|e| PyValueError::new_err(format!("threads: {e}")))?)
-        };
-        let workers =
-            pool.as_ref().map_or_else(rayon::current_num_threads, rayon::ThreadPool::current_num_threads);
+        // Few rows: a thread hand-over would cost more than the GIL held for them.
+        let pool = if rows <= chunk { None } else { Some(pool_of(threads)?) };
+        let workers = pool.as_ref().map_or(1, |pool| pool.current_num_threads());
         let mut columns: Vec<&mut [f64]> = all.chunks_mut(rows.max(1)).collect();
         let mut start = 0;
         let mut piece = chunk * workers;
@@ -86,15 +92,11 @@ pub fn run_in_pieces<'py>(
                 *column = rest;
             }
             let began = Instant::now();
-            let found = if rows <= chunk {
-                // Few rows: a thread hand-over would cost more than the GIL held for them.
-                work(start..start + count, parts)
-            } else {
-                let shared = || in_parallel(chunk, start..start + count, parts, &work);
-                py.detach(|| match &pool {
-                    Some(pool) => pool.install(shared),
-                    None => shared(),
-                })
+            let found = match &pool {
+                None => work(start..start + count, parts),
+                Some(pool) => {
+                    py.detach(|| pool.install(|| in_parallel(chunk, start..start + count, parts, &work)))
+                }
             };
             rejects.extend(found.into_iter().map(|r| (r.row, r.error.input, r.error.message)));
             start += count;

@@ -5,6 +5,7 @@ mod describe;
 mod fem;
 mod flight;
 mod impact;
+mod pool;
 
 use pyo3::prelude::*;
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
@@ -11,7 +12,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from clubface.cli.failures import Interrupted, ReaderGone, as_typed, let_go_of_output, report, show_warnings
+from clubface.cli.failures import Interrupted, ReaderGone, as_typed, let_go_of_output, report, say, show_warnings
 from clubface.errors import UnknownNameError
 from clubface.support.version import __version__
 
@@ -99,9 +100,24 @@ def _options(arguments: Sequence[str]) -> dict[str, str]:
     return {str(each.name): max(each.opts, key=len) for each in command.params if each.opts[0].startswith("-")}
 
 
+def _prepare_streams() -> bool:
+    """Return whether there is an output to print on; make one for messages where there is none."""
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w")  # noqa: SIM115 - for the rest of the process
+    # Rich takes other digits, such as a superscript, for a number of columns, and then stumbles over them.
+    for name in ("COLUMNS", "LINES"):
+        if not (told := os.environ.get(name, "")).isascii() or not told.isdigit() or not 0 < int(told[:9]) < 10_000:
+            os.environ.pop(name, None)
+    return sys.stdout is not None
+
+
 def run(arguments: Sequence[str]) -> int:
     """Run one command line; return the exit status."""
     show_warnings()
+    if not _prepare_streams():
+        # The next file that is opened would take its place, and what a library prints would land in it.
+        say("the standard output is closed; send what you do not want to see to /dev/null")
+        return 2
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # a terminal without a letter such as µ still gets its table
     try:

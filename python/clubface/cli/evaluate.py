@@ -54,10 +54,10 @@ def evaluate(
     if folder is not None:
         report.refuse_input(folder, shots)
 
-    recorded, head = recorded_shots(shots, texts)
-    sets = given.parameter_sets(names, head.parameters, parameters, setting)
+    recorded = recorded_shots(shots, texts)
+    sets = given.parameter_sets(names, recorded.club.parameters, parameters, setting)
     result = compute(
-        recorded, club=head, models=names, parameters=sets, ball=texts["ball"], mismatch=texts["mismatch"],
+        recorded, models=names, parameters=sets, ball=texts["ball"],
         noise=given.pairs(noise or (), "--noise"),
         delivery_noise=given.pairs(delivery_noise or (), "--delivery-noise"),
         resamples=resamples, seed=seed, progress=_progress(),

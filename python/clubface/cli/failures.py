@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
-from clubface.errors import ClubfaceError, InputError, RuleWarning, UnknownNameError
+from clubface.errors import ClubfaceError, InputError, RuleWarning, UnknownNameError, in_a_line
 
 EXTRAS = {
     "typer": "cli",
@@ -36,9 +36,9 @@ class ReaderGone(BaseException):
 
 
 def say(message: str) -> None:
-    """Write one message on the error stream; one that cannot be written is no reason to stop."""
+    """Write one message on the error stream, on one line; one that cannot be written is no reason to stop."""
     with suppress(OSError):
-        print(f"clubface: {message}", file=sys.stderr)
+        print(f"clubface: {in_a_line(message)}", file=sys.stderr)
 
 
 def say_written(files: Sequence[object]) -> None:

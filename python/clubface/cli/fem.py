@@ -261,7 +261,7 @@ def _cost(found: Any) -> str:
 
 def _rows_of(found: Any) -> list[list[str]]:
     """Return the figures of a run for people."""
-    figures = found.outcome() | {key: getattr(found, key) for _, key, _, _ in FIGURE_ROWS}
+    figures = found.outcome() | found.flown() | {key: getattr(found, key) for _, key, _, _ in FIGURE_ROWS}
     return [
         [label, output.number(from_si(figures[key], unit), digits)]
         for label, key, unit, digits in (*RUN_ROWS, *FIGURE_ROWS)

@@ -6,10 +6,11 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import options, output
+from clubface.cli import given, options, output
 from clubface.cli.failures import say, say_written
 from clubface.cli.progress import progress_bar, run_with_progress
 from clubface.cli.tables import print_numbers
+from clubface.errors import ClubfaceError
 from clubface.support.folders import prepared_folder
 from clubface.units import from_si
 
@@ -64,6 +65,19 @@ def head(
     measure: Annotated[
         bool, typer.Option("--measure", help="Also simulate restitution and characteristic time; takes seconds.")
     ] = False,
+    toe: Annotated[
+        str | None, options.option("--toe", metavar='"8 mm"', text="With --measure: where, to the toe.")
+    ] = None,
+    high: Annotated[
+        str | None, options.option("--high", metavar='"3 mm"', text="With --measure: where, above the face centre.")
+    ] = None,
+    ball: Annotated[
+        str | None, options.option("--ball", metavar="NAME|FILE", text="With --measure: the ball; modern unless given.")
+    ] = None,
+    safety: Annotated[
+        float | None,
+        options.option("--safety", metavar="SHARE", text="With --measure: the time step over the stable one."),
+    ] = None,
     as_json: options.Json = False,
 ) -> None:
     """Mesh a head and report mass, CG and inertia, how it was tuned and, if wanted, how it rebounds."""
@@ -82,11 +96,19 @@ def head(
         "tuning": dict(made.report),
         "asked": asked,
     }
+    lengths = {"--toe": toe, "--high": high}
+    place: dict[str, Any] = {
+        name[2:]: given.parsed(name, text, "length") for name, text in lengths.items() if text is not None
+    }
+    if not measure and (place or safety is not None or ball is not None):
+        raise ClubfaceError("--toe, --high, --ball and --safety say how to measure; add --measure")
     if measure:
         document |= run_with_progress(
             lambda progress: {
-                "restitution": head_tests.restitution(made, progress=progress),
-                "characteristic_time_s": head_tests.characteristic_time(made, progress=progress),
+                "restitution": head_tests.restitution(made, which=ball, **place, safety=safety, progress=progress),
+                "characteristic_time_s": head_tests.characteristic_time(
+                    made, **place, safety=safety, progress=progress
+                ),
             }
         )
     if as_json:
@@ -94,8 +116,8 @@ def head(
         return
 
     def row(label: str, unit: str, digits: int, value: float, target: str) -> list[str]:
-        given = output.number(from_si(asked[target], unit), digits) if target in asked else ""
-        return [f"{label}, {unit}", output.number(from_si(value, unit), digits), given]
+        wanted = output.number(from_si(asked[target], unit), digits) if target in asked else ""
+        return [f"{label}, {unit}", output.number(from_si(value, unit), digits), wanted]
 
     rows = [row("mass", "g", 2, club.mass, "mass")]
     cg, moments = zip("xyz", club.cg, strict=True), zip("xyz", (club.ixx, club.iyy, club.izz), strict=True)

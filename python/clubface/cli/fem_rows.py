@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 RUN_ROWS: tuple[tuple[str, str, str, int], ...] = (
-    ("ball speed, m/s", "ball_speed", "1", 2),
+    ("ball speed, mph", "ball_speed", "mph", 1),
     ("launch angle, deg", "launch", "deg", 2),
     ("azimuth, deg", "azimuth", "deg", 2),
     ("velocity off the plane, m/s", "normal_velocity", "1", 2),
     ("velocity along it, m/s", "tangential_velocity", "1", 2),
     ("backspin, rpm", "backspin", "rpm", 0),
     ("sidespin, rpm", "sidespin", "rpm", 0),
+    ("spin axis, deg", "spin_axis", "deg", 1),
+    ("carry, yd", "carry", "yd", 1),
+    ("side, yd", "side", "yd", 1),
+    ("apex, yd", "apex", "yd", 1),
 )
-"""Label, key, unit and digits of the launch."""
+"""Label, key, unit and digits of launch and flight."""
 FIGURE_ROWS: tuple[tuple[str, str, str, int], ...] = (
     ("peak force, N", "peak_force", "1", 0),
     ("at, us", "peak_force_time", "us", 0),

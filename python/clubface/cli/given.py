@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -10,14 +11,38 @@ from clubface.cli.failures import say
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.support.checks import check_choice, check_names
 
+USUAL = {
+    "speed": (0.0, 115.0, "mph"), "angle": (0.0, 1.3, "deg"), "length": (0.0, 0.2, "mm"),
+    "angular rate": (0.0, 2000.0, "rpm"), "temperature": (200.0, 330.0, "degC"), "pressure": (4e4, 1.2e5, "hPa"),
+}  # fmt: skip
+"""Least and most [SI] of a dimension in golf, whatever the sign, and the unit in which it is told."""
+USUAL_OF = {
+    "--speed": (0.0, 75.0, "mph"), "--wind": (0.0, 40.0, "mph"), "--altitude": (0.0, 5000.0, "ft"),
+    **dict.fromkeys(("--attack", "--path", "--face", "--lie", "--azimuth"), (0.0, 0.8, "deg")),
+    **dict.fromkeys(("--closure", "--pitch-rate", "--lie-rate"), (0.0, 250.0, "deg/s")),
+}  # fmt: skip
+"""The same of options that are more narrowly known than their dimension."""
+
 
 def parsed(option: str, text: str, dimension: str) -> float:
-    """Return a value in SI; a number without a unit is said to be taken so, as degrees are easily meant."""
+    """Return a value in SI.
+
+    A number without a unit is said to be taken so. One that no shot has in SI was meant in another unit, which is asked
+    for.
+    """
     from clubface import units
 
     value = units.parse(text, dimension, name=option)
-    if text.strip()[-1:] in "0123456789." and value != 0.0 and dimension != units.DIMENSIONLESS:
-        say(f"note: {option} {text} has no unit and is taken in {units.SI_UNITS[dimension]}")
+    if text.strip()[-1:] not in "0123456789." or value == 0.0 or dimension == units.DIMENSIONLESS:
+        return value
+    si = units.SI_UNITS[dimension]
+    least, most, unit = USUAL_OF.get(option) or USUAL.get(dimension) or (0.0, math.inf, si)
+    if not least <= abs(value) <= most:
+        number = text.strip()
+        raise ClubfaceError(
+            f'{option} {number} has no unit; give it, as in {option} "{number} {unit}": a number alone is in {si}'
+        )
+    say(f"note: {option} {text} has no unit and is taken in {si}")
     return value
 
 
@@ -47,6 +72,11 @@ def club_of(which: str, hand: str | None = None) -> Any:
     from clubface.equipment.clubs import club
 
     found = club(which)
+    if hasattr(found, "head") and not found.characteristic_time:
+        say(
+            f"note: every model but fem takes the face of {found.name} as rigid; clubface fem head {which} --measure"
+            ' tells how it gives, and a line such as characteristic_time = "250 us" in the file says it'
+        )
     return found if hand is None else found.replace(hand=hand)
 
 

@@ -123,13 +123,13 @@ def identify(
 
     from clubface.identification.run import identify as fit
 
-    recorded, head = recorded_shots(shots, texts)
+    recorded = recorded_shots(shots, texts)
+    head = recorded.club
     kept = checkpoint or f"{Path(shots).stem}-{head.name}-{model}.checkpoint".replace("/", " ")
     with progress_bar(lambda done, whole, stage, best: f"{stage}, {done} of {whole}, least cost {best:.6g}") as update:
         found = fit(
             recorded, club=head, model=model, parameters=given.one_set(head, texts), free=_free(free),
-            tied=ties or None, bounds=_bounds(bounds), ball=texts["ball"], only=texts["only"],
-            mismatch=texts["mismatch"],
+            tied=ties or None, bounds=_bounds(bounds), ball=texts["ball"],
             quantities=given.names(quantities) or None, cost=cost, normaliser=normaliser,
             noise=given.pairs(noise or (), "--noise"), population=population,
             generations=generations, refined=refined, folds=folds, bootstrap=bootstrap,

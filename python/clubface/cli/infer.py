@@ -58,13 +58,10 @@ def infer(
         if launch or picture:
             option = "plot" if picture else next(iter(launch)).replace("_", "-")
             raise ClubfaceError(f"--{option} is for one launch; leave out either --{option} or the file {shots}")
-        from clubface.measured.other_club import check_club
-
-        recorded, head = recorded_shots(shots, texts)
-        names = recorded.clubs if texts["only"] is None else None
-        for note in check_club(head, names, None, texts["mismatch"]):
+        recorded = recorded_shots(shots, texts)
+        for note in recorded.notes:
             say(f"note: {note}")
-        settings |= {"club": head, "parameters": given.one_set(head, texts)}
+        settings |= {"club": recorded.club, "parameters": given.one_set(recorded.club, texts)}
         _whole_file(recorded, settings, target, resume, as_json)
         return
     if texts["club"] is None:

@@ -9,6 +9,8 @@ import typer
 
 from clubface.cli import given, options, output
 from clubface.cli.monitor_live import listen, send
+from clubface.cli.monitor_summary import Hand, summary
+from clubface.cli.recorded import READING, read_shots
 from clubface.cli.tables import print_numbers, print_words
 from clubface.errors import InputError
 from clubface.units import display_unit, from_si
@@ -21,20 +23,14 @@ app = typer.Typer(
 )
 app.command("listen")(listen)
 app.command("send")(send)
+app.command("summary")(summary)
 
 
 @app.command("read")
+@options.takes(READING)
 def read(
     file: Annotated[str, typer.Argument(metavar="FILE", help="A file that the monitor's program exported.")],
-    format_: options.Format = None,
-    mapping: options.ColumnsFile = None,
-    hand: Annotated[str | None, options.option("--hand", metavar="right|left", text="Hand of the player.")] = None,
-    unit: Annotated[
-        list[str] | None,
-        options.option(
-            "--unit", metavar="NAME=UNIT", text="Unit where the file names none: speed=km/h, carry=m. Repeatable."
-        ),
-    ] = None,
+    hand: Hand = None,
     club: Annotated[
         list[str] | None,
         options.option(
@@ -49,23 +45,17 @@ def read(
         options.option("--rejects", metavar="FILE", text="Write the rows without a shot, with line and reason."),
     ] = None,
     as_json: options.Json = False,
+    **texts: Any,
 ) -> None:
     """Read a launch monitor's file and write its shots in the units and signs of clubface."""
-    from clubface import launch_monitor
     from clubface.tables.writer import KINDS
 
-    output.check_target("--output", target, KINDS, [file, mapping])
-    output.check_target("--rejects", rejects, (".csv",), [file, mapping])
+    read_files = [file, texts["mapping"]]
+    output.check_target("--output", target, KINDS, read_files)
+    output.check_target("--rejects", rejects, (".csv",), read_files)
     if target is not None and rejects is not None and Path(target).resolve() == Path(rejects).resolve():
         raise InputError("--rejects", rejects, "another file than the output")
-    shots = launch_monitor.read(
-        file,
-        format=format_,
-        hand=hand,
-        mapping=mapping,
-        units=given.pairs(unit or (), "--unit"),
-        club=_clubs(club or []),
-    )
+    shots = read_shots(file, texts | {"hand": hand}, _clubs(club or []), where=True)
     if target is not None:
         shots.write(target)
     if rejects is not None:

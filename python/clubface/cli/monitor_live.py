@@ -12,6 +12,7 @@ import typer
 
 from clubface.cli import options, output
 from clubface.cli.failures import say
+from clubface.cli.recorded import READING, read_shots
 from clubface.errors import FileError, InputError
 from clubface.support.lock import Lock
 from clubface.units import from_si, parse
@@ -75,6 +76,7 @@ def listen(
     say(_kept(len(got), target))
 
 
+@options.takes(READING)
 def send(
     file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a table of clubface.")],
     port: Port = 921,
@@ -86,12 +88,12 @@ def send(
     timeout: Annotated[
         str, typer.Option("--timeout", metavar='"5 s"', help="How long to wait for each answer.")
     ] = "5 s",
+    **texts: Any,
 ) -> None:
     """Send the launches of a table to a simulator by GSPro Open Connect, as a launch monitor does."""
-    from clubface import launch_monitor
     from clubface.launch_monitor.open_connect import Sender
 
-    shots = launch_monitor.read(file)
+    shots = read_shots(file, texts | {"hand": None}, where=True)
     first, last = _range(which, len(shots))
     seconds = parse(pause, "time", name="pause")
     refused = sent = 0
@@ -134,9 +136,13 @@ def _range(text: str | None, count: int) -> tuple[int, int]:
     if text is None:
         return 1, count
     first, _, last = text.partition(":")
-    if first.isdigit() and (last or first).isdigit() and 1 <= int(first) <= int(last or first) <= count:
+    if _is_place(first) and _is_place(last or first) and 1 <= int(first) <= int(last or first) <= count:
         return int(first), int(last or first)
     raise InputError("--shot", text, f"a number or FIRST:LAST, from 1 to {count}")
+
+
+def _is_place(text: str) -> bool:
+    return text.isdecimal() and len(text) < 10
 
 
 def _row(columns: Any, row: int) -> dict[str, float]:

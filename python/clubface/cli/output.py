@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface.cli.failures import say
-from clubface.errors import InputError
+from clubface.errors import InputError, in_a_line
 from clubface.support.folders import prepared_folder
 from clubface.support.plain_json import plain
 from clubface.support.whole_file import write_text
@@ -87,15 +87,15 @@ def print_rejected(rejected: Sequence[Any], what: str, remedy: str) -> None:
     if rejected:
         print(f"{counted(len(rejected), 'row')} {what}")
     for each in rejected[:REJECTED]:
-        print(f"  line {each.line}: {each.reason}")
+        print(f"  line {each.line}: {in_a_line(each.reason)}")
     if len(rejected) > REJECTED:
         print(f"  and {len(rejected) - REJECTED} more ({remedy})")
 
 
 def terminal_width() -> int | None:
     """Return the columns of the terminal, or None where the output goes to a file or pipe."""
-    if "COLUMNS" in os.environ and os.environ["COLUMNS"].isdigit():
-        return int(os.environ["COLUMNS"])
+    if (told := os.environ.get("COLUMNS", "")).isdecimal():
+        return int(told)
     return os.get_terminal_size(sys.stdout.fileno()).columns if sys.stdout.isatty() else None
 
 
@@ -105,7 +105,7 @@ def print_notes(notes: Iterable[str]) -> None:
 
     width = min(terminal_width() or 120, 120)
     for note in dict.fromkeys(notes):
-        print(textwrap.fill(note, width, initial_indent="* ", subsequent_indent="  "))
+        print(textwrap.fill(in_a_line(note), width, initial_indent="* ", subsequent_indent="  "))
 
 
 def print_paragraph(text: str) -> None:

@@ -1,4 +1,4 @@
-"""``clubface predict``: launches for a file of deliveries."""
+"""``clubface predict``: launches for a file of deliveries or recorded shots."""
 
 from __future__ import annotations
 
@@ -10,18 +10,19 @@ import typer
 from clubface.cli import given, options, output
 from clubface.cli.failures import say
 from clubface.cli.progress import progress_bar
+from clubface.cli.recorded import CHOICE, assumed
 
 app = typer.Typer(add_completion=False)
 
 
 @app.command()
-@options.takes(options.EQUIPMENT, options.ONE_MODEL, options.AIR)
+@options.takes(CHOICE, options.EQUIPMENT, options.ONE_MODEL, options.AIR)
 def predict(
     deliveries: Annotated[
         str,
         typer.Argument(
             metavar="DELIVERIES",
-            help="CSV or Parquet file whose columns have names with units, such as club_speed_mph.",
+            help="CSV or Parquet file whose columns have names with units, or a launch monitor's file.",
         ),
     ],
     club: Annotated[str, typer.Option("--club", metavar="CLUB", help="Name of a built-in club, or a TOML file.")],
@@ -46,6 +47,9 @@ def predict(
         report = compute(
             deliveries, club=head, model=texts["model"], parameters=chosen, ball=texts["ball"],
             accuracy=texts["accuracy"], carry=carry, output=target, rejects=rejects, resume=resume,
+            hand=texts["hand"], format=texts["format"], mapping=texts["mapping"],
+            units=given.pairs(texts["unit"] or (), "--unit"), only=texts["only"], where=texts["where"],
+            mismatch=texts["mismatch"], assume=assumed(texts),
             progress=update and (lambda part, rows: update(part, 1.0, rows)), **conditions,
         )  # fmt: skip
     if as_json:

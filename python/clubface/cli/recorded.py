@@ -1,14 +1,18 @@
-"""From the options of a command to recorded shots of one club, whatever measured them."""
+"""From the options of a command to recorded shots, whatever measured them."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import options
+from clubface.cli import given, options
 from clubface.cli.options import Group, text_option
+
+if TYPE_CHECKING:
+    from clubface.measured.ready import ReadyShots
+    from clubface.recorded.shots import RecordedShots
 
 _SHOTS = "Shots"
 _MISMATCH = typer.Option(
@@ -16,30 +20,75 @@ _MISMATCH = typer.Option(
     rich_help_panel=_SHOTS,
     help="What happens to shots that look like those of another club: refuse or note.",
 )
+_UNIT = options.option(
+    "--unit",
+    panel=_SHOTS,
+    metavar="NAME=UNIT",
+    text="Unit where the file names none: speed=km/h, carry=m. Repeatable.",
+)
+_ASSUME = options.option(
+    "--assume",
+    panel=_SHOTS,
+    metavar="NAME=VALUE",
+    text='Value of a delivery where it was not measured: "toe=0 mm". Repeatable.',
+)
+READING: Group = {
+    "format": (options.Format, None),
+    "mapping": (options.ColumnsFile, None),
+    "unit": (Annotated[list[str] | None, _UNIT], None),
+    "where": text_option(
+        "--where", _SHOTS, "CONDITION", "Take only these shots: \"ball_speed > 150 mph and club == '7i'\"."
+    ),
+}
+"""Options of a command that reads a file of shots."""
+CHOICE: Group = {
+    **READING,
+    "only": text_option("--only", _SHOTS, "NAME", "Take only the shots of the club that the file calls so."),
+    "mismatch": (Annotated[str, _MISMATCH], "refuse"),
+    "assume": (Annotated[list[str] | None, _ASSUME], None),
+}
+"""Options of a command that works on shots of one club."""
 RECORDED: Group = {
     "club": text_option(
         "--club", "Club and ball", "CLUB", "Name or TOML file; the club that the shots name unless given."
     ),
-    "only": text_option("--only", _SHOTS, "NAME", "Take only the shots of the club that the file calls so."),
-    "format": (options.Format, None),
-    "mapping": (options.ColumnsFile, None),
-    "mismatch": (Annotated[str, _MISMATCH], "refuse"),
+    **CHOICE,
     **options.EQUIPMENT,
 }
-"""Options of a command that reads recorded shots."""
+"""The same, where the club may be that which the shots name."""
 
 
-def recorded_shots(path: str, texts: Mapping[str, str | None]) -> tuple[Any, Any]:
-    """Return the recorded shots of one club and the club, from the options of ``RECORDED``.
-
-    Velocities and angles that a launch monitor takes elsewhere are referred to the points of clubface.
-    """
+def read_shots(path: str, texts: Mapping[str, Any], club: Any = None, *, where: bool = False) -> RecordedShots:
+    """Return the shots of a file, from ``hand`` and the options of ``READING``; of ``--where`` only if ``where``."""
     from clubface import launch_monitor
-    from clubface.measured.shots import club_of, of_one_club
 
-    shots = launch_monitor.read(path, texts["format"], texts["hand"], texts["mapping"])
-    shots = shots.select(of_one_club(shots, texts["only"]))
-    head = club_of(shots, texts["club"])
-    if texts["hand"] is not None:
-        head = head.replace(hand=texts["hand"])
-    return launch_monitor.refer(shots, head), head
+    units = given.pairs(texts["unit"] or (), "--unit")
+    shots = launch_monitor.read(path, texts["format"], texts["hand"], texts["mapping"], units=units, club=club)
+    if not where or texts["where"] is None:
+        return shots
+    from clubface.recorded.conditions import chosen_shots
+
+    return chosen_shots(shots, texts["where"])[0]
+
+
+def recorded_shots(path: str, texts: Mapping[str, Any]) -> ReadyShots:
+    """Return the shots of one club, from the options of ``RECORDED``, ready for models."""
+    from clubface.measured.ready import ready_shots
+
+    return ready_shots(read_shots(path, texts), **choice(texts))
+
+
+def choice(texts: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what :func:`clubface.measured.ready.ready_shots` takes, from the options of ``RECORDED``."""
+    return {name: texts[name] for name in ("club", "hand", "only", "where", "mismatch")} | {"assume": assumed(texts)}
+
+
+def assumed(texts: Mapping[str, Any]) -> dict[str, str]:
+    """Return the values that are stated for what was not measured; one without a unit is told."""
+    from clubface.simulation.delivery import DIMENSIONS
+
+    found = given.pairs(texts["assume"] or (), "--assume")
+    for name, text in found.items():
+        if name in DIMENSIONS:
+            given.parsed(f"--assume {name}", text, DIMENSIONS[name])
+    return found

@@ -7,3 +7,8 @@ It is imported when its model is named; here are names alone, so that a registra
 
 MODULES: dict[str, str] = {}
 """The module of each further model, by the name of the model."""
+
+CLUB_FILES: dict[str, str] = {}
+"""The module that reads club files of another form than that of :class:`clubface.Club`, by a key that only they have.
+
+Its function ``club_of`` makes a club of a document of strict TOML."""

@@ -10,7 +10,6 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from types import MappingProxyType
 from typing import Any, ClassVar, Self
 
 from clubface import units
@@ -21,6 +20,7 @@ from clubface.equipment.parameters import checked
 from clubface.equipment.pieces import Construction, body, pieces_lines, toml_lines
 from clubface.errors import ClubfaceError, FileError, InputError, RuleWarning
 from clubface.support.checks import check_name, check_text
+from clubface.support.frozen import Frozen
 from clubface.support.shipped import builtin_names, builtin_path, is_path
 from clubface.support.strict_toml import Document, quoted
 from clubface.support.warning import warn_once, without_warnings
@@ -199,8 +199,8 @@ def _checked_parameters(given: Mapping[str, Mapping[str, Any]]) -> Mapping[str, 
         if not isinstance(values, Mapping):
             raise InputError(f"parameters.{name}", values, "a table of values")
         declared = model(name)
-        found[name] = MappingProxyType({key: checked(value, declared.parameter(key)) for key, value in values.items()})
-    return MappingProxyType(found)
+        found[name] = Frozen({key: checked(value, declared.parameter(key)) for key, value in values.items()})
+    return Frozen(found)
 
 
 _KEYS = ("name", "description", "mass", "diameter", "radius", "inertia", "friction", "parameters", "sources")

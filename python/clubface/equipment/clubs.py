@@ -9,17 +9,27 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from importlib import import_module
 from typing import Any, ClassVar, Self
 
 from clubface import units
+from clubface.equipment.backends import CLUB_FILES
 from clubface.equipment.balls import Ball as Ball, ball as ball
 from clubface.equipment.core import check_body
-from clubface.equipment.described import Described, Property, changed, set_si, template_lines, to_toml
+from clubface.equipment.described import (
+    Described,
+    Property,
+    changed,
+    from_document,
+    set_si,
+    template_lines,
+    to_toml,
+)
 from clubface.equipment.restitution import characteristic_time_of
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning
 from clubface.support.checks import check_choice, check_name, check_text
 from clubface.support.shipped import builtin_path, is_path
-from clubface.support.strict_toml import quoted
+from clubface.support.strict_toml import Document, quoted
 from clubface.support.warning import warn_once
 
 KINDS = ("wood", "hybrid", "iron")
@@ -203,7 +213,20 @@ class Club(Described):
         return to_toml(self, CLUB_PROPERTIES, texts, () if self.cor is None else ("characteristic_time",))
 
     @classmethod
-    def builtin(cls, name: str) -> Self:
+    def from_toml(cls, path: str | os.PathLike[str]) -> Club:
+        """Read a club from a TOML file; see :meth:`template` for its form.
+
+        The file may also be that of a meshed head, as of :func:`clubface.fem.head`. Its club has the mass, CG, inertia
+        and face of the mesh.
+        """
+        document = Document.read(path)
+        for key, module in CLUB_FILES.items():
+            if key in document.data:
+                return import_module(module).club_of(document)
+        return from_document(cls, document, cls.properties)
+
+    @classmethod
+    def builtin(cls, name: str) -> Club:
         """Return a club that comes with the package, such as ``"driver"``."""
         return cls.from_toml(builtin_path("club", name, "clubs", CLUB_NAMES))
 

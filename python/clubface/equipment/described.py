@@ -6,12 +6,12 @@ import math
 import os
 from collections.abc import Collection, Mapping
 from dataclasses import fields, replace
-from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple, Self, TypeVar
 
 from clubface import units
-from clubface.errors import ClubfaceError
+from clubface.errors import ClubfaceError, InputError
 from clubface.support.checks import check_choice, check_names
+from clubface.support.frozen import Frozen
 from clubface.support.strict_toml import Document, quoted
 
 HANDS = {"right": 1, "left": -1}
@@ -108,7 +108,9 @@ def set_si(subject: Any, properties: Properties) -> None:
     if isinstance(hand, str):
         check_choice("hand", hand, HANDS)
         object.__setattr__(subject, "hand", HANDS[hand])
-    object.__setattr__(subject, "sources", MappingProxyType(dict(subject.sources)))
+    if not isinstance(subject.sources, Mapping):
+        raise InputError("sources", subject.sources, "a mapping of properties to texts")
+    object.__setattr__(subject, "sources", Frozen(subject.sources))
 
 
 def changed(subject: T, changes: Mapping[str, Any]) -> T:

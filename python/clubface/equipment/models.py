@@ -147,6 +147,6 @@ def model(name: str) -> Model:
 
 def reduced_model(name: str, wanted: str) -> Model:
     """Return the reduced model called ``name``; for a model of another backend the error says what was ``wanted``."""
-    if name in MODULES:
+    if isinstance(name, str) and name in MODULES:
         raise InputError("model", name, f"{wanted}: {', '.join(models())}")
     return model(name)

@@ -24,7 +24,6 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
-from types import MappingProxyType
 from typing import Any, Self, TypeVar
 
 from clubface import units
@@ -33,6 +32,7 @@ from clubface.equipment.models import Model, Parameter, model
 from clubface.equipment.ranges import OF_THE_RANGE, QUANTITIES, RANGES, Range, checked_range
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.support.checks import check_choice
+from clubface.support.frozen import Frozen
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document, quoted
 
@@ -105,8 +105,8 @@ class ParameterSet:
         if missing:
             raise InputError("values", dict(self.values), f"complete for {self.model}; missing: {', '.join(missing)}")
         ordered = {each.name: checked(self.values[each.name], each) for each in declared.parameters}
-        object.__setattr__(self, "values", MappingProxyType(ordered))
-        object.__setattr__(self, "value_caveats", MappingProxyType(dict(self.value_caveats)))
+        object.__setattr__(self, "values", Frozen(ordered))
+        object.__setattr__(self, "value_caveats", Frozen(self.value_caveats))
         object.__setattr__(self, "caveats", tuple(self.caveats))
         object.__setattr__(self, "range", checked_range(self.range or RANGES.get(self.model, {})))
         if self.model in MODULES:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from clubface import units
 from clubface.errors import InputError
 from clubface.support.checks import check_choice
+from clubface.support.frozen import Frozen
 
 Range = Mapping[str, tuple[float, float]]
 """Least and greatest value [SI] by quantity."""
@@ -62,7 +62,7 @@ def checked_range(given: Mapping[str, Any]) -> Range:
         if not least <= most:
             raise InputError(name + OF_THE_RANGE, list(ends), "two values, the least first")
         found[name] = (least, most)
-    return MappingProxyType(found)
+    return Frozen(found)
 
 
 def in_words(of: Range) -> str:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from clubface.equipment.models import Model
 from clubface.errors import InputError
-from clubface.fem import core
 from clubface.fem.balls import ball
+from clubface.fem.heads.meshed import mesh_of
 from clubface.fem.result import Impact
-from clubface.fem.run import FRICTION, simulate, strike
+from clubface.fem.run import FRICTION, simulate, strike, struck
 from clubface.fem.settings import Settings
 from clubface.simulation.backends import Balls, Problems, Request
 from clubface.simulation.quantities import outputs
@@ -22,8 +22,8 @@ MODEL = Model(
     name="fem",
     title="Explicit finite elements",
     kind="finite elements",
-    summary="A meshed ball against a rigid head: deformation, vibration, sticking and slipping computed, not assumed;"
-    " takes a second a shot.",
+    summary="A meshed ball against a rigid or a meshed head: deformation, vibration, sticking and slipping computed,"
+    " not assumed; takes a second a shot.",
     reference="W.-J. Roh and C.-W. Lee, Analysis of golf ball spin mechanism at impact by FEM",
     laws=("momentum", "angular_momentum", "energy", "friction_cone"),
     laws_without=None,
@@ -51,12 +51,13 @@ class FiniteElements:
         import numpy as np
 
         (friction,) = shots.parameters
+        head = mesh_of(shots.club)
         found = np.full((len(outputs()), shots.size), np.nan)
         problems: Problems = []
         for row in range(shots.size):
             columns, mu = [_at(each, row) for each in shots.inputs], _at(friction, row)
             try:
-                result, _ = simulate(core.fem_head, shots.own.values(), columns, mu, how=HOW)
+                result, _ = simulate(*struck(head, shots.club, shots.own, columns), mu, how=HOW)
             except InputError as error:
                 problems.append((row, error.parameter, error.allowed))
                 continue

@@ -19,7 +19,7 @@ def document(found: Impact) -> dict[str, Any]:
     """Return figures and launch in the order of the table, and the inputs to which they belong, in SI units."""
     figures = {name: getattr(found, name) for name in FIGURES}
     ran = {"elements": found.elements, "stopped": found.stopped or "", "provenance": found.provenance}
-    return {**found.outcome(), **figures, **ran}
+    return {**found.outcome(), **found.flown(), **figures, **ran}
 
 
 def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool = False) -> list[Path]:

@@ -10,7 +10,7 @@ from clubface.equipment.clubs import Club, club
 from clubface.errors import RunError
 from clubface.fem.balls import Ball, Piece
 from clubface.fem.core import Progress
-from clubface.fem.heads import MeshedHead, head as meshed
+from clubface.fem.heads import MeshedHead, head as meshed, mesh_of
 from clubface.fem.heads.read import Design
 from clubface.fem.materials import Material
 from clubface.fem.result import Impact
@@ -35,6 +35,7 @@ def restitution(
     toe: Any = None,
     high: Any = None,
     friction: Any = None,
+    safety: float | None = None,
     threads: int = 0,
     progress: Progress | None = None,
 ) -> float:
@@ -52,6 +53,8 @@ def restitution(
         Where the ball is struck [m]. If neither is given: in front of the CG, as the rules had it.
     friction
         Coefficient of Coulomb friction; that of the ball unless given.
+    safety
+        As of :class:`clubface.fem.Settings`.
     threads
         Number of threads; 0 for all cores.
     progress
@@ -73,7 +76,8 @@ def restitution(
 
     from clubface.equipment.face import face_point, turn_to_sole
 
-    shaped = head if isinstance(head, MeshedHead) else club(head)
+    found = head if isinstance(head, MeshedHead) else club(head)
+    shaped = mesh_of(found) or found
     rigid = shaped.club if isinstance(shaped, MeshedHead) else shaped
     approach = units.parse(speed, "speed", name="speed")
     cg = turn_to_sole(rigid.loft).T @ np.asarray(rigid.cg)
@@ -82,7 +86,7 @@ def restitution(
     across = units.parse(toe or 0.0, "length", name="toe")
     up = units.parse(high or 0.0, "length", name="high")
     found = strike(
-        shaped, which=which, friction=friction, settings=_settings(threads), progress=progress,
+        shaped, which=which, friction=friction, settings=_settings(threads, safety), progress=progress,
         speed=approach, loft=0.0, toe=across, high=up,
     )  # fmt: skip
     _check_complete(found)
@@ -101,6 +105,7 @@ def characteristic_time(
     speed: Any = STRIKER_SPEED,
     toe: Any = 0.0,
     high: Any = 0.0,
+    safety: float | None = None,
     threads: int = 0,
     progress: Progress | None = None,
 ) -> float:
@@ -122,6 +127,8 @@ def characteristic_time(
         Speed of the sphere [m/s].
     toe, high
         Where it strikes [m].
+    safety
+        As of :class:`clubface.fem.Settings`.
     threads
         Number of threads; 0 for all cores.
     progress
@@ -134,8 +141,8 @@ def characteristic_time(
     """
     approach = units.parse(speed, "speed", name="speed")
     found = strike(
-        meshed(head), which=striker(), friction=0.0, settings=_settings(threads, interval=1e-6), progress=progress,
-        speed=approach, loft=0.0, toe=toe, high=high,
+        meshed(head), which=striker(), friction=0.0, settings=_settings(threads, safety, interval=1e-6),
+        progress=progress, speed=approach, loft=0.0, toe=toe, high=high,
     )  # fmt: skip
     _check_complete(found)
     gained = found.motion["velocity"][:, 0]
@@ -144,8 +151,8 @@ def characteristic_time(
     return last - first
 
 
-def _settings(threads: int, interval: float = Settings.interval) -> Settings:
-    return Settings(duration=1.5e-3, interval=interval, until_separation=True, threads=threads)
+def _settings(threads: int, safety: float | None, interval: float = Settings.interval) -> Settings:
+    return Settings(duration=1.5e-3, interval=interval, until_separation=True, threads=threads, safety=safety)
 
 
 def _check_complete(found: Impact) -> None:

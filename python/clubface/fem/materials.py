@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from clubface import units
 from clubface.errors import InputError
 from clubface.fem import core
 from clubface.support.checks import check_choice, check_names
+from clubface.support.frozen import Frozen
 
 
 class Law(NamedTuple):
@@ -71,10 +71,10 @@ def laws() -> Mapping[str, Law]:
     """Return the elastic laws by name."""
     found = {}
     for each in core.fem_laws():
-        constants = MappingProxyType(dict(zip(each["constants"], each["dimensions"], strict=True)))
+        constants = Frozen(dict(zip(each["constants"], each["dimensions"], strict=True)))
         told = (each[key] for key in ("needed", "group", "summary", "cards"))
         found[each["name"]] = Law(each["name"], constants, *told)
-    return MappingProxyType(found)
+    return Frozen(found)
 
 
 @dataclass(frozen=True)
@@ -134,7 +134,7 @@ class Material:
     def __post_init__(self) -> None:
         check_choice("law", self.law, laws())
         values = laws()[self.law].given(self.constants)
-        object.__setattr__(self, "constants", MappingProxyType(values))
+        object.__setattr__(self, "constants", Frozen(values))
         object.__setattr__(self, "poisson", units.parse(self.poisson, units.DIMENSIONLESS, name="poisson"))
         if not -0.9 <= self.poisson <= 0.4999:
             raise InputError("poisson", self.poisson, _POISSON)

@@ -216,6 +216,15 @@ class Impact:
             return {name: getattr(self, name) for name in names}
         return {name: float(self.launch.get(name)) for name in self.launch.quantities()}
 
+    def flown(self) -> dict[str, float]:
+        """Return ``carry``, ``side`` and ``apex`` of the flight in still air [m]; empty where nothing flies off."""
+        if self.launch is None or self.stopped is not None:
+            return {}
+        from clubface.simulation.flight import fly
+
+        flight = fly(self.launch)
+        return {name: float(flight.get(name)) for name in ("carry", "side", "apex")}
+
     def relative_velocity(self) -> NDArray[Any]:
         """Return the velocity of the ball relative to the CG of the head, or to the plane [m/s], shape (records, 3).
 

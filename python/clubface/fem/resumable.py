@@ -59,11 +59,13 @@ class ResumableTable:
         lines = path.read_bytes().decode(errors="replace").split("\n")[:-1]
         if lines[:1] != [self._mark] or lines[1:2] != [",".join(self._columns)]:
             raise FileError(str(path), 1, "this is not the table of this case; give another file, or remove it")
+        # Each line by itself: a quotation mark in a damaged one must not swallow the others.
         for number, line in enumerate(lines[2:], 3):
             try:
-                pairs = zip(self._columns, next(csv.reader([line], strict=True)), strict=True)
+                (cells,) = csv.reader([line], strict=True)
+                pairs = zip(self._columns, cells, strict=True)
                 self._keep({name: self._kinds.get(name, float)(text) for name, text in pairs})
-            except (ValueError, csv.Error, StopIteration):
+            except (ValueError, csv.Error):
                 raise FileError(str(path), number, "this is not a row of the table; remove it") from None
 
     def fill(

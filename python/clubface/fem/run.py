@@ -9,17 +9,18 @@ from typing import TYPE_CHECKING, Any
 
 from clubface import units
 from clubface.equipment.balls import FRICTION_LIMITS, Ball as RigidBall
-from clubface.equipment.clubs import Club
+from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import Parameter
 from clubface.errors import EdgeWarning, InputError
 from clubface.fem import core
 from clubface.fem.balls import FRICTION as FRICTION_OF_A_BALL, Ball, ball, friction_value
 from clubface.fem.core import Progress, core_call
-from clubface.fem.heads.meshed import MeshedHead
+from clubface.fem.heads.meshed import MeshedHead, mesh_of
 from clubface.fem.result import Impact
 from clubface.fem.settings import Settings, settings_of
 from clubface.simulation.delivery import Delivery
-from clubface.support.shipped import builtin_names
+from clubface.simulation.quantities import input_columns
+from clubface.support.shipped import builtin_names, is_path
 from clubface.support.warning import warn_once
 
 if TYPE_CHECKING:
@@ -110,7 +111,8 @@ def strike(
     Parameters
     ----------
     club
-        A club as for :func:`clubface.impact`, or a meshed head (:func:`clubface.fem.head`).
+        A club as for :func:`clubface.impact`, or a meshed head (:func:`clubface.fem.head`). The file of a meshed head
+        is that head.
     delivery, **values
         The delivery, as for :func:`clubface.impact`, for one shot.
     which, friction, settings, progress
@@ -121,13 +123,11 @@ def strike(
     made, how = ball(which), settings_of(settings)
     mu = friction_of(friction, made)
     given = dict(as_values(delivery, values))
-    if isinstance(club, MeshedHead):
-        hit = one_shot(club.club, given, made)
-        arguments: Any = (core.fem_deformable, made.values(), club.values(), inputs_of(hit))
-    else:
-        hit = one_shot(club, given, made)
-        arguments = (core.fem_head, made.values(), inputs_of(hit))
-    found, used = simulate(*arguments, mu, how=how, progress=progress)
+    if is_path(club):
+        club = club_of(club)  # pyright: ignore[reportArgumentType]
+    head = mesh_of(club)
+    hit = one_shot(club.club if isinstance(club, MeshedHead) else club, given, made)
+    found, used = simulate(*struck(head, hit.club, made, inputs_of(hit)), mu, how=how, progress=progress)
     if found["over_edge"] and not found["failed"]:
         toe, high = (units.show(units.parse(given.get(name, 0.0), "length"), "mm") for name in ("toe", "high"))
         warn_once(
@@ -135,7 +135,25 @@ def strike(
             "contact ends, so that its launch is in doubt; strike nearer the face centre",
             EdgeWarning,
         )
-    return Impact(found, made, given, mu, used, hit, club if isinstance(club, MeshedHead) else None)
+    return Impact(found, made, given, mu, used, hit, head)
+
+
+def struck(head: MeshedHead | None, club: Club, made: Ball, inputs: list[float]) -> tuple[Any, ...]:
+    """Return the function of the core that hits a ball with a mesh or, without one, with a rigid head; its arguments.
+
+    Raises
+    ------
+    InputError
+        An input would change what the mesh says of the club.
+    """
+    if head is None:
+        return core.fem_head, made.values(), inputs
+    own = club.inputs()
+    for name, value in zip(input_columns(), inputs, strict=True):
+        # Left hands are mirrored; the time of the face is for models that take the head as rigid.
+        if name in own and name not in ("hand", "characteristic_time") and value != own[name]:
+            raise InputError(name, value, f"left out: the mesh of {head.name} says it")
+    return core.fem_deformable, made.values(), head.values(), inputs
 
 
 def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], made: Ball) -> Shots:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -17,6 +16,7 @@ from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_names
+from clubface.support.frozen import Frozen
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
 
@@ -174,7 +174,7 @@ def free_parameters(
     lower, upper = pairs[:, 0], pairs[:, 1]
     return FreeParameters(
         fixed=fixed, names=tuple(each.name for each in chosen), lower=lower, upper=upper,
-        logarithmic=(lower > 0.0) & (upper > DECADE * lower), tied=MappingProxyType(tied),
+        logarithmic=(lower > 0.0) & (upper > DECADE * lower), tied=Frozen(tied),
     )  # fmt: skip
 
 
@@ -183,7 +183,7 @@ def published_choice(model: str) -> tuple[tuple[str, ...], Mapping[str, str], Ma
     """Return the parameters of a model that its publication identified (none: all), what it tied, and bounds."""
     document = Document.read(DATA / "identification.toml")
     entry = document.data.get(model, {})
-    tied, bounds = (MappingProxyType(entry.get(key, {})) for key in ("tied", "bounds"))
+    tied, bounds = (Frozen(entry.get(key, {})) for key in ("tied", "bounds"))
     return tuple(entry.get("free", ())), tied, bounds
 
 

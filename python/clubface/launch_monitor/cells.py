@@ -9,9 +9,6 @@ from typing import NamedTuple
 from clubface.tables.cells import NUMBER, is_missing, number, without_thousands
 from clubface.tables.spelling import bracketed, plain, unit_symbol
 
-NOT_MEASURED = 1e30
-"""A number beyond this stands for no measurement: some programs write the largest number they can."""
-
 WORLD, CLUB = "world", "club"
 """Whose left and right a side is told in: that of the course, or that of the club, which a left-hander mirrors."""
 
@@ -93,19 +90,24 @@ def heading(text: str) -> Heading:
 
 
 class Reading(NamedTuple):
-    """The content of a cell: a number and its side; without a ``side`` the sign is as the file has it."""
+    """The content of a cell: a number, its side and its unit.
+
+    Without a ``side`` the sign is as the file has it; without a ``unit`` it is that of the column.
+    """
 
     value: float
-    side: Side | None
+    side: Side | None = None
+    unit: str | None = None
 
 
 def reading(cell: str, quantity: str, decimal_comma: bool) -> Reading | None:
     """Return the content of a cell; None if nothing was measured.
 
-    A number may be followed by its side (``10.5 L``, ``3.1 In-Out``) or preceded by it (``L3.1``), and by a unit.
+    A number may be followed by its side (``10.5 L``, ``3.1 In-Out``) or preceded by it (``L3.1``), and followed by its
+    unit, on either side of the side (``422 R rpm``, ``8.5 mm Toe``).
     """
     if not decimal_comma and _PLAIN.fullmatch(cell):
-        return Reading(float(cell), None)  # as below, but for most cells of most files at a tenth of the cost
+        return Reading(float(cell))  # as below, but for most cells of most files at a tenth of the cost
     text = cell.replace("\xa0", " ").replace("−", "-").strip()
     if is_missing(text):
         return None
@@ -116,23 +118,32 @@ def reading(cell: str, quantity: str, decimal_comma: bool) -> Reading | None:
         value = number(without_thousands(found["number"], decimal_comma), decimal_comma)
     except ValueError:
         raise CellError("not a number") from None
-    side = _side(found["before"] or "", found["rest"], quantity)
-    if side is None:
-        return Reading(value, None)
-    if found["number"][0] in "-+":
+    side, unit = _side_and_unit(found["before"] or "", found["rest"], quantity)
+    if side is not None and found["number"][0] in "-+":
         raise CellError("a number with both a sign and a side")
-    return Reading(value * side.sign, side)
+    return Reading(value if side is None else value * side.sign, side, unit)
 
 
-def _side(before: str, rest: str, quantity: str) -> Side | None:
-    """Return the side told before or after a number; a unit after it says nothing."""
-    words = plain(before or rest)
-    if not words and not before:
-        return None
-    if before and rest.strip():
-        raise CellError("not a number")
-    side = SIDES.get(quantity, {}).get(words)
-    if side is None and unit_symbol(rest) is None:
-        allowed = ", ".join(SIDES.get(quantity, {}))
-        raise CellError("not a number" + (f", or one with its side ({allowed})" if allowed else ""))
-    return side
+def unit_in(cell: str) -> str | None:
+    """Return the symbol of the unit that a cell names after its number, or None."""
+    found = NUMBER.fullmatch(cell.strip())
+    words = found["rest"].split() if found else []
+    return next((symbol for each in (" ".join(words), *words[:1], *words[-1:]) if (symbol := unit_symbol(each))), None)
+
+
+def _side_and_unit(before: str, rest: str, quantity: str) -> tuple[Side | None, str | None]:
+    """Return the side told before or after a number, and the unit told after it."""
+    sides = SIDES.get(quantity, {})
+    words = rest.split()
+    for place in range(len(words) + 1):
+        parts = " ".join(words[:place]), " ".join(words[place:])
+        for told, other in (parts, parts[::-1]):
+            named = told or before
+            side, symbol = sides.get(plain(named)), unit_symbol(other)
+            if not (told and before) and (side or not named) and (symbol or not other):
+                return side, symbol
+    raise CellError(_no_number(sides))
+
+
+def _no_number(sides: Mapping[str, Side]) -> str:
+    return "not a number" + (f", or one with its side ({', '.join(sides)})" if sides else "")

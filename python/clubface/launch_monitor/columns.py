@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from clubface.errors import FileError
-from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, heading
+from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, heading, unit_in
 from clubface.launch_monitor.formats import Format, side_of
 from clubface.tables.headings import listed, shot_words
 from clubface.tables.spelling import plain, unit_of_column, unit_symbol
@@ -83,10 +83,12 @@ def columns_of(
     units_row: Sequence[str] | None,
     units: Mapping[str, str],
     place: tuple[str, int],
+    rows: Iterable[Sequence[str]] = (),
 ) -> Columns:
     """Return the columns of a header that a layout uses.
 
-    ``units`` gives the units, by quantity or dimension, for columns where the file names none.
+    ``units`` gives the units, by quantity or dimension, for columns where the file names none: neither the heading, nor
+    a row of units, nor the first of the cells in ``rows`` that has one.
     """
     heads = [heading(each) for each in headings]
     best: dict[str, int] = {}
@@ -104,6 +106,8 @@ def columns_of(
         told = each.unit
         if told is None and units_row is not None and position < len(units_row):
             told = units_row[position].strip().strip("[]()").strip() or None
+        if told is None:
+            told = next((symbol for row in rows if position < len(row) and (symbol := unit_in(row[position]))), None)
         symbol, was_assumed = _unit(layout, quantity, headings[position], told, units, place)
         if symbol is None:
             continue

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from clubface.launch_monitor.cells import MIRRORED, SIDES, Side
+from clubface.launch_monitor.cells import SIDES, Side
 from clubface.tables.spelling import plain
 
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
@@ -102,8 +102,3 @@ def side_of(quantity: str, positive: str | None) -> Side:
     if positive is None:
         return Side(1.0, SIDES["azimuth"]["right"].frame)
     return SIDES[quantity][plain(positive)]
-
-
-def is_mirrored(quantity: str) -> bool:
-    """Return whether the value of a left-hander changes its sign if the file gives it in terms of the club."""
-    return quantity in MIRRORED

@@ -37,7 +37,6 @@ from clubface.units import DIMENSIONLESS, unit
 KEYS = ("name", "delimiter", "decimal", "club", "hand", "speed_at", "face_at", "columns")
 COLUMN_KEYS = ("heading", "unit", "positive", "optional")
 DELIMITERS = (",", ";", "\t")
-DECIMALS = (".", ",")
 SPEED_AT, FACE_AT = (CG, FACE), (FACE, CONTACT)
 
 

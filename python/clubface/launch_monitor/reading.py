@@ -12,15 +12,17 @@ from typing import Any
 import numpy as np
 
 from clubface.equipment.described import HANDS
-from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.errors import FileError, InputError, UnknownNameError, shortened
 from clubface.launch_monitor.cells import FACE_TO_PATH
 from clubface.launch_monitor.detection import OWN, asked_for, detected, others
 from clubface.launch_monitor.formats import POINTS, Format
 from clubface.launch_monitor.mapping import Mapped, mapping_of
 from clubface.launch_monitor.registry import FORMATS
 from clubface.launch_monitor.rows import Session, SessionReader, Shot
-from clubface.recorded.file import read_shots, refuse_empty
+from clubface.recorded.file import read_shots, refuse_empty, without_emptied
+from clubface.recorded.possible import without_impossible
 from clubface.recorded.shots import SIDES, RecordedShots
+from clubface.recorded.signs import suspected_signs
 from clubface.simulation.quantities import inputs
 from clubface.support.checks import check_choice
 from clubface.tables.cells import uses_decimal_comma
@@ -32,6 +34,8 @@ from clubface.units import unit
 
 HEAD_ROWS = 30
 """Rows among which the header must be."""
+TOLD = 10
+"""Different values of a column that a note counts."""
 
 
 def read(
@@ -106,6 +110,21 @@ def read(
     return _referred(shots, club)
 
 
+def is_monitors(path: str | os.PathLike[str]) -> bool:
+    """Tell whether a file is one of a launch monitor: CSV with the columns of a known layout."""
+    source = Path(path)
+    _refuse_no_table(source)
+    if source.suffix.lower() in PARQUET:
+        return False
+    rows = CsvRows(source, any_encoding=True, head_lines=HEAD_ROWS)
+    try:
+        return detected(str(path), list(islice(_rows(rows), HEAD_ROWS))) is not None
+    except FileError:
+        return False
+    finally:
+        rows.close()
+
+
 def _refuse_no_table(path: Path) -> None:
     """Say of files that people have, and that are no tables, what to do with them."""
     ending = path.suffix.lower()
@@ -121,7 +140,8 @@ def _own(path: str | os.PathLike[str], hand: str | None, club: Any) -> RecordedS
 
 
 def _referred(shots: RecordedShots, club: Any) -> RecordedShots:
-    """Return the shots, referred to the points of a club where one is given."""
+    """Return the shots with notes on signs, referred to the points of a club where one is given."""
+    shots = replace(shots, notes=(*shots.notes, *suspected_signs(shots)))
     if club is None:
         return shots
     from clubface.launch_monitor.reference_points import refer
@@ -150,7 +170,7 @@ def _session(
         cells = [cell for row in sample if not isinstance(row, Reject) for cell in row[0]]
         comma = uses_decimal_comma(cells, delimiter)
     side = float(HANDS[hand]) if hand is not None else float("nan")
-    reader = SessionReader(path, layout, side, units, comma)
+    reader = SessionReader(path, layout, side, units, comma, sample)
     session = reader.read(chain(sample, rest))
     if not reader.found_header:
         first = next((row for row in sample if not isinstance(row, Reject)), None)
@@ -169,19 +189,21 @@ def _laid_out(session: Session, path: str, layout: Format, other_encoding: bool)
             shot.values.setdefault("face", shot.values["path"] + to_path)
     names = [name for name in (*inputs(), *shot_words().dimensions) if any(name in shot.values for shot in shots)]
     columns = {name: np.array([shot.values.get(name, np.nan) for shot in shots]) for name in dict.fromkeys(names)}
-    return RecordedShots(
-        deliveries={name: values for name, values in columns.items() if name in inputs()},
-        launches={name: values for name, values in columns.items() if name not in inputs()},
+    found = without_impossible(columns)
+    every = RecordedShots(
+        deliveries={name: values for name, values in found.columns.items() if name in inputs()},
+        launches={name: values for name, values in found.columns.items() if name not in inputs()},
         clubs=np.array([shot.club for shot in shots], dtype=object) if session.names_clubs else None,
         hand=_hands(shots),
         rows=np.array([shot.line for shot in shots], dtype=np.int64),
         source=path,
         format=layout.name,
         rejected=tuple(session.rejected),
-        notes=tuple(_notes(session, layout, other_encoding)),
+        notes=(*_notes(session, layout, other_encoding), *found.notes),
         speed_at=layout.speed_at,
         face_at=layout.face_at,
     )
+    return without_emptied(every, found.emptied)
 
 
 def _hands(shots: Sequence[Shot]) -> Any:
@@ -203,13 +225,15 @@ def _notes(session: Session, layout: Format, other_encoding: bool) -> Iterator[s
         told = ", ".join(f"{name} in {symbol}" for name, symbol in session.assumed.items())
         yield f"the file does not name these units, which were assumed: {told}"
     if session.unused:
-        yield f"not used, since what is in brackets is no unit: {', '.join(session.unused)}"
+        unused = ", ".join(shortened(each, 40) for each in islice(session.unused, TOLD))
+        yield f"not used, since what is in brackets is no unit: {unused}"
     for name, counts in session.told.items():
-        yield f"{name}: " + ", ".join(f"{count} {value}" for value, count in counts.items())
+        shown = [f"{count} {shortened(value, 40)}" for value, count in islice(counts.items(), TOLD)]
+        yield f"{shortened(name, 40)}: {', '.join(shown)}" + ", ..." * (len(counts) > TOLD)
     if session.summaries:
         yield f"rows of averages and deviations that were passed over: {session.summaries}"
     if session.without_club:
-        yield f"shots without club data, for which the file holds zeros or no number: {session.without_club}"
+        yield f"shots without club data, for which the file holds no club speed that can be: {session.without_club}"
     if other_encoding:
         yield "the file is not UTF-8: read as Windows-1252"
 

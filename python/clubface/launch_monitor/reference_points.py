@@ -56,7 +56,7 @@ def refer(shots: RecordedShots, club: Any) -> RecordedShots:
     for which, rows in _groups(shots, club):
         hand = _hands(shots, which)[rows]
         some = {name: values[rows] for name, values in deliveries.items()}
-        if shots.face_at == CONTACT and {"loft", "face"} & set(some):
+        if shots.face_at == CONTACT and _measured(some, "loft", "face"):
             found = _at_face_centre(some, which, hand)
             _put(deliveries, rows, found)
             some |= found
@@ -64,7 +64,7 @@ def refer(shots: RecordedShots, club: Any) -> RecordedShots:
             notes.append(
                 _told("dynamic loft and face angle referred to the face centre", which, known, "point of contact")
             )
-        if shots.speed_at == FACE and "speed" in some:
+        if shots.speed_at == FACE and _measured(some, "speed"):
             _put(deliveries, rows, _at_cg(some, which, hand))
             at_cg[rows] = known = _known(some, "closure")
             notes.append(_told("the club's motion referred to its centre of gravity", which, known, "closure rate"))
@@ -107,6 +107,11 @@ def _hands(shots: RecordedShots, which: Club) -> Floats:
 def _put(deliveries: dict[str, Floats], rows: NDArray[np.intp], found: Mapping[str, Any]) -> None:
     for name, values in found.items():
         deliveries[name][rows] = values
+
+
+def _measured(some: Mapping[str, Any], *names: str) -> bool:
+    """Tell whether one of the quantities was measured in any shot."""
+    return any(np.isfinite(some[name]).any() for name in names if name in some)
 
 
 def _known(some: Mapping[str, Any], *names: str) -> NDArray[np.bool_]:

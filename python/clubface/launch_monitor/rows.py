@@ -7,16 +7,17 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isclose, nan
 
-from clubface.launch_monitor.cells import MIRRORED, NOT_MEASURED, WORLD, CellError, heading, reading
+from clubface.launch_monitor.cells import MIRRORED, WORLD, CellError, heading, reading
 from clubface.launch_monitor.columns import Columns, Used, columns_of, is_units_row
 from clubface.launch_monitor.formats import Format
+from clubface.recorded.possible import can_be
 from clubface.recorded.shots import RejectedRow
 from clubface.simulation.quantities import inputs
-from clubface.tables.cells import hand_of, shortened
+from clubface.tables.cells import hand_of, quoted_cell
 from clubface.tables.csv_rows import Row
 from clubface.tables.rows import Reject
 from clubface.tables.spelling import plain
-from clubface.units import to_si
+from clubface.units import to_si, unit
 
 SUMMARIES = frozenset(
     {
@@ -76,8 +77,8 @@ class Session:
         Headings that would give a quantity but for what is in their brackets.
     guessed_hand
         Whether something told in terms of the club was read as a right-hander's because nothing tells the hand.
-    names_clubs, names_hands
-        Whether there is a column for them.
+    names_clubs
+        Whether there is a column for the club.
     """
 
     shots: list[Shot] = field(default_factory=list)
@@ -89,14 +90,22 @@ class Session:
     unused: dict[str, None] = field(default_factory=dict)
     guessed_hand: bool = False
     names_clubs: bool = False
-    names_hands: bool = False
 
 
 class SessionReader:
     """Goes through the rows of a file of a known layout."""
 
-    def __init__(self, path: str, layout: Format, hand: float, units: Mapping[str, str], decimal_comma: bool) -> None:
+    def __init__(
+        self,
+        path: str,
+        layout: Format,
+        hand: float,
+        units: Mapping[str, str],
+        decimal_comma: bool,
+        sample: Sequence[Row | Reject] = (),
+    ) -> None:
         self._path = path
+        self._sample = [row for row in sample if not isinstance(row, Reject)]
         self._layout = layout
         self._hand = hand
         self._units = units
@@ -135,12 +144,12 @@ class SessionReader:
         if self._columns is None:
             units = cells if is_units_row(cells) else None
             place = (self._path, self._header_line)
-            self._columns = columns_of(self._layout, self._header, units, self._units, place)
+            below = [each for each, at, _ in self._sample if at > self._header_line]
+            self._columns = columns_of(self._layout, self._header, units, self._units, place, below)
             self._counting = [place for place, each in enumerate(self._header) if plain(each) in COUNTING]
             self.session.assumed.update(self._columns.assumed)
             self.session.unused.update(dict.fromkeys(self._columns.unused))
             self.session.names_clubs |= bool(self._columns.club)
-            self.session.names_hands |= self._columns.hand is not None
             if units is not None:
                 return
         columns = self._columns
@@ -171,7 +180,7 @@ class SessionReader:
             try:
                 hand = hand_of(cells[columns.hand])
             except ValueError:
-                told = f"{self._header[columns.hand].strip()}: {cells[columns.hand].strip()!r}"
+                told = f"{self._header[columns.hand].strip()}: {quoted_cell(cells[columns.hand].strip())}"
                 raise CellError(f"{told} is not a hand") from None
         values: dict[str, float] = {}
         for quantity, used in columns.used.items():
@@ -184,20 +193,20 @@ class SessionReader:
                 if not isclose(value, found[0][1], rel_tol=SAME):
                     first, second = (cells[which.place].strip() for which in (found[0][0], each))
                     message = f"{each.heading}: the columns {found[0][0].place + 1} and {each.place + 1} differ"
-                    raise CellError(f"{message}: {first!r} and {second!r}")
+                    raise CellError(f"{message}: {quoted_cell(first)} and {quoted_cell(second)}")
             values[quantity] = found[0][1]
         club = next((cells[place].strip() for place in columns.club if cells[place].strip()), "")
         return Shot(line, self._checked(values), club, hand)
 
     def _checked(self, values: dict[str, float]) -> dict[str, float]:
-        for name, spelled in (("ball_speed", "ball speed"), ("speed", "club speed")):
-            if values.get(name, 1.0) < 0.0:
-                raise CellError(f"the {spelled} is below 0")
         if values.get("ball_speed") == 0.0:
             raise CellError("the ball speed is 0: no ball was measured")
-        if values.get("speed") == 0.0 or ("speed" not in values and self._writes_zeros(values)):
+        speed = values.get("speed")
+        if not can_be("speed", speed) if speed is not None else self._writes_zeros(values):
             self.session.without_club += 1
             values = {name: value for name, value in values.items() if name not in inputs()}
+            if speed:
+                values["speed"] = speed  # which no club has; it is told with all such values
         if not values:
             raise CellError("nothing was measured: every cell of the club and the ball is empty")
         return values
@@ -213,15 +222,18 @@ class SessionReader:
         try:
             found = reading(cell, column.quantity, self._decimal_comma)
         except CellError as error:
-            raise CellError(f"{column.heading}: {shortened(cell.strip())} is {error}") from None
+            raise CellError(f"{column.heading}: {quoted_cell(cell.strip())} is {error}") from None
         if found is None:
             return None
-        if abs(found.value) > NOT_MEASURED:
-            return 0.0 if column.quantity == "speed" else None  # a speed of 0 says that the club was not measured
         side = found.side or column.side
         value = found.value if found.side else found.value * side.sign
         if side.frame != WORLD and column.quantity in MIRRORED:
             if hand < 0.0:
                 value = -value
             self.session.guessed_hand |= hand != hand
-        return to_si(value, column.unit)
+        if found.unit is None:
+            return to_si(value, column.unit)
+        if unit(found.unit).dimension != unit(column.unit).dimension:
+            told = f"{quoted_cell(cell.strip())} is not in {column.unit} or another such unit"
+            raise CellError(f"{column.heading}: {told}")
+        return to_si(value, found.unit)

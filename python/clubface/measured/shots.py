@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Self
 
@@ -11,10 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.equipment.clubs import Club, club
+from clubface.equipment.clubs import Club
 from clubface.errors import InputError, Told
-from clubface.launch_monitor import read, refer
-from clubface.measured.other_club import check_club
+from clubface.measured.ready import ready_shots
 from clubface.recorded.shots import RecordedShots, RejectedRow
 from clubface.simulation.delivery import OF_CLUB
 
@@ -74,7 +73,9 @@ def measured_shots(
     *,
     club: str | os.PathLike[str] | Club | None = None,
     only: str | None = None,
+    where: str | None = None,
     mismatch: str = "refuse",
+    assume: Mapping[str, Any] | None = None,
     quantities: Iterable[str] = tuple(QUANTITIES),
 ) -> MeasuredShots:
     """Prepare recorded shots for comparison with models.
@@ -83,15 +84,8 @@ def measured_shots(
     ----------
     shots
         Recorded shots, or a file that :func:`clubface.launch_monitor.read` reads.
-    club
-        The club with which they were hit. If left out: the club that the shots name, if that is a built-in one.
-        Velocities and face angles that were measured elsewhere on the club are converted to its reference points, see
-        :func:`clubface.launch_monitor.refer`.
-    only
-        Take only the shots of the club that the file calls so. If left out: all shots, which must then be of one club.
-    mismatch
-        What to do with shots that by their names or their dynamic loft look like those of another club: "refuse" or
-        "note".
+    club, only, where, mismatch, assume
+        As for :func:`clubface.measured.ready.ready_shots`.
     quantities
         The launch quantities wanted, out of ``QUANTITIES``.
 
@@ -101,11 +95,9 @@ def measured_shots(
         There is no usable shot; the shots are of several clubs, or of another club than the one given; or no column
         gives a speed or a launch.
     """
-    recorded = shots if isinstance(shots, RecordedShots) else read(shots)
-    places = of_one_club(recorded, only)
-    recorded = recorded.select(places)
-    head = club_of(recorded, club)
-    recorded = refer(recorded, head)
+    recorded = ready_shots(shots, club=club, only=only, where=where, mismatch=mismatch, assume=assume)
+    head = recorded.club
+    places = np.arange(len(recorded)) if recorded is shots else recorded.places
     if "speed" not in recorded.deliveries:
         measured = ", ".join(recorded.deliveries) or "nothing"
         raise InputError(
@@ -132,8 +124,6 @@ def measured_shots(
         told = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
         raise InputError("shots", recorded.source, f"at least one shot with a complete delivery and a launch ({told})")
     delivery = {name: values[kept] for name, values in delivery.items()}
-    names = recorded.clubs if only is None else None
-    notes = check_club(head, names, delivery.get("loft"), mismatch)
     return MeasuredShots(
         club=head,
         delivery=delivery,
@@ -142,45 +132,11 @@ def measured_shots(
         places=places[kept],
         source=recorded.source,
         dropped=tuple(sorted((*recorded.rejected, *dropped), key=lambda each: each.line or 0)),
-        notes=tuple(dict.fromkeys((*recorded.notes, *_assumptions(head, delivery), *notes))),
+        notes=tuple(dict.fromkeys((*recorded.notes, *assumptions(head, delivery)))),
     )
 
 
-def of_one_club(recorded: RecordedShots, only: str | None) -> NDArray[np.int64]:
-    """Return the places of the shots of the one club wanted."""
-    if recorded.clubs is None:
-        if only is not None:
-            raise InputError("only", only, "leave it out: the shots name no club")
-        return np.arange(len(recorded))
-    counts = {name: int(np.sum(recorded.clubs == name)) for name in dict.fromkeys(recorded.clubs)}
-    listed = ", ".join(f"{name or 'without a name'} ({count})" for name, count in counts.items())
-    if only is None:
-        if len(counts) > 1:
-            raise InputError("only", None, f"give one of the several clubs that were hit: {listed}")
-        return np.arange(len(recorded))
-    chosen = [name for name in counts if name.strip().casefold() == only.strip().casefold()]
-    if not chosen:
-        raise InputError("only", only, f"one of the clubs that were hit: {listed}")
-    return np.flatnonzero(np.isin(recorded.clubs, chosen))
-
-
-def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None) -> Club:
-    """Return the club given, or the built-in one that the shots name."""
-    if isinstance(given, Club):
-        return given
-    if given is not None:
-        return club(given)
-    from clubface.equipment.clubs import CLUB_NAMES
-
-    named = str(recorded.clubs[0]) if recorded.clubs is not None and len(recorded) else ""
-    plain = "-".join(named.casefold().split())
-    if plain not in CLUB_NAMES:
-        told = f"give it: the shots name {named!r}" if named else "give it: the shots name none"
-        raise InputError("club", None, f"{told}, and the built-in clubs are {', '.join(CLUB_NAMES)}")
-    return club(plain)
-
-
-def _assumptions(head: Club, delivery: dict[str, Any]) -> list[str]:
+def assumptions(head: Club, delivery: Mapping[str, Any]) -> list[str]:
     """Return what was not measured and how it is taken."""
     found = []
     missing = [name for name in OF_CLUB if name not in delivery]

@@ -20,6 +20,15 @@ PROCESSORS = {84: ("<", 15), 85: ("<", 13), 86: (">", 12)}
 """Order of bytes, and which byte of the header has the sign of its scale: of Intel, DEC and MIPS."""
 SIZES = {-1: 1, 1: 1, 2: 2, 4: 4}
 """Bytes of an element by the type of a parameter: letter, byte, integer, float."""
+TEXT = -1
+"""The type of a text."""
+NUMBERS = {
+    "POINT": ("USED", "SCALE", "RATE", "DATA_START", "FRAMES"),
+    "ANALOG": ("USED", "GEN_SCALE", "RATE"),
+    "ROTATION": ("USED", "DATA_START", "RATE", "RATIO"),
+    "FORCE_PLATFORM": ("USED",),
+}
+"""Parameters that hold one number, where they are there; libraries take that for granted."""
 MOST_POINTS = 10_000
 NOT_C3D = "this is not a C3D file"
 DAMAGED = "this C3D file is damaged"
@@ -47,6 +56,8 @@ class Layout(NamedTuple):
 def check_layout(path: str | os.PathLike[str]) -> Layout:
     """Return what a C3D file says it holds; one that is empty, cut short or damaged is a :class:`FileError`."""
     name = os.fspath(path)
+    if os.path.exists(name) and not os.path.isfile(name):
+        raise FileError(name, None, "cannot be read: this is not a file")
     try:
         content = Path(name).read_bytes()
     except (OSError, ValueError) as error:
@@ -62,6 +73,30 @@ def check_layout(path: str | os.PathLike[str]) -> Layout:
         raise FileError(
             name, None, f"the file is cut short: it ends within its parameters, after {len(content)} bytes"
         ) from None
+
+
+class _Parameter(NamedTuple):
+    """One parameter.
+
+    Attributes
+    ----------
+    group, label
+        The number of its group, and its name.
+    kind, dimensions, elements
+        Type, number of dimensions, and number of elements.
+    value
+        The first of whole numbers.
+    end
+        Where it ends.
+    """
+
+    group: int
+    label: str
+    kind: int
+    dimensions: int
+    elements: int
+    value: int
+    end: int
 
 
 class _Reader:
@@ -108,7 +143,7 @@ class _Reader:
     def parameters(self, end: int) -> None:
         """Walk through groups and parameters; refuse what points outside the section."""
         at, groups = self.start + 4, {}
-        named: list[tuple[int, str, int]] = []
+        named: list[_Parameter] = []
         while at < end:
             length, group = struct.unpack_from("bb", self.content, at)
             length = abs(length)
@@ -123,27 +158,38 @@ class _Reader:
                 groups[-group] = label
                 used = 3 + self.content[at + 2]
             else:
-                used = self.parameter(at + 2, (group, label), named) - at
+                named.append(found := self.parameter(at + 2, group, label))
+                used = found.end - at
             if step != 0 and (step < used or at + step > end):
                 raise self.damaged(f"{label} is said to end at byte {at + step}, outside its section")
             if step == 0:
                 break
             at += step
-        for group, label, value in named:
-            if group not in groups:
-                raise self.damaged(f"{label} belongs to group {group}, which does not exist")
-            self.found[f"{groups[group]}:{label}"] = value
+        for each in named:
+            if each.group not in groups:
+                raise self.damaged(f"{each.label} belongs to group {each.group}, which does not exist")
+            self.check(groups[each.group], each)
+            self.found[f"{groups[each.group]}:{each.label}"] = each.value
 
-    def parameter(self, at: int, key: tuple[int, str], named: list[tuple[int, str, int]]) -> int:
-        """Return where a parameter ends that begins with its type; note the first value of whole numbers."""
+    def check(self, group: str, each: _Parameter) -> None:
+        """Refuse a parameter of another kind than libraries take for granted."""
+        if group not in NUMBERS:
+            return
+        if each.label in NUMBERS[group] and (each.kind == TEXT or not each.elements):
+            raise self.damaged(f"{group}:{each.label} is not a number")
+        if each.kind == TEXT and not each.dimensions:
+            raise self.damaged(f"{group}:{each.label} is text without a length")
+
+    def parameter(self, at: int, group: int, label: str) -> _Parameter:
+        """Return a parameter that begins with its type."""
         kind, count = struct.unpack_from("bB", self.content, at)
         if kind not in SIZES or count > 7:
-            raise self.damaged(f"{key[1]} has type {kind} and {count} dimensions")
+            raise self.damaged(f"{label} has type {kind} and {count} dimensions")
         elements = 1
         for each in self.content[at + 2 : at + 2 + count]:
             elements *= each
         at += 2 + count
         size = elements * SIZES[kind]
         described = self.content[at + size]
-        named.append((*key, self.integer(at) if kind == 2 and elements else 0))
-        return at + size + 1 + described
+        value = self.integer(at) if kind == 2 and elements else 0
+        return _Parameter(group, label, kind, count, elements, value, at + size + 1 + described)

@@ -16,7 +16,14 @@ from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.motion_capture.c3d_layout import check_layout
 from clubface.motion_capture.rigid_body import visible
 from clubface.motion_capture.rotations import Array
+from clubface.support.apart import Apart, ApartError
 from clubface.support.whole_file import whole_file
+
+LIBRARY = Apart(Path(__file__).with_name("c3d_library.py"))
+MEMORY = 200
+"""Bytes that the library may take for a byte of the file; it takes some 30."""
+SPEED = 1e6
+"""Bytes a second, slower than any machine reads them."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -100,24 +107,23 @@ def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Record
     """
     name = os.fspath(path)
     layout = check_layout(name)
-    import ezc3d
-
+    size = os.path.getsize(name)
     try:
-        content = ezc3d.c3d(name)
-        groups = content["parameters"]
-        points = np.asarray(content["data"]["points"], dtype=np.float64)  # NaN where the file marks a point invalid
-        rate = float(content["header"]["points"]["frame_rate"])
-    except (OSError, RuntimeError, ValueError, KeyError, IndexError, TypeError) as error:
+        found = LIBRARY.call(
+            "contents", os.path.abspath(name), memory=MEMORY * size, seconds=size / SPEED
+        )  # a crash of the library is an error of the file
+    except ApartError as error:
         raise FileError(name, None, f"this C3D file cannot be read: {str(error).rstrip('.')}") from None
+    points, rate, texts = found["points"], found["rate"], found["texts"]
     if points.ndim != 3 or not points.shape[1] or not points.shape[2]:
         raise FileError(name, None, "the file holds no points")
     if points.shape[2] < layout.frames:
         raise FileError(name, None, f"the file is cut short: {points.shape[2]} of {layout.frames} frames")
     if not (np.isfinite(rate) and rate > 0.0):
         raise FileError(name, None, f"the frame rate is {rate:g} Hz")
-    positions = np.moveaxis(points[:3], 0, -1).swapaxes(0, 1) * _metres(name, groups, unit)
+    positions = np.moveaxis(points[:3], 0, -1).swapaxes(0, 1) * _metres(name, texts["UNITS"], unit)
     unseen = ~visible(positions) | np.all(positions == 0.0, axis=-1)
-    labels = _texts(groups, "LABELS", "LABELS2", "LABELS3")
+    labels = texts["LABELS"] + texts["LABELS2"] + texts["LABELS3"]
     labels += [f"*{place + 1}" for place in range(len(labels), points.shape[1])]
     return Recording(
         labels=tuple(labels[: points.shape[1]]),
@@ -153,11 +159,10 @@ def write_c3d(recording: Recording, path: str | os.PathLike[str]) -> Path:
     return target
 
 
-def _metres(name: str, groups: Any, unit: str | None) -> float:
+def _metres(name: str, given: Sequence[str], unit: str | None) -> float:
     """Return the length [m] of the unit of a file."""
     if unit is not None:
         return units.size(units.unit(unit, name="units", dimension="length").symbol)
-    given = _texts(groups, "UNITS")
     symbol = given[0] if given else ""
     if not symbol:
         raise FileError(name, None, "the file does not name its unit of length; give it, as in --units mm")
@@ -169,12 +174,3 @@ def _metres(name: str, groups: Any, unit: str | None) -> float:
             name, None, f"the unit of length {symbol!r} is unknown; give the right one with --units: {allowed}"
         ) from None
     return units.size(found.symbol)
-
-
-def _texts(groups: Any, *names: str) -> list[str]:
-    """Return the texts of parameters of the group POINT, one after the other, as far as they are there."""
-    found: list[str] = []
-    for each in names:
-        value: Sequence[Any] = groups.get("POINT", {}).get(each, {}).get("value", ())
-        found += [str(text).strip() for text in value]
-    return found

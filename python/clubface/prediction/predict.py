@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,8 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import FileError, InputError, Told
 from clubface.prediction.run import Task, results_of, run
+from clubface.prediction.source import open_source
+from clubface.recorded.shots import SIDES
 from clubface.simulation.air import Air
 from clubface.simulation.backends import backend_of
 from clubface.simulation.flight_inputs import check_conditions
@@ -20,8 +22,7 @@ from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import equipped, hand_value
 from clubface.simulation.launch import computed_with
 from clubface.simulation.run_options import thread_count, tolerance
-from clubface.tables.headings import layout, require_speed
-from clubface.tables.reader import open_table
+from clubface.tables.headings import Column
 from clubface.tables.writer import is_parquet
 
 CHUNK_ROWS = 16384
@@ -99,6 +100,13 @@ def predict(
     wind: Any = None,
     output: str | os.PathLike[str] | None = None,
     rejects: str | os.PathLike[str] | None = None,
+    format: str | None = None,
+    mapping: str | os.PathLike[str] | None = None,
+    units: Mapping[str, str] | None = None,
+    only: str | None = None,
+    where: str | None = None,
+    mismatch: str = "refuse",
+    assume: Mapping[str, Any] | None = None,
     chunk_rows: int = CHUNK_ROWS,
     threads: int | None = None,
     progress: Callable[[float, int], object] | None = None,
@@ -109,6 +117,10 @@ def predict(
     Columns are found by name and carry their unit, as in ``club_speed_mph`` or ``club_speed [mph]``; a column without
     a unit is in SI units. Columns of other names are passed through untouched. A row that cannot be used goes to the
     file of rejects with its line and the reason.
+
+    A launch monitor's file, and a table that names clubs or says where on the club its data was taken, is one of
+    recorded shots: it is read by :func:`clubface.launch_monitor.read`, and shots of another club are refused. Club data
+    that was taken elsewhere is referred to the points of clubface.
 
     Both files have their names only once they are complete. Until then, what is finished is kept in the folder
     ``<output>.unfinished``, and ``resume=True`` goes on after it, however the run ended.
@@ -129,6 +141,11 @@ def predict(
     rejects
         The CSV file for rows that cannot be used; ``<output>.rejects.csv`` beside the output if left out. It is
         written only if there are such rows.
+    format, mapping, units
+        How a launch monitor's file is laid out, as for :func:`clubface.launch_monitor.read`.
+    only, where, mismatch, assume
+        Which of the recorded shots to take and what to state for values that were not measured, as for
+        :func:`clubface.measured.ready.ready_shots`.
     chunk_rows
         Rows held in memory at a time.
     progress
@@ -178,11 +195,14 @@ def predict(
     if carry:
         check_conditions(air, wind)
     flight = {"air": air, "wind": wind, "threads": threads} if carry else None
-    reader = open_table(path)
+    opened = open_source(
+        path, with_.club, hand=None if hand is None else SIDES[side], mismatch=mismatch, format=format,
+        mapping=mapping, units=units, only=only, where=where, assume=assume,
+    )  # fmt: skip
+    reader, columns = opened.reader, opened.columns
     try:
-        columns = layout(reader.headings, reader.path, reader.header_line)
-        require_speed(columns, reader.path, reader.header_line)
-        task = Task(shot, flight, side, columns, results_of(model, carry), provenance)
+        used = columns._replace(used=opened.used)
+        task = Task(shot, flight, side, used, results_of(model, carry), provenance, opened.content)
         outcome = run(reader, task, (path, target, aside), chunk_rows, progress, resume)
     finally:
         reader.close()
@@ -195,14 +215,21 @@ def predict(
         written=written,
         rejected=rejected,
         blank=reader.blank,
-        used={each.heading: (each.quantity, each.unit) for each in columns.used},
+        used={
+            each.heading: (each.quantity, each.unit)
+            for each in {**_by_quantity(opened.used), **_by_quantity(columns.used)}.values()
+        },
         passed=columns.passed,
         added=task.headings,
-        notes=(*columns.notes, *([remark] if (remark := outcome.tally.remark()) else [])),
+        notes=(*opened.notes, *([remark] if (remark := outcome.tally.remark()) else [])),
         first_rejects=outcome.first_rejects,
         resumed=outcome.resumed,
         provenance=provenance,
     )
+
+
+def _by_quantity(columns: Iterable[Column]) -> dict[str, Column]:
+    return {each.quantity: each for each in columns}
 
 
 def _check_paths(source: Path, target: Path, aside: Path) -> None:

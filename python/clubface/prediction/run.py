@@ -71,7 +71,9 @@ class Task:
         columns: Layout,
         results: Mapping[str, tuple[str, str]],
         provenance: Mapping[str, Any],
+        content: str = "",
     ) -> None:
+        self.content = content
         self.shot = shot
         self.provenance = provenance
         self.flight = flight
@@ -83,12 +85,13 @@ class Task:
             prefix += PREFIX
         self.headings = tuple(prefix + heading for heading in results)
 
-    def content(self, source: Path) -> dict[str, Any]:
+    def content_of(self, source: Path) -> dict[str, Any]:
         """Return what a run is of, by what a person calls it."""
         shot, ball = self.shot, self.shot["ball"]
         equipment = [shot["club"].inputs(), ball.inputs() if isinstance(ball, Ball) else ball.values()]
         return {
             "source": fingerprint_of_file(source),
+            "choice of shots": self.content,
             "layout of columns": [self.columns, list(self.results.items())],
             "model": [shot["model"], dict(shot["parameters"].values), shot["parameters"].characteristic_time],
             "club or ball": [equipment, self.hand, json.dumps(self.provenance, default=str)],
@@ -171,7 +174,7 @@ def run(
     source, target, aside = paths
     form, rejects_form = _form(target, reader, task), RejectsForm(task.columns.headings, reader)
     folder = unfinished(target, [source, aside])
-    with Store(folder, task.content(source), of=target, resume=resume) as store:
+    with Store(folder, task.content_of(source), of=target, resume=resume) as store:
         resumed = done = sum(store[each]["rows"] for each in store)
         try:
             for chunk in reader.chunks(chunk_rows, done):

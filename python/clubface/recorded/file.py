@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import FileError
-from clubface.recorded.shots import POINTS, SIDES, RecordedShots, RejectedRow
+from clubface.errors import FileError, shortened
+from clubface.recorded.possible import without_impossible
+from clubface.recorded.shots import SIDES, RecordedShots, RejectedRow
 from clubface.simulation.quantities import inputs
 from clubface.tables.cells import is_missing
-from clubface.tables.headings import HAND, Column, Layout, layout, listed, plain_name, shot_words
+from clubface.tables.headings import HAND, POINTS, Column, Layout, layout, listed, plain_name, shot_words
 from clubface.tables.reader import open_table
 from clubface.tables.rows import Chunk
 from clubface.units import to_si
@@ -64,6 +66,16 @@ def refuse_empty(path: str, shots: int, rejected: tuple[RejectedRow, ...]) -> No
         raise FileError(path, None, f"not one shot can be used: {reasons}{more}" if rejected else "there are no shots")
 
 
+def without_emptied(shots: RecordedShots, emptied: NDArray[np.bool_]) -> RecordedShots:
+    """Reject shots of which nothing is left without the values that cannot be."""
+    if not emptied.any():
+        return shots
+    lost = [RejectedRow(int(row), "nothing was measured that a shot can have") for row in shots.rows[emptied]]
+    rejected = tuple(sorted((*shots.rejected, *lost), key=lambda each: each.line or 0))
+    refuse_empty(shots.source, len(shots) - len(lost), rejected)
+    return replace(shots.select(~emptied), rejected=rejected)
+
+
 class _Columns:
     """The columns of a file, chunk by chunk."""
 
@@ -103,10 +115,9 @@ class _Columns:
         """Take where club data was taken, which must be the same for all shots."""
         told |= {self._taken[name]} if name in self._taken else set()
         if len(told) > 1 or not told <= set(POINTS[name]):
+            held = ", ".join(shortened(each, 40) for each in sorted(told)[:SHOWN])
             allowed = f"one of {', '.join(POINTS[name])}, the same for all shots"
-            raise FileError(
-                path, None, f"the column {name!r} holds {', '.join(sorted(told))}; it must be {allowed}", name
-            )
+            raise FileError(path, None, f"the column {name!r} holds {held}; it must be {allowed}", name)
         if told:
             self._taken[name] = told.pop()
 
@@ -114,18 +125,20 @@ class _Columns:
         """Return all rows taken."""
         values = {name: np.concatenate(parts) for name, parts in self._values.items()}
         hand = values.pop(HAND, None)
-        return RecordedShots(
-            deliveries={name: each for name, each in values.items() if name in inputs()},
-            launches={name: each for name, each in values.items() if name not in inputs()},
+        found = without_impossible(values)
+        every = RecordedShots(
+            deliveries={name: each for name, each in found.columns.items() if name in inputs()},
+            launches={name: each for name, each in found.columns.items() if name not in inputs()},
             clubs=np.array(self._clubs, dtype=object) if self._club is not None else None,
             hand=None if hand is None else np.array([SIDES[each] for each in hand], dtype=object),
             rows=np.array(self.rows, dtype=np.int64),
             source=path,
             format="clubface",
             rejected=rejected,
-            notes=self._layout.notes,
+            notes=(*self._layout.notes, *found.notes),
             **self._taken,  # pyright: ignore[reportArgumentType]
         )
+        return without_emptied(every, found.emptied)
 
 
 def _numbers(chunk: Chunk, column: Column) -> tuple[NDArray[Any], dict[int, str]]:

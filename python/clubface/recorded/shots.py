@@ -16,18 +16,13 @@ from clubface.errors import InputError, Told
 from clubface.simulation.quantities import inputs
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_names
-from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, heading_of, shot_words
+from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, POINTS, heading_of, shot_words
 from clubface.tables.writer import write_columns
 from clubface.units import SI_UNITS, from_si
 
 if TYPE_CHECKING:
     import pandas
 
-SPEED_AT = ("cg", "face", "unknown")
-FACE_AT = ("face", "contact", "unknown")
-"""Where club data may be taken; the first is where models want it."""
-POINTS = {"speed_at": SPEED_AT, "face_at": FACE_AT}
-"""Columns that say where club data was taken; they are there only where it is not where models want it."""
 SIDES = {1.0: "right", -1.0: "left"}
 """The hand by the sign the core takes."""
 
@@ -93,12 +88,12 @@ class RecordedShots:
     format: str
     rejected: tuple[RejectedRow, ...] = ()
     notes: tuple[str, ...] = ()
-    speed_at: str = SPEED_AT[0]
-    face_at: str = FACE_AT[0]
+    speed_at: str = POINTS["speed_at"][0]
+    face_at: str = POINTS["face_at"][0]
 
     def __post_init__(self) -> None:
-        check_choice("speed_at", self.speed_at, SPEED_AT)
-        check_choice("face_at", self.face_at, FACE_AT)
+        for name, points in POINTS.items():
+            check_choice(name, getattr(self, name), points)
         count = np.size(self.rows)
         checked: dict[str, Any] = {"rows": np.asarray(self.rows, dtype=np.int64).reshape(count)}
         known_deliveries = [name for name in inputs() if name != HAND]
@@ -169,11 +164,8 @@ class RecordedShots:
         frame.attrs = {"units": self.units(), "rejected": [tuple(each) for each in self.rejected], **kept}
         return frame
 
-    def write(self, path: str | os.PathLike[str]) -> None:
-        """Write the shots to a CSV or Parquet file, by its ending, as :func:`clubface.read_shots` reads them.
-
-        The file has its name only once it is complete. Rejected rows and notes are not in it.
-        """
+    def columns(self) -> dict[str, Any]:
+        """Return the columns of a table of the shots by their headings, numbers in the units that these name."""
         columns: dict[str, Any] = {}
         for name, texts in (("club", self.clubs), (HAND, self.hand)):
             if texts is not None:
@@ -185,7 +177,14 @@ class RecordedShots:
         for name, si_unit in self.units().items():
             named, shown = heading_of(name, si_unit)
             columns[named] = from_si(of[name], shown)
-        write_columns(columns, Path(path))
+        return columns
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Write the shots to a CSV or Parquet file, by its ending, as :func:`clubface.read_shots` reads them.
+
+        The file has its name only once it is complete. Rejected rows and notes are not in it.
+        """
+        write_columns(self.columns(), Path(path))
 
 
 def with_both_spins(launches: Mapping[str, Floats]) -> dict[str, Floats]:

@@ -38,9 +38,12 @@ class Request(NamedTuple):
     ----------
     own
         The ball as :meth:`Backend.balls` gave it.
+    club
+        As of :func:`clubface.club`; the inputs hold its values, some of which a shot may have changed.
     """
 
     own: Any
+    club: Any
     model: str
     inputs: Sequence[Any]
     parameters: Sequence[Any]
@@ -75,7 +78,7 @@ class ReducedCore:
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
         """Compute all shots at once."""
-        return core.impact(*shots[1:])
+        return core.impact(*shots[2:])
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
         """Return None: :func:`clubface.history` tells more."""
@@ -87,4 +90,4 @@ REDUCED = ReducedCore()
 
 def backend_of(model: str) -> Backend:
     """Return what computes a model; of an unknown one, its parameters say that there is none."""
-    return import_module(MODULES[model]).BACKEND if model in MODULES else REDUCED
+    return import_module(MODULES[model]).BACKEND if isinstance(model, str) and model in MODULES else REDUCED

@@ -117,7 +117,8 @@ def _of_shape(value: Any, shape: tuple[int, ...]) -> Any:
 def _wind(wind: Any) -> Mapping[str, Any]:
     if wind is None or isinstance(wind, Mapping):
         return wind or {}
-    if isinstance(wind, str) or not hasattr(wind, "__len__") or len(wind) != 3:
+    scalar = isinstance(wind, str) or not hasattr(wind, "__len__") or getattr(wind, "ndim", 1) == 0
+    if scalar or len(wind) != 3:
         raise InputError("wind", wind, 'three values: to the target, up and right, as in ("-10 mph", 0, 0)')
     return {f"wind_{axis}": value for axis, value in zip(AXES, wind, strict=True)}
 

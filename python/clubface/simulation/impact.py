@@ -139,7 +139,7 @@ def impact(
     count = math.prod(hit.shape)
     try:
         computed, problems = backend.launches(
-            Request(own, model, hit.columns, columns, count, accuracy, cores, progress)
+            Request(own, hit.club, model, hit.columns, columns, count, accuracy, cores, progress)
         )
     except ValueError as error:
         raise shot_error(error, hit.columns, chosen) from None
@@ -159,7 +159,7 @@ def model_names(model: ModelNames) -> tuple[str, ...]:
         names = tuple(model)
     except TypeError:
         names = ()
-    if not names:
+    if not names or not all(isinstance(each, str) for each in names):
         raise InputError("model", model, '"all" or at least one of ' + ", ".join(models()))
     return names
 

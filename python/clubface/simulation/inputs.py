@@ -233,6 +233,8 @@ def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:
             raise InputError("parameters", Told(f"a set of {given.model}"), f"a set of {model_name}")
         return given
     if isinstance(given, Mapping):
+        for name in given:
+            model(model_name).parameter(name)
         return _published(model_name, family).replace(**given)
     if isinstance(given, os.PathLike) or (isinstance(given, str) and given.endswith(".toml")):
         return ParameterSet.from_toml(given, model=model_name, club=family)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from clubface.equipment.balls import Ball
@@ -13,6 +12,7 @@ from clubface.equipment.parameters import ParameterSet
 from clubface.simulation.inputs import Shots
 from clubface.simulation.quantities import Quantity, input_columns, inputs, outputs
 from clubface.simulation.results import Result, Varied
+from clubface.support.frozen import Frozen
 from clubface.support.version import __version__
 
 if TYPE_CHECKING:
@@ -167,7 +167,7 @@ def computed_with(
     club: Club,
     ball: Ball,
     accuracy: float | None,
-    varied: Mapping[str, Any] = MappingProxyType({}),
+    varied: Mapping[str, Any] = Frozen({}),
 ) -> dict[str, Any]:
     """Return the provenance that launches share: model, parameters with source and caveats, club, ball and version."""
     declared = model(of_model)

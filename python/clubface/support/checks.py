@@ -21,7 +21,8 @@ def check_text(parameter: str, value: object) -> None:
 
 def check_choice(parameter: str, value: object, known: Iterable[str]) -> None:
     """Refuse a value that is not one of the ``known`` words."""
-    if value not in (known := tuple(known)):
+    known = tuple(known)
+    if not isinstance(value, str) or value not in known:  # an array has no answer to whether it is in
         raise UnknownNameError(parameter, value, known)
 
 

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 WORK, LOCK = "work.json", "lock"
 """The files of a store that tell what it is of, and who works on it."""
+LARGEST = 64_000_000
+"""Bytes of a file in which values are kept."""
 OFTEN = 0.5
 """What is finished is on the disk after this time at most [s]: small values are written together."""
 
@@ -74,6 +76,10 @@ def _told(value: Any) -> Any:
     if isinstance(value, (np.ndarray, np.generic)):
         return _told(value.tolist())
     raise TypeError(f"a {type(value).__name__} has no fingerprint")
+
+
+def _sum(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 class Store:
@@ -153,13 +159,13 @@ class Store:
         work = self.folder / WORK
         begun = self._read(WORK) if work.exists() else None
         if begun is None:
-            write_text(work, json.dumps(told))
+            self._write(WORK, told)
         elif not resume:
             try:
                 self._clear()
             except OSError as error:
                 raise unwritable(self.folder, error) from None
-            write_text(work, json.dumps(told))
+            self._write(WORK, told)
         elif other := [name for name in {**told, **begun} if told.get(name) != begun.get(name)]:
             message = f"this was begun with another {', another '.join(other)}; {otherwise}"
             raise FileError(str(self.folder), None, message)
@@ -168,12 +174,18 @@ class Store:
                 self._values |= self._read(name)
                 self._batches = int(name.partition(".")[0]) + 1
 
+    def _write(self, name: str, values: Mapping[str, Any]) -> None:
+        text = json.dumps(values)
+        write_text(self.folder / name, f'{{"sum": "{_sum(text)}", "values": {text}}}')
+
     def _read(self, name: str) -> dict[str, Any]:
+        """Return what was written; a sum over it tells damage."""
+        path = self.folder / name
         try:
-            found = json.loads((self.folder / name).read_text(encoding="utf-8"))
-            if isinstance(found, dict):
-                return found
-        except (OSError, ValueError, RecursionError):
+            found = json.loads(path.read_bytes()) if path.stat().st_size <= LARGEST else {}
+            if found["sum"] == _sum(json.dumps(found["values"])):
+                return found["values"]
+        except (OSError, ValueError, KeyError, TypeError, RecursionError, OverflowError):
             pass
         message = "this record of unfinished work is damaged; remove the folder it is in, and start again"
         raise FileError(str(self.folder / name), None, message)
@@ -219,7 +231,7 @@ class Store:
     def flush(self) -> None:
         """Bring all values to the disk."""
         if self._fresh:
-            write_text(self.folder / f"{self._batches:08d}.json", json.dumps(self._fresh))
+            self._write(f"{self._batches:08d}.json", self._fresh)
             self._batches += 1
             self._fresh = {}
         self._written = time.monotonic()

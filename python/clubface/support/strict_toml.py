@@ -10,6 +10,13 @@ from clubface.errors import ClubfaceError, FileError, UnknownNameError
 
 MAXIMUM_SIZE = 1_000_000
 """Bytes; no club, ball or parameter file comes near it."""
+MOST_PARTS = 16
+"""Names in a dotted key, and brackets in brackets; the files of clubface have three."""
+NESTED = f"nested too deeply, more than {MOST_PARTS} tables or lists in each other"
+INTEGERS = range(-(2**63), 2**63)
+"""Whole numbers that TOML has."""
+_TEXT = r'"""(?:[^\\]|\\.)*?"""|\'\'\'.*?\'\'\'|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'|#[^\n]*'
+"""Texts and comments."""
 
 
 class Document:
@@ -28,11 +35,18 @@ class Document:
 
         self.path = path
         self._lines = text.splitlines()
+        _check_depth(text, path)
         try:
             self.data: dict[str, Any] = tomllib.loads(text)
         except (ValueError, RecursionError) as error:
-            message = "nested too deeply" if isinstance(error, RecursionError) else str(error)
+            message = NESTED if isinstance(error, RecursionError) else str(error)
+            if "int_max_str_digits" in message:
+                message = "a whole number has thousands of digits"
             raise FileError(path, _line_in(message), f"this is not TOML: {message}") from None
+        for key, value in self.data.items():
+            if not _is_within_integers(value):
+                message = f"{key} holds a whole number of more than 64 bits, which TOML does not have"
+                raise FileError(path, self.line(key), message, key)
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Document:
@@ -112,6 +126,31 @@ class Document:
         places = [(named, table), (key, inside or table), (key, f"{table}.{inside}"), (inside, table)]
         lines = (self.line(name, place, occurrence) for name, place in places if name)
         return FileError(self.path, next(filter(None, lines), None), str(error), named or None)
+
+
+def _check_depth(text: str, path: str) -> None:
+    """Refuse keys of many parts and deep nesting, on which a parser would spend gigabytes, before it reads them."""
+    import re
+
+    # What stands in texts and comments does not count; their ends of lines do.
+    bare = re.sub(_TEXT, lambda found: "\n" * found[0].count("\n"), text, flags=re.DOTALL)
+    if len(bare) <= MOST_PARTS:
+        return
+    depth = 0
+    for line, content in enumerate(bare.split("\n"), 1):
+        for part in re.split(r"([\[\]{},=])", content):
+            depth += (part in ("[", "{")) - (part in ("]", "}"))
+            if depth > MOST_PARTS or part.count(".") >= MOST_PARTS:
+                raise FileError(path, line, f"this is not TOML of clubface: {NESTED}")
+
+
+def _is_within_integers(value: Any) -> bool:
+    """Tell whether all whole numbers in a document are such as TOML has; others would not fit any computation."""
+    if isinstance(value, dict):
+        return all(map(_is_within_integers, value.values()))
+    if isinstance(value, list):
+        return all(map(_is_within_integers, value))
+    return not isinstance(value, int) or value in INTEGERS
 
 
 def quoted(text: str) -> str:

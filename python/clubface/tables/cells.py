@@ -8,15 +8,21 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from clubface.equipment.described import HANDS
+from clubface.errors import shortened
 from clubface.tables.headings import HAND, Column
+from clubface.tables.spelling import unit_symbol
+from clubface.units import from_si, to_si, unit
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 MISSING = frozenset({"", "-", "--", "---", "–", "—", "n/a", "na", "nan", "null", "none"})
 """Cells that say that nothing was measured, in lower case."""
-NUMBER = re.compile(r"(?:(?P<before>[LR])\s*)?(?P<number>[-+]?[\d.,]+(?:e[-+]?\d+)?)\s*(?P<rest>\D*)", re.IGNORECASE)
-"""A number, which a side may precede or follow, and a unit follow."""
+NUMBER = re.compile(
+    r"(?:(?P<before>[LR])\s*+)?(?P<number>[-+]?[\d.,]++(?:e[-+]?\d++)?)\s*+(?P<rest>\D*+)", re.IGNORECASE
+)
+"""A number, which a side may precede or follow, and a unit follow. It gives nothing back (``++``): a cell of 40,000
+commas and a digit would be tried in a billion ways."""
 THOUSANDS = {
     ",": re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?"),
     ".": re.compile(r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?"),
@@ -93,15 +99,27 @@ def parsed(cells: Sequence[str], column: Column, decimal_comma: bool) -> tuple[N
     for row, cell in enumerate(cells):
         text = cell.strip()
         try:
-            values[row] = hand_of(text) if is_hand else number(text, decimal_comma)
+            values[row] = hand_of(text) if is_hand else _in_unit(text, column.unit, decimal_comma)
             if not math.isfinite(values[row]):
-                reasons[row] = f"{column.heading}: {text!r} is not a finite number"
+                reasons[row] = f"{column.heading}: {quoted_cell(text)} is not a finite number"
         except ValueError:
-            told = f"{shortened(text)} is not {'right or left' if is_hand else 'a number'}"
+            told = f"{quoted_cell(text)} is not {'right or left' if is_hand else 'a number'}"
             reasons[row] = f"{column.heading}: {told if text else 'the cell is empty'}"
     return values, reasons
 
 
-def shortened(text: str) -> str:
+def _in_unit(text: str, symbol: str, decimal_comma: bool) -> float:
+    """Return the number of a cell, which may name a unit of its own, in the unit of its column; else ValueError."""
+    found = NUMBER.fullmatch(text)
+    if found is None or found["before"] or not found["rest"]:
+        return number(text, decimal_comma)
+    told = unit_symbol(found["rest"])
+    if told is None or unit(told).dimension != unit(symbol).dimension:
+        raise ValueError
+    value = number(found["number"], decimal_comma)
+    return value if told == symbol else from_si(to_si(value, told), symbol)
+
+
+def quoted_cell(text: str) -> str:
     """Return a cell as an error shows it."""
-    return repr(text if len(text) <= 40 else text[:37] + "...")
+    return repr(shortened(text, 40))

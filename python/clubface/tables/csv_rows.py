@@ -12,6 +12,8 @@ from clubface.tables.rows import Reject
 
 LONGEST_LINE = 2_000_000
 """Bytes; a longer line is no row of a table."""
+MOST_CELLS = 2000
+"""Of a row; the widest exports have some hundred columns."""
 DECIMAL_ROWS = 200
 """Rows that tell how numbers are written."""
 FALLBACK = "cp1252"
@@ -120,13 +122,27 @@ class CsvRows:
                 self.other_encoding = True
                 text = raw.decode(FALLBACK, errors="replace")
             self._raw.append(text)
+            self._check_row(text)
             yield text
+
+    def _check_row(self, text: str) -> None:
+        """Refuse a row, as far as it is read, that no table of shots has: its cells would fill the memory."""
+        self._cells += text.count(self.delimiter)
+        self._length += len(text)
+        if self._cells >= MOST_CELLS:
+            message = f"the row that begins here has some {self._cells + 1} cells; a table has at most {MOST_CELLS}"
+        elif self._length >= LONGEST_LINE:
+            message = f"the row that begins here is longer than {LONGEST_LINE // 1_000_000} MB"
+        else:
+            return
+        raise FileError(self.path, self._begins, f"{message}: this is no table of shots")
 
     def next(self) -> Row | Reject | None:
         """Return the next row that is not blank and the line it begins at; one that is no CSV, all its text."""
         while True:
-            begins = self._before + self._reader.line_num + 1
+            self._begins = begins = self._before + self._reader.line_num + 1
             self._raw.clear()
+            self._cells = self._length = 0
             try:
                 cells = next(self._reader)
             except StopIteration:

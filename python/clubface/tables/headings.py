@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from functools import cache
 from typing import NamedTuple
 
 from clubface import units
-from clubface.errors import FileError
+from clubface.errors import FileError, shortened
 from clubface.simulation.quantities import flight_outputs, input_dimensions, inputs, outputs
 from clubface.tables.spelling import bracketed, plain, unit_of_column
 
@@ -129,6 +130,11 @@ class Layout(NamedTuple):
     notes: tuple[str, ...]
 
 
+POINTS = {"speed_at": ("cg", "face", "unknown"), "face_at": ("face", "contact", "unknown")}
+"""Columns that say where on the club its motion and its face angles were taken, and what they may say, first where
+models want them. They are there only where it is elsewhere."""
+
+
 def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabulary | None = None) -> Layout:
     """Find the quantities among ``headings``; a unit that does not fit or a repeated column is an error.
 
@@ -136,19 +142,19 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
     """
     words = words or delivery_words()
     named = tuple(heading.strip() or f"column_{place + 1}" for place, heading in enumerate(headings))
-    for place, heading in enumerate(named):
-        if heading in named[:place]:
-            raise FileError(path, line, f"the column {heading!r} is there twice", heading)
+    if len(set(named)) < len(named):
+        heading = next(each for each, count in Counter(named).items() if count > 1)
+        raise FileError(path, line, f"the column {heading!r} is there twice", heading)
     used: dict[str, Column] = {}
     passed, notes = [], []
     for place, heading in enumerate(named):
-        name, unit = _split(heading, words)
+        name, unit = split_heading(heading, words)
         quantity = words.names.get(name)
         if quantity is None:
             passed.append(heading)
-            near = _near(name, words.names)
+            near = None if name in POINTS else _near(name, words.names)
             if near is not None:
-                notes.append(f"the column {heading!r} is not used; did you mean {near}?")
+                notes.append(f"the column {shortened(heading, 80)!r} is not used; did you mean {near}?")
             continue
         if quantity in used:
             message = f"the columns {used[quantity].heading!r} and {heading!r} both give the {quantity}"
@@ -157,7 +163,7 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
         if unit is not None:
             symbol = unit_of_column(unit, dimension, heading, (path, line))
         elif (symbol := units.SI_UNITS[dimension]) != "1":
-            notes.append(f"the column {heading!r} names no unit and is taken in {symbol}")
+            notes.append(f"the column {shortened(heading, 80)!r} names no unit and is taken in {symbol}")
         used[quantity] = Column(place, heading, quantity, symbol)
     return Layout(named, tuple(used.values()), tuple(passed), tuple(notes))
 
@@ -171,11 +177,12 @@ def require_speed(found: Layout, path: str, line: int | None) -> None:
 
 def listed(headings: Sequence[str]) -> str:
     """Name the columns there are, the first dozen of them; what no terminal should be sent becomes a question mark."""
-    shown = ["".join(each if each.isprintable() else "?" for each in heading) for heading in headings[:12]]
+    first = [shortened(heading, 40) for heading in headings[:12]]
+    shown = ["".join(each if each.isprintable() else "?" for each in heading) for heading in first]
     return "there are: " + ", ".join(shown) + (", ..." if len(headings) > 12 else "")
 
 
-def _split(heading: str, words: Vocabulary) -> tuple[str, str | None]:
+def split_heading(heading: str, words: Vocabulary) -> tuple[str, str | None]:
     """Return the name in lower case and the unit of a heading, known or not: ``club_speed_mph``, ``Speed [mph]``."""
     before, told = bracketed(heading)
     name = plain_name(before)

@@ -54,6 +54,7 @@ class ParquetReader:
         """Yield the rows after the first ``skip``, some ``rows`` at a time."""
         try:
             for batch in self._file.iter_batches(rows):
+                batch.validate(full=True)  # text that is not UTF-8, which a damaged page brings
                 first, self._read = self._read, self._read + batch.num_rows
                 if self._read > skip:
                     from_ = max(0, skip - first)

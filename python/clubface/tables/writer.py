@@ -109,11 +109,12 @@ def write_columns(columns: Mapping[str, Any], path: Path) -> None:
         if parquet:
             write_parquet(columns, file, path)
         else:
-            rows = zip(*(map(_cell, each) for each in columns.values()), strict=True)
+            rows = zip(*(map(cell_text, each) for each in columns.values()), strict=True)
             file.write(_lines([list(columns), *rows], "\t" if path.suffix.lower() == ".tsv" else ","))
 
 
-def _cell(value: Any) -> str:
+def cell_text(value: Any) -> str:
+    """Return a text or a number as a cell has it, NaN as an empty one."""
     if isinstance(value, str):
         return value
     return "" if math.isnan(value) else repr(float(value))

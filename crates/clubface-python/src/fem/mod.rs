@@ -129,10 +129,10 @@ pub fn fem_plane<'py>(
     run: RunValues,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let ball = ball_of(&ball)?;
-    let mut simulation = ball_against_plane(&ball, speed, angle, friction, &Environment::native())
+    let (pool, ball) = (pool_of(&run)?, ball_of(&ball)?);
+    let mut simulation = ball_against_plane(&ball, speed, angle, friction, &Environment::of_pool(&pool))
         .map_err(|e| error_of(&e))?;
-    let result = run_simulation(py, &mut simulation, &run, progress)?;
+    let result = run_simulation(py, &mut simulation, &pool, &run, progress)?;
     to_dict(py, &simulation, &result, None)
 }
 
@@ -149,10 +149,10 @@ pub fn fem_head<'py>(
     run: RunValues,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (touch, ball) = (touch_of(&inputs)?, ball_of(&ball)?);
-    let mut simulation =
-        ball_against_rigid_head(&ball, &touch, friction, &Environment::native()).map_err(|e| error_of(&e))?;
-    let result = run_simulation(py, &mut simulation, &run, progress)?;
+    let (pool, touch, ball) = (pool_of(&run)?, touch_of(&inputs)?, ball_of(&ball)?);
+    let mut simulation = ball_against_rigid_head(&ball, &touch, friction, &Environment::of_pool(&pool))
+        .map_err(|e| error_of(&e))?;
+    let result = run_simulation(py, &mut simulation, &pool, &run, progress)?;
     to_dict(py, &simulation, &result, Some(&touch))
 }
 
@@ -169,11 +169,11 @@ pub fn fem_deformable<'py>(
     run: RunValues,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (touch, ball, head) = (touch_of(&inputs)?, ball_of(&ball)?, any_head(&head)?);
+    let (pool, touch, ball, head) = (pool_of(&run)?, touch_of(&inputs)?, ball_of(&ball)?, any_head(&head)?);
     let mut simulation =
-        ball_against_deformable_head(&*head, &ball, &touch, friction, &Environment::native())
+        ball_against_deformable_head(&*head, &ball, &touch, friction, &Environment::of_pool(&pool))
             .map_err(|e| error_of(&e))?;
-    let result = run_simulation(py, &mut simulation, &run, progress)?;
+    let result = run_simulation(py, &mut simulation, &pool, &run, progress)?;
     to_dict(py, &simulation, &result, Some(&touch))
 }
 
@@ -236,7 +236,9 @@ pub fn fem_sensitivity<'py>(
             });
             called.map_err(|error| raised = Some(error)).is_ok()
         };
-        on_threads(&pool, || setting.sensitivity(&variables, &options, &Environment::native(), &mut observer))
+        on_threads(&pool, || {
+            setting.sensitivity(&variables, &options, &Environment::of_pool(&pool), &mut observer)
+        })
     });
     if let Some(error) = raised {
         return Err(error);

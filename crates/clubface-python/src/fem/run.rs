@@ -10,6 +10,7 @@ use numpy::{PyArray1, PyArray2, PyArray3};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::Arc;
 
 pub(super) fn options_of(run: &RunValues) -> PyResult<Options> {
     Ok(Options {
@@ -23,10 +24,12 @@ pub(super) fn options_of(run: &RunValues) -> PyResult<Options> {
     })
 }
 
-pub(super) fn pool_of(run: &RunValues) -> PyResult<rayon::ThreadPool> {
+/// Threads of a run alone: rayon's global pool has none in a process that was forked from one that used it.
+pub(super) fn pool_of(run: &RunValues) -> PyResult<Arc<rayon::ThreadPool>> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(run.threads)
         .build()
+        .map(Arc::new)
         .map_err(|e| PyValueError::new_err(("threads", "", e.to_string())))
 }
 
@@ -85,6 +88,7 @@ fn add_frame(simulation: &mut Simulation<f64>, positions: &mut Vec<f64>, fields:
 pub(super) fn run_simulation<'py>(
     py: Python<'py>,
     simulation: &mut Simulation<f64>,
+    pool: &rayon::ThreadPool,
     run: &RunValues,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<RunResult> {
@@ -94,7 +98,6 @@ pub(super) fn run_simulation<'py>(
     let (frames, interval) = (run.frames, run.interval);
     let (mut times, mut positions, mut contact_points) = (Vec::new(), Vec::new(), Vec::new());
     let (mut fields, mut raised) = (ElementFields::default(), None);
-    let pool = pool_of(run)?;
     let result = py.detach(|| {
         let mut observer = |mut snapshot: Snapshot<f64>| {
             let at = snapshot.progress;
@@ -117,7 +120,7 @@ pub(super) fn run_simulation<'py>(
                 }
             }
         };
-        on_threads(&pool, || simulation.run(&options, &mut observer))
+        on_threads(pool, || simulation.run(&options, &mut observer))
     });
     let result = result.map_err(|e| error_of(&e))?;
     if let Some(error) = raised {

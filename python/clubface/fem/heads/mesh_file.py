@@ -4,49 +4,67 @@ from __future__ import annotations
 
 import os
 import sys
-from contextlib import redirect_stderr, redirect_stdout
-from io import StringIO
-from typing import Any
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
 
-from clubface.errors import FileError
+from clubface.errors import FileError, in_a_line, shortened
+from clubface.fem.heads.mesh_lines import check_lines
+from clubface.support.apart import Apart, ApartError
+
+LIBRARY = Apart(Path(__file__).with_name("meshio_library.py"))
+MEMORY = 200
+"""Bytes that the library may take for a byte of the file; it takes some 20."""
+SPEED = 1e5
+"""Bytes a second, slower than any machine reads them."""
 
 
-def read_mesh(path: str) -> Any:
-    """Return the mesh in a file, as meshio's ``Mesh``.
+class Mesh(NamedTuple):
+    """A mesh as meshio has it, without what no head needs.
+
+    Attributes
+    ----------
+    points
+        Places of the nodes, shape (nodes, 3).
+    cells
+        Blocks of elements: their kind, and their nodes.
+    field_data, cell_data, cell_sets
+        Names and numbers of groups.
+    """
+
+    points: Any
+    cells: Sequence[tuple[str, Any]]
+    field_data: Mapping[str, Any]
+    cell_data: Mapping[str, Any]
+    cell_sets: Mapping[str, Any]
+
+
+def read_mesh(path: str) -> Mesh:
+    """Return the mesh in a file.
 
     Raises
     ------
     FileError
         There is no such file, or meshio cannot read it. What the readers of meshio print is left out, or part of the
-        message.
+        message. In text files of Gmsh and Abaqus, the line of a damaged node is named.
     """
-    import meshio
-
     if not os.path.isfile(path):
         raise FileError(path, None, "there is no such file")
-    out, notes = StringIO(), StringIO()
+    check_lines(path)
+    size = os.path.getsize(path)
     try:
-        with redirect_stdout(out), redirect_stderr(notes):
-            mesh = meshio.read(path)
-    except SystemExit:
-        # All readers for this kind of name have tried, and printed why they gave up.
-        tried = " ".join(out.getvalue().split()) or f"it does not hold what files of this name ({_ending(path)}) hold"
-        raise FileError(path, None, f"this mesh cannot be read: {tried}") from None
-    # Readers raise whatever a broken file makes them stumble over.
-    except Exception as error:
-        reason = " ".join(str(error).split()) or type(error).__name__
-        raise FileError(path, None, f"this mesh cannot be read: {reason}") from None
-    sys.stderr.write(notes.getvalue())
-    return mesh
+        found = LIBRARY.call("contents", os.path.abspath(path), memory=MEMORY * size, seconds=size / SPEED)
+    except ApartError as error:
+        raise FileError(path, None, f"this mesh cannot be read: {shortened(str(error), 200)}") from None
+    notes = found.pop("notes")
+    if notes.strip():
+        print(in_a_line(f"{path}: {shortened(' '.join(notes.split()), 200)}"), file=sys.stderr)
+    return Mesh(**found)
 
 
-def _ending(path: str) -> str:
-    return os.path.splitext(path)[1]
-
-
-def group_names(mesh: Any, path: str) -> list[list[str]]:
+def group_names(mesh: Mesh, path: str) -> list[list[str]]:
     """Return the name of the group of each element, by block."""
-    names = [[""] * len(block.data) for block in mesh.cells]
+    names = [[""] * len(data) for _, data in mesh.cells]
     # Physical groups of Gmsh: numbers on the elements, names in the field data.
     tags = {int(value[0]): name for name, value in mesh.field_data.items() if len(value) > 1 and value[1] == 2}
     for key in ("gmsh:physical", "medit:ref", "group", "part"):
@@ -56,8 +74,8 @@ def group_names(mesh: Any, path: str) -> list[list[str]]:
         for block, members in enumerate(sets):
             for member in () if members is None else members:
                 names[block][int(member)] = name
-    for block, each in zip(mesh.cells, names, strict=True):
-        if block.type == "quad" and "" in each:
+    for (kind, _), each in zip(mesh.cells, names, strict=True):
+        if kind == "quad" and "" in each:
             message = f"element {each.index('')} belongs to no group; name physical groups or cell sets in the mesh"
             raise FileError(path, None, message)
     return names

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from clubface import units
-from clubface.equipment.clubs import Club
+from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 from clubface.fem import core
 from clubface.fem.core import beside
 
@@ -80,5 +81,42 @@ class MeshedHead(ABC):
         """How far the CG lies above the face normal through the face centre, along the face [m]."""
         return self.club.cg_x * math.sin(self.loft) - self.club.cg_y * math.cos(self.loft)
 
+    def as_club(self, **changes: Any) -> MeshedClub:
+        """Return the club that finite elements take as this mesh and every other model as the rigid head.
+
+        ``changes`` are those of :meth:`clubface.Club.replace`, for what a mesh does not say.
+        """
+        rigid = self.club.replace(**changes) if changes else self.club
+        return MeshedClub(**{each.name: getattr(rigid, each.name) for each in fields(Club)}, head=self)
+
     def __repr__(self) -> str:
         return f"<head {self.name}: {self.elements} elements, {units.fixed(self.club.mass, 'g', 1)}>"
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeshedClub(Club):
+    """A club that was read from the file of a meshed head, and keeps the mesh.
+
+    Attributes
+    ----------
+    head
+        The mesh.
+    """
+
+    head: MeshedHead = field(repr=False)
+
+    def replace(self, **changes: Any) -> Self:
+        """Return it with fields changed; with other mass, inertia or shape it is a rigid club without a mesh."""
+        if OF_THE_MESH & set(changes):
+            plain = Club(**{each.name: getattr(self, each.name) for each in fields(Club)})
+            return plain.replace(**changes)  # pyright: ignore[reportReturnType]
+        return super().replace(**changes)
+
+
+OF_THE_MESH = set(CLUB_PROPERTIES) - {"characteristic_time", "cor"}
+"""What a mesh says of a club."""
+
+
+def mesh_of(club: Any) -> MeshedHead | None:
+    """Return the mesh of a head, or of a club that has one; None for a rigid one."""
+    return club if isinstance(club, MeshedHead) else club.head if isinstance(club, MeshedClub) else None

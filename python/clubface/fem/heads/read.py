@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.fem.heads.driver import SHAPE, TARGETS, WALLS, DriverHead
 from clubface.fem.heads.iron import GROOVES, SHAPE as IRON_SHAPE, IronHead
-from clubface.fem.heads.meshed import MeshedHead
+from clubface.fem.heads.meshed import MeshedClub, MeshedHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import MASS_KEYS, parsed_places
 from clubface.fem.heads.user_mesh import Group, MeshHead
@@ -23,7 +23,9 @@ FOLDER = "fem_heads"
 DRIVER, IRON, MESH = "driver", "iron", "mesh"
 SOLID_METAL_KEYS = ("youngs", "poisson", "density", "yield", "hardening")
 METAL_KEYS = (*SOLID_METAL_KEYS, "points", "rule")
-COMMON = ("name", "description", "kind")
+OF_A_CLUB = ("hand", "parameters", "characteristic_time", "cor")
+"""What a file may say of the head as a rigid club, for the models that take it as one."""
+COMMON = ("name", "description", "kind", *OF_A_CLUB)
 KEYS = {
     DRIVER: (*COMMON, "elements", "scales", "shape", "thickness", "target", "metal", "trims"),
     IRON: (*COMMON, "elements", "element", "shape", "grooves", "metal", "masses"),
@@ -36,10 +38,10 @@ def head_names() -> tuple[str, ...]:
     return builtin_names(FOLDER)
 
 
-def head(which: str | os.PathLike[str] | MeshedHead | Design) -> MeshedHead:
+def head(which: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> MeshedHead:
     """Return a meshed head: by its built-in name, from a TOML file, or from its design."""
-    if isinstance(which, MeshedHead):
-        return which
+    if isinstance(which, MeshedHead | MeshedClub):
+        return which if isinstance(which, MeshedHead) else which.head
     if isinstance(which, DriverHead | IronHead | MeshHead):
         return which.mesh()
     return _meshed(path_of("head of finite elements", which, FOLDER))
@@ -50,10 +52,26 @@ def from_toml(path: str | os.PathLike[str]) -> Design:
     return _design(Document.read(path), Path(os.fspath(path)).parent)
 
 
+def club_of(document: Document) -> MeshedClub:
+    """Return the club of a file of a head: for finite elements its mesh, for every other model what that weighs.
+
+    ``hand``, ``parameters``, and ``characteristic_time`` or ``cor`` of the file are those of a club; without one of the
+    last two, the models that take the head as rigid take its face as rigid as well.
+    """
+    made = _mesh_of(document)
+    try:
+        return made.as_club(**{key: document.data[key] for key in OF_A_CLUB if key in document.data})
+    except ClubfaceError as error:
+        raise document.wrap(error) from error
+
+
 def _meshed(path: str | os.PathLike[str]) -> MeshedHead:
+    return _mesh_of(Document.read(path))
+
+
+def _mesh_of(document: Document) -> MeshedHead:
     """Mesh the head of a file; what is wrong with the mesh is told with the file too."""
-    document = Document.read(path)
-    design = _design(document, Path(os.fspath(path)).parent)
+    design = _design(document, Path(document.path).parent)
     try:
         made = design.mesh()
         # The core checks a mesh when it weighs it.
@@ -74,7 +92,8 @@ def _design(document: Document, folder: Path) -> Design:
     if not isinstance(kind, str) or kind not in KEYS:
         raise document.error(f"kind must be one of {', '.join(KEYS)}, not {kind!r}", "kind")
     document.check_keys(data, KEYS[kind], ("name",))
-    document.check_text(data, ("name", "description", "file", "unit", "element"))
+    document.check_text(data, ("name", "description", "file", "unit", "element", "hand", "parameters"))
+    data = {key: value for key, value in data.items() if key not in OF_A_CLUB}
     if kind == DRIVER:
         return _driver(document, data)
     if kind == IRON:

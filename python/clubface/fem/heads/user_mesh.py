@@ -188,8 +188,8 @@ class MeshHead:
 
         path = os.fspath(self.file)
         mesh = read_mesh(path)
-        blocks = [(number, block) for number, block in enumerate(mesh.cells) if block.type == "quad"]
-        others = sorted({block.type for block in mesh.cells if block.type not in ("quad", "line", "vertex")})
+        blocks = [(number, data) for number, (kind, data) in enumerate(mesh.cells) if kind == "quad"]
+        others = sorted({kind for kind, _ in mesh.cells if kind not in ("quad", "line", "vertex")})
         if not blocks or others:
             found = ", ".join(others) or "none"
             raise FileError(
@@ -198,11 +198,11 @@ class MeshHead:
         names = group_names(mesh, path)
         known = {group.name: place for place, group in enumerate(self.groups)}
         quads, of_group = [], []
-        for number, block in blocks:
+        for number, data in blocks:
             for name in names[number]:
                 if name not in known:
                     raise FileError(path, None, str(UnknownNameError("group of the mesh", name, tuple(known))))
-            quads.append(np.asarray(block.data))
+            quads.append(np.asarray(data))
             of_group.append(np.array([known[name] for name in names[number]], dtype=np.int64))
         points = np.zeros((len(mesh.points), 3))
         points[:, : mesh.points.shape[1]] = mesh.points

@@ -24,6 +24,10 @@ TICK = 0.05
 """Longest wait before the clock and the request to stop are looked at [s]."""
 PARTIAL = 5.0
 """Time after which a message that has begun and not ended is given up [s]."""
+SILENT = 10.0
+"""Time after which a connection that has not sent one message is closed [s]."""
+IDLE = 1800.0
+"""The same since its last message for one that has [s]: people talk and eat, and not every monitor sends heartbeats."""
 
 
 def check_port(port: int, lowest: int) -> None:
@@ -39,14 +43,21 @@ class _Client:
         self.connection = connection
         self.name = name
         self.stream = ObjectStream()
-        self.heard = time.monotonic()
+        self.heard = self.spoke = time.monotonic()
+        self.has_spoken = False
+
+    def is_idle(self, now: float) -> bool:
+        """Whether it has been silent for too long."""
+        return now - self.spoke > (IDLE if self.has_spoken else SILENT)
 
 
 class Listener:
     """Listens for launch monitors on the local machine; iterate over :meth:`messages`, in a ``with`` statement.
 
     A shot is answered with code 200 once ``keep`` has returned, and a message that cannot be used with code 501 and the
-    reason. Heartbeats and states are not answered. Several monitors may be connected at once, and may come and go.
+    reason. Heartbeats and states are not answered. Several monitors may be connected at once, and may come and go. A
+    connection that sends no message is closed after 10 s, one that has sent some after half an hour; and where all
+    places are taken, the one that has been silent longest, and for 10 s, makes room.
 
     Parameters
     ----------
@@ -128,6 +139,7 @@ class Listener:
                     if self._stopped:
                         return
             self._give_up_partial()
+            self._close_idle()
             if timeout is not None and time.monotonic() - last > timeout:
                 return
 
@@ -140,7 +152,7 @@ class Listener:
         except OSError:
             return
         name = f"{address[0]}:{address[1]}"
-        if len(self._clients()) >= MOST_CLIENTS:
+        if len(self._clients()) >= MOST_CLIENTS and not self._made_room():
             self._tell(f"{name} was turned away: {MOST_CLIENTS} monitors are connected")
             connection.close()
             return
@@ -165,6 +177,8 @@ class Listener:
             return
         client.heard = time.monotonic()
         for found in client.stream.feed(data):
+            if not isinstance(found, Broken):
+                client.spoke, client.has_spoken = client.heard, True
             try:
                 if isinstance(found, Broken):
                     raise MessageError(found.reason)
@@ -194,6 +208,20 @@ class Listener:
             self._selector.unregister(client.connection)
             self._tell(f"{client.name} {how}")
         client.connection.close()
+
+    def _made_room(self) -> bool:
+        """Close the connection that has been silent longest, if it is long; return whether there is room."""
+        quietest = min(self._clients(), key=lambda client: client.spoke)
+        if time.monotonic() - quietest.spoke <= SILENT:
+            return False
+        self._leave(quietest, "was silent longest, and makes room for another")
+        return True
+
+    def _close_idle(self) -> None:
+        now = time.monotonic()
+        for client in self._clients():
+            if client.is_idle(now):
+                self._leave(client, "was silent for too long and is disconnected")
 
     def _give_up_partial(self) -> None:
         now = time.monotonic()

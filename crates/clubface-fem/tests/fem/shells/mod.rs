@@ -2,6 +2,7 @@
 
 mod benchmarks;
 mod heads;
+mod hourglass;
 mod patches;
 mod plates;
 mod support;

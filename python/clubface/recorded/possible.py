@@ -1,0 +1,97 @@
+"""Which values can have been measured at all: what lies beyond them is a sign for "not measured", or a slip.
+
+Programs of launch monitors write many things where nothing was measured: the least whole number that they can hold, the
+greatest, -999, a negative ratio. They do not publish which, so a value is judged by what a golf shot can be. The limits
+are wide: they are no judgement of a player.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.support.arrays import Floats
+from clubface.tables.headings import shot_words
+from clubface.units import SI_UNITS, display_unit, show, to_si
+
+_SPEED = to_si(200.0, "mph")
+"""The fastest clubs of long drive contests reach about 160 mph."""
+_BALL_SPEED = 2.0 * _SPEED
+"""A heavy body that hits a light one elastically sends it off at twice its own speed: nothing sends it off faster."""
+_SPIN = to_si(20_000.0, "rpm")
+"""A ball that rolls off the steepest wedge at 50 m/s without slipping turns with 14,000 rpm."""
+_RATE = to_si(36_000.0, "deg/s")
+"""A club that goes round a hundred times a second; faces close at 1,000 to 4,000 deg/s."""
+_FACE = to_si(150.0, "mm")
+"""No face is wider than 127 mm, the limit of the rules, so that no point of it is so far from its centre."""
+_FAR = to_si(600.0, "yd")
+_RIGHT_ANGLE, _TURN = math.pi / 2, math.pi
+_SOME = 1e-6
+"""More than nothing [SI]: a club that hits moves, the ball moves then, and no ball leaves without any spin at all."""
+
+RANGES: Mapping[str, tuple[float, float]] = {
+    "speed": (_SOME, _SPEED),
+    **dict.fromkeys(("attack", "path", "loft", "face", "lie", "launch", "azimuth"), (-_RIGHT_ANGLE, _RIGHT_ANGLE)),
+    **dict.fromkeys(("toe", "high"), (-_FACE, _FACE)),
+    **dict.fromkeys(("closure", "pitch_rate", "lie_rate"), (-_RATE, _RATE)),
+    "ball_speed": (_SOME, _BALL_SPEED),
+    "smash": (_SOME, 2.0),
+    **dict.fromkeys(("backspin", "sidespin"), (-_SPIN, _SPIN)),
+    "total_spin": (_SOME, _SPIN),
+    "spin_axis": (-_TURN, _TURN),
+    "landing_angle": (0.0, _RIGHT_ANGLE),
+    **dict.fromkeys(("carry", "total", "apex"), (0.0, _FAR)),
+    **dict.fromkeys(("side", "total_side"), (-_FAR, _FAR)),
+    "flight_time": (0.0, 60.0),
+    "landing_speed": (0.0, _BALL_SPEED),
+}
+"""The least and the greatest value [SI] that a shot can have of each quantity; others are not judged."""
+
+
+def can_be(name: str, values: Any) -> Any:
+    """Tell which values [SI] of a quantity a golf shot can have; NaN, nothing measured, counts as one."""
+    low, high = RANGES.get(name, (-math.inf, math.inf))
+    return (
+        ~((values < low) | (values > high)) if isinstance(values, np.ndarray) else not (values < low or values > high)
+    )
+
+
+class Cleaned(NamedTuple):
+    """Columns without values that cannot be.
+
+    Attributes
+    ----------
+    columns
+        The columns, NaN where a value was taken out.
+    emptied
+        Which rows lost all that they had.
+    notes
+        What was taken out, with counts and an example.
+    """
+
+    columns: dict[str, Floats]
+    emptied: NDArray[np.bool_]
+    notes: tuple[str, ...]
+
+
+def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
+    """Return columns of shots [SI] without values that no golf shot can have, which count as not measured."""
+    kept, told = {}, []
+    wrong = {name: ~can_be(name, values) for name, values in columns.items()}
+    if "backspin" in columns and "sidespin" in columns:
+        still = (columns["backspin"] == 0.0) & (columns["sidespin"] == 0.0)
+        wrong.update({name: wrong[name] | still for name in ("backspin", "sidespin")})
+    dimensions = shot_words().dimensions
+    for name, values in columns.items():
+        kept[name] = np.where(wrong[name], np.nan, values) if wrong[name].any() else values
+        if wrong[name].any():
+            unit = display_unit(name, SI_UNITS[dimensions[name]])
+            example = show(float(values[wrong[name]][0]), "mph" if unit == "m/s" else unit, 11)
+            told.append(f"{name} in {int(wrong[name].sum())} of {values.size} shots, such as {example}")
+    had, has = (np.any([~np.isnan(each) for each in of.values()], axis=0) for of in (columns, kept))
+    notes = (f"values that no shot can have were taken as not measured: {'; '.join(told)}",) if told else ()
+    return Cleaned(kept, had & ~has, notes)

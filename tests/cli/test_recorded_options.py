@@ -1,0 +1,97 @@
+"""Every command that reads shots takes the same options and obeys the same file."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import pytest
+
+from clubface.benchmark_data.recipe import FOLDER
+from command_line import assert_mistake
+
+pytest.importorskip("typer")
+pytest.importorskip("pyarrow")
+
+SHOTS = str(FOLDER / "7-iron.parquet")
+TRACKMAN = str(Path(__file__).parents[1] / "data" / "launch_monitors" / "trackman.csv")
+GARMIN = "Club Type,Club Speed,Ball Speed,Launch Direction,Carry Deviation Distance\n7 Iron,36,52,1,2\n"
+FAST = "speed > 82 mph and abs(face) < 3 deg"
+
+
+def commands(tmp_path):
+    """Each command that works on shots, with what makes it quick."""
+    return {
+        "evaluate": ["--models", "slip", "--resamples", "100", "--json"],
+        "identify": [
+            "--model", "slip", "--free", "slip_y", "--population", "4", "--generations", "1", "--folds", "0",
+            "--bootstrap", "0", "--no-profiles", "--refined", "1", "--json", "--checkpoint", str(tmp_path / "kept"),
+        ],
+        "infer": ["-o", str(tmp_path / "inferred.csv"), "--samples", "50", "--json"],
+        "predict": ["--club", "7-iron", "-o", str(tmp_path / "launches.csv"), "--json"],
+        "monitor summary": ["--json"],
+        "monitor read": ["--json"],
+    }  # fmt: skip
+
+
+def notes_of(ran):
+    return " ".join([*ran.json.get("notes", []), *ran.json.get("warnings", []), ran.err.replace("\n", " ")])
+
+
+@pytest.mark.parametrize("name", ["evaluate", "identify", "infer", "predict", "monitor summary", "monitor read"])
+def test_every_command_takes_a_condition(clubface_, tmp_path, name):
+    condition = FAST + " and row <= 12"
+    ran = clubface_(*name.split(), SHOTS, *commands(tmp_path)[name], "--where", condition)
+    assert ran.status == 0, ran.err
+    assert "of 120 shots fulfil speed > 82 mph" in notes_of(ran)
+    assert_mistake(
+        clubface_(*name.split(), SHOTS, *commands(tmp_path)[name], "--where", "speed > 82"), "--where", "needs a unit"
+    )
+
+
+@pytest.mark.parametrize("name", ["evaluate", "identify", "infer", "predict"])
+def test_every_command_refuses_another_club_and_takes_stated_values(clubface_, tmp_path, name):
+    arguments = [*commands(tmp_path)[name], "--where", "row <= 12"]
+    arguments = [each for each in arguments if each not in ("--club", "7-iron")]
+    assert_mistake(clubface_(name, SHOTS, *arguments, "--club", "driver"), "the shots name 7-iron, not driver")
+    ran = clubface_(
+        name,
+        SHOTS,
+        *arguments,
+        "--club",
+        "8-iron",
+        "--mismatch",
+        "note",
+        "--assume",
+        "toe=1 mm",
+        "--hand",
+        "right",
+    )
+    assert ran.status == 0, ran.err
+    said = notes_of(ran)
+    assert "the shots name 7-iron, not 8-iron: is this the right club?" in said
+    assert "toe was measured in every shot: the 1 mm stated for it is not used" in said
+
+
+@pytest.mark.parametrize("name", ["evaluate", "infer", "predict", "monitor summary"])
+def test_every_command_reads_a_monitors_file_and_is_told_its_units(clubface_, tmp_path, write, name):
+    path = str(write(GARMIN, "garmin.csv"))
+    assert_mistake(clubface_(*name.split(), path, *commands(tmp_path)[name]), "--unit speed=m/s")
+    units = ["--unit", "speed=m/s", "--unit", "length=m"]
+    ran = clubface_(*name.split(), path, *commands(tmp_path)[name], *units)
+    assert ran.status == 0, ran.err
+
+
+def test_predict_of_a_file_and_of_its_table_agree(clubface_, tmp_path):
+    table = str(tmp_path / "shots.csv")
+    assert clubface_("monitor", "read", TRACKMAN, "-o", table).status == 0
+    found = []
+    for source in (TRACKMAN, table):
+        target = tmp_path / "launches.csv"
+        ran = clubface_("predict", source, "--club", "driver", "--only", "Dr", "-o", str(target))
+        assert ran.status == 0
+        assert "referred to the face centre of driver" in ran.out
+        with target.open(newline="") as file:
+            found.append([row["predicted_azimuth_deg"] for row in csv.DictReader(file)])
+    assert found[0] == found[1]
+    assert len(found[0]) == 1

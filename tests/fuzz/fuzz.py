@@ -1,0 +1,159 @@
+"""Damaged files for every reader: whatever is neither read nor refused in one line is a finding, kept as a file.
+
+Each input follows from the seed and its number alone, so that ``--only NUMBER`` makes a finding again. Inputs run in
+processes of their own, one for each core, with a limit of memory; one that crashes, or hangs in a library, costs that
+process, and is a finding.
+"""
+
+from __future__ import annotations
+
+import argparse
+import multiprocessing
+import os
+import queue
+import resource
+import shutil
+import sys
+import tempfile
+import time
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "helpers"))
+
+PATIENCE = 60.0
+"""Seconds after which a process that tells nothing is taken for lost."""
+MEMORY = 6 * 2**30
+"""Bytes of address space of a process; libraries and threads take two."""
+PIECE = 2000
+"""Inputs that a process is given at once; it takes a second to start."""
+SHOWN = 3
+"""Findings of one kind that are kept; more say nothing new."""
+SPAWN = multiprocessing.get_context("spawn")
+
+
+def work(seed: int, numbers: range, folder: str, results: Any) -> None:
+    """Read inputs, telling the number of each before and what came of it after."""
+    from fuzz_input import content, finding
+    from fuzz_readers import READERS
+
+    for reader in READERS.values():
+        reader.seeds()  # they may take longer than an input
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    for number in numbers:
+        name, data = content(seed, number)
+        path = Path(folder) / f"input.{READERS[name].ending}"
+        path.write_bytes(data)
+        results.send((number, name, None))
+        found = finding(name, path, measure=number % 20 == 0)
+        results.send((number, name, found or ""))
+    results.send(None)
+
+
+class Worker:
+    """A process that reads inputs."""
+
+    def __init__(self, seed: int, numbers: range) -> None:
+        self.seed, self.numbers = seed, numbers
+        self.folder = tempfile.mkdtemp(prefix="clubface-fuzz-")
+        self.start(numbers)
+
+    def start(self, numbers: range) -> None:
+        self.results, theirs = SPAWN.Pipe(duplex=False)
+        self.process = SPAWN.Process(target=work, args=(self.seed, numbers, self.folder, theirs))
+        self.process.start()
+        theirs.close()
+
+    def findings(self) -> Any:
+        """Yield number, reader and finding ("" for none) of each input, until all are read."""
+        number, name = self.numbers.start, ""
+        while True:
+            try:
+                if not self.results.poll(PATIENCE):
+                    raise EOFError
+                told = self.results.recv()
+            except EOFError:
+                self.process.kill()
+                self.process.join()
+                yield number, name, f"the process ended with {self.process.exitcode}, or hung"
+                if number + 1 >= self.numbers.stop:
+                    break
+                self.start(range(number + 1, self.numbers.stop))
+                continue
+            if told is None:
+                break
+            number, name, found = told
+            if found is not None:
+                yield number, name, found
+        self.process.join()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def fuzz(seed: int, numbers: range, output: Path) -> int:
+    """Read inputs, and write findings to a folder; return their number."""
+    pieces = [range(start, min(start + PIECE, numbers.stop)) for start in range(numbers.start, numbers.stop, PIECE)]
+    told: queue.SimpleQueue[Any] = queue.SimpleQueue()
+
+    def read(piece: range) -> None:
+        for each in Worker(seed, piece).findings():
+            told.put(each)
+
+    kinds: Counter[str] = Counter()
+    began = time.monotonic()
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for piece in pieces:
+            pool.submit(read, piece)
+        for done in range(1, len(numbers) + 1):
+            number, name, found = told.get(timeout=10 * PATIENCE)
+            if found:
+                kind = f"{name}: {found.partition(':')[0]}"
+                kinds[kind] += 1
+                if kinds[kind] <= SHOWN:
+                    keep(seed, number, found, output)
+            if done % 100 == 0 or done == len(numbers):
+                rate = f"{done / (time.monotonic() - began):.0f} a second"
+                end = "\n" if done % 10_000 == 0 or done == len(numbers) else "\r"
+                print(f"{done} of {len(numbers)} inputs, {sum(kinds.values())} findings, {rate}", end=end, flush=True)
+    for kind, count in kinds.most_common():
+        print(f"{count:6} {kind}")
+    return sum(kinds.values())
+
+
+def keep(seed: int, number: int, found: str, output: Path) -> None:
+    """Write an input and what was found with it, named as the corpus of the tests names them."""
+    from fuzz_input import content
+    from fuzz_readers import READERS
+
+    name, data = content(seed, number)
+    output.mkdir(parents=True, exist_ok=True)
+    path = output / f"{name}--{seed}-{number}.{READERS[name].ending}"
+    path.write_bytes(data)
+    path.with_suffix(".txt").write_text(f"seed {seed}, input {number}: {found}\n")
+    print(f"{path}: {found}", flush=True)
+
+
+def main() -> None:
+    """Read the command line, and leave with status 1 if there is a finding."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=1_000_000, help="number of inputs")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--only", type=int, help="number of one input to make and read again, in this process")
+    parser.add_argument("--output", type=Path, default=Path("out/fuzz"), help="folder for findings")
+    given = parser.parse_args()
+    if given.only is None:
+        sys.exit(fuzz(given.seed, range(given.count), given.output) > 0)
+    from fuzz_input import content
+    from fuzz_readers import READERS
+
+    name, data = content(given.seed, given.only)
+    given.output.mkdir(parents=True, exist_ok=True)
+    path = given.output / f"{name}--{given.seed}-{given.only}.{READERS[name].ending}"
+    path.write_bytes(data)
+    print(f"{path}: {len(data)} bytes for {name}")
+    READERS[name].read(path)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,296 @@
+"""Every reader of a file or message, with small valid examples of what it reads."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import shutil
+import tempfile
+from collections.abc import Callable
+from contextlib import chdir, suppress
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from clubface import fem, launch_monitor
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.parameters import read_sets
+from clubface.fem.case import Case
+from clubface.fem.resumable import ResumableTable
+from clubface.identification.checkpoint import Checkpoint
+from clubface.identification.simulator import Effort
+from clubface.inference.file import infer_shots
+from clubface.inference.prior import Prior
+from clubface.launch_monitor.mapping import mapping_of
+from clubface.launch_monitor.open_connect import MessageError, from_json, recorded
+from clubface.launch_monitor.open_connect.framing import Broken, ObjectStream
+from clubface.motion_capture import MarkerMap, read_c3d, read_swings, template
+from clubface.motion_capture.synthetic import synthesize
+from clubface.prediction.predict import predict
+from clubface.recorded.file import read_shots
+from clubface.recorded.shots import RecordedShots
+from clubface.support.shipped import DATA
+from clubface.support.strict_toml import Document
+from fem_meshes import HEAD, write_mesh
+
+MONITORS = Path(__file__).parents[1] / "data" / "launch_monitors"
+TABLE = b"club_speed_mph,attack_deg,path_deg,face [deg],toe_mm,hand,ball_speed_mph,club\n" + b"".join(
+    b"%d,%d.5,-1,%d.25,4,right,%d,driver\n" % (90 + row, row % 5, row % 3, 130 + row) for row in range(12)
+)
+PRIOR = b"""\
+title = "mine"
+[spread]
+speed = ["100 mph", "8 mph"]
+loft = ["15 deg", "3 deg"]
+[[correlation]]
+of = ["speed", "loft"]
+value = 0.3
+"""
+MESSAGE = {
+    "DeviceID": "radar", "Units": "Yards", "ShotNumber": 13, "APIversion": "1",
+    "BallData": {"Speed": 147.5, "SpinAxis": -13.2, "TotalSpin": 3250.0, "HLA": 2.3, "VLA": 14.3},
+    "ClubData": {"Speed": 100.0, "AngleOfAttack": -1.5, "FaceToTarget": 1.25, "Lie": 0.5, "Loft": 14.0, "Path": -2.5},
+    "ShotDataOptions": {"ContainsBallData": True, "ContainsClubData": True, "IsHeartBeat": False},
+}  # fmt: skip
+OTHER = ("other.csv", "conforming.toml", "distance.toml", "published.toml")
+"""Files that are read with a mapping alone, or are balls without pieces."""
+SWEEP = ("toe", "high", "force", "stopped")
+
+
+class Reader(NamedTuple):
+    """A reader.
+
+    Attributes
+    ----------
+    ending
+        Of the names of its files.
+    read
+        Reads one file.
+    seeds
+        Makes the examples.
+    share
+        How often it is tried, against the others.
+    """
+
+    ending: str
+    read: Callable[[Path], object]
+    seeds: Callable[[], list[bytes]]
+    share: int = 1
+
+
+def _files(folder: Path, pattern: str) -> Callable[[], list[bytes]]:
+    return lambda: [each.read_bytes() for each in sorted(folder.glob(pattern)) if each.name not in OTHER]
+
+
+def _made(what: str) -> Path:
+    """Return a folder with files that are made once for a process."""
+    return _made_in(what, os.getpid())
+
+
+@cache
+def _made_in(what: str, process: int) -> Path:
+    folder = Path(tempfile.mkdtemp(prefix="clubface-fuzz-"))
+    if what == "swings":
+        synthesize(folder, 1, seed=3)
+    elif what == "mesh":
+        write_mesh(folder, "head.msh")
+        write_mesh(folder, "head.inp")
+    elif what == "prediction":
+        (folder / "in.csv").write_bytes(TABLE)
+        with chdir(folder), suppress(StopIteration):  # a journal tells whose it is, the same in every folder
+            predict("in.csv", output="out.csv", chunk_rows=4, progress=_stop_at(8), **PREDICT)
+    elif what == "inference":
+        with chdir(folder), suppress(StopIteration):
+            infer_shots(_launches(), "out.csv", progress=_stop_at(2), **INFER)
+    if what in ("prediction", "inference"):
+        shutil.copytree(folder, folder / "begun")
+    return folder
+
+
+PREDICT = {"club": "driver", "model": "standard", "carry": False}
+INFER = {"club": "driver", "samples": 20, "model": "standard"}
+
+
+def _stop_at(rows: int) -> Callable[[float, int], None]:
+    def progress(*done: float) -> None:
+        if max(done) >= rows:
+            raise StopIteration
+
+    return progress
+
+
+def _launches() -> RecordedShots:
+    launches = {"ball_speed": np.linspace(69.0, 71.0, 4), "launch": np.full(4, 0.25), "backspin": np.full(4, 300.0)}
+    return RecordedShots(deliveries={}, launches=launches, rows=np.arange(4), source="range.csv", format="clubface")
+
+
+def _parquet() -> list[bytes]:
+    import pandas
+
+    table, found = pandas.read_csv(io.BytesIO(TABLE)), []
+    for options in ({}, {"compression": None}):
+        file = io.BytesIO()
+        table.to_parquet(file, index=False, **options)
+        found.append(file.getvalue())
+    return found
+
+
+def _predict(path: Path) -> None:
+    predict(path, output=path.with_name("predicted.csv"), **PREDICT)
+
+
+def _mapped(path: Path) -> None:
+    launch_monitor.read(MONITORS / "other.csv", mapping=path)
+
+
+def _head(path: Path) -> None:
+    with suppress(FileNotFoundError):
+        shutil.copy(_made("mesh") / "head.msh", path.with_name("head.msh"))
+    fem.head(path).club  # noqa: B018 - its mesh is made for it
+
+
+def _mesh(path: Path) -> None:
+    own = path.with_name("own.toml")
+    own.write_text(HEAD.replace("head.msh", path.name))
+    fem.head(own).club  # noqa: B018
+
+
+def _parameters(path: Path) -> None:
+    read_sets(Document.read(path))
+
+
+def _markers() -> list[bytes]:
+    return [template().encode(), (_made("swings") / "markers.toml").read_bytes()]
+
+
+def _marker_map(path: Path) -> None:
+    MarkerMap.read(path)
+
+
+def _swing(path: Path) -> None:
+    shutil.copy(_made("swings") / "calibration.c3d", path.with_name("calibration.c3d"))
+    shutil.copy(_made("swings") / "markers.toml", path.with_name("markers.toml"))
+    for each in read_swings([path], path.with_name("markers.toml"), "driver").rejected:
+        assert each.reason
+
+
+def _messages(path: Path) -> None:
+    stream, found = ObjectStream(), []
+    data = path.read_bytes()
+    for start in range(0, len(data), 4096):
+        for each in stream.feed(data[start : start + 4096]):
+            if not isinstance(each, Broken):
+                with suppress(MessageError):
+                    found.append(from_json(each))
+    shots = [each for each in found if each.kind == "shot"]
+    if shots:
+        recorded(shots)
+
+
+CHECKPOINT = {"set of shots": "these"}
+FIRST = "00000000"
+"""Of the files of a store."""
+
+
+def _checkpoint(path: Path) -> None:
+    folder = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "fit.checkpoint"
+    _begin_checkpoint(folder)
+    shutil.copy(path, folder / f"{FIRST}.json")
+    Checkpoint(folder, CHECKPOINT, Effort(0, 0), resume=True).close()
+
+
+def _begin_checkpoint(folder: Path) -> None:
+    kept = Checkpoint(folder, CHECKPOINT, Effort(0, 0))
+    for part in range(3):
+        kept.keep(f"fold {part}", [0.1 * part, float("nan"), "text"], Effort(3, 7))
+    kept.close()
+
+
+def _checkpoints() -> list[bytes]:
+    folder = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "fit.checkpoint"
+    _begin_checkpoint(folder)
+    return [(folder / f"{FIRST}.json").read_bytes()]
+
+
+def _sweep(path: Path) -> None:
+    ResumableTable(path, {"case": "a case"}, SWEEP, {"stopped": str})
+
+
+def _sweeps() -> list[bytes]:
+    path = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "sweep.csv"
+
+    def row(toe: float, *_: object) -> dict[str, object]:
+        return {"toe": toe, "high": 0.0, "force": 5e3 + toe, "stopped": "an edge, at last" if toe else ""}
+
+    table = ResumableTable(path, {"case": "a case"}, SWEEP, {"stopped": str})
+    table.fill({toe: (toe, 0.0) for toe in (0.0, 0.01, 0.02)}, row, what="runs", workers=1, progress=None)
+    return [path.read_bytes()]
+
+
+def _resumed(what: str, name: str, run: Callable[[], object]) -> Reader:
+    """Return the reader of one file of an unfinished work; the others are as they should be."""
+    store = "out.csv.unfinished"
+
+    def read(path: Path) -> None:
+        folder = _made(what)
+        for each in folder.glob("out*.csv"):
+            each.unlink()
+        shutil.rmtree(folder / store, ignore_errors=True)
+        shutil.copytree(folder / "begun" / store, folder / store)
+        shutil.copy(path, folder / store / name)
+        with chdir(folder):
+            run()
+
+    return Reader(Path(name).suffix[1:], read, lambda: [(_made(what) / "begun" / store / name).read_bytes()])
+
+
+def _go_on() -> None:
+    predict("in.csv", output="out.csv", chunk_rows=4, resume=True, **PREDICT)
+
+
+def _go_on_inferring() -> None:
+    infer_shots(_launches(), "out.csv", resume=True, **INFER)
+
+
+def _toml(folder: str) -> Callable[[], list[bytes]]:
+    return _files(DATA / folder, "*.toml")
+
+
+def _tables() -> list[bytes]:
+    return [TABLE, TABLE.replace(b",", b";").replace(b".", b","), TABLE.replace(b",", b"\t")]
+
+
+READERS = {
+    "shots": Reader("csv", read_shots, _tables, 4),
+    "shots-tsv": Reader("tsv", read_shots, _tables),
+    "shots-parquet": Reader("parquet", read_shots, _parquet, 3),
+    "monitor": Reader("csv", launch_monitor.read, _files(MONITORS, "*.csv"), 8),
+    "predict": Reader("csv", _predict, _tables, 2),
+    "predict-parquet": Reader("parquet", _predict, _parquet),
+    "mapping": Reader("toml", mapping_of, _files(MONITORS, "*.toml"), 2),
+    "mapped": Reader("toml", _mapped, _files(MONITORS, "*.toml")),
+    "club": Reader("toml", Club.from_toml, lambda: [*_toml("clubs")(), Club.template().encode()], 2),
+    "ball": Reader("toml", Ball.from_toml, lambda: [*_toml("balls")(), Ball.template().encode()], 2),
+    "parameters": Reader("toml", _parameters, _toml("parameters"), 2),
+    "prior": Reader("toml", Prior.from_toml, lambda: [PRIOR]),
+    "fem-ball": Reader("toml", fem.Ball.from_toml, _toml("balls")),
+    "fem-head": Reader("toml", _head, lambda: [*_toml("fem_heads")(), HEAD.encode()]),
+    "fem-case": Reader("toml", Case.from_toml, _toml("fem_cases")),
+    "markers": Reader("toml", _marker_map, _markers),
+    "mesh-gmsh": Reader("msh", _mesh, lambda: [(_made("mesh") / "head.msh").read_bytes()]),
+    "mesh-abaqus": Reader("inp", _mesh, lambda: [(_made("mesh") / "head.inp").read_bytes()]),
+    "c3d": Reader("c3d", read_c3d, lambda: [(_made("swings") / "calibration.c3d").read_bytes()], 6),
+    "swing": Reader("c3d", _swing, lambda: [(_made("swings") / "swing-001.c3d").read_bytes()], 1),
+    "messages": Reader("json", _messages, lambda: [json.dumps(MESSAGE).encode() * 2], 4),
+    "checkpoint": Reader("json", _checkpoint, _checkpoints, 2),
+    "sweep": Reader("csv", _sweep, _sweeps, 2),
+    "resumed-prediction": _resumed("prediction", f"{FIRST}.csv", _go_on),
+    "resumed-prediction-record": _resumed("prediction", f"{FIRST}.json", _go_on),
+    "resumed-prediction-content": _resumed("prediction", "work.json", _go_on),
+    "resumed-inference-record": _resumed("inference", f"{FIRST}.json", _go_on_inferring),
+}  # fmt: skip
+"""By name. A meshed head costs a tenth of a second and is tried least."""
