@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage fuzz clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -116,6 +116,10 @@ COUNT ?= 1000000
 SEED ?= 0
 fuzz: dev ## damaged files for every reader (COUNT=1000000, a night; SEED=0); findings in out/fuzz
 	$(PYTHON) tests/fuzz/fuzz.py --count $(COUNT) --seed $(SEED)
+
+KILLS ?= 50
+kills: dev ## kill every long command at random moments (KILLS=50 each), resume it, compare the bytes; an hour
+	$(PYTHON) studies/kills.py $(KILLS)
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks

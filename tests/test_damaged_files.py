@@ -1,6 +1,5 @@
 """Damaged and hostile files: one line, soon, and within little memory; and values that no shot has."""
 
-import json
 import re
 import struct
 import time
@@ -143,7 +142,7 @@ def test_a_damaged_number_of_a_mesh_is_named_by_its_line(tmp_path, write, old, n
 
 
 def checkpoint(path):
-    return Checkpoint(path, "these shots", Effort(0, 0), resume=True)
+    return Checkpoint(path, {"set of shots": "these"}, Effort(0, 0), resume=True)
 
 
 @pytest.mark.parametrize(
@@ -160,13 +159,18 @@ def checkpoint(path):
     ],
 )
 def test_a_damaged_checkpoint_is_one_line(tmp_path, damage):
-    path = tmp_path / "fit.json"
-    checkpoint(path).keep("fold 1", [0.125, 2.0], Effort(1, 2))
-    assert checkpoint(path).value("fold 1") == [0.125, 2.0]
-    damaged = damage(path.read_bytes())
-    assert damaged != path.read_bytes()
-    path.write_bytes(damaged)
-    refused(lambda: checkpoint(path), "fit.json: cannot be read as a checkpoint")
+    path = tmp_path / "fit.checkpoint"
+    begun = checkpoint(path)
+    begun.keep("fold 1", [0.125, 2.0], Effort(1, 2))
+    begun.close()
+    begun = checkpoint(path)
+    assert begun.value("fold 1") == [0.125, 2.0]
+    begun.close()
+    (kept,) = path.glob("0*.json")
+    damaged = damage(kept.read_bytes())
+    assert damaged != kept.read_bytes()
+    kept.write_bytes(damaged)
+    refused(lambda: checkpoint(path), f"{kept.name}: this record of unfinished work is damaged")
 
 
 @pytest.mark.parametrize(
@@ -184,7 +188,7 @@ def test_a_damaged_table_of_a_sweep_is_one_line(tmp_path, damage, line):
     path = tmp_path / "sweep.csv"
 
     def table():
-        return ResumableTable(path, ["a case"], ("toe", "high", "force"), {})
+        return ResumableTable(path, {"case": "a case"}, ("toe", "high", "force"), {})
 
     table().fill(
         {1: (0.0, 0.0)}, lambda *_: {"toe": 0.0, "high": 0.0, "force": 5000}, what="runs", workers=1, progress=None
@@ -308,13 +312,14 @@ def test_endless_work_and_all_memory_end_the_process_apart_and_nothing_else(tmp_
     assert process.call("echo", {"points": np.arange(3.0)})["points"].tolist() == [0.0, 1.0, 2.0]
 
 
-def test_a_journal_says_of_itself_whether_it_is_whole(tmp_path):
-    from clubface.support.resuming import Journal
+def test_a_store_says_of_itself_whether_it_is_whole(tmp_path):
+    from clubface.support.resuming import Store
 
-    journal = Journal(tmp_path / "work.json", "settings")
-    journal.write({"rows": 3, "value": float("nan")})
-    assert journal.read(lambda state: state["rows"]) == 3
-    state = json.loads((tmp_path / "work.json").read_text())
-    (tmp_path / "work.json").write_text(json.dumps({**state, "rows": 4}))
-    with pytest.raises(FileError, match="cannot be read"):
-        journal.read(lambda state: state["rows"])
+    with Store(tmp_path / "store", {}) as store:
+        store.keep("a", {"rows": 3, "value": float("nan")})
+    with Store(tmp_path / "store", {}) as store:
+        assert store["a"]["rows"] == 3
+    kept = tmp_path / "store" / "00000000.json"
+    kept.write_text(kept.read_text().replace('"rows": 3', '"rows": 4'))
+    with pytest.raises(FileError, match="is damaged"):
+        Store(tmp_path / "store", {})

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from glob import glob
 from pathlib import Path
 
 import pytest
@@ -89,7 +90,10 @@ def test_options_reach_the_fit(clubface_, drives):
         (("drives.csv", "--model", "slip", "--plot", "fit.doc"), ("--plot", "fit.doc", ".png, .svg, .pdf")),
         (("drives.csv", "--model", "slip", "-o", "none/fit.toml"), ("--output", "none/fit.toml", "folder that exists")),
         (("drives.csv", "--model", "slip", "--plot", "none/a.png"), ("--plot", "none/a.png", "folder that exists")),
-        (("drives.csv", "--model", "slip", "--checkpoint", "drives.csv"), ("drives.csv", "checkpoint", "name another")),
+        (
+            ("drives.csv", "--model", "slip", "--checkpoint", "drives.csv"),
+            ("drives.csv", "no record of unfinished work", "another name"),
+        ),
         (
             ("drives.csv", "--club", "own.toml", "-o", "./own.toml"),
             ("--output", "another file than those that are read"),
@@ -120,12 +124,12 @@ def test_a_mistake_is_one_message(clubface_, drives, arguments, words):
 def test_ctrl_c_keeps_what_is_finished_and_resume_goes_on(clubface_, drives):
     arguments = ("identify", drives, "--club", "driver", "--model", "area", "--population", "40", "--generations", "40",
                  "--refined", "1", "--folds", "0", "--bootstrap", "0", "--no-profiles")  # fmt: skip
-    kept = "drives-driver-area.checkpoint.json"
+    kept = "drives-driver-area.checkpoint"
     with subprocess.Popen(
         [sys.executable, "-c", MAIN, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as process:
         deadline = time.monotonic() + 60.0
-        while not os.path.exists(kept) and time.monotonic() < deadline:
+        while not glob(f"{kept}/*0.json") and time.monotonic() < deadline:
             time.sleep(0.02)
         process.send_signal(signal.SIGINT)
         out, err = process.communicate(timeout=30)

@@ -2,18 +2,22 @@
 
 import csv
 import json
+import os
 import re
 import signal
 import subprocess
 import sys
 import threading
+import time
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from clubface import launch_monitor
 from clubface.launch_monitor.open_connect import Listener, Sender
 from clubface.recorded.file import read_shots
+from clubface.support.lock import Lock
 from command_line import MAIN, assert_mistake
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
@@ -138,3 +142,58 @@ def test_a_listening_process_keeps_every_shot_and_ends_on_an_interrupt(tmp_path)
 
 def test_listening_ends_after_so_many_shots_or_so_long(clubface_):
     assert "0 shots" in clubface_("monitor", "listen", "--port", "0", "--timeout", "0.1 s").err
+
+
+@pytest.mark.parametrize("ending", ["csv", "parquet"])
+def test_a_file_named_like_an_unfinished_output_is_read_and_not_touched(clubface_, tmp_path, ending):
+    path, target = tmp_path / f"range.part.{ending}", tmp_path / f"range.{ending}"
+    launch_monitor.read(DATA / "rapsodo.csv").write(path)
+    before = path.read_bytes()
+    assert clubface_("monitor", "read", str(path), "-o", str(target)).status == 0
+    assert path.read_bytes() == before
+    assert len(read_shots(target)) == len(read_shots(path))
+
+
+def test_a_listener_finds_a_missing_folder_and_another_listener_at_the_start(clubface_, tmp_path):
+    listen = ("monitor", "listen", "--port", "0", "--timeout", "0.1 s", "-o")
+    missing = clubface_(*listen, str(tmp_path / "none" / "live.csv"))
+    assert_mistake(missing, "--output")
+    assert "a file in a folder that exists" in missing.err
+    path = tmp_path / "live.csv"
+    lock = Lock(tmp_path / "live.csv.lock", path)
+    ran = clubface_(*listen, str(path))
+    assert_mistake(ran)
+    assert f"live.csv: process {os.getpid()} is writing this" in ran.err
+    lock.close()
+    assert clubface_(*listen, str(path)).status == 0
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_shot_that_a_full_disk_does_not_take_is_not_acknowledged(tmp_path, monkeypatch, capsys):
+    from clubface.cli.app import run
+
+    def full(handle):
+        raise OSError(28, os.strerror(28))
+
+    monkeypatch.setattr(os, "fsync", full)
+    path, ended = tmp_path / "live.csv", []
+    ports = []
+    init = Listener.__init__
+
+    def told(self, *arguments, **options):
+        init(self, *arguments, **options)
+        ports.append(self.port)
+
+    monkeypatch.setattr(Listener, "__init__", told)
+    listen = ["monitor", "listen", "--port", "0", "--timeout", "10 s", "-o", str(path)]
+    thread = threading.Thread(target=lambda: ended.append(run(listen)))
+    thread.start()
+    while not ports:
+        time.sleep(0.01)
+    with Sender(ports[0], timeout=10) as sender:
+        answer = sender.send({"ball_speed": 60.0, "launch": 0.2})
+    thread.join(10)
+    assert not answer.was_taken
+    assert ended == [2]
+    assert "live.csv: cannot be written: No space left on device" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []

@@ -70,7 +70,11 @@ def test_ctrl_c_ends_with_one_line_and_status_130(tmp_path):
     command = [sys.executable, "-c", MAIN, "predict", str(source), "--club", "driver", "--model", "rings"]
     with subprocess.Popen([*command, "-o", str(target)], stderr=subprocess.PIPE, text=True) as child:
         started = time.monotonic()
-        while not list(tmp_path.glob("*.part*")) and child.poll() is None and time.monotonic() - started < 30:
+        while (
+            not list(tmp_path.glob("out.csv.unfinished/*0.json"))
+            and child.poll() is None
+            and time.monotonic() - started < 30
+        ):
             time.sleep(0.02)
         child.send_signal(signal.SIGINT)
         assert child.stderr is not None

@@ -10,7 +10,7 @@ from clubface import benchmark_data
 from clubface.benchmark_data.recipe import recipe
 from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError
+from clubface.errors import FileError
 from clubface.evaluation.published_accuracy import published
 from clubface.findings import study, tour_fit
 from clubface.findings.effects import effect_sizes
@@ -151,7 +151,7 @@ def test_a_study_is_resumed_and_keeps_what_was_finished(tmp_path, monkeypatch):
     ]  # fmt: skip
     assert study.run(tmp_path) == found
     monkeypatch.setattr(study, "BOOTSTRAP", {"rings": 7})
-    with pytest.raises(InputError, match="has another bootstrap"):
+    with pytest.raises(FileError, match="begun with another bootstrap; give a new folder"):
         study.run(tmp_path)
     fits = found["clubs"]["7-iron"]["fits"]
     assert set(fits) == {"adjusted", "slip"}

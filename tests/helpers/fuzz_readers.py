@@ -191,43 +191,61 @@ def _messages(path: Path) -> None:
         recorded(shots)
 
 
+CHECKPOINT = {"set of shots": "these"}
+FIRST = "00000000"
+"""Of the files of a store."""
+
+
 def _checkpoint(path: Path) -> None:
-    Checkpoint(path, "these shots", Effort(0, 0), resume=True)
+    folder = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "fit.checkpoint"
+    _begin_checkpoint(folder)
+    shutil.copy(path, folder / f"{FIRST}.json")
+    Checkpoint(folder, CHECKPOINT, Effort(0, 0), resume=True).close()
+
+
+def _begin_checkpoint(folder: Path) -> None:
+    kept = Checkpoint(folder, CHECKPOINT, Effort(0, 0))
+    for part in range(3):
+        kept.keep(f"fold {part}", [0.1 * part, float("nan"), "text"], Effort(3, 7))
+    kept.close()
 
 
 def _checkpoints() -> list[bytes]:
-    path = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "fit.json"
-    kept = Checkpoint(path, "these shots", Effort(0, 0))
-    for part in range(3):
-        kept.keep(f"fold {part}", [0.1 * part, float("nan"), "text"], Effort(3, 7))
-    return [path.read_bytes()]
+    folder = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "fit.checkpoint"
+    _begin_checkpoint(folder)
+    return [(folder / f"{FIRST}.json").read_bytes()]
 
 
 def _sweep(path: Path) -> None:
-    ResumableTable(path, ["a case"], SWEEP, {"stopped": str})
+    ResumableTable(path, {"case": "a case"}, SWEEP, {"stopped": str})
 
 
 def _sweeps() -> list[bytes]:
     path = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "sweep.csv"
-    table = ResumableTable(path, ["a case"], SWEEP, {"stopped": str})
-    for toe in (0.0, 0.01, 0.02):
-        table._add({"toe": toe, "high": 0.0, "force": 5e3 + toe, "stopped": "an edge, at last" if toe else ""})
+
+    def row(toe: float, *_: object) -> dict[str, object]:
+        return {"toe": toe, "high": 0.0, "force": 5e3 + toe, "stopped": "an edge, at last" if toe else ""}
+
+    table = ResumableTable(path, {"case": "a case"}, SWEEP, {"stopped": str})
+    table.fill({toe: (toe, 0.0) for toe in (0.0, 0.01, 0.02)}, row, what="runs", workers=1, progress=None)
     return [path.read_bytes()]
 
 
-def _resumed(what: str, ending: str, run: Callable[[], object]) -> Reader:
-    """Return the reader of an unfinished file or its journal; the other of both is as it should be."""
+def _resumed(what: str, name: str, run: Callable[[], object]) -> Reader:
+    """Return the reader of one file of an unfinished work; the others are as they should be."""
+    store = "out.csv.unfinished"
 
     def read(path: Path) -> None:
         folder = _made(what)
-        for each in folder.glob("out*"):
+        for each in folder.glob("out*.csv"):
             each.unlink()
-        shutil.copytree(folder / "begun", folder, dirs_exist_ok=True)
-        shutil.copy(path, folder / f"out.part.{ending}")
+        shutil.rmtree(folder / store, ignore_errors=True)
+        shutil.copytree(folder / "begun" / store, folder / store)
+        shutil.copy(path, folder / store / name)
         with chdir(folder):
             run()
 
-    return Reader(ending, read, lambda: [(_made(what) / "begun" / f"out.part.{ending}").read_bytes()])
+    return Reader(Path(name).suffix[1:], read, lambda: [(_made(what) / "begun" / store / name).read_bytes()])
 
 
 def _go_on() -> None:
@@ -270,9 +288,9 @@ READERS = {
     "messages": Reader("json", _messages, lambda: [json.dumps(MESSAGE).encode() * 2], 4),
     "checkpoint": Reader("json", _checkpoint, _checkpoints, 2),
     "sweep": Reader("csv", _sweep, _sweeps, 2),
-    "resumed-prediction": _resumed("prediction", "csv", _go_on),
-    "resumed-prediction-journal": _resumed("prediction", "json", _go_on),
-    "resumed-inference": _resumed("inference", "csv", _go_on_inferring),
-    "resumed-inference-journal": _resumed("inference", "json", _go_on_inferring),
+    "resumed-prediction": _resumed("prediction", f"{FIRST}.csv", _go_on),
+    "resumed-prediction-record": _resumed("prediction", f"{FIRST}.json", _go_on),
+    "resumed-prediction-content": _resumed("prediction", "work.json", _go_on),
+    "resumed-inference-record": _resumed("inference", f"{FIRST}.json", _go_on_inferring),
 }  # fmt: skip
 """By name. A meshed head costs a tenth of a second and is tried least."""

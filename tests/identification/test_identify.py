@@ -115,17 +115,24 @@ def test_a_checkpoint_of_something_else_is_refused(tmp_path):
         {"cost": "robust"},
         {"parameters": {"cor": 0.8}, "free": "slip_y"},
     ):
-        with pytest.raises(FileError, match="other shots or with other settings"):
+        with pytest.raises(FileError, match="begun with another"):
             small(checkpoint=path, resume=True, **changes)
-    with pytest.raises(FileError, match="other shots"):
+    with pytest.raises(FileError, match="another set of shots"):
         clubface.identify(recorded(25, "slip", noise=1.0, seed=9), checkpoint=path, resume=True, **SMALL)
-    for content in ("", "{}", '{"format": 1, "settings": 1, "seconds": 1, "parts": {"a": 1}}', "[1]"):
-        path.write_text(content)
-        for resume in (True, False):
-            with pytest.raises(FileError, match="cannot be read as a checkpoint"):
-                small(checkpoint=path, resume=resume)
-        assert path.read_text() == content
-    with pytest.raises(FileError, match="this folder does not exist"):
+    # Damage, of what it is of and of what is finished: deep nesting and letters of another encoding as well.
+    for name in ("work.json", "00000000.json"):
+        for content in (b"", b"[1]", b"\xff", b"[" * 100_000):
+            (path / name).write_bytes(content)
+            with pytest.raises(FileError, match="is damaged; remove the folder"):
+                small(checkpoint=path, resume=True)
+            assert (path / name).read_bytes() == content
+    path = tmp_path / "mine.json"
+    path.write_text("{}")
+    for resume in (True, False):
+        with pytest.raises(FileError, match="no record of unfinished work"):
+            small(checkpoint=path, resume=resume)
+    assert path.read_text() == "{}"
+    with pytest.raises(FileError, match="there is no folder"):
         small(checkpoint=tmp_path / "none" / "fit.json")
     assert small(checkpoint=tmp_path / "none.json", resume=True).cost > 0.0
 

@@ -406,3 +406,42 @@ def test_a_refused_shot_and_answers_that_came_before_are_told_apart():
         thread.join(5)
     assert (reply.code, reply.message, reply.was_taken) == (501, "no", False)
     assert sender.player == {"Handed": "LH"}
+
+
+def test_a_shot_is_acknowledged_only_once_it_is_kept():
+    order = []
+    listener = Listener(0, keep=lambda message: order.append("kept"))
+    thread = threading.Thread(target=lambda: next(iter(listener.messages(timeout=10))), daemon=True)
+    thread.start()
+    answer = listener._answer
+    listener._answer = lambda *told: (order.append("answered"), answer(*told))
+    with Sender(listener.port, timeout=10) as sender:
+        assert sender.send({"ball_speed": 60.0, "launch": 0.2}).was_taken
+    thread.join(10)
+    listener.close()
+    assert order == ["kept", "answered"]
+
+
+def test_a_shot_that_cannot_be_kept_is_not_acknowledged_and_the_error_ends_listening():
+    class FullError(Exception):
+        pass
+
+    def full(message):
+        raise FullError
+
+    ended = []
+
+    def serve():
+        try:
+            list(listener.messages(timeout=10))
+        except FullError:
+            ended.append(True)
+
+    listener = Listener(0, keep=full)
+    thread = threading.Thread(target=serve, daemon=True)
+    thread.start()
+    with Sender(listener.port, timeout=10) as sender:
+        answer = sender.send({"ball_speed": 60.0, "launch": 0.2})
+    thread.join(10)
+    listener.close()
+    assert (answer.code, answer.message, ended) == (501, "the shot could not be kept", [True])

@@ -5,7 +5,7 @@ import pytest
 
 pytest.importorskip("ezc3d")
 
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.study import UNITS, study
 from clubface.motion_capture.synthetic import Cameras
@@ -81,3 +81,19 @@ def test_intervals_of_95_percent_cover_the_truth_at_that_rate(club, hand):
     found = study(400, club=club, hand=hand, cameras=Cameras(noise=3e-4), estimators=("smoother",), seed=2)
     for name, rate in found.coverage("smoother").items():
         assert 0.915 <= rate <= 0.98, name
+
+
+def test_an_interrupted_study_goes_on_to_the_same_figures(tmp_path):
+    folder, options = tmp_path / "kept", {"cameras": Cameras(noise=3e-4), "estimators": ["linear"]}
+
+    def stop(done, whole):
+        if done == 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt, match=r"2 of 4 swings are read; they are in .*kept, and the same command"):
+        study(4, checkpoint=folder, progress=stop, **options)
+    with pytest.raises(FileError, match="begun with another seed; finish that study"):
+        study(4, checkpoint=folder, seed=2, **options)
+    found = study(4, checkpoint=folder, **options)
+    assert found.document() == study(4, **options).document()
+    assert not folder.exists()

@@ -158,7 +158,7 @@ def test_a_resumed_run_of_other_choices_is_another_run(shots, tmp_path):
     said = {"club": "driver", "only": "Driver", "output": tmp_path / "out.csv", "chunk_rows": 1}
     with pytest.raises(KeyboardInterrupt):
         predict(shots, progress=stop, assume={"toe": "0 mm"}, **said)
-    with pytest.raises(FileError, match="other settings"):
+    with pytest.raises(FileError, match="another choice of shots"):
         predict(shots, resume=True, assume={"toe": "9 mm"}, **said)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -15,6 +14,7 @@ from clubface.benchmark_data import impacts, measured, swings
 from clubface.benchmark_data.recipe import CLUBS, FOLDER, Recipe, recipe
 from clubface.simulation.quantities import inputs, outputs
 from clubface.support.arrays import Floats
+from clubface.support.whole_file import whole_file
 from clubface.tables.headings import heading_of
 from clubface.tables.parquet import pyarrow_for
 
@@ -91,9 +91,8 @@ def write(folder: Path = FOLDER) -> list[Path]:
         for name, columns in tables(recipe(club)).items():
             path = folder / name
             arrow = pyarrow_for(path)
-            part = path.with_suffix(".part")
-            arrow.parquet.write_table(arrow.table(columns), part, compression="zstd")
-            os.replace(part, path)
+            with whole_file(path) as file:
+                arrow.parquet.write_table(arrow.table(columns), file, compression="zstd")
             files.append(path)
     return files
 

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from clubface.cli.failures import Interrupted, ReaderGone, as_typed, report, say, show_warnings
+from clubface.cli.failures import Interrupted, ReaderGone, as_typed, let_go_of_output, report, say, show_warnings
 from clubface.errors import UnknownNameError
 from clubface.support.version import __version__
 
@@ -122,9 +122,10 @@ def run(arguments: Sequence[str]) -> int:
         sys.stdout.reconfigure(errors="replace")  # a terminal without a letter such as µ still gets its table
     try:
         status = typer.main.get_command(app).main(list(arguments), prog_name="clubface", standalone_mode=False)
-    except ReaderGone:
-        # A pager or head has seen enough: nothing is left to say, and Python must not flush again at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.stdout.flush()  # what the parser printed by itself, such as help
+    except (ReaderGone, BrokenPipeError):
+        # A pager or head has seen enough: nothing is left to say.
+        let_go_of_output()
         return READER_GONE
     except (Exception, Interrupted) as error:
         return report(as_typed(error, _options(arguments)))

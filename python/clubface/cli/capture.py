@@ -209,6 +209,14 @@ def study(
     roughness: Roughness = 0.6,
     seed: Seed = 1,
     picture: Annotated[str | None, options.picture("bias and spread")] = None,
+    checkpoint: Annotated[
+        str | None,
+        options.option(
+            "--checkpoint",
+            metavar="FOLDER",
+            text="Keep the swings that are read here; the same command goes on after them.",
+        ),
+    ] = None,
     as_json: options.Json = False,
 ) -> None:
     """Compare the estimators on swings whose truth is known: bias, spread, coverage."""
@@ -219,19 +227,21 @@ def study(
     cameras = Cameras(rate=rate, noise=units.parse(noise, "length", name="--noise"), gaps=gaps)
     with progress_bar("swings") as progress:
         found = run(
-            count, club=club, hand=hand, cameras=cameras, roughness=roughness, seed=seed,
+            count, club=club, hand=hand, cameras=cameras, roughness=roughness, seed=seed, checkpoint=checkpoint,
             progress=progress,
         )  # fmt: skip
-    if as_json:
-        output.print_json(found.document())
-    else:
-        _print_study(found)
-    if picture is not None:
-        from clubface import plots
-        from clubface.motion_capture.figures import study_figure
+    try:
+        if picture is not None:
+            from clubface import plots
+            from clubface.motion_capture.figures import study_figure
 
-        told = "no noise" if cameras.noise == 0.0 else f"{units.from_si(cameras.noise, 'mm'):g} mm noise"
-        say(f"wrote {plots.save(study_figure({told: found}), picture)}")
+            told = "no noise" if cameras.noise == 0.0 else f"{units.from_si(cameras.noise, 'mm'):g} mm noise"
+            say(f"wrote {plots.save(study_figure({told: found}), picture)}")
+    finally:  # what took long is shown even where a disk is full
+        if as_json:
+            output.print_json(found.document())
+        else:
+            _print_study(found)
 
 
 def _print_study(found: Any) -> None:

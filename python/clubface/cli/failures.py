@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import traceback
 import warnings
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 from clubface.errors import ClubfaceError, InputError, RuleWarning, UnknownNameError, in_a_line
@@ -34,8 +36,9 @@ class ReaderGone(BaseException):
 
 
 def say(message: str) -> None:
-    """Write one message on the error stream, on one line."""
-    print(f"clubface: {in_a_line(message)}", file=sys.stderr)
+    """Write one message on the error stream, on one line; one that cannot be written is no reason to stop."""
+    with suppress(OSError):
+        print(f"clubface: {in_a_line(message)}", file=sys.stderr)
 
 
 def say_written(files: Sequence[object]) -> None:
@@ -54,6 +57,8 @@ def as_typed(error: BaseException, options: Mapping[str, str]) -> BaseException:
 
 def report(error: BaseException) -> int:
     """Tell what went wrong; return the exit status."""
+    if isinstance(error.__cause__, KeyboardInterrupt):  # Python gives another error for one while a class is made
+        error = error.__cause__
     if isinstance(error, (Interrupted, KeyboardInterrupt)):
         said = str(error)
         say(said if said.startswith("interrupted") else f"interrupted{': ' if said else ''}{said}")
@@ -63,8 +68,10 @@ def report(error: BaseException) -> int:
         return 2
     if isinstance(error, ModuleNotFoundError) and _library(error) in EXTRAS:
         return missing_library(error)
-    if isinstance(error, OSError) and error.filename is not None:
-        say(f"{error.filename}: {error.strerror}")
+    if isinstance(error, OSError):
+        if error.filename is None:  # files are written and read under their names
+            let_go_of_output()
+        say(f"{error.filename or 'standard output'}: {error.strerror or error}")
         return 2
     if isinstance(error, MemoryError):
         say("not enough memory for this request; give fewer shots at a time")
@@ -77,6 +84,11 @@ def report(error: BaseException) -> int:
     traceback.print_exception(error)
     say("this is a mistake of clubface, not yours; please report it with the lines above")
     return 1
+
+
+def let_go_of_output() -> None:
+    """Send what is left for the standard output nowhere, so that Python does not try again at its end."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def missing_library(error: ModuleNotFoundError) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -121,13 +122,17 @@ def run(
     if folder is not None:
         prepared_folder(folder)
     found = run_with_progress(chosen.run)
-    if as_json:
-        output.print_json(files.document(found))
-    else:
-        print_numbers(("", ""), _rows_of(found), title=chosen.description or chosen.name)
-        print(_cost(found))
-    if folder is not None:
-        say_written(files.write_run(found, folder, animation=animate))
+    written = []
+    try:
+        if folder is not None:
+            written = files.write_run(found, folder, animation=animate)
+    finally:  # what took long is shown even where a disk is full
+        if as_json:
+            output.print_json(files.document(found))
+        else:
+            print_numbers(("", ""), _rows_of(found), title=chosen.description or chosen.name)
+            print(_cost(found))
+    say_written(written)
     _end(found)
 
 
@@ -147,25 +152,16 @@ def paper(
     if folder is not None:
         prepared_folder(folder)
     runs = run_with_progress(lambda progress: job.by_contact(chosen, progress))
-    if as_json:
-        output.print_json(job.document(runs))
-    else:
-        tables = [job.PUBLISHED, *(job.table(found) for found in runs.values())]
-        rows = [
-            [
-                label,
-                *(output.number(from_si(each[key], unit), digits) if key in each else "" for each in tables),
-            ]
-            for label, key, unit, digits in PAPER_ROWS
-        ]
-        factors = (job.SPIN_FACTOR, *(job.spin_factor(found) for found in runs.values()))
-        rows.append(["f that the spin means, Eq. (6)", *(output.number(factor, 4) for factor in factors)])
-        title = "The case of Roh and Lee, as published and as computed by each method of contact"
-        print_numbers(("", "Roh and Lee", *runs), rows, title=title)
-        for found in runs.values():
-            print(_cost(found))
-    if folder is not None:
-        say_written(files.write_paper(runs, folder))
+    written = []
+    try:
+        if folder is not None:
+            written = files.write_paper(runs, folder)
+    finally:
+        if as_json:
+            output.print_json(job.document(runs))
+        else:
+            _print_paper(runs)
+    say_written(written)
     for found in runs.values():
         _end(found)
     if folder is not None and swept:
@@ -220,6 +216,23 @@ def export(
     found = run_with_progress(wanted.run)
     say_written(vtu.write_series(found, target, chosen.name)[-1:])
     _end(found)
+
+
+def _print_paper(runs: Mapping[str, Any]) -> None:
+    """Print the runs by the method of contact beside what was published."""
+    from clubface.fem import paper as job
+
+    tables = [job.PUBLISHED, *(job.table(found) for found in runs.values())]
+    rows = [
+        [label, *(output.number(from_si(each[key], unit), digits) if key in each else "" for each in tables)]
+        for label, key, unit, digits in PAPER_ROWS
+    ]
+    factors = (job.SPIN_FACTOR, *(job.spin_factor(found) for found in runs.values()))
+    rows.append(["f that the spin means, Eq. (6)", *(output.number(factor, 4) for factor in factors)])
+    title = "The case of Roh and Lee, as published and as computed by each method of contact"
+    print_numbers(("", "Roh and Lee", *runs), rows, title=title)
+    for found in runs.values():
+        print(_cost(found))
 
 
 def _sweep(

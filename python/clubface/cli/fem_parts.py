@@ -157,6 +157,7 @@ def face(
         rows = face_map.face_map(
             name, toes=toes, highs=highs, with_ball=ball, output=target, workers=workers, progress=progress
         )
+    written = [] if target is None else [target, files.draw_face(rows, target.with_suffix(".png"))]
     if as_json:
         output.print_json(rows)
     else:
@@ -165,5 +166,4 @@ def face(
         print_numbers(heads, [[output.number(row[key], digits) for key, digits in shown] for row in rows])
     for reason in dict.fromkeys(row["stopped"] for row in rows if row["stopped"]):
         say(reason)
-    if target is not None:
-        say_written([target, files.draw_face(rows, target.with_suffix(".png"))])
+    say_written(written)

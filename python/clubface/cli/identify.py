@@ -13,6 +13,7 @@ from clubface.cli.progress import progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError, InputError
+from clubface.support.whole_file import write_text
 
 app = typer.Typer(add_completion=False)
 
@@ -101,8 +102,8 @@ def identify(
         str | None,
         options.option(
             "--checkpoint",
-            metavar="FILE",
-            text="File that keeps what is finished; SHOTS-CLUB-MODEL.checkpoint.json unless given.",
+            metavar="FOLDER",
+            text="Folder that keeps what is finished; SHOTS-CLUB-MODEL.checkpoint unless given.",
         ),
     ] = None,
     resume: options.Resume = False,
@@ -124,7 +125,7 @@ def identify(
 
     recorded = recorded_shots(shots, texts)
     head = recorded.club
-    kept = checkpoint or f"{Path(shots).stem}-{head.name}-{model}.checkpoint.json".replace("/", " ")
+    kept = checkpoint or f"{Path(shots).stem}-{head.name}-{model}.checkpoint".replace("/", " ")
     with progress_bar(lambda done, whole, stage, best: f"{stage}, {done} of {whole}, least cost {best:.6g}") as update:
         found = fit(
             recorded, club=head, model=model, parameters=given.one_set(head, texts), free=_free(free),
@@ -147,7 +148,7 @@ def identify(
 
 def _write(found: Any, target: str | None, plot: str | None) -> None:
     if target is not None:
-        Path(target).write_text(found.to_toml(), encoding="utf-8")
+        write_text(target, found.to_toml())
     if plot is not None:
         from clubface.identification.figures import identification_figure
         from clubface.plots.style import save

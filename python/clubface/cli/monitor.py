@@ -173,7 +173,7 @@ def _layout(of: Any) -> dict[str, Any]:
 def _write_rejects(shots: RecordedShots, path: Path) -> None:
     import csv
 
-    from clubface.tables.writer import open_text
+    from clubface.support.whole_file import whole_text
 
-    with open_text(path, None) as file:
+    with whole_text(path) as file:
         csv.writer(file, lineterminator="\n").writerows([("line", "reason"), *shots.rejected])

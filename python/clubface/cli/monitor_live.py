@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import time
+from contextlib import closing, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -13,6 +14,7 @@ from clubface.cli import options, output
 from clubface.cli.failures import say
 from clubface.cli.recorded import READING, read_shots
 from clubface.errors import FileError, InputError
+from clubface.support.lock import Lock
 from clubface.units import from_si, parse
 
 if TYPE_CHECKING:
@@ -52,15 +54,20 @@ def listen(
         raise FileError(target, None, "this file exists already; give a new one, so that no shots are lost")
     wait = parse(timeout, "time", name="timeout") if timeout is not None else None
     got: list[Message] = []
-    with Listener(port, hand=hand, club=club, on_problem=say) as listener:
+
+    def keep(message: Message) -> None:
+        """Bring a shot to the disk, so that none is acknowledged that could be lost."""
+        if target is not None:
+            recorded([*got, message], hand=hand).write(target)
+        got.append(message)
+
+    held = nullcontext() if target is None else closing(Lock(Path(f"{target}.lock"), Path(target)))
+    with held, Listener(port, hand=hand, club=club, keep=keep, on_problem=say) as listener:
         say(f"listening on 127.0.0.1:{listener.port}; Ctrl-C ends")
         try:
             for message in listener.messages(timeout=wait):
                 if message.kind != "shot":
                     continue
-                got.append(message)
-                if target is not None:
-                    recorded(got, hand=hand).write(target)
                 _tell_shot(message, as_json)
                 if count is not None and len(got) >= count:
                     break

@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from clubface.cli.failures import say
-from clubface.errors import FileError, InputError, in_a_line
+from clubface.errors import InputError, in_a_line
 from clubface.support.folders import prepared_folder
 from clubface.support.plain_json import plain
+from clubface.support.whole_file import write_text
 
 REJECTED = 20
 """Rows without a shot that are printed."""
@@ -59,11 +60,7 @@ def write_template(text: str, target: str | None, then: str) -> None:
         print(text, end="")
         return
     check_target("--output", target, (".toml",))
-    try:
-        with Path(target).open("x", encoding="utf-8") as file:
-            file.write(text)
-    except FileExistsError:
-        raise FileError(target, None, "this file exists already; it is left as it is") from None
+    write_text(target, text, new=True)
     say(f"wrote {target}; {then}")
 
 

@@ -19,7 +19,9 @@ from clubface.evaluation import tables
 from clubface.evaluation.model_errors import ModelErrors
 from clubface.evaluation.tables import Table
 from clubface.measured.shots import QUANTITIES
+from clubface.support.folders import prepared_folder
 from clubface.support.plain_json import plain
+from clubface.support.whole_file import write_text
 
 PICTURES = {
     "errors": "Mean absolute error of every model with its 95% interval, as published (hollow), and what measurement"
@@ -214,7 +216,7 @@ def write(of: ModelErrors, folder: str | os.PathLike[str]) -> list[Path]:
 
     target = Path(folder)
     refuse_input(target, of.shots.source)
-    target.mkdir(parents=True, exist_ok=True)
+    prepared_folder(target)
     files, pictures = [], {}
     figures = {"errors": draw.error_figure, "trends": draw.trend_figure, "agreement": draw.agreement_figure}
     for name, figure_of in figures.items():
@@ -228,6 +230,5 @@ def write(of: ModelErrors, folder: str | os.PathLike[str]) -> list[Path]:
         TABLE: as_csv(of),
     }
     for name, text in texts.items():
-        (target / name).write_text(text, encoding="utf-8")
-        files.append(target / name)
+        files.append(write_text(target / name, text))
     return files

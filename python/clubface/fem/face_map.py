@@ -46,7 +46,7 @@ def face_map(
     with_ball
         The ball for the restitution, as for :func:`clubface.fem.ball`.
     output
-        A CSV file. Each point is added as soon as it is finished, and points found in the file are not computed again.
+        A CSV file. Points found in the file are not computed again, nor those that an interrupted run has finished.
     workers
         Number of points at a time, each on one core; the last points share the cores that are left. If left out: one
         for each core.
@@ -85,7 +85,8 @@ def face_map(
 
     # What the tests are of is part of what a row means.
     tests = [head_tests.COR_SPEED, head_tests.STRIKER_SPEED, head_tests.striker().values()]
-    table = ResumableTable(output, [made, struck.values(), *tests], COLUMNS, {"stopped": str})
+    content = {"head": made, "ball": struck.values(), "test": tests}
+    table = ResumableTable(output, content, COLUMNS, {"stopped": str})
     places = {point: _millimetres(point) for point in points}
     return table.fill(places, measure, what="points", workers=workers, progress=progress)
 

@@ -12,6 +12,7 @@ from typing import Any
 from clubface.fem.result import FIGURES, Impact
 from clubface.support.folders import prepared_folder
 from clubface.support.plain_json import plain
+from clubface.support.whole_file import whole_text, write_text
 
 
 def document(found: Impact) -> dict[str, Any]:
@@ -39,8 +40,7 @@ def write_run(found: Impact, folder: str | os.PathLike[str], *, animation: bool 
         The files.
     """
     path = prepared_folder(folder)
-    figures = path / "figures.json"
-    figures.write_text(json.dumps(plain(document(found)), indent=2) + "\n", encoding="utf-8")
+    figures = write_text(path / "figures.json", json.dumps(plain(document(found)), indent=2) + "\n")
     tables = [_columns(path / f"{name}.csv", getattr(found, name)) for name in ("contact", "motion", "energy")]
     if not len(found.patch["time"]):
         return [figures, *tables]
@@ -105,7 +105,7 @@ def _columns(path: Path, arrays: Mapping[str, Any]) -> Path:
         else:
             for index, axis in enumerate(("normal", "up", "toe")):
                 columns[f"{name}_{axis}"] = values[:, index].tolist()
-    with path.open("w", encoding="utf-8", newline="") as file:
+    with whole_text(path) as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
         writer.writerows(zip(*columns.values(), strict=True))

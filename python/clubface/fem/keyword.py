@@ -15,6 +15,7 @@ from clubface.fem.case import MESHED, PLANE, RIGID, Case
 from clubface.fem.keyword_head import write_head
 from clubface.fem.materials import Material, laws
 from clubface.fem.settings import Settings
+from clubface.support.whole_file import write_text
 
 USUAL_SAFETY = 0.9
 """Time step over the stable one where the case leaves it open: what other codes take."""
@@ -71,9 +72,7 @@ def write(case: Case, path: str | os.PathLike[str]) -> Path:
     else:
         write_head(deck, case, len(mesh["nodes"]), len(mesh["elements"]))
     deck.lines.append("*END")
-    target = Path(path)
-    target.write_text(str(deck), encoding="ascii")
-    return target
+    return write_text(path, str(deck), encoding="ascii")
 
 
 def _delivered(case: Case) -> str:

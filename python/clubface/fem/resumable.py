@@ -1,17 +1,20 @@
-"""Tables that grow row by row during a computation, so that an interruption loses nothing."""
+"""Tables of long computations, a row at a time, so that an interruption loses nothing."""
 
 from __future__ import annotations
 
 import csv
+import io
 import os
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import Any, TypeVar
 
 from clubface.errors import FileError
 from clubface.fem.core import Progress
 from clubface.fem.side_by_side import side_by_side
-from clubface.support.resuming import complete_lines, cut_incomplete_line, fingerprint
+from clubface.support.folders import prepared_folder
+from clubface.support.resuming import Store, fingerprint, unfinished
 
 P = TypeVar("P")
 
@@ -19,13 +22,16 @@ P = TypeVar("P")
 class ResumableTable:
     """Rows found by their first two columns, in a CSV file where one is given; its first line tells what they are of.
 
+    Rows that are finished are kept in a store beside the file until all are, and then written together, those of the
+    file that were not asked for this time after them.
+
     Parameters
     ----------
     path
         The file; None keeps the rows for this run alone.
     content
-        What the rows are of: numbers, texts, arrays, data classes, and lists and mappings of these. A table of anything
-        else is refused.
+        What the rows are of, by what a person calls it: numbers, texts, arrays, data classes, and lists and mappings of
+        these. A table of anything else is refused.
     columns
         Names of the columns.
     kinds
@@ -35,24 +41,22 @@ class ResumableTable:
     def __init__(
         self,
         path: str | os.PathLike[str] | None,
-        content: Sequence[Any],
+        content: Mapping[str, Any],
         columns: Sequence[str],
         kinds: Mapping[str, Callable[[str], Any]],
     ) -> None:
         self._path = None if path is None else Path(path)
+        self._content = content
         self._columns, self._kinds = tuple(columns), kinds
         self._rows: dict[tuple[float, ...], dict[str, Any]] = {}
-        self._mark = "# case " + fingerprint(content)[:16]
-        if self._path is None:
-            return
-        if self._path.exists():
-            self._read(self._path)
-        else:
-            self._path.parent.mkdir(parents=True, exist_ok=True)
-            self._path.write_text(f"{self._mark}\n{','.join(self._columns)}\n", encoding="utf-8")
+        self._mark = "# case " + fingerprint(list(content.values()))[:16]
+        if self._path is not None:
+            prepared_folder(self._path.parent)
+            if self._path.exists():
+                self._read(self._path)
 
     def _read(self, path: Path) -> None:
-        lines = complete_lines(path)
+        lines = path.read_bytes().decode(errors="replace").split("\n")[:-1]
         if lines[:1] != [self._mark] or lines[1:2] != [",".join(self._columns)]:
             raise FileError(str(path), 1, "this is not the table of this case; give another file, or remove it")
         # Each line by itself: a quotation mark in a damaged one must not swallow the others.
@@ -63,7 +67,6 @@ class ResumableTable:
                 self._keep({name: self._kinds.get(name, float)(text) for name, text in pairs})
             except (ValueError, csv.Error):
                 raise FileError(str(path), number, "this is not a row of the table; remove it") from None
-        cut_incomplete_line(path)
 
     def fill(
         self,
@@ -74,7 +77,7 @@ class ResumableTable:
         workers: int | None,
         progress: Callable[[int, int], object] | None,
     ) -> list[dict[str, Any]]:
-        """Run what has no row yet, side by side, a row added as each ends; return the rows of all.
+        """Run what has no row yet, side by side, a row kept as each ends; return the rows of all.
 
         Parameters
         ----------
@@ -89,31 +92,58 @@ class ResumableTable:
         progress
             Called with the rows there are and the rows in all.
         """
-        rows = {point: self._rows.get(_key(place)) for point, place in places.items()}
+        with self._store(places) as store:
+            if store is not None:
+                for name in store:
+                    self._keep(store[name])
+            rows = {point: self._rows.get(_key(place)) for point, place in places.items()}
 
-        def ended(point: P, row: dict[str, Any]) -> None:
-            rows[point] = row
-            self._add(row)
-            if progress is not None:
-                progress(sum(row is not None for row in rows.values()), len(rows))
+            def ended(point: P, row: dict[str, Any]) -> None:
+                rows[point] = row
+                self._keep(row)
+                if store is not None:
+                    store.keep(",".join(map(repr, places[point])), row)
+                if progress is not None:
+                    progress(sum(row is not None for row in rows.values()), len(rows))
 
-        try:
-            side_by_side([point for point, row in rows.items() if row is None], run, ended, workers=workers)
-        except KeyboardInterrupt:
-            kept = "" if self._path is None else f"; they are in {self._path}, and the same command goes on after them"
-            done = sum(row is not None for row in rows.values())
-            raise KeyboardInterrupt(f"{done} of {len(rows)} {what} are done{kept}") from None
-        return [row for row in rows.values() if row is not None]
+            try:
+                side_by_side([point for point, row in rows.items() if row is None], run, ended, workers=workers)
+            except KeyboardInterrupt:
+                kept = f"; they are in {store.folder}, and the same command goes on after them" if store else ""
+                done = sum(row is not None for row in rows.values())
+                raise KeyboardInterrupt(f"{done} of {len(rows)} {what} are done{kept}") from None
+            found = [row for row in rows.values() if row is not None]
+            if store:
+                self._write(found, store)
+        return found
+
+    def _store(self, places: Mapping[P, tuple[float, float]]) -> AbstractContextManager[Store | None]:
+        """Return the store of what is not in the table yet, or None."""
+        if self._path is None:
+            return nullcontext()
+        folder = unfinished(self._path)
+        if not folder.exists() and all(_key(place) in self._rows for place in places.values()):
+            return nullcontext()
+        otherwise = f"finish that with the same command, or remove {folder}"
+        return Store(folder, self._content, of=self._path, otherwise=otherwise)
+
+    def _write(self, first: Sequence[dict[str, Any]], store: Store) -> None:
+        """Write the table, some rows first."""
+        assert self._path is not None
+        text = io.StringIO()
+        out = csv.writer(text, lineterminator="\n")
+        keys = dict.fromkeys([*map(self._key_of, first), *self._rows])
+        for row in (self._rows[key] for key in keys):
+            out.writerow([row[name] if isinstance(row[name], str) else repr(row[name]) for name in self._columns])
+        with store.result(self._path) as file:
+            file.write(f"{self._mark}\n{','.join(self._columns)}\n{text.getvalue()}".encode())
+        store.remove()
 
     def _keep(self, row: dict[str, Any]) -> None:
-        self._rows[_key([row[name] for name in self._columns[:2]])] = row
+        self._rows[self._key_of(row)] = row
 
-    def _add(self, row: dict[str, Any]) -> None:
-        self._keep(row)
-        if self._path is not None:
-            with self._path.open("a", encoding="utf-8", newline="") as file:
-                texts = [value if isinstance(value, str) else repr(value) for value in row.values()]
-                csv.writer(file, lineterminator="\n").writerow(texts)
+    def _key_of(self, row: Mapping[str, Any]) -> tuple[float, ...]:
+        return _key([row[name] for name in self._columns[:2]])
 
 
 def _key(place: Sequence[float]) -> tuple[float, ...]:

@@ -18,7 +18,7 @@ from clubface.fem.side_by_side import workers_of
 COLUMNS = (
     "speed_mps", "loft_deg", "ball_speed_mps", "launch_deg", "spin_rpm", "club_speed_after_mps", "peak_force_n",
     "peak_force_time_s", "contact_time_s", "reversal_time_s", "contraction", "f_prime", "f", "energy_error", "steps",
-    "wall_s", "stopped",
+    "stopped",
 )  # fmt: skip
 """Columns of the table, one row a run."""
 
@@ -61,7 +61,7 @@ def sweep(
     speeds, lofts
         Clubhead speeds [m/s] and lofts [rad].
     output
-        A CSV file. Each run is added as soon as it is finished, and runs found in the file are not repeated.
+        A CSV file. Runs found in the file are not repeated, nor those that an interrupted run has finished.
     workers
         Number of runs at a time, each on one core; the last runs share the cores that are left. If left out: one for
         each core.
@@ -108,7 +108,13 @@ def _degrees(angle: float) -> float:
     return round(units.from_si(angle, "deg"), 9)
 
 
-def _content(base: Case) -> list[Any]:
+def _content(base: Case) -> dict[str, Any]:
     """Return everything in a case but what is swept."""
     delivery = {key: str(value) for key, value in base.delivery.items() if key not in ("speed", "loft")}
-    return [base.ball.values(), base.head, base.club, delivery, base.friction, base.settings.values()]
+    return {
+        "ball": base.ball.values(),
+        "head": [base.head, base.club],
+        "delivery": delivery,
+        "friction": base.friction,
+        "setting": base.settings.values(),
+    }

@@ -11,6 +11,7 @@ from clubface.errors import InputError
 from clubface.fem.fields import turned
 from clubface.fem.heads import MeshedHead, ShellHead, SolidHead
 from clubface.fem.result import Impact
+from clubface.support.whole_file import whole_file, write_text
 
 PARAVIEW = [0, 1, 2, 3, 5, 4]
 """Places of xx, yy, zz, xy, yz, xz among ours."""
@@ -70,7 +71,8 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
         moved: dict[str, Any] = {"displacement": (shape - shapes[0]).astype(np.float32)}
         path = target / f"{stem}-{number:04d}.vtu"
         data = of_cells | _felt(found, number)
-        meshio.write(path, meshio.Mesh(shapes[0], cells, point_data=moved, cell_data=data), file_format="vtu")
+        with whole_file(path) as file:
+            meshio.write(file.name, meshio.Mesh(shapes[0], cells, point_data=moved, cell_data=data), file_format="vtu")
         written.append(path)
     return [*written, _collection(target / f"{stem}.pvd", found.frame_times.tolist(), written)]
 
@@ -118,9 +120,8 @@ def _collection(path: Path, times: list[float], files: list[Path]) -> Path:
         f'    <DataSet timestep="{time!r}" part="0" file={quoteattr(file.name)}/>\n'
         for time, file in zip(times, files, strict=True)
     )
-    path.write_text(
+    return write_text(
+        path,
         '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">\n'
         f"  <Collection>\n{entries}  </Collection>\n</VTKFile>\n",
-        encoding="utf-8",
     )
-    return path

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from clubface.errors import ClubfaceError
 from clubface.findings.study import run
+from clubface.support.whole_file import write_text
 
 
 def main(arguments: list[str]) -> int:
@@ -30,13 +31,13 @@ def main(arguments: list[str]) -> int:
 
     try:
         found = run(folder, progress=tell)
+        write_text(target, json.dumps(found, indent=1, allow_nan=False) + "\n")
     except KeyboardInterrupt:
         print(f"\ninterrupted; what is finished is in {folder}, and the next run goes on after it", file=sys.stderr)
         return 130
     except ClubfaceError as error:
         print(f"clubface.findings: {error}", file=sys.stderr)
         return 2
-    target.write_text(json.dumps(found, indent=1, allow_nan=False) + "\n", encoding="utf-8")
     print(target)
     return 0
 

@@ -1,6 +1,6 @@
 """The whole study: every model identified on the benchmark shots of both clubs, and what follows from it.
 
-Each part is written to its own file when it is finished, so that an interrupted study goes on where it was.
+Each part is kept when it is finished, so that an interrupted study goes on where it was.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from clubface.benchmark_data.impacts import true_parameters
 from clubface.benchmark_data.recipe import recipe
 from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError
 from clubface.evaluation import Evaluation
 from clubface.evaluation.evaluation import evaluate
 from clubface.evaluation.statistics import Resamples, interval
@@ -27,9 +26,9 @@ from clubface.findings.error_budget import error_budget
 from clubface.findings.tour_fit import FREE, fit
 from clubface.identification import Identification, identify
 from clubface.measured.shots import QUANTITIES
+from clubface.support.folders import prepared_folder
 from clubface.support.plain_json import plain
-from clubface.support.resuming import once
-from clubface.support.version import __version__
+from clubface.support.resuming import Store
 
 MODELS = ("standard", "adjusted", "slip", "jorgensen", "volumetric", "area", "rings")
 EVERY = {"driver-rings": 10, "7-iron-rings": 3}
@@ -47,68 +46,63 @@ Progress = Callable[[str, float], object]
 
 def run(folder: Path, *, threads: int | None = None, progress: Progress | None = None) -> dict[str, Any]:
     """Run what is not in ``folder`` yet, and return all findings, made of what JSON has."""
-    folder.mkdir(parents=True, exist_ok=True)
-    _check_settings(folder)
-    tour = {model: once(folder / f"tour-{model}.json", partial(_tour, model)) for model in FREE}
+    prepared_folder(folder.parent)
     of = {club: load(club) for club in CLUBS}
-    # The quick models of both clubs before the slow ones of either.
-    fits = {club: {} for club in CLUBS}
-    for model in MODELS:
-        for club, shots in of.items():
-            fits[club][model] = fitted(shots, model, folder, threads=threads, progress=progress)
-    own = {
-        club: {
-            model: once(folder / f"{club}-{model}-own.json", partial(_own, shots, model, folder, threads, progress))
-            for model in MODELS
-            if model in OWN
+    content = {
+        "set of shots": of, "every": EVERY, "bootstrap": BOOTSTRAP, "resamples": RESAMPLES,
+    }  # fmt: skip
+    with Store(folder, content, otherwise="give a new folder") as store:
+        tour = {model: store.once(f"tour-{model}", lambda model=model: plain(_tour(model))) for model in FREE}
+        # The quick models of both clubs before the slow ones of either.
+        fits = {club: {} for club in CLUBS}
+        for model in MODELS:
+            for club, shots in of.items():
+                fits[club][model] = fitted(shots, model, store, threads=threads, progress=progress)
+        own = {
+            club: {
+                model: store.once(f"{club}-{model}-own", partial(_own, shots, model, store, threads, progress))
+                for model in MODELS
+                if model in OWN
+            }
+            for club, shots in of.items()
         }
-        for club, shots in of.items()
-    }
-    clubs = {club: _of_club(shots, fits[club], folder, threads) | {"own": own[club]} for club, shots in of.items()}
+        clubs = {club: _of_club(shots, fits[club], store, threads) | {"own": own[club]} for club, shots in of.items()}
     return rounded(plain({"models": list(MODELS), "clubs": clubs, "tour": tour}))
 
 
-def _check_settings(folder: Path) -> None:
-    """Refuse a folder whose parts were made otherwise: they would be mixed with others."""
-    counts = {"every": EVERY, "bootstrap": BOOTSTRAP, "resamples": RESAMPLES}
-    now = {"version": __version__, **counts}
-    kept = once(folder / "settings.json", lambda: now)
-    if kept != now:
-        changed = ", ".join(name for name in now if kept.get(name) != now[name])
-        raise InputError("the folder of the study", str(folder), f"a new one: what is in it has another {changed}")
-
-
-def _of_club(shots: BenchmarkShots, fits: dict[str, Any], folder: Path, threads: int | None) -> dict[str, Any]:
+def _of_club(shots: BenchmarkShots, fits: dict[str, Any], store: Store, threads: int | None) -> dict[str, Any]:
     """Return what is found with one club."""
     sets = {model: _parameters(shots.club, model, each) for model, each in fits.items()}
     return {
         "fits": {model: {key: each[key] for key in each if key != "held_out"} for model, each in fits.items()},
         "held_out": _leads(shots, fits),
-        "errors": once(folder / f"{shots.club}-errors.json", partial(_errors, shots, sets, threads)),
+        "errors": store.once(f"{shots.club}-errors", lambda: plain(_errors(shots, sets, threads))),
         "effects": effect_sizes(shots),
         "budget": {model: error_budget(shots, sets[model]) for model in MODELS},
     }
 
 
 def fitted(
-    shots: BenchmarkShots, model: str, folder: Path, *, threads: int | None = None, progress: Progress | None = None
+    shots: BenchmarkShots, model: str, store: Store, *, threads: int | None = None, progress: Progress | None = None
 ) -> dict[str, Any]:
-    """Return one model as identified on the shots of one club, from ``folder`` if it is there."""
+    """Return one model as identified on the shots of one club, from ``store`` if it is there."""
     which = np.arange(0, len(shots), EVERY.get(f"{shots.club}-{model}", 1))
-    part = folder / f"{shots.club}-{model}.json"
-    return once(part, lambda: _told(_identified(shots, model, which, part, threads, progress), shots, which))
+    part = f"{shots.club}-{model}"
+    return store.once(
+        part, lambda: plain(_told(_identified(shots, model, which, store.file(part), threads, progress), shots, which))
+    )
 
 
 def _own(
-    shots: BenchmarkShots, model: str, folder: Path, threads: int | None, progress: Progress | None
+    shots: BenchmarkShots, model: str, store: Store, threads: int | None, progress: Progress | None
 ) -> dict[str, Any]:
     """Return one model as identified on the shots that it made, and the parameters it made them with, on average."""
     which = np.flatnonzero(shots.model == model)
-    found = _identified(shots, model, which, folder / f"{shots.club}-{model}-own.json", threads, progress)
+    found = _identified(shots, model, which, store.file(f"{shots.club}-{model}-own"), threads, progress)
     delivery = {name: values[which] for name, values in shots.truth.deliveries.items()}
     true = true_parameters(recipe(shots.club), model, delivery, shots.restitution_offset[which]).values
     kept = {name: each for name, each in _told(found, shots, which).items() if name != "held_out"}
-    return kept | {"true": {name: float(np.mean(true[name])) for name in kept["free"]}}
+    return plain(kept | {"true": {name: float(np.mean(true[name])) for name in kept["free"]}})
 
 
 def _identified(
@@ -119,7 +113,7 @@ def _identified(
 
     def tell(stage: str, done: int, of: int, best: float) -> None:
         if progress is not None:
-            progress(f"{part.stem}: {stage}, cost {best:.4f}", done / of)
+            progress(f"{part.name}: {stage}, cost {best:.4f}", done / of)
 
     return identify(
         shots.measured.select(which), club=shots.club, model=model, groups=shots.player[which], ball=published_ball(),

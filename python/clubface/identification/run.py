@@ -27,7 +27,6 @@ from clubface.recorded.shots import RecordedShots
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import equipped
 from clubface.simulation.run_options import thread_count, tolerance
-from clubface.support.resuming import fingerprint
 
 
 def identify(
@@ -119,7 +118,7 @@ def identify(
     accuracy, threads
         As for :func:`impact`.
     checkpoint
-        A file that keeps what is finished. It is removed when everything is finished.
+        A folder that keeps what is finished. It is removed when everything is finished.
     resume
         Continue from the checkpoint, if there is one.
     progress
@@ -136,7 +135,7 @@ def identify(
         The shots cannot be used, belong to another club, or hold less information than there are free parameters; or an
         option is out of range.
     FileError
-        A file cannot be read, or a checkpoint belongs to other shots or settings.
+        A file cannot be read, or a checkpoint belongs to other shots or settings, or to a process that is running.
     """
     reduced_model(model, "one with derivatives")
     counts = {
@@ -183,15 +182,21 @@ def identify(
         },
         "tied": dict(chosen.tied),
     }  # fmt: skip
-    content = fingerprint([settings, fixed.values, prepared.columns, prepared.launches, prepared.groups])
+    content = {
+        "set of shots": [prepared.columns, prepared.launches, prepared.groups],
+        "parameter": fixed.values,
+        **settings,
+    }
     kept = Checkpoint(checkpoint, content, effort, resume=resume)
     stages = Stages(simulator, judged, deviations, settings, kept, progress)
     try:
         found = stages.result(tuple(notes))
+        kept.remove()
     except KeyboardInterrupt:
-        if kept.path is None or not kept.parts:
+        if checkpoint is None or not kept.parts:
             raise
-        message = f"interrupted: what is finished is kept in {kept.path}; resume goes on after it"
+        message = f"interrupted: what is finished is kept in {os.fspath(checkpoint)}; resume goes on after it"
         raise KeyboardInterrupt(message) from None
-    kept.remove()
+    finally:
+        kept.close()
     return found

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import csv
+import io
 import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from clubface.errors import FileError, InputError
-from clubface.inference.rows import REMARK, Rows
+from clubface.inference.rows import Rows
 from clubface.recorded.shots import RecordedShots
-from clubface.support.resuming import Journal, complete_lines, cut_incomplete_line, fingerprint, unfinished
-
-OTHERS = "of an unfinished file of other settings; finish it with those, or start again without --resume"
+from clubface.support.resuming import Store, fingerprint_of_file, unfinished
 
 
 class InferReport(NamedTuple):
@@ -83,47 +82,34 @@ def infer_shots(
     if not target.parent.is_dir():
         raise FileError(str(target), None, f"there is no folder {str(target.parent)!r}")
     rows = Rows(shots, **options)
-    part = unfinished(target)
-    content = [shots.source, shots.rows, shots.launches, shots.deliveries, repr(sorted(rows.options.items()))]
-    journal = Journal(unfinished(target, ".json"), fingerprint(content), others=OTHERS)
-    done = 0
-    if resume and part.exists() and journal.read(lambda state: state) is not None:
-        cut_incomplete_line(part)
-        done = max(0, _finished(part, rows.headings) - 1)
-    try:
-        if not done:
-            journal.write({})
-        with part.open("a" if done else "w", newline="", encoding="utf-8") as file:
-            out = csv.writer(file, lineterminator="\n")
-            if not done:
-                out.writerow(rows.headings)
-            for place in range(done, len(shots)):
-                out.writerow(rows.of(place))
-                file.flush()
+    content = {
+        "source": _with_content(shots.source),
+        "set of launches": [shots.rows, shots.launches, shots.deliveries],
+        "club, prior or option": {name: _with_content(value) for name, value in rows.options.items()},
+    }
+    folder = unfinished(target, [shots.source])
+    with Store(folder, content, of=target, resume=resume) as store:
+        resumed = len(store)
+        try:
+            for place in range(resumed, len(shots)):
+                store.keep(str(place), rows.of(place))
                 if progress is not None:
                     progress(place + 1, len(shots))
-        os.replace(part, target)
-        journal.remove()
-    except OSError as error:
-        raise FileError(str(target), None, f"cannot be written: {error.strerror or error}") from None
-    except KeyboardInterrupt:
-        message = f"interrupted: finished shots are in {part}; --resume goes on after them"
-        raise KeyboardInterrupt(message) from None
-    with target.open(newline="", encoding="utf-8") as file:
-        written = list(csv.DictReader(file))
-    without = sum(not row["effective"] for row in written)
-    warned = sum(bool(row[REMARK]) for row in written) - without
-    return InferReport(str(target), len(written), done, without, warned, tuple(rows.club))
+        except KeyboardInterrupt:
+            message = f"interrupted: {len(store)} finished shots are in {folder}; --resume goes on after them"
+            raise KeyboardInterrupt(message) if len(store) else KeyboardInterrupt from None
+        written = [store[str(place)] for place in range(len(shots))]
+        text = io.StringIO()
+        csv.writer(text, lineterminator="\n").writerows([rows.headings, *written])
+        with store.result(target) as file:
+            file.write(text.getvalue().encode())
+        store.remove()
+    without = sum(row[-2] == "" for row in written)
+    warned = sum(bool(row[-1]) for row in written) - without
+    return InferReport(str(target), len(written), resumed, without, warned, tuple(rows.club))
 
 
-def _finished(part: Path, headings: list[str]) -> int:
-    """Return the number of rows in an unfinished file, the headings among them; refuse a damaged one."""
-    lines = complete_lines(part)
-    for number, line in enumerate(lines, 1):
-        try:
-            (cells,) = csv.reader([line], strict=True)
-        except (csv.Error, ValueError):
-            cells = []
-        if len(cells) != len(headings) or (number == 1 and cells != headings):
-            raise FileError(str(part), number, "this is no row of the table; start again without --resume")
-    return len(lines)
+def _with_content(value: Any) -> Any:
+    """Return an option, and for the name of a file what the file holds."""
+    named = isinstance(value, (str, os.PathLike)) and os.path.isfile(value)
+    return fingerprint_of_file(value) if named else value

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -16,6 +17,7 @@ from clubface.motion_capture.c3d_layout import check_layout
 from clubface.motion_capture.rigid_body import visible
 from clubface.motion_capture.rotations import Array
 from clubface.support.apart import Apart, ApartError
+from clubface.support.whole_file import whole_file
 
 LIBRARY = Apart(Path(__file__).with_name("c3d_library.py"))
 MEMORY = 200
@@ -145,10 +147,15 @@ def write_c3d(recording: Recording, path: str | os.PathLike[str]) -> Path:
     points = np.ones((4, len(recording.labels), len(recording.positions)))
     points[:3] = np.moveaxis(units.from_si(recording.positions, "mm"), -1, 0).swapaxes(1, 2)
     file["data"]["points"] = points
-    try:
-        file.write(os.fspath(target))
-    except (OSError, RuntimeError) as error:
-        raise FileError(os.fspath(target), None, f"cannot be written: {error}") from None
+    with whole_file(target) as out:
+        try:
+            file.write(out.name)
+        except RuntimeError as error:
+            raise FileError(os.fspath(target), None, f"cannot be written: {error}") from None
+        # The library does not tell of a full disk: the ninth word of the file says in which block the points begin.
+        begin = 512 * (int.from_bytes(out.read(18)[16:], "little") - 1)
+        if os.path.getsize(out.name) < begin + points.astype(np.float32).nbytes:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
     return target
 
 

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
 from statistics import NormalDist
 from typing import Any
 
@@ -24,6 +28,7 @@ from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH
 from clubface.simulation.delivery import OF_CLUB
+from clubface.support.resuming import Store
 from clubface.support.warning import without_warnings
 
 UNITS = {
@@ -31,6 +36,7 @@ UNITS = {
     for name, dimension in OF_CLUB.items()
 }
 """In which errors are told: m/s, deg, mm, deg/s."""
+OTHERWISE = "finish that study, or name another folder"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -132,6 +138,7 @@ def study(
     estimators: Iterable[str] = tuple(ESTIMATORS),
     roughness: float = ROUGHNESS,
     seed: int = 1,
+    checkpoint: str | os.PathLike[str] | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Study:
     """Read ``count`` synthetic swings with each estimator and compare the deliveries with the truth.
@@ -150,8 +157,16 @@ def study(
         Roughness for the smoother.
     seed
         The same seed gives the same swings and noise.
+    checkpoint
+        A folder that keeps the swings that are read, for the same study to go on after an interruption. It is removed
+        when all are.
     progress
         Called with the number of swings read and the number of swings.
+
+    Raises
+    ------
+    FileError
+        The checkpoint belongs to another study, or to a process that is running.
     """
     check_count(count)
     seen = cameras or Cameras()
@@ -162,25 +177,37 @@ def study(
     ready: dict[str, Setup] = {
         name: prepare(positions_map(made.club, seen), made.club, estimator=name, roughness=roughness) for name in names
     }
-    errors, deviations = (np.full((len(names), count, len(QUANTITIES)), np.nan) for _ in range(2))
-    touches, truths = np.full((len(names), count), np.nan), np.full((count, len(QUANTITIES)), np.nan)
-    for number in range(count):
+    content = {"club": made.club.inputs(), "laboratory": seen, "estimator": [names, roughness], "seed": seed}
+
+    def read(number: int) -> list[Any]:
+        """Return truth, then errors, deviations and error of first touch by estimator, of one swing."""
         swing = random_swing(np.random.default_rng([seed, number, 0]), club=made.club)
-        truths[number] = [swing.truth[name] for name in QUANTITIES]
+        truth = np.array([swing.truth[name] for name in QUANTITIES])
         recording, first = seen.record_from(swing, np.random.default_rng([seed, number, 1]))
-        for place, name in enumerate(names):
-            found = capture(recording, ready[name])
-            errors[place, number] = np.array([getattr(found.delivery, each) for each in QUANTITIES]) - truths[number]
-            deviations[place, number] = [found.uncertainty[each] for each in QUANTITIES]
-            touches[place, number] = found.time + first
-        if progress is not None:
-            progress(number + 1, count)
+        found = [capture(recording, ready[name]) for name in names]
+        errors = [[getattr(each.delivery, name) for name in QUANTITIES] - truth for each in found]
+        deviations = [[each.uncertainty[name] for name in QUANTITIES] for each in found]
+        return [truth.tolist(), np.array(errors).tolist(), deviations, [float(each.time + first) for each in found]]
+
+    rows = []
+    with nullcontext() if checkpoint is None else Store(Path(checkpoint), content, otherwise=OTHERWISE) as store:
+        try:
+            for number in range(count):
+                rows.append(read(number) if store is None else store.once(str(number), partial(read, number)))
+                if progress is not None:
+                    progress(number + 1, count)
+        except KeyboardInterrupt:
+            kept = "" if checkpoint is None else f"; they are in {checkpoint}, and the same command goes on after them"
+            raise KeyboardInterrupt(f"{len(rows)} of {count} swings are read{kept}") from None
+        if store is not None:
+            store.remove()
+    truths, errors, deviations, touches = (np.array(each) for each in zip(*rows, strict=True))
     return Study(
         club=made.club,
         cameras=seen,
-        errors=dict(zip(names, errors, strict=True)),
-        deviations=dict(zip(names, deviations, strict=True)),
-        touches=dict(zip(names, touches, strict=True)),
+        errors=dict(zip(names, errors.swapaxes(0, 1), strict=True)),
+        deviations=dict(zip(names, deviations.swapaxes(0, 1), strict=True)),
+        touches=dict(zip(names, touches.T, strict=True)),
         truth=truths,
     )
 

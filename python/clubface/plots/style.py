@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 
 from clubface.equipment.models import models
 from clubface.errors import InputError
+from clubface.support.whole_file import whole_file
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -115,5 +116,7 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     """Write ``figure`` to ``path``, in the format of its ending; the same figure gives the same bytes."""
     target = check_ending(path)
     dates = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}, ".png": {}}
-    figure.savefig(target, metadata=dates[target.suffix.lower()])
+    kind = target.suffix.lower()
+    with whole_file(target) as file:
+        figure.savefig(file, format=kind[1:], metadata=dates[kind])
     return target

@@ -22,7 +22,6 @@ from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import equipped, hand_value
 from clubface.simulation.launch import computed_with
 from clubface.simulation.run_options import thread_count, tolerance
-from clubface.support.resuming import unfinished
 from clubface.tables.headings import Column
 from clubface.tables.writer import is_parquet
 
@@ -56,7 +55,7 @@ class PredictReport:
     notes
         What a reader of the result should know.
     first_rejects
-        Line and reason of the first rejects of this run.
+        Line and reason of the first rejects.
     resumed
         Rows done by an earlier run.
     provenance
@@ -123,8 +122,8 @@ def predict(
     recorded shots: it is read by :func:`clubface.launch_monitor.read`, and shots of another club are refused. Club data
     that was taken elsewhere is referred to the points of clubface.
 
-    Both files have ``.part`` in their names until they are complete. If the run is interrupted, what is finished stays
-    in them as valid files, and ``resume=True`` goes on after it.
+    Both files have their names only once they are complete. Until then, what is finished is kept in the folder
+    ``<output>.unfinished``, and ``resume=True`` goes on after it, however the run ended.
 
     Parameters
     ----------
@@ -152,7 +151,7 @@ def predict(
     progress
         Called with the part of the file read, 0 to 1, and the rows done.
     resume
-        Whether to go on where an interrupted run of the same file and settings stopped; where there was none, it
+        Whether to go on where an interrupted run of the same content and settings stopped; where there was none, it
         starts at the beginning.
 
     Returns
@@ -164,7 +163,8 @@ def predict(
     ------
     FileError
         A file cannot be read or written; the message names the line. It is empty, has no column for the speed or one
-        column twice, a unit has another dimension, or the text is not UTF-8.
+        column twice, a unit has another dimension, or the text is not UTF-8. Another process is writing the output, or
+        what is to be resumed was begun with another source or other settings.
     KeyboardInterrupt
         Ctrl-C was pressed; the message says where the finished rows are.
     """
@@ -221,7 +221,7 @@ def predict(
         },
         passed=columns.passed,
         added=task.headings,
-        notes=(*opened.notes, *([remark] if (remark := task.tally.remark()) else [])),
+        notes=(*opened.notes, *([remark] if (remark := outcome.tally.remark()) else [])),
         first_rejects=outcome.first_rejects,
         resumed=outcome.resumed,
         provenance=provenance,
@@ -235,7 +235,7 @@ def _by_quantity(columns: Iterable[Column]) -> dict[str, Column]:
 def _check_paths(source: Path, target: Path, aside: Path) -> None:
     is_parquet(target)
     for path, what in ((target, "output"), (aside, "rejects")):
-        if path.resolve() in (source.resolve(), unfinished(source).resolve()):
+        if path.resolve() == source.resolve():
             raise FileError(str(path), None, f"the {what} must be another file than the one that is read")
         if not path.parent.is_dir():
             raise FileError(str(path), None, f"there is no folder {str(path.parent)!r}")

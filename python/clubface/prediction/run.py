@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import os
-import signal
-import threading
+import json
 from collections.abc import Callable, Mapping
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -14,13 +11,15 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.models import model as model_named
 from clubface.errors import FileError, RangeWarning
 from clubface.simulation.flight import fly
+from clubface.simulation.flight_inputs import conditions
 from clubface.simulation.impact import impact
 from clubface.simulation.outside import Tally
-from clubface.support.resuming import Journal, fingerprint, unfinished
+from clubface.support.resuming import Store, fingerprint_of_file, unfinished
 from clubface.support.warning import without_warnings
+from clubface.support.whole_file import whole_file
 from clubface.tables.headings import HAND, Layout
 from clubface.tables.rows import Chunk, Reader, Reject
-from clubface.tables.writer import CsvWriter, RejectsWriter, Writer, is_parquet
+from clubface.tables.writer import CsvForm, Form, RejectsForm, is_parquet
 from clubface.units import from_si, to_si
 
 if TYPE_CHECKING:
@@ -38,11 +37,14 @@ FLIGHT_COLUMNS = {
 CONTACT_COLUMNS = {"contact_time_s": ("contact_time", "s"), "peak_force_n": ("peak_force", "N")}
 """Columns written: quantity and unit by heading."""
 
-STATE: tuple[str, ...] = ("rows", "written", "rejected", "output_bytes", "rejects_bytes")
-"""What a journal counts: rows read, written and rejected, and the length of both files."""
+COUNTS = ("rows", "written", "rejected")
+"""What is counted: rows read, written and rejected."""
 
 PREFIX = "predicted_"
 """Put before the headings written where the file has one of them already."""
+
+REJECTS = ".rejects.csv"
+"""How the name of the rejects of a chunk ends."""
 
 SHOWN = 20
 """Rejects a report shows."""
@@ -78,27 +80,27 @@ class Task:
         self.hand = hand
         self.columns = columns
         self.results = results
-        self.tally = Tally()
         prefix = ""
         while any(prefix + heading in columns.headings for heading in results):
             prefix += PREFIX
         self.headings = tuple(prefix + heading for heading in results)
 
-    def settings(self, source: Path, output: Path) -> str:
-        """Return a text that is the same only for the same file and settings."""
-        shot, flight = self.shot, self.flight or {}
-        ball = shot["ball"]
-        told_ball = ball.inputs() if isinstance(ball, Ball) else ball.values()
-        told = [
-            os.path.abspath(source), os.stat(source).st_size, output.suffix, self.columns, list(self.results.items()),
-            shot["model"], dict(shot["parameters"].values), shot["parameters"].characteristic_time,
-            shot["club"].inputs(), told_ball, shot["accuracy"], self.hand,
-            repr(flight.get("air")), repr(flight.get("wind")), self.content,
-        ]  # fmt: skip
-        return fingerprint(told)
+    def content_of(self, source: Path) -> dict[str, Any]:
+        """Return what a run is of, by what a person calls it."""
+        shot, ball = self.shot, self.shot["ball"]
+        equipment = [shot["club"].inputs(), ball.inputs() if isinstance(ball, Ball) else ball.values()]
+        return {
+            "source": fingerprint_of_file(source),
+            "choice of shots": self.content,
+            "layout of columns": [self.columns, list(self.results.items())],
+            "model": [shot["model"], dict(shot["parameters"].values), shot["parameters"].characteristic_time],
+            "club or ball": [equipment, self.hand, json.dumps(self.provenance, default=str)],
+            "accuracy": shot["accuracy"],
+            "air or wind": self.flight and conditions(self.flight["air"], self.flight["wind"]),
+        }
 
-    def compute(self, chunk: Chunk) -> tuple[list[int] | None, list[NDArray[Any]], list[Reject]]:
-        """Return the rows that have a launch (None: all), their results, and the other rows."""
+    def compute(self, chunk: Chunk) -> tuple[list[int] | None, list[NDArray[Any]], list[Reject], Tally]:
+        """Return the rows that have a launch (None: all), their results, the other rows, and those out of range."""
         import numpy as np
 
         reasons: dict[int, str] = {}
@@ -115,7 +117,7 @@ class Task:
         hand = values.pop(HAND, self.hand)
         with without_warnings(RangeWarning):
             launch = impact(delivery=values, hand=hand, on_error="nan", **self.shot)
-        self.tally.add(launch)
+        tally = Tally().add_all([launch])
         sources: list[Any] = [launch]
         problems = {each.row[0]: f"{each.parameter}: {each.reason}" for each in launch.problems}
         if self.flight is not None:
@@ -136,7 +138,7 @@ class Task:
         bad_rows = sorted(reasons)
         cells = chunk.texts(bad_rows) if bad_rows else []
         rejects = [Reject(chunk.lines[row], reasons[row], text) for row, text in zip(bad_rows, cells, strict=True)]
-        return rows, results, sorted([*rejects, *chunk.ragged], key=lambda each: each.line)
+        return rows, results, sorted([*rejects, *chunk.ragged], key=lambda each: each.line), tally
 
 
 class Outcome(NamedTuple):
@@ -147,13 +149,16 @@ class Outcome(NamedTuple):
     counts
         Rows read, written and rejected, by earlier runs as well.
     first_rejects
-        Line and reason of the first rejects of this run.
+        Line and reason of the first rejects.
+    tally
+        Of shots outside the range of the model.
     resumed
         Rows done by earlier runs.
     """
 
     counts: Mapping[str, int]
     first_rejects: tuple[tuple[int, str], ...]
+    tally: Tally
     resumed: int
 
 
@@ -167,89 +172,61 @@ def run(
 ) -> Outcome:
     """Compute the rows of a file; ``paths`` are those of the file, the output and the rejects."""
     source, target, aside = paths
-    part, aside_part = unfinished(target), unfinished(aside)
-    journal = Journal(unfinished(target, ".json"), task.settings(source, target))
-    state = journal.read(lambda told: {name: int(told[name]) for name in STATE}) if resume else None
-    begun = state or dict.fromkeys(STATE, 0)
-    done, shown = dict(begun), []
-    writer = _open_writer(part, reader, task, begun if state else None)
-    aside_writer = RejectsWriter(aside_part, reader, task.columns.headings, begun["rejects_bytes"] or None)
-    try:
-        for chunk in reader.chunks(chunk_rows, begun["rows"]):
-            rows, results, rejects = task.compute(chunk)
-            with _undisturbed():
-                writer.write(chunk, rows, results)
-                aside_writer.write(rejects)
-                written = len(chunk.lines) + len(chunk.ragged) - len(rejects)
-                done["rows"] += written + len(rejects)
-                done["written"] += written
-                done["rejected"] += len(rejects)
-                done["output_bytes"], done["rejects_bytes"] = writer.place(), aside_writer.place()
-                journal.write(done)
-            shown += [(each.line, each.reason) for each in rejects[: SHOWN - len(shown)]]
-            if progress is not None:
-                progress(reader.progress(), done["rows"])
-        if not done["rows"]:
+    form, rejects_form = _form(target, reader, task), RejectsForm(task.columns.headings, reader)
+    folder = unfinished(target, [source, aside])
+    with Store(folder, task.content_of(source), of=target, resume=resume) as store:
+        resumed = done = sum(store[each]["rows"] for each in store)
+        try:
+            for chunk in reader.chunks(chunk_rows, done):
+                rows, results, rejects, tally = task.compute(chunk)
+                name = f"{len(store):08d}"
+                with whole_file(store.file(name + target.suffix)) as file:
+                    form.piece(file, chunk, rows, results)
+                if rejects:
+                    with whole_file(store.file(name + REJECTS)) as file:
+                        rejects_form.piece(file, rejects)
+                read = len(chunk.lines) + len(chunk.ragged)
+                counts = {"rows": read, "written": read - len(rejects), "rejected": len(rejects)}
+                shown = [(each.line, each.reason) for each in rejects[:SHOWN]]
+                store.keep(name, {**counts, "shown": shown, "outside": tally.counts()})
+                done += read
+                if progress is not None:
+                    progress(reader.progress(), done)
+        except KeyboardInterrupt:
+            message = f"interrupted: {done} rows are done and kept in {folder}; resume goes on after them"
+            raise KeyboardInterrupt(message) if done else KeyboardInterrupt from None
+        if not done:
             raise FileError(reader.path, reader.header_line, "there is no delivery below the names of the columns")
-    except BaseException as error:
-        writer.close()
-        aside_writer.close()
-        if not done["rows"]:
-            for path in (part, aside_part, journal.path):
-                path.unlink(missing_ok=True)
-        elif isinstance(error, KeyboardInterrupt):
-            message = f"interrupted: {done['rows']} rows are done and kept in {part}; resume goes on after them"
-            raise KeyboardInterrupt(message) from None
-        raise
-    writer.close()
-    aside_writer.close()
-    _finish(part, target, aside_part, aside, done["rejected"])
-    journal.remove()
-    return Outcome(done, tuple(shown), begun["rows"])
+        outcome = _outcome(store, resumed)
+        if outcome.counts["rejected"]:
+            pieces = [store.file(name + REJECTS) for name in store if store[name]["rejected"]]
+            with store.result(aside) as file:
+                rejects_form.whole(file, pieces)
+        else:
+            # Rejects of an earlier run do not stay beside a file they do not belong to.
+            aside.unlink(missing_ok=True)
+        with store.result(target) as file:
+            form.whole(file, [store.file(name + target.suffix) for name in store])
+        store.remove()
+    return outcome
 
 
-def _open_writer(part: Path, reader: Reader, task: Task, begun: Mapping[str, int] | None) -> Writer:
-    """Open the output, new or to go on with."""
+def _outcome(store: Store, resumed: int) -> Outcome:
+    """Return what all chunks come to."""
+    chunks = [store[name] for name in store]
+    tally, shown = Tally(), [tuple(each) for chunk in chunks for each in chunk["shown"]]
+    for chunk in chunks:
+        tally.add_counts(chunk["outside"])
+    counts = {name: sum(chunk[name] for chunk in chunks) for name in COUNTS}
+    return Outcome(counts, tuple(shown[:SHOWN]), tally, resumed)
+
+
+def _form(target: Path, reader: Reader, task: Task) -> Form:
+    """Return how the output is written."""
     headings = task.columns.headings
-    if not is_parquet(part):
-        keep = begun["output_bytes"] if begun else None
-        if keep is not None and not (part.exists() and part.stat().st_size >= keep):
-            raise FileError(str(part), None, "the unfinished file is gone; start again without resuming")
-        return CsvWriter(part, [*headings, *task.headings], reader, keep)
-    from clubface.tables.parquet import ParquetWriter
+    if not is_parquet(target):
+        return CsvForm([*headings, *task.headings], reader)
+    from clubface.tables.parquet import ParquetForm
 
     types = [reader.schema(place) for place in range(len(headings))]
-    if begun is None:
-        return ParquetWriter(part, headings, types, task.headings, task.provenance)
-    earlier = part.with_name(f"{part.stem}.earlier{part.suffix}")
-    if part.exists():
-        os.replace(part, earlier)
-    writer = ParquetWriter(part, headings, types, task.headings, task.provenance)
-    writer.copy(earlier)
-    earlier.unlink()
-    return writer
-
-
-def _finish(part: Path, target: Path, aside_part: Path, aside: Path, rejected: int) -> None:
-    """Give the files their names; rejects of an earlier run do not stay beside a file they do not belong to."""
-    if rejected:
-        os.replace(aside_part, aside)
-    else:
-        aside.unlink(missing_ok=True)
-    os.replace(part, target)
-
-
-@contextmanager
-def _undisturbed() -> Any:
-    """Put off Ctrl-C until what must be done as a whole is done."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    caught: list[Any] = []
-    before = signal.signal(signal.SIGINT, lambda *_: caught.append(True))
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
-    if caught:
-        raise KeyboardInterrupt
+    return ParquetForm(target, headings, types, task.headings, task.provenance)

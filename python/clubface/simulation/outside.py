@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
@@ -49,6 +49,19 @@ class Tally:
         for each in launches:
             self.add(each)
         return self
+
+    def counts(self) -> list[Any]:
+        """Return what is counted, made of what JSON has."""
+        return [self._shots, [[*key, *found] for key, found in self._found.items()]]
+
+    def add_counts(self, counts: Sequence[Any]) -> None:
+        """Add what another tally counted."""
+        shots, found = counts
+        for model, count in shots.items():
+            self._shots[model] = self._shots.get(model, 0) + count
+        for model, name, ends, count, value in found:
+            before = self._found.get((model, name), (ends, 0, value))[1]
+            self._found[model, name] = (ends, before + count, value)
 
     def remark(self, *, counted: bool = True) -> str:
         """Return what a reader must know in one line, "" if no shot is outside.

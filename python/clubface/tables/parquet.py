@@ -6,14 +6,14 @@ import csv
 import io
 import json
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from clubface.errors import FileError
 from clubface.tables.cells import parsed
 from clubface.tables.headings import HAND, Column
-from clubface.tables.rows import Chunk, Reject
+from clubface.tables.rows import GONE, Chunk, Reject
 
 ENDINGS = (".parquet", ".pq")
 
@@ -124,8 +124,8 @@ class ParquetChunk:
         return column if rows is None else column.take(_indices(rows))
 
 
-class ParquetWriter:
-    """Launches written to a Parquet file, a row group a chunk. See :class:`clubface.tables.writer.Writer`."""
+class ParquetForm:
+    """Launches written to Parquet, a row group a chunk. See :class:`clubface.tables.writer.Form`."""
 
     def __init__(
         self, path: Path, headings: Sequence[str], types: Sequence[Any], results: Sequence[str], provenance: Any
@@ -135,42 +135,29 @@ class ParquetWriter:
         metadata = {"clubface": json.dumps(provenance, default=str)}
         self._schema = arrow.schema(list(zip([*headings, *results], kinds, strict=True)), metadata)
         self._width = len(headings)
-        self._writer = arrow.parquet.ParquetWriter(path, self._schema)
 
-    def write(self, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
+    def piece(self, file: BinaryIO, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
         """Write some rows of a chunk (None: all), each followed by its results."""
         cells = [chunk.arrow(place, rows) for place in range(self._width)]
         arrays = [*cells, *(self._arrow.array(each) for each in results)]
-        self._writer.write_table(self._arrow.Table.from_arrays(arrays, schema=self._schema))
+        self._arrow.parquet.write_table(self._arrow.Table.from_arrays(arrays, schema=self._schema), file)
 
-    def copy(self, path: Path) -> None:
-        """Take over the rows of an unfinished file of the same columns."""
-        try:
-            with self._arrow.parquet.ParquetFile(path) as begun:
-                for group in range(begun.num_row_groups):
-                    table = begun.read_row_group(group)
-                    self._writer.write_table(table.cast(self._schema))
-        except (OSError, ValueError, self._arrow.ArrowException):
-            message = "the unfinished file was not closed and cannot be read: start again without resume"
-            raise FileError(str(path), None, message) from None
-
-    def place(self) -> int:
-        """Return 0: an unfinished Parquet file is not cut to length."""
-        return 0
-
-    def close(self) -> None:
-        """Write the end of the file, without which it cannot be read."""
-        self._writer.close()
+    def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
+        """Write the row groups of all pieces."""
+        with self._arrow.parquet.ParquetWriter(file, self._schema) as writer:
+            for path in pieces:
+                try:
+                    table = self._arrow.parquet.read_table(path, schema=self._schema)
+                except (OSError, ValueError, self._arrow.ArrowException):
+                    raise FileError(str(path), None, GONE) from None
+                writer.write_table(table)
 
 
-def write_parquet(columns: Mapping[str, Any], path: Path) -> None:
-    """Write a whole table; NaN becomes null."""
+def write_parquet(columns: Mapping[str, Any], file: BinaryIO, path: Path) -> None:
+    """Write a whole table to the ``file`` that will be ``path``; NaN becomes null."""
     arrow = pyarrow_for(path)
     arrays = {name: arrow.array(values, from_pandas=True) for name, values in columns.items()}
-    try:
-        arrow.parquet.write_table(arrow.table(arrays), path)
-    except OSError as error:
-        raise FileError(str(path), None, f"cannot be written: {error.strerror or error}") from None
+    arrow.parquet.write_table(arrow.table(arrays), file)
 
 
 def _indices(rows: Sequence[int]) -> Any:

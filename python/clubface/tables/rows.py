@@ -10,6 +10,8 @@ from clubface.tables.headings import Column
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+GONE = "this part of the unfinished file is gone; start again without resuming"
+
 
 class Reject(NamedTuple):
     """A row that cannot be used.

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from clubface.support.folders import prepared_folder
+from clubface.support.whole_file import write_text
 from clubface.tour.averages import Tour
 from clubface.tour.tables import as_csv, as_json, as_markdown
 
@@ -13,15 +15,14 @@ def write(result: Tour, folder: Path) -> list[Path]:
     from clubface.plots import style
     from clubface.tour import figures
 
-    folder.mkdir(parents=True, exist_ok=True)
+    prepared_folder(folder)
     files = []
     for name, text in {
         "tour.csv": as_csv(result),
         "tour.md": as_markdown(result),
         "tour.json": as_json(result),
     }.items():
-        (folder / name).write_text(text, encoding="utf-8")
-        files.append(folder / name)
+        files.append(write_text(folder / name, text))
     for name, draw in {"tour-launch": figures.launch_figure, "tour-errors": figures.error_figure}.items():
         figure = draw(result)
         files += [style.save(figure, folder / f"{name}{ending}") for ending in (".png", ".svg")]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from clubface.support.folders import prepared_folder
+from clubface.support.whole_file import write_text
 from clubface.validation.run import Validation
 from clubface.validation.tables import as_csv, as_json, as_markdown
 
@@ -13,10 +15,9 @@ def write(result: Validation, folder: Path) -> list[Path]:
     from clubface.plots import style
     from clubface.validation.figures import validation_figure
 
-    folder.mkdir(parents=True, exist_ok=True)
+    prepared_folder(folder)
     files = []
     for ending, text in {"csv": as_csv(result), "md": as_markdown(result), "json": as_json(result)}.items():
-        files.append(folder / f"validation.{ending}")
-        files[-1].write_text(text, encoding="utf-8")
+        files.append(write_text(folder / f"validation.{ending}", text))
     figure = validation_figure(result)
     return files + [style.save(figure, folder / f"validation{ending}") for ending in (".png", ".svg")]

@@ -18,6 +18,7 @@ from clubface.fem.heads import ShellHead
 from clubface.fem.nodes import node_masses
 from clubface.fem.result import Impact
 from clubface.plots.style import COLOURS, WIDTH, styled
+from clubface.support.whole_file import whole_file
 
 DOTS = 100
 """Pixels an inch of an animation."""
@@ -188,7 +189,8 @@ def animate(found: Impact, path: str | os.PathLike[str], *, seconds: float = 5.0
             figure.draw_artist(artist)
         pictures.append(Image.fromarray(np.array(canvas.buffer_rgba())[..., :3]).quantize(colors=96))
     pace = max(20, round(1e3 * seconds / len(pictures)))
-    pictures[0].save(target, save_all=True, append_images=pictures[1:], duration=pace, loop=0)
+    with whole_file(target) as file:
+        pictures[0].save(file, format="gif", save_all=True, append_images=pictures[1:], duration=pace, loop=0)
     return target
 
 

@@ -18,7 +18,8 @@ from clubface.fem.response.design import PARTS
 from clubface.fem.response.fit import MODEL, fit, weights
 from clubface.fem.response.residuals import PERCENTILES, figure, summary
 from clubface.fem.response.runs import in_fit, run
-from clubface.support.resuming import write_whole
+from clubface.plots.style import save
+from clubface.support.whole_file import write_text
 
 
 def main(arguments: list[str]) -> int:
@@ -40,9 +41,9 @@ def main(arguments: list[str]) -> int:
         values = {name: float(f"{value:.6g}") for name, value in values.items()}
         left = summary(values, strikes, PARTS)
         own = {**described.parameters, MODEL: {**described.parameters.get(MODEL, {}), **values}}
-        write_whole(folder / f"{meshed.name}.toml", replace(described, parameters=own).to_toml())
-        write_whole(folder / f"{meshed.name}.json", json.dumps(left, indent=1) + "\n")
-        figure(values, strikes, PARTS).savefig(folder / f"{meshed.name}.svg", metadata={"Date": None})
+        write_text(folder / f"{meshed.name}.toml", replace(described, parameters=own).to_toml())
+        write_text(folder / f"{meshed.name}.json", json.dumps(left, indent=1) + "\n")
+        save(figure(values, strikes, PARTS), folder / f"{meshed.name}.svg")
     except KeyboardInterrupt as stopped:
         print(f"interrupted: {stopped}", file=sys.stderr)
         return 130

@@ -1,4 +1,4 @@
-"""The table of strikes: each run by finite elements once, in a file that grows row by row."""
+"""The table of strikes: each run by finite elements once, and an interrupted run goes on after them."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def run(
     def one(place: tuple[int, int], keep_going: Any, threads: int) -> dict[str, Any]:
         return _row(place, planned[place], ball, keep_going)
 
-    content = [ball.values(), [(name, part.seed) for name, part in parts.items()]]
+    content = {"ball": ball.values(), "design": [(name, part.seed) for name, part in parts.items()]}
     places = {place: (float(place[0]), float(place[1])) for place in planned}
     rows = ResumableTable(path, content, COLUMNS, {"stopped": str}).fill(
         places, one, what="strikes", workers=workers, progress=progress

@@ -54,10 +54,10 @@ class _Client:
 class Listener:
     """Listens for launch monitors on the local machine; iterate over :meth:`messages`, in a ``with`` statement.
 
-    A shot is answered with code 200, and a message that cannot be used with code 501 and the reason. Heartbeats and
-    states are not answered. Several monitors may be connected at once, and may come and go. A connection that sends no
-    message is closed after 10 s, one that has sent some after half an hour; and where all places are taken, the one
-    that has been silent longest, and for 10 s, makes room.
+    A shot is answered with code 200 once ``keep`` has returned, and a message that cannot be used with code 501 and the
+    reason. Heartbeats and states are not answered. Several monitors may be connected at once, and may come and go. A
+    connection that sends no message is closed after 10 s, one that has sent some after half an hour; and where all
+    places are taken, the one that has been silent longest, and for 10 s, makes room.
 
     Parameters
     ----------
@@ -68,6 +68,9 @@ class Listener:
     hand, club
         What every monitor that connects is told, with code 201: "right" or "left", and the club's short name, such as
         "DR".
+    keep
+        Called with every shot before it is acknowledged. If it raises, the shot is answered with code 501, and the
+        error ends the iteration.
     on_problem
         Called with a sentence for bytes that are not a message, and when a monitor connects or leaves.
 
@@ -84,10 +87,12 @@ class Listener:
         host: str = LOOPBACK,
         hand: str | None = None,
         club: str = "",
+        keep: Callable[[Message], object] | None = None,
         on_problem: Callable[[str], object] | None = None,
     ) -> None:
         check_port(port, 0)
         self._player = player(hand, club) if hand is not None else None
+        self._keep = keep or (lambda message: None)
         self._tell = on_problem or (lambda message: None)
         self._selector = selectors.DefaultSelector()
         self._stopped = False
@@ -183,6 +188,11 @@ class Listener:
                 self._answer(client, reply(FAILED, str(error)))
                 continue
             if message.kind == "shot":
+                try:
+                    self._keep(message)
+                except BaseException:
+                    self._answer(client, reply(FAILED, "the shot could not be kept"))
+                    raise
                 self._answer(client, reply(OK, "Shot received successfully"))
             yield message
 

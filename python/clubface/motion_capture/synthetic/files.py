@@ -18,6 +18,7 @@ from clubface.motion_capture.synthetic.laboratory import BALL, CLUSTERS, FACE, C
 from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH, SyntheticSwing
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.delivery import OF_CLUB
+from clubface.support.whole_file import write_text
 
 MOST = 100_000
 BARE_RATE = 360.0
@@ -98,7 +99,7 @@ def synthesize(
         if progress is not None:
             progress(number, count)
     write_c3d(seen.calibrate(head, np.random.default_rng([seed, 0])), target / CALIBRATION)
-    (target / MAPPING).write_text(calibration_map(head, seen).to_toml(), encoding="utf-8")
+    write_text(target / MAPPING, calibration_map(head, seen).to_toml())
     truth(swings, str(target)).write(target / TRUTH)
     return [*files, target / CALIBRATION, target / MAPPING, target / TRUTH]
 

@@ -1,0 +1,221 @@
+"""Every long command killed at random moments and resumed: the results are the bytes of an undisturbed run.
+
+``python studies/kills.py [KILLS]`` kills each command that often (50 unless given), every second time by SIGKILL and
+otherwise by SIGINT, at moments drawn over the time that the whole command takes. It exits with 1 if any result differs
+or anything is left beside the results.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+MAIN = "from clubface.cli import main; main()"
+GOING_ON = 600
+"""A command that still does not end after so many kills makes no progress."""
+
+
+class Command(NamedTuple):
+    """A command of the study.
+
+    Attributes
+    ----------
+    name
+        For people.
+    arguments
+        Of the command line, in a folder of its own with the ``INPUTS``; those in ``again`` are added after a kill.
+    again
+        What resumes it.
+    results
+        The files it makes.
+    """
+
+    name: str
+    arguments: Sequence[str]
+    again: Sequence[str]
+    results: Sequence[str]
+
+
+def deliveries(rows: int) -> str:
+    """Return a file of deliveries in which every seventh row cannot be used."""
+    lines = (f"{90 + i % 30},{'bad' if i % 7 == 3 else i % 5},{12 + i % 3},{i % 9}\n" for i in range(rows))
+    return "club_speed_mph,attack_deg,loft_deg,toe_mm\n" + "".join(lines)
+
+
+def launches(rows: int) -> str:
+    """Return a file of launches."""
+    lines = (f"{150 + i % 15},{11 + i % 4},{2500 + 50 * (i % 20)}\n" for i in range(rows))
+    return "ball_speed_mph,launch_deg,backspin_rpm\n" + "".join(lines)
+
+
+def shots(count: int) -> str:
+    """Return a file of measured shots."""
+    import numpy as np
+
+    import clubface
+
+    speed, attack, loft = np.linspace(103, 116, count), np.arange(count) % 5 - 2.0, 11.0 + np.arange(count) % 4
+    made = clubface.impact(
+        "driver", model="slip", speed=speed * 0.44704, attack=np.radians(attack), loft=np.radians(loft)
+    )
+    columns = [
+        speed,
+        attack,
+        loft,
+        made.get("ball_speed", "mph"),
+        made.get("launch", "deg"),
+        made.get("backspin", "rpm"),
+    ]
+    head = "club_speed_mph,attack_deg,loft_deg,ball_speed_mph,launch_deg,backspin_rpm\n"
+    return head + "".join(",".join(f"{value:.4f}" for value in row) + "\n" for row in zip(*columns, strict=True))
+
+
+INPUTS: dict[str, Callable[[], str]] = {
+    "deliveries.csv": lambda: deliveries(200_000),
+    "launches.csv": lambda: launches(60),
+    "shots.csv": lambda: shots(40),
+    "few.csv": lambda: deliveries(400),
+}
+COMMANDS = (
+    Command(
+        "predict to CSV", ("predict", "deliveries.csv", "--club", "driver", "--model", "area", "-o", "out.csv"),
+        ("--resume",), ("out.csv", "out.rejects.csv"),
+    ),
+    Command(
+        "predict to Parquet",
+        ("predict", "deliveries.csv", "--club", "driver", "--model", "area", "-o", "out.parquet"),
+        ("--resume",), ("out.parquet", "out.rejects.csv"),
+    ),
+    Command(
+        "infer", ("infer", "launches.csv", "--club", "driver", "--samples", "200", "-o", "out.csv"),
+        ("--resume",), ("out.csv",),
+    ),
+    Command(
+        "identify",
+        (
+            "identify", "shots.csv", "--club", "driver", "--model", "slip", "--population", "40", "--generations", "20",
+            "--bootstrap", "20", "-o", "fit.toml",
+        ),
+        ("--resume",), ("fit.toml",),
+    ),
+    Command(
+        "fem sweep", ("fem", "sweep", "--speed", "30:45:15", "--loft", "8,10", "-o", "sweep"), (), ("sweep/sweep.csv",)
+    ),
+    Command(
+        "fem face", ("fem", "face", "paper", "--toe", "-10:10:20", "--high", "0", "-o", "face"), (), ("face/face.csv",)
+    ),
+    Command(
+        "capture study", ("capture", "study", "--count", "20", "--plot", "study.svg", "--checkpoint", "kept"), (),
+        ("study.svg",),
+    ),
+    Command(
+        "capture synthesize", ("capture", "synthesize", "--count", "20", "-o", "swings"), (),
+        ("swings/swing-001.c3d", "swings/swing-020.c3d", "swings/markers.toml", "swings/truth.csv"),
+    ),
+    Command("tour", ("tour", "-o", "tour"), (), ("tour/tour.csv", "tour/tour-launch.svg", "tour/tour-errors.png")),
+)  # fmt: skip
+SMALL = Command(
+    "predict", ("predict", "few.csv", "--club", "driver", "--model", "area", "-o", "out.csv"), ("--resume",),
+    ("out.csv", "out.rejects.csv"),
+)  # fmt: skip
+
+
+def start(command: Command, folder: Path, again: bool) -> subprocess.Popen[str]:
+    """Start a command in a folder."""
+    arguments = [sys.executable, "-c", MAIN, *command.arguments, *(command.again if again else ())]
+    return subprocess.Popen(arguments, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+
+
+def undisturbed(command: Command, folder: Path) -> tuple[dict[str, bytes], float]:
+    """Run a command; return its results and the time it took [s]."""
+    begun = time.monotonic()
+    child = start(command, folder, False)
+    _, said = child.communicate()
+    if child.returncode:
+        raise RuntimeError(f"{command.name} failed: {said}")
+    return results(command, folder), time.monotonic() - begun
+
+
+def results(command: Command, folder: Path) -> dict[str, bytes]:
+    """Return the bytes of the results that are there."""
+    return {name: (folder / name).read_bytes() for name in command.results if (folder / name).exists()}
+
+
+def prepared(folder: Path) -> Path:
+    """Return a new folder with the inputs."""
+    folder.mkdir()
+    for name, content in INPUTS.items():
+        (folder / name).write_text(content(), encoding="utf-8")
+    return folder
+
+
+def disturbed(
+    command: Command, folder: Path, whole: dict[str, bytes], seconds: float, random_: random.Random, kills: int
+) -> list[str]:
+    """Kill a command so many times, begun anew whenever it has ended; return what was wrong."""
+    wrong: list[str] = []
+    done, again, tries = 0, False, 0
+    while done < kills and tries < GOING_ON + kills:
+        tries += 1
+        child = start(command, folder, again)
+        kill = signal.SIGKILL if tries % 2 else signal.SIGINT
+        try:
+            _, said = child.communicate(timeout=random_.uniform(0.0, 1.1 * seconds))
+        except subprocess.TimeoutExpired:
+            child.send_signal(kill)
+            _, said = child.communicate()
+            done += 1
+        if half := [name for name, found in results(command, folder).items() if found != whole[name]]:
+            wrong.append(f"{command.name}: {', '.join(half)} differ after a kill")
+        if child.returncode not in (0, 130, -signal.SIGKILL, -signal.SIGINT):
+            wrong.append(f"{command.name}: status {child.returncode}: {said.strip()}")
+            return wrong
+        again = child.returncode != 0
+        if not again:
+            remove(command, folder)
+    child = start(command, folder, again)
+    _, said = child.communicate()
+    if child.returncode or results(command, folder) != whole:
+        wrong.append(f"{command.name}: the last run is not as the undisturbed one: {said.strip()}")
+    left = [each.name for each in folder.rglob("*") if each.name.endswith((".unfinished", ".checkpoint", "kept"))]
+    return [*wrong, *(f"{command.name}: {name} is left" for name in left)]
+
+
+def remove(command: Command, folder: Path) -> None:
+    """Remove what a command has made, so that the next begins at the beginning."""
+    for name in command.results:
+        top = folder / Path(name).parts[0]
+        if top.is_dir():
+            shutil.rmtree(top)
+        else:
+            top.unlink(missing_ok=True)
+
+
+def study(commands: Sequence[Command], kills: int, seed: int = 1) -> list[str]:
+    """Kill some commands so many times each; return what was wrong."""
+    random_, wrong = random.Random(seed), []
+    with tempfile.TemporaryDirectory() as name:
+        for place, command in enumerate(commands):
+            folder = prepared(Path(name) / str(place))
+            whole, seconds = undisturbed(command, folder)
+            remove(command, folder)
+            found = disturbed(command, folder, whole, seconds, random_, kills)
+            print(f"{command.name}: {seconds:.1f} s undisturbed, {kills} kills, {len(found)} wrong", flush=True)
+            wrong += found
+    return wrong
+
+
+if __name__ == "__main__":
+    os.environ["OMP_NUM_THREADS"] = "1"
+    faults = study(COMMANDS, int(sys.argv[1]) if len(sys.argv) > 1 else 50)
+    print("\n".join(faults))
+    sys.exit(bool(faults))

@@ -1,0 +1,175 @@
+"""Files appear whole or not at all, and nothing else in the package writes them."""
+
+import ast
+import errno
+import os
+import resource
+import stat
+from pathlib import Path
+
+import pytest
+
+import clubface
+from clubface.errors import FileError
+from clubface.support.lock import Lock
+from clubface.support.resuming import Store, fingerprint
+from clubface.support.whole_file import whole_file, whole_text, write_text
+
+
+def test_a_file_has_its_name_only_once_it_is_whole_and_synced(tmp_path, monkeypatch):
+    path, done = tmp_path / "a.csv", []
+    path.write_text("before")
+    path.chmod(0o640)
+    sync, replace = os.fsync, os.replace
+    monkeypatch.setattr(os, "fsync", lambda handle: (done.append("sync"), sync(handle)))
+    monkeypatch.setattr(os, "replace", lambda *names: (done.append("rename"), replace(*names)))
+    with whole_file(path) as file:
+        file.write(b"after")
+        assert path.read_text() == "before"
+    assert done == ["sync", "rename", "sync"]  # the content, the name, the folder of the name
+    assert path.read_text() == "after"
+    assert stat.S_IMODE(path.stat().st_mode) == 0o640
+    assert os.listdir(tmp_path) == ["a.csv"]
+
+
+@pytest.mark.parametrize("error", [ValueError, KeyboardInterrupt])
+def test_a_block_that_raises_leaves_what_was_there(tmp_path, error):
+    path = write_text(tmp_path / "a.csv", "before")
+
+    def write():
+        with whole_text(path) as file:
+            file.write("half of")
+            raise error
+
+    with pytest.raises(error):
+        write()
+    assert path.read_text() == "before"
+    assert os.listdir(tmp_path) == ["a.csv"]
+
+
+@pytest.mark.parametrize("call", ["fsync", "replace"])
+def test_a_system_that_refuses_at_the_end_is_told_and_leaves_what_was_there(tmp_path, monkeypatch, call):
+    path = write_text(tmp_path / "a.csv", "before")
+
+    def full(*_):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, call, full)
+    with pytest.raises(FileError, match=r"a\.csv: cannot be written: No space left on device"):
+        write_text(path, "after")
+    assert path.read_text() == "before"
+    assert os.listdir(tmp_path) == ["a.csv"]
+
+
+def test_links_are_followed_and_devices_and_folders_are_not_replaced(tmp_path):
+    path = write_text(tmp_path / "a.csv", "before")
+    link = tmp_path / "link.csv"
+    link.symlink_to(path)
+    write_text(link, "after")
+    assert link.is_symlink()
+    assert path.read_text() == "after"
+    os.mkfifo(tmp_path / "pipe.csv")
+    with pytest.raises(FileError, match="a device or a pipe"):
+        write_text(tmp_path / "pipe.csv", "x")
+    with pytest.raises(FileError, match="this is a folder"):
+        write_text(tmp_path, "x")
+    with pytest.raises(FileError, match="exists already; it is left as it is"):
+        write_text(path, "x", new=True)
+    assert path.read_text() == "after"
+    assert write_text(tmp_path / "new.csv", "x", new=True).read_text() == "x"
+    assert sorted(os.listdir(tmp_path)) == ["a.csv", "link.csv", "new.csv", "pipe.csv"]
+
+
+def writers(tree):
+    """The lines that write a file by other means."""
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Call):
+            continue
+        name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+        owner = getattr(getattr(node.func, "value", None), "id", "")
+        modes = [each.value for each in node.args if isinstance(each, ast.Constant) and isinstance(each.value, str)]
+        opens = name == "open" and any(set(mode) <= set("wax+bt") for mode in modes)
+        if opens or (isinstance(node.func, ast.Attribute) and name in ("write_text", "write_bytes")):
+            yield node.lineno
+        if owner == "os" and name in ("replace", "rename", "open"):
+            yield node.lineno
+
+
+def test_files_are_written_in_one_place():
+    root = Path(clubface.__file__).parent
+    found = {
+        path.relative_to(root).as_posix()
+        for path in root.rglob("*.py")
+        if list(writers(ast.parse(path.read_text(encoding="utf-8"))))
+    }
+    # The others open a lock, or devices and pipes in the place of an output: none of them makes a file of results.
+    pipes = {"cli/app.py", "cli/failures.py", "fem/heads/mesh_file.py", "support/apart_process.py"}
+    assert found <= {"support/whole_file.py", "support/lock.py", *pipes}
+    assert "support/whole_file.py" in found
+
+
+@pytest.mark.parametrize("text", ["p.open('w')", "open(p, 'xb')", "p.write_text('a')", "os.replace(a, b)"])
+def test_another_writer_is_seen(text):
+    assert list(writers(ast.parse(text)))
+
+
+def test_a_store_keeps_what_is_finished_and_is_one_process_at_a_time(tmp_path):
+    folder = tmp_path / "out.unfinished"
+    with Store(folder, {"speed": 1.0}) as store:
+        store.keep("a", [0.1, float("nan"), None])
+        with pytest.raises(FileError, match=f"process {os.getpid()} is writing this"):
+            Store(folder, {"speed": 1.0})
+    with Store(folder, {"speed": 1.0}) as store:
+        assert store.resumed == ("a",)
+        assert store["a"][::2] == [0.1, None]
+        assert store.once("b", lambda: 2) == store.once("b", lambda: 3) == 2
+    with pytest.raises(FileError, match="begun with another speed; start again without resuming"):
+        Store(folder, {"speed": 2.0})
+    with Store(folder, {"speed": 2.0}, resume=False) as store:
+        assert not len(store)
+    assert not folder.exists()  # nothing was kept
+
+
+def test_a_full_disk_costs_no_more_than_what_is_being_written(tmp_path):
+    folder = tmp_path / "out.unfinished"
+    with Store(folder, {}) as store:
+        store.keep("a", 1)
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    try:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (4096, limits[1]))
+        with pytest.raises(FileError, match="cannot be written: File too large"), Store(folder, {}) as store:
+            store.keep("b", "b" * 5000)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    with Store(folder, {}) as store:
+        assert store.resumed == ("a",)
+
+
+def test_a_lock_is_free_once_its_process_is_dead(tmp_path):
+    path = tmp_path / "lock"
+    ready, told = os.pipe()
+    child = os.fork()
+    if not child:
+        Lock(path, path)
+        os.write(told, b"x")
+        os.read(os.pipe()[0], 1)
+    os.read(ready, 1)
+    with pytest.raises(FileError, match=f"process {child} is writing this"):
+        Lock(path, path)
+    os.kill(child, 9)
+    os.waitpid(child, 0)
+    Lock(path, path).close()
+    assert not path.exists()
+
+
+def test_a_fingerprint_sees_every_number_and_refuses_what_it_cannot_see():
+    import numpy as np
+
+    many = np.zeros(5000)
+    other = many.copy()
+    other[2500] = 1e-300
+    assert fingerprint([many]) != fingerprint([other])
+    assert fingerprint({"a": (1, 2)}) == fingerprint({"a": [1, 2]})
+    assert fingerprint({(1, 2): 1, (0, 1): 2}) == fingerprint({(0, 1): 2, (1, 2): 1})
+    with pytest.raises(TypeError, match="object has no fingerprint"):
+        fingerprint(object())
