@@ -14,6 +14,7 @@ from matplotlib.patches import Circle
 from clubface import units
 from clubface.motion_capture.rotations import Array
 from clubface.plots.style import COLOURS, WIDTH, save, styled
+from clubface.support.whole_file import whole_file
 
 if TYPE_CHECKING:
     from clubface.motion_capture.captured import CapturedDelivery
@@ -83,7 +84,7 @@ def save_swings(swings: Iterable[CapturedDelivery], path: str | os.PathLike[str]
         return save(swing_figure(found[0]), target)
     from matplotlib.backends.backend_pdf import PdfPages
 
-    with PdfPages(target, metadata={"CreationDate": None}) as pages:
+    with whole_file(target) as file, PdfPages(file, metadata={"CreationDate": None}) as pages:
         for each in found:
             pages.savefig(swing_figure(each))
     return target

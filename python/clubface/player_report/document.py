@@ -13,6 +13,7 @@ from clubface.errors import InputError
 from clubface.player_report import words
 from clubface.player_report.figures_of_club import ClubFigures, figures_of
 from clubface.recorded.shots import RecordedShots
+from clubface.support.whole_file import write_text
 
 ENDINGS = (".html", ".md")
 CLUBLESS = "a club without a name"
@@ -70,8 +71,7 @@ def write_report(shots: RecordedShots, path: str | os.PathLike[str]) -> Path:
         raise InputError("shots", shots.source, "at least one shot")
     found = list(blocks(list(_by_club(shots)), shots))
     text = as_html(found) if target.suffix.lower() == ".html" else as_markdown(found)
-    target.write_text(text, encoding="utf-8")
-    return target
+    return write_text(target, text)
 
 
 def as_markdown(of: list[Block]) -> str:

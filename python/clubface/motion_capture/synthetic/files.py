@@ -133,7 +133,7 @@ def synthesize_bare(
         write_c3d(record_bare(swings[-1], seen, np.random.default_rng([seed, number, 1])).recording, files[-1])
         if progress is not None:
             progress(number, count)
-    (target / MAPPING).write_text(bare_map(head, seen).to_toml(), encoding="utf-8")
+    write_text(target / MAPPING, bare_map(head, seen).to_toml())
     truth(swings, str(target)).write(target / TRUTH)
     return [*files, target / MAPPING, target / TRUTH]
 
