@@ -81,7 +81,7 @@ def shots(count: int) -> str:
 
 INPUTS: dict[str, Callable[[], str]] = {
     "deliveries.csv": lambda: deliveries(200_000),
-    "launches.csv": lambda: launches(60),
+    "launches.csv": lambda: launches(2_000),
     "shots.csv": lambda: shots(40),
     "few.csv": lambda: deliveries(400),
 }
@@ -103,7 +103,7 @@ COMMANDS = (
         "identify",
         (
             "identify", "shots.csv", "--club", "driver", "--model", "slip", "--population", "40", "--generations", "20",
-            "--bootstrap", "20", "-o", "fit.toml",
+            "--bootstrap", "400", "-o", "fit.toml",
         ),
         ("--resume",), ("fit.toml",),
     ),
@@ -114,7 +114,7 @@ COMMANDS = (
         "fem face", ("fem", "face", "paper", "--toe", "-10:10:20", "--high", "0", "-o", "face"), (), ("face/face.csv",)
     ),
     Command(
-        "capture study", ("capture", "study", "--count", "20", "--plot", "study.svg", "--checkpoint", "kept"), (),
+        "capture study", ("capture", "study", "--count", "100", "--plot", "study.svg", "--checkpoint", "kept"), (),
         ("study.svg",),
     ),
     Command(

@@ -122,9 +122,8 @@ def test_a_mistake_is_one_message(clubface_, drives, arguments, words):
 
 
 def test_ctrl_c_keeps_what_is_finished_and_resume_goes_on(clubface_, drives):
-    arguments = ("identify", drives, "--club", "driver", "--model", "area", "--population", "40",
-                 "--generations", "120", "--refined", "1", "--folds", "0", "--bootstrap", "0",
-                 "--no-profiles")  # fmt: skip
+    arguments = ("identify", drives, "--club", "driver", "--model", "area", "--population", "40", "--generations",
+                 "120", "--refined", "1", "--folds", "0", "--bootstrap", "0", "--no-profiles")  # fmt: skip
     kept = "drives-driver-area.checkpoint"
     with subprocess.Popen(
         [sys.executable, "-c", MAIN, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True

@@ -1,6 +1,7 @@
 """Files of launches back to deliveries, and ``clubface infer``."""
 
 import csv
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -154,3 +155,24 @@ def test_mistakes_are_one_message(clubface_, write, tmp_path):
     assert_mistake(clubface_("infer", "--club", "driver", "--ball-speed", "159"), '"159 mph"', "alone is in m/s")
     assert_mistake(clubface_("infer", "--club", "driver", "--ball-speed", "159 m/s"), "within reach of the prior")
     assert_mistake(clubface_("infer", source, *LAUNCH, "--club", "driver"), "--ball-speed is for one launch")
+
+
+def test_a_file_is_not_resumed_with_other_shots(tmp_path):
+    shots, output = launches(), tmp_path / "out.csv"
+
+    def stop(done, total):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        files.infer_shots(shots, output, progress=stop, **OPTIONS)
+    launch = {name: values.copy() for name, values in shots.launches.items()}
+    launch["launch"][2] += 1e-9
+    for what, changed in {
+        "set of measured shots": replace(shots, launches=launch),
+        "another set of measured shots": replace(shots, deliveries={"attack": np.full(3, 0.05)}),
+        "set of measured shots;": replace(shots, hand=np.array(["left"] * 3, dtype=object)),
+        "point of measurement": replace(shots, speed_at="face"),
+    }.items():
+        with pytest.raises(FileError, match=what):
+            files.infer_shots(changed, output, resume=True, **OPTIONS)
+    assert files.infer_shots(shots, output, resume=True, **OPTIONS).resumed == 1

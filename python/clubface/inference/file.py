@@ -84,7 +84,8 @@ def infer_shots(
     rows = Rows(shots, **options)
     content = {
         "source": _with_content(shots.source),
-        "set of launches": [shots.rows, shots.launches, shots.deliveries],
+        "set of measured shots": [shots.rows, shots.launches, shots.deliveries, shots.hand],
+        "point of measurement": [shots.speed_at, shots.face_at],
         "club, prior or option": {name: _with_content(value) for name, value in rows.options.items()},
     }
     folder = unfinished(target, [shots.source])
