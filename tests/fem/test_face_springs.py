@@ -1,6 +1,9 @@
 """The rigid head whose face gives by its characteristic time."""
 
+import re
+import runpy
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,6 +14,7 @@ from clubface.equipment.restitution import restitution
 from clubface.fem import head_tests
 from fem_runs import coarse
 
+ROOT = Path(__file__).parents[2]
 DRIVER = clubface.club("driver")
 OFF_CENTRE = {"speed": 45.0, "loft": 0.2, "toe": 0.01, "high": -0.005, "face": 0.03, "closure": 20.0}
 END = fem.Settings(until_separation=True)
@@ -84,3 +88,17 @@ def test_momentum_is_that_before():
     ])  # fmt: skip
     # Mass of mesh and ball differ in the sixth digit.
     assert after == pytest.approx([45.0 * DRIVER.mass, 0.0, 0.0], abs=2e-4)
+
+
+def test_the_page_has_the_figures_of_the_study_of_shells_and_spring():
+    """As docs/models/response.md prints them: whole rpm and tenths of degrees, and a unit more for other processors."""
+    compared = runpy.run_path(str(ROOT / "studies" / "face_spring.py"))["compared"]
+    found = {(loft, name): told for loft, name, told in compared()}
+    page = (ROOT / "docs" / "models" / "response.md").read_text(encoding="utf-8")
+    rows = re.findall(r"\| (\d+)° \| (\d+) \| (\d+) \| (\d+) \| ([\d.]+)°, ([\d.]+)° \|", page)
+    assert [int(row[0]) for row in rows] == [10, 15, 25]
+    for loft, shells, spring, rigid, *launches in rows:
+        for name, spin in {"shells": shells, "spring": spring, "rigid": rigid}.items():
+            assert found[int(loft), name]["backspin"] == pytest.approx(float(spin), abs=1.5)
+        for name, launch in zip(("shells", "spring"), launches, strict=True):
+            assert found[int(loft), name]["launch"] == pytest.approx(float(launch), abs=0.06)
