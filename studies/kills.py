@@ -20,6 +20,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 MAIN = "from clubface.cli import main; main()"
+UNSTARTED = "Fatal Python error: init_import_site"
+"""What Python says, with status 1, where Ctrl-C comes before it has started and so before the command."""
 GOING_ON = 600
 """A command that still does not end after so many kills makes no progress."""
 
@@ -176,6 +178,8 @@ def disturbed(
             done += 1
         if half := [name for name, found in results(command, folder).items() if found != whole[name]]:
             wrong.append(f"{command.name}: {', '.join(half)} differ after a kill")
+        if child.returncode == 1 and said.startswith(UNSTARTED):
+            continue
         if child.returncode not in (0, 130, -signal.SIGKILL, -signal.SIGINT):
             wrong.append(f"{command.name}: status {child.returncode}: {said.strip()}")
             return wrong
