@@ -49,3 +49,22 @@ def swings(count, **options):
 def world_cameras(**options):
     """Cameras whose axes are those of the world."""
     return Cameras(target="+x", up="+y", origin=(0.0, 0.0, 0.0), **options)
+
+
+def damaged(positions, number, first, last, some, random):
+    """Return positions of markers, some of them hidden, shifted, cut, shuffled, reversed or scaled between two frames;
+    which of these follows from the number."""
+    match number % 6:
+        case 0:
+            positions[first:last, some] = np.nan
+        case 1:
+            positions[first:last, some] += random.normal(size=3) * 10.0 ** random.uniform(-4, 1)
+        case 2:
+            positions = positions[first : last + 2]
+        case 3:
+            positions[first:, some] = positions[first:, random.permutation(some)]
+        case 4:
+            positions = np.repeat(positions[:: random.choice([1, -1])], 2, axis=0)
+        case 5:
+            positions[first:last] *= 10.0 ** random.uniform(-3, 3)
+    return positions

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import clubface
-from captures import deviations, errors
+from captures import damaged, deviations, errors
 from clubface.errors import FileError, InputError
 from clubface.motion_capture import MarkerMap
 from clubface.motion_capture.geometry import Assumed, Known
@@ -333,19 +333,7 @@ def test_whatever_happens_to_a_bare_recording_it_is_read_or_refused(by):
         if number % 2:
             first, last = np.sort(len(positions) - 1 - random.integers(0, 40, 2))  # about impact
         some = random.permutation(3)[: random.integers(1, 4)]
-        match number % 6:
-            case 0:
-                positions[first:last, some] = np.nan
-            case 1:
-                positions[first:last, some] += random.normal(size=3) * 10.0 ** random.uniform(-4, 1)
-            case 2:
-                positions = positions[first : last + 2]
-            case 3:
-                positions[first:, some] = positions[first:, random.permutation(some)]
-            case 4:
-                positions = np.repeat(positions[:: random.choice([1, -1])], 2, axis=0)
-            case 5:
-                positions[first:last] *= 10.0 ** random.uniform(-3, 3)
+        positions = damaged(positions, number, first, last, some, random)
         with warnings.catch_warnings():
             warnings.simplefilter("error", RuntimeWarning)
             try:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import clubface
-from captures import captured, deviations, errors
+from captures import captured, damaged, deviations, errors
 from clubface.errors import CaptureWarning, FileError, InputError
 from clubface.motion_capture import read_swing, read_swings
 from clubface.motion_capture.setup import prepare
@@ -334,19 +334,7 @@ def test_whatever_happens_to_a_recording_it_is_read_or_refused():
         positions = RECORDING.positions.copy()
         first, last = np.sort(random.integers(0, len(positions), 2))
         some = random.permutation(6)[: random.integers(1, 7)]
-        match number % 6:
-            case 0:
-                positions[first:last, some] = np.nan
-            case 1:
-                positions[first:last, some] += random.normal(size=3) * 10.0 ** random.uniform(-4, 1)
-            case 2:
-                positions = positions[first : last + 2]
-            case 3:
-                positions[first:, some] = positions[first:, random.permutation(some)]
-            case 4:
-                positions = np.repeat(positions[:: random.choice([1, -1])], 2, axis=0)
-            case 5:
-                positions[first:last] *= 10.0 ** random.uniform(-3, 3)
+        positions = damaged(positions, number, first, last, some, random)
         with warnings.catch_warnings():
             warnings.simplefilter("error", RuntimeWarning)
             try:

@@ -8,16 +8,17 @@ from pathlib import Path
 
 import numpy as np
 
-from clubface.equipment.clubs import Club
+from clubface.equipment.clubs import Club, club as club_of
 from clubface.errors import InputError
 from clubface.motion_capture.mapping_file import MarkerMap
-from clubface.motion_capture.recording import write_c3d
+from clubface.motion_capture.recording import Recording, write_c3d
 from clubface.motion_capture.synthetic.bare import bare_map, record_bare
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import BALL, CLUSTERS, FACE, Cameras, kind_of
 from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH, SyntheticSwing
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.delivery import OF_CLUB
+from clubface.support.folders import prepared_folder
 from clubface.support.whole_file import write_text
 
 MOST = 100_000
@@ -84,23 +85,12 @@ def synthesize(
     list
         The files, those of the swings first.
     """
-    from clubface.equipment.clubs import club as club_of
-    from clubface.support.folders import prepared_folder
-
     check_count(count)
-    seen, head = cameras or Cameras(), club_of(club)
-    head = head if hand is None else head.replace(hand=hand)
+    seen, head = cameras or Cameras(), _head(club, hand)
     target = prepared_folder(folder)
-    swings, files = [], []
-    for number in range(1, count + 1):
-        swings.append(random_swing(np.random.default_rng([seed, number, 0]), club=head))
-        files.append(target / f"swing-{number:03d}.c3d")
-        write_c3d(seen.record(swings[-1], np.random.default_rng([seed, number, 1])), files[-1])
-        if progress is not None:
-            progress(number, count)
+    files = _write_swings(target, count, head, seen.record, seed, progress)
     write_c3d(seen.calibrate(head, np.random.default_rng([seed, 0])), target / CALIBRATION)
     write_text(target / MAPPING, calibration_map(head, seen).to_toml())
-    truth(swings, str(target)).write(target / TRUTH)
     return [*files, target / CALIBRATION, target / MAPPING, target / TRUTH]
 
 
@@ -119,23 +109,42 @@ def synthesize_bare(
     What a reader has to assume is drawn at random for every swing, as widely as :class:`Assumed` says. The parameters
     and files are those of :func:`synthesize`, without a calibration; cameras have 360 Hz and no noise if left out.
     """
-    from clubface.equipment.clubs import club as club_of
-    from clubface.support.folders import prepared_folder
-
     check_count(count)
-    seen, head = cameras or Cameras(rate=BARE_RATE), club_of(club)
-    head = head if hand is None else head.replace(hand=hand)
+    seen, head = cameras or Cameras(rate=BARE_RATE), _head(club, hand)
     target = prepared_folder(folder)
+
+    def record(swing: SyntheticSwing, random: np.random.Generator) -> Recording:
+        return record_bare(swing, seen, random).recording
+
+    files = _write_swings(target, count, head, record, seed, progress)
+    write_text(target / MAPPING, bare_map(head, seen).to_toml())
+    return [*files, target / MAPPING, target / TRUTH]
+
+
+def _head(club: str | Club, hand: str | None) -> Club:
+    """Return the club, in the hand that was asked for."""
+    head = club_of(club)
+    return head if hand is None else head.replace(hand=hand)
+
+
+def _write_swings(
+    target: Path,
+    count: int,
+    head: Club,
+    record: Callable[[SyntheticSwing, np.random.Generator], Recording],
+    seed: int,
+    progress: Callable[[int, int], object] | None,
+) -> list[Path]:
+    """Write recordings of random swings, and their truth; return the files of the recordings."""
     swings, files = [], []
     for number in range(1, count + 1):
         swings.append(random_swing(np.random.default_rng([seed, number, 0]), club=head))
         files.append(target / f"swing-{number:03d}.c3d")
-        write_c3d(record_bare(swings[-1], seen, np.random.default_rng([seed, number, 1])).recording, files[-1])
+        write_c3d(record(swings[-1], np.random.default_rng([seed, number, 1])), files[-1])
         if progress is not None:
             progress(number, count)
-    write_text(target / MAPPING, bare_map(head, seen).to_toml())
     truth(swings, str(target)).write(target / TRUTH)
-    return [*files, target / MAPPING, target / TRUTH]
+    return files
 
 
 def check_count(count: object) -> None:
