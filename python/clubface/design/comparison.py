@@ -252,3 +252,7 @@ def _meshed(which: Any) -> Any:
     from clubface.fem.balls import ball
 
     return ball(which).values() if not isinstance(which, str) else which
+
+
+def _row(name: str, part: str, change: str, numbers: Any) -> dict[str, Any]:
+    return {"alternative": name, "part": part, "change": change, **dict(zip(QUANTITIES, map(float, numbers), strict=True))}

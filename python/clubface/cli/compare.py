@@ -1,0 +1,356 @@
+"""``clubface compare``: clubs, balls, models, parameters or deliveries side by side, and what makes the difference."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import given, options, output
+from clubface.cli.failures import say, say_written
+from clubface.cli.progress import progress_bar
+from clubface.cli.tables import print_numbers
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.errors import ClubfaceError, InputError
+
+app = typer.Typer(add_completion=False)
+
+VALUES = {
+    "ball_speed": ("mph", 1), "smash": ("1", 3), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
+    "sidespin": ("rpm", 0), "total_spin": ("rpm", 0), "spin_axis": ("deg", 1), "carry": ("yd", 1), "side": ("yd", 1),
+    "total": ("yd", 1), "total_side": ("yd", 1), "apex": ("yd", 1), "landing_angle": ("deg", 1),
+}  # fmt: skip
+"""Unit and digits of what is listed."""
+SPLIT = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "carry", "side", "total")
+"""What is split into contributions in the table; --json and --output have all."""
+KEYS = {
+    "ball_speed_mps": ("ball_speed", "m/s"), "smash": ("smash", "1"), "launch_deg": ("launch", "deg"),
+    "azimuth_deg": ("azimuth", "deg"), "backspin_rpm": ("backspin", "rpm"), "sidespin_rpm": ("sidespin", "rpm"),
+    "total_spin_rpm": ("total_spin", "rpm"), "spin_axis_deg": ("spin_axis", "deg"), "carry_m": ("carry", "m"),
+    "side_m": ("side", "m"), "total_m": ("total", "m"), "total_side_m": ("total_side", "m"), "apex_m": ("apex", "m"),
+    "landing_deg": ("landing_angle", "deg"),
+}  # fmt: skip
+"""Keys of JSON and columns of a file: quantity and unit."""
+
+_SIDES = "Repeatable: what is given more than once is compared."
+COMPARED: options.Group = {
+    "hand": options.EQUIPMENT["hand"],
+    "ball": (
+        Annotated[
+            list[str] | None,
+            options.option(
+                "--ball", panel="Club and ball", metavar="NAME|FILE", text=f"A ball; modern unless given. {_SIDES}"
+            ),
+        ],
+        None,
+    ),
+    **options.MODELS,
+    "parameters": (
+        Annotated[
+            list[str] | None,
+            options.option(
+                "--parameters", panel="Model", metavar="NAME|FILE", text=f"A published set or a TOML file. {_SIDES}"
+            ),
+        ],
+        None,
+    ),
+}
+UNIT_TEXT = 'The unit of a quantity in the table: "carry=m". Repeatable.'
+Units = Annotated[list[str] | None, options.option("--unit", metavar="NAME=UNIT", text=UNIT_TEXT)]
+
+
+@app.command()
+@options.takes(options.DELIVERY, COMPARED, options.AIR)
+def compare(
+    clubs: Annotated[list[str], typer.Argument(metavar="CLUB...", help="Built-in clubs, or TOML files.")],
+    delivery: Annotated[
+        list[str] | None,
+        options.option("--delivery", metavar='"loft=12 deg, toe=8 mm"', text=f"What a delivery changes. {_SIDES}"),
+    ] = None,
+    deliveries: Annotated[
+        str | None, options.option("--deliveries", metavar="FILE", text="CSV or Parquet file of deliveries, a row each.")
+    ] = None,
+    split: Annotated[
+        bool, typer.Option("--split/--no-split", help="Tell what makes the differences.")
+    ] = True,
+    nodes: Annotated[
+        int | None, options.option("--nodes", metavar="N", text="Points at which derivatives are taken, 1 to 64.")
+    ] = None,
+    unit: Units = None,
+    target: Annotated[str | None, options.output("FILE", "Write all figures, CSV or Parquet by its ending.")] = None,
+    plot: Annotated[str | None, options.picture("flights and contributions")] = None,
+    as_json: options.Json = False,
+    **texts: Any,
+) -> None:
+    """Compare clubs, balls, models, parameters or deliveries, and tell what makes the difference."""
+    inputs = [*clubs, *(texts["ball"] or ()), *(texts["parameters"] or ()), deliveries]
+    output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
+    output.check_picture(plot, inputs)
+    conditions = given.conditions(texts)
+    shown = _units(unit)
+
+    from clubface.design.comparison import MOST, compare as computed
+
+    alternatives = _alternatives(clubs, delivery, deliveries, texts)
+    if not 2 <= len(alternatives) <= MOST:
+        allowed = "give two clubs, or something else twice, as in --ball modern --ball distance"
+        raise ClubfaceError(
+            f"there is nothing to compare: {allowed}" if len(alternatives) < 2
+            else f"there are {len(alternatives)} combinations to compare; give at most {MOST}"
+        )  # fmt: skip
+    with progress_bar("points of derivatives") as update:
+        found = computed(alternatives, **conditions, split=split, nodes=nodes, progress=update)
+    if plot is not None:
+        from clubface import plots
+        from clubface.design.comparison_figures import comparison_figure
+
+        plots.save(comparison_figure(found, **conditions, units={key: told for key, (told, _) in shown.items()}), plot)
+    if target is not None:
+        _write(found, target)
+    if as_json:
+        output.print_json(_document(found, alternatives))
+    else:
+        _print(found, shown)
+    say_written([each for each in (target, plot) if each is not None])
+
+
+def _alternatives(
+    clubs: Sequence[str], changes: Sequence[str] | None, file: str | None, texts: Mapping[str, Any]
+) -> dict[str, dict[str, Any]]:
+    """Return every combination of what was given, called by what differs."""
+    heads = _named([(given.club_of(which, texts["hand"]), which) for which in clubs], "CLUB")
+    balls = _named([(_ball(which), which) for which in texts["ball"] or [None]], "--ball")
+    models = given.model_names(texts["model"], DEFAULT_MODEL)
+    swings = _deliveries(changes, file, texts)
+    combined = []
+    for head_name, head in heads.items():
+        for ball_name, (ball, _) in balls.items():
+            for model in models:
+                for set_name, chosen in _sets(model, models, head, texts).items():
+                    for swing_name, swing in swings.items():
+                        names = (head_name, ball_name, model, set_name, swing_name)
+                        fields = {"club": head, "ball": ball, "model": model, "parameters": chosen, "delivery": swing,
+                                  "accuracy": texts["accuracy"]}  # fmt: skip
+                        combined.append((names, fields))
+    differ = [len(set(column)) > 1 for column in zip(*(names for names, _ in combined), strict=True)]
+    found = {}
+    for names, fields in combined:
+        told = [name for name, shown in zip(names, differ, strict=True) if shown]
+        found[", ".join(told) or names[0]] = fields
+    return found
+
+
+def _named(given_: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
+    """Return things by their names; those of the same name are called as they were typed."""
+    names = [getattr(each[0] if isinstance(each, tuple) else each, "name", str(typed)) for each, typed in given_]
+    found = {}
+    for name, (each, typed) in zip(names, given_, strict=True):
+        key = name if names.count(name) == 1 else Path(str(typed)).stem
+        key = str(typed) if key in found else key
+        if key in found:
+            raise InputError(option, typed, "given once: it is compared with itself")
+        found[key] = each
+    return found
+
+
+def _ball(which: str | None) -> tuple[Any, str]:
+    """Return a ball as a model takes it, and its name; finite elements read the file or the name themselves."""
+    from clubface.equipment.balls import ball
+
+    made = ball(which)
+    return made, made.name
+
+
+def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the parameter sets of a model to compare: those given that fit it, or that by default."""
+    settings = [each for each in texts["setting"] or ()]
+    known = {name: given.parameter_sets([name], head.parameters)[name] for name in models}
+    for key in given.pairs(settings, "--set"):
+        if not any(key in each.values for each in known.values()):
+            given.parameter_sets(list(models), head.parameters, None, settings)
+    fitting = [each for each in settings if each.partition("=")[0].strip() in known[model].values]
+    chosen = []
+    for which in texts["parameters"] or ():
+        every = given.parameter_sets(list(models), head.parameters, which)
+        if every[model] is not known[model] and every[model] != known[model] or len(models) == 1:
+            chosen.append((given.parameter_sets([model], head.parameters, which, fitting)[model], which))
+    if not chosen:
+        default = given.parameter_sets([model], head.parameters, None, fitting)[model]
+        return {"default parameters": default if fitting else None}
+    return _named(chosen, "--parameters")
+
+
+def _deliveries(changes: Sequence[str] | None, file: str | None, texts: Mapping[str, Any]) -> dict[str, dict[str, float]]:
+    from clubface.simulation.delivery import DIMENSIONS
+
+    base = given.quantities(texts, DIMENSIONS, {})
+    if changes and file is not None:
+        raise ClubfaceError("--delivery and --deliveries both say what is compared; give one of them")
+    if file is not None:
+        from clubface.design.comparison import MOST
+        from clubface.design.comparison_rows import read_deliveries
+
+        found = {name: {**base, **each} for name, each in read_deliveries(file, MOST).items()}
+    else:
+        found = {}
+        for text in changes or [""]:
+            told = given.pairs(text.split(",") if text else (), "--delivery")
+            from clubface.support.checks import check_names
+
+            check_names("value of --delivery", told, DIMENSIONS)
+            values = {name: given.parsed(f"--{name.replace('_', '-')}", each, DIMENSIONS[name]) for name, each in told.items()}
+            if text in found:
+                raise InputError("--delivery", text, "given once: it is compared with itself")
+            found[text] = {**base, **values}
+    if any("speed" not in each for each in found.values()):
+        raise ClubfaceError('--speed is missing; give it with its unit, as in --speed "113 mph"')
+    return found
+
+
+def _units(texts: Sequence[str] | None) -> dict[str, tuple[str, int]]:
+    """Return unit and digits of each quantity of the table."""
+    from clubface import units
+    from clubface.support.checks import check_names
+
+    told = given.pairs(texts or (), "--unit")
+    check_names("quantity of --unit", told, VALUES)
+    found = dict(VALUES)
+    for name, symbol in told.items():
+        usual, digits = VALUES[name]
+        unit = units.unit(symbol, name="--unit", dimension=units.unit(usual).dimension).symbol
+        found[name] = (unit, max(0, digits + round(_orders(units.size(unit) / units.size(usual)))))
+    return found
+
+
+def _orders(ratio: float) -> float:
+    import math
+
+    return math.log10(ratio)
+
+
+def _print(found: Any, shown: Mapping[str, tuple[str, int]]) -> None:
+    first, *others = found.names
+    heads = ["", _head(first)]
+    for name in others:
+        heads += [_head(name), "difference"]
+    rows = []
+    for quantity, (unit, digits) in shown.items():
+        row = [_label(quantity, unit), output.number(found.value(first, quantity, unit), digits)]
+        for name in others:
+            row += [
+                output.number(found.value(name, quantity, unit), digits),
+                output.number(found.difference(name, quantity, unit), digits + 1),
+            ]
+        rows.append(row)
+    print_numbers(heads, rows)
+    for name in others:
+        if name in found.contributions:
+            print()
+            _print_split(found, name, shown)
+
+
+def _print_split(found: Any, name: str, shown: Mapping[str, tuple[str, int]]) -> None:
+    from clubface import units
+
+    made = found.contributions[name]
+    title = f"What makes {name} differ from {found.names[0]}"
+    if made.left_out:
+        output.print_notes([f"{title} cannot be told: {made.left_out}"])
+        return
+    heads = ["", "from", "to", *(f"{each.replace('_', chr(10))}\n{_unit(shown[each][0])}" for each in SPLIT)]
+
+    def cells(part: Any) -> list[str]:
+        by_name = dict(zip(found.quantities(), part, strict=True))
+        return [
+            output.number(float(by_name[each]) / units.size(shown[each][0]), shown[each][1] + 1) for each in SPLIT
+        ]
+
+    rows = [[*told, *cells(part)] for told, part in _told(found.launches[name], made)]
+    rows.append(["remainder", "", "", *cells(made.remainder)])
+    total = [found.difference(name, each) for each in found.quantities()]
+    print_numbers(heads, [*rows, ["difference", "", "", *cells(total)]], title=title, summary=True)
+
+
+def _told(launch: Any, made: Any) -> list[tuple[list[str], Any]]:
+    """Return name and values of each change with its contribution; the coefficients of a fit are taken together."""
+    from clubface import units
+    from clubface.equipment.models import model
+    from clubface.simulation.quantities import inputs
+    from clubface.simulation.sensitivity import FEW, OF_THE_BALL
+
+    parameters = {each.name: each.unit for each in model(launch.model).parameters}
+    fitted = {name for name in parameters if len(parameters) > FEW and name not in OF_THE_BALL}
+    rows, hidden = [], []
+    for change, part in zip(made.changes, made.si, strict=True):
+        if change.name in fitted:
+            hidden.append(part)
+        elif not change.derivative:
+            rows.append(([change.name, "", ""], part))
+        else:
+            name = change.name
+            si = inputs()[name].unit if name in inputs() else parameters[name]
+            unit = units.display_unit(name, "m/s" if name == "speed" else si)
+            unit = "mph" if name == "speed" else unit
+            values = [f"{units.from_si(each, unit):.6g}".replace("inf", "flat") for each in (change.start, change.end)]
+            rows.append(([_label(name, unit), *values], part))
+    if hidden:
+        rows.append(([f"{output.counted(len(hidden), 'coefficient')} of {launch.model}", "", ""], sum(hidden)))
+    return rows
+
+
+def _head(name: str) -> str:
+    import textwrap
+
+    return "\n".join(textwrap.wrap(name, 18, break_long_words=False))
+
+
+def _label(quantity: str, unit: str) -> str:
+    return f"{quantity.replace('_', ' ')}, {unit}" if _unit(unit) else quantity.replace("_", " ")
+
+
+def _unit(unit: str) -> str:
+    return "" if unit == "1" else unit
+
+
+def _cells(part: Any, found: Any) -> dict[str, float]:
+    """Return differences or contributions [SI] in the units of ``KEYS``."""
+    from clubface import units
+
+    by_name = dict(zip(found.quantities(), map(float, part), strict=True))
+    return {key: by_name[name] / units.size(unit) for key, (name, unit) in KEYS.items()}
+
+
+def _document(found: Any, alternatives: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+    first = found.names[0]
+    told = []
+    for name in found.names:
+        launch = found.launches[name]
+        entry: dict[str, Any] = {
+            "name": name, "club": launch.club.name, "ball": launch.ball.name, "model": launch.model,
+            "parameters": launch.parameters.name, "delivery": alternatives[name]["delivery"],
+            **{key: found.value(name, *of) for key, of in KEYS.items()},
+        }  # fmt: skip
+        if name != first:
+            entry["difference"] = {key: found.difference(name, *of) for key, of in KEYS.items()}
+            if (made := found.contributions.get(name)) is not None:
+                entry["contributions"] = [
+                    {"change": change.name, "from": change.start, "to": change.end, "derivative": change.derivative,
+                     **_cells(part, found)}
+                    for change, part in zip(made.changes, made.si, strict=True)
+                ]  # fmt: skip
+                entry["remainder"] = _cells(made.remainder, found)
+                entry["left_out"] = made.left_out
+        told.append(entry)
+    return {"compared_with": first, "alternatives": told}
+
+
+def _write(found: Any, target: str) -> None:
+    from clubface.tables.writer import write_columns
+
+    rows = found.rows()
+    columns: dict[str, list[Any]] = {key: [row[key] for row in rows] for key in ("alternative", "part", "change")}
+    parts = [_cells([row[name] for name in found.quantities()], found) for row in rows]
+    columns |= {key: [part[key] for part in parts] for key in KEYS}
+    write_columns(columns, Path(target))
