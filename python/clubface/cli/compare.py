@@ -11,29 +11,15 @@ import typer
 from clubface.cli import given, options, output
 from clubface.cli.failures import say, say_written
 from clubface.cli.progress import progress_bar
+from clubface.cli.quantity_units import KEYS, Shown, Units, label, shown_units
 from clubface.cli.tables import print_numbers
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError
 
 app = typer.Typer(add_completion=False)
 
-VALUES = {
-    "ball_speed": ("mph", 1), "smash": ("1", 3), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
-    "sidespin": ("rpm", 0), "total_spin": ("rpm", 0), "spin_axis": ("deg", 1), "carry": ("yd", 1), "side": ("yd", 1),
-    "total": ("yd", 1), "total_side": ("yd", 1), "apex": ("yd", 1), "landing_angle": ("deg", 1),
-}  # fmt: skip
-"""Unit and digits of what is listed."""
 SPLIT = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "carry", "side", "total")
 """What is split into contributions in the table; --json and --output have all."""
-KEYS = {
-    "ball_speed_mps": ("ball_speed", "m/s"), "smash": ("smash", "1"), "launch_deg": ("launch", "deg"),
-    "azimuth_deg": ("azimuth", "deg"), "backspin_rpm": ("backspin", "rpm"), "sidespin_rpm": ("sidespin", "rpm"),
-    "total_spin_rpm": ("total_spin", "rpm"), "spin_axis_deg": ("spin_axis", "deg"), "carry_m": ("carry", "m"),
-    "side_m": ("side", "m"), "total_m": ("total", "m"), "total_side_m": ("total_side", "m"), "apex_m": ("apex", "m"),
-    "landing_deg": ("landing_angle", "deg"),
-}  # fmt: skip
-"""Keys of JSON and columns of a file: quantity and unit."""
-
 _SIDES = "Repeatable: what is given more than once is compared."
 COMPARED: options.Group = {
     "hand": options.EQUIPMENT["hand"],
@@ -57,8 +43,6 @@ COMPARED: options.Group = {
         None,
     ),
 }
-UNIT_TEXT = 'The unit of a quantity in the table: "carry=m". Repeatable.'
-Units = Annotated[list[str] | None, options.option("--unit", metavar="NAME=UNIT", text=UNIT_TEXT)]
 
 
 @app.command()
@@ -70,11 +54,10 @@ def compare(
         options.option("--delivery", metavar='"loft=12 deg, toe=8 mm"', text=f"What a delivery changes. {_SIDES}"),
     ] = None,
     deliveries: Annotated[
-        str | None, options.option("--deliveries", metavar="FILE", text="CSV or Parquet file of deliveries, a row each.")
+        str | None,
+        options.option("--deliveries", metavar="FILE", text="CSV or Parquet file of deliveries, a row each."),
     ] = None,
-    split: Annotated[
-        bool, typer.Option("--split/--no-split", help="Tell what makes the differences.")
-    ] = True,
+    split: Annotated[bool, typer.Option("--split/--no-split", help="Tell what makes the differences.")] = True,
     nodes: Annotated[
         int | None, options.option("--nodes", metavar="N", text="Points at which derivatives are taken, 1 to 64.")
     ] = None,
@@ -89,7 +72,7 @@ def compare(
     output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
     output.check_picture(plot, inputs)
     conditions = given.conditions(texts)
-    shown = _units(unit)
+    shown = shown_units(unit)
 
     from clubface.design.comparison import MOST, compare as computed
 
@@ -182,7 +165,9 @@ def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]
     return _named(chosen, "--parameters")
 
 
-def _deliveries(changes: Sequence[str] | None, file: str | None, texts: Mapping[str, Any]) -> dict[str, dict[str, float]]:
+def _deliveries(
+    changes: Sequence[str] | None, file: str | None, texts: Mapping[str, Any]
+) -> dict[str, dict[str, float]]:
     from clubface.simulation.delivery import DIMENSIONS
 
     base = given.quantities(texts, DIMENSIONS, {})
@@ -200,7 +185,9 @@ def _deliveries(changes: Sequence[str] | None, file: str | None, texts: Mapping[
             from clubface.support.checks import check_names
 
             check_names("value of --delivery", told, DIMENSIONS)
-            values = {name: given.parsed(f"--{name.replace('_', '-')}", each, DIMENSIONS[name]) for name, each in told.items()}
+            values = {
+                name: given.parsed(f"--{name.replace('_', '-')}", each, DIMENSIONS[name]) for name, each in told.items()
+            }
             if text in found:
                 raise InputError("--delivery", text, "given once: it is compared with itself")
             found[text] = {**base, **values}
@@ -209,35 +196,14 @@ def _deliveries(changes: Sequence[str] | None, file: str | None, texts: Mapping[
     return found
 
 
-def _units(texts: Sequence[str] | None) -> dict[str, tuple[str, int]]:
-    """Return unit and digits of each quantity of the table."""
-    from clubface import units
-    from clubface.support.checks import check_names
-
-    told = given.pairs(texts or (), "--unit")
-    check_names("quantity of --unit", told, VALUES)
-    found = dict(VALUES)
-    for name, symbol in told.items():
-        usual, digits = VALUES[name]
-        unit = units.unit(symbol, name="--unit", dimension=units.unit(usual).dimension).symbol
-        found[name] = (unit, max(0, digits + round(_orders(units.size(unit) / units.size(usual)))))
-    return found
-
-
-def _orders(ratio: float) -> float:
-    import math
-
-    return math.log10(ratio)
-
-
-def _print(found: Any, shown: Mapping[str, tuple[str, int]]) -> None:
+def _print(found: Any, shown: Shown) -> None:
     first, *others = found.names
     heads = ["", _head(first)]
     for name in others:
         heads += [_head(name), "difference"]
     rows = []
     for quantity, (unit, digits) in shown.items():
-        row = [_label(quantity, unit), output.number(found.value(first, quantity, unit), digits)]
+        row = [label(quantity, unit), output.number(found.value(first, quantity, unit), digits)]
         for name in others:
             row += [
                 output.number(found.value(name, quantity, unit), digits),
@@ -251,7 +217,7 @@ def _print(found: Any, shown: Mapping[str, tuple[str, int]]) -> None:
             _print_split(found, name, shown)
 
 
-def _print_split(found: Any, name: str, shown: Mapping[str, tuple[str, int]]) -> None:
+def _print_split(found: Any, name: str, shown: Shown) -> None:
     from clubface import units
 
     made = found.contributions[name]
@@ -259,13 +225,11 @@ def _print_split(found: Any, name: str, shown: Mapping[str, tuple[str, int]]) ->
     if made.left_out:
         output.print_notes([f"{title} cannot be told: {made.left_out}"])
         return
-    heads = ["", "from", "to", *(f"{each.replace('_', chr(10))}\n{_unit(shown[each][0])}" for each in SPLIT)]
+    heads = ["", "from", "to", *(f"{each.replace('_', chr(10))}\n{shown[each][0]}" for each in SPLIT)]
 
     def cells(part: Any) -> list[str]:
         by_name = dict(zip(found.quantities(), part, strict=True))
-        return [
-            output.number(float(by_name[each]) / units.size(shown[each][0]), shown[each][1] + 1) for each in SPLIT
-        ]
+        return [output.number(float(by_name[each]) / units.size(shown[each][0]), shown[each][1] + 1) for each in SPLIT]
 
     rows = [[*told, *cells(part)] for told, part in _told(found.launches[name], made)]
     rows.append(["remainder", "", "", *cells(made.remainder)])
@@ -294,7 +258,7 @@ def _told(launch: Any, made: Any) -> list[tuple[list[str], Any]]:
             unit = units.display_unit(name, "m/s" if name == "speed" else si)
             unit = "mph" if name == "speed" else unit
             values = [f"{units.from_si(each, unit):.6g}".replace("inf", "flat") for each in (change.start, change.end)]
-            rows.append(([_label(name, unit), *values], part))
+            rows.append(([label(name, unit), *values], part))
     if hidden:
         rows.append(([f"{output.counted(len(hidden), 'coefficient')} of {launch.model}", "", ""], sum(hidden)))
     return rows
@@ -304,14 +268,6 @@ def _head(name: str) -> str:
     import textwrap
 
     return "\n".join(textwrap.wrap(name, 18, break_long_words=False))
-
-
-def _label(quantity: str, unit: str) -> str:
-    return f"{quantity.replace('_', ' ')}, {unit}" if _unit(unit) else quantity.replace("_", " ")
-
-
-def _unit(unit: str) -> str:
-    return "" if unit == "1" else unit
 
 
 def _cells(part: Any, found: Any) -> dict[str, float]:

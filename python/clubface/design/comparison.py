@@ -255,4 +255,9 @@ def _meshed(which: Any) -> Any:
 
 
 def _row(name: str, part: str, change: str, numbers: Any) -> dict[str, Any]:
-    return {"alternative": name, "part": part, "change": change, **dict(zip(QUANTITIES, map(float, numbers), strict=True))}
+    return {
+        "alternative": name,
+        "part": part,
+        "change": change,
+        **dict(zip(QUANTITIES, map(float, numbers), strict=True)),
+    }
