@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import given, options, output
-from clubface.cli.failures import say, say_written
+from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.quantity_units import KEYS, Shown, Units, label, shown_units
 from clubface.cli.tables import print_numbers
@@ -103,18 +103,20 @@ def _alternatives(
     clubs: Sequence[str], changes: Sequence[str] | None, file: str | None, texts: Mapping[str, Any]
 ) -> dict[str, dict[str, Any]]:
     """Return every combination of what was given, called by what differs."""
+    from clubface.equipment.balls import ball
+
     heads = _named([(given.club_of(which, texts["hand"]), which) for which in clubs], "CLUB")
-    balls = _named([(_ball(which), which) for which in texts["ball"] or [None]], "--ball")
+    balls = _named([(ball(which), which) for which in texts["ball"] or [None]], "--ball")
     models = given.model_names(texts["model"], DEFAULT_MODEL)
     swings = _deliveries(changes, file, texts)
     combined = []
     for head_name, head in heads.items():
-        for ball_name, (ball, _) in balls.items():
+        for ball_name, made in balls.items():
             for model in models:
                 for set_name, chosen in _sets(model, models, head, texts).items():
                     for swing_name, swing in swings.items():
                         names = (head_name, ball_name, model, set_name, swing_name)
-                        fields = {"club": head, "ball": ball, "model": model, "parameters": chosen, "delivery": swing,
+                        fields = {"club": head, "ball": made, "model": model, "parameters": chosen, "delivery": swing,
                                   "accuracy": texts["accuracy"]}  # fmt: skip
                         combined.append((names, fields))
     differ = [len(set(column)) > 1 for column in zip(*(names for names, _ in combined), strict=True)]
@@ -127,7 +129,7 @@ def _alternatives(
 
 def _named(given_: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
     """Return things by their names; those of the same name are called as they were typed."""
-    names = [getattr(each[0] if isinstance(each, tuple) else each, "name", str(typed)) for each, typed in given_]
+    names = [each.name for each, _ in given_]
     found = {}
     for name, (each, typed) in zip(names, given_, strict=True):
         key = name if names.count(name) == 1 else Path(str(typed)).stem
@@ -138,30 +140,21 @@ def _named(given_: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
     return found
 
 
-def _ball(which: str | None) -> tuple[Any, str]:
-    """Return a ball as a model takes it, and its name; finite elements read the file or the name themselves."""
-    from clubface.equipment.balls import ball
-
-    made = ball(which)
-    return made, made.name
-
-
 def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]) -> dict[str, Any]:
     """Return the parameter sets of a model to compare: those given that fit it, or that by default."""
-    settings = [each for each in texts["setting"] or ()]
-    known = {name: given.parameter_sets([name], head.parameters)[name] for name in models}
-    for key in given.pairs(settings, "--set"):
-        if not any(key in each.values for each in known.values()):
-            given.parameter_sets(list(models), head.parameters, None, settings)
-    fitting = [each for each in settings if each.partition("=")[0].strip() in known[model].values]
+    settings = texts["setting"] or []
+    given.parameter_sets(models, head.parameters, texts["parameters"], settings)  # refuses what fits none of them
+    usual = given.parameter_sets([model], head.parameters)[model]
+    fitting = [each for each in settings if each.partition("=")[0].strip() in usual.values]
     chosen = []
     for which in texts["parameters"] or ():
-        every = given.parameter_sets(list(models), head.parameters, which)
-        if every[model] is not known[model] and every[model] != known[model] or len(models) == 1:
+        found = given.parameter_sets(models, head.parameters, which)[model]
+        # One that serves another of the models leaves this one with its own.
+        if len(models) == 1 or found != usual:
             chosen.append((given.parameter_sets([model], head.parameters, which, fitting)[model], which))
     if not chosen:
-        default = given.parameter_sets([model], head.parameters, None, fitting)[model]
-        return {"default parameters": default if fitting else None}
+        changed = given.parameter_sets([model], head.parameters, None, fitting)[model]
+        return {"default parameters": changed if fitting else None}
     return _named(chosen, "--parameters")
 
 
@@ -169,6 +162,7 @@ def _deliveries(
     changes: Sequence[str] | None, file: str | None, texts: Mapping[str, Any]
 ) -> dict[str, dict[str, float]]:
     from clubface.simulation.delivery import DIMENSIONS
+    from clubface.support.checks import check_names
 
     base = given.quantities(texts, DIMENSIONS, {})
     if changes and file is not None:
@@ -182,8 +176,6 @@ def _deliveries(
         found = {}
         for text in changes or [""]:
             told = given.pairs(text.split(",") if text else (), "--delivery")
-            from clubface.support.checks import check_names
-
             check_names("value of --delivery", told, DIMENSIONS)
             values = {
                 name: given.parsed(f"--{name.replace('_', '-')}", each, DIMENSIONS[name]) for name, each in told.items()
@@ -228,12 +220,12 @@ def _print_split(found: Any, name: str, shown: Shown) -> None:
     heads = ["", "from", "to", *(f"{each.replace('_', chr(10))}\n{shown[each][0]}" for each in SPLIT)]
 
     def cells(part: Any) -> list[str]:
-        by_name = dict(zip(found.quantities(), part, strict=True))
-        return [output.number(float(by_name[each]) / units.size(shown[each][0]), shown[each][1] + 1) for each in SPLIT]
+        by_name = _by_name(part)
+        return [output.number(by_name[each] / units.size(shown[each][0]), shown[each][1] + 1) for each in SPLIT]
 
     rows = [[*told, *cells(part)] for told, part in _told(found.launches[name], made)]
     rows.append(["remainder", "", "", *cells(made.remainder)])
-    total = [found.difference(name, each) for each in found.quantities()]
+    total = [found.difference(name, each) for each in _by_name(made.remainder)]
     print_numbers(heads, [*rows, ["difference", "", "", *cells(total)]], title=title, summary=True)
 
 
@@ -270,11 +262,18 @@ def _head(name: str) -> str:
     return "\n".join(textwrap.wrap(name, 18, break_long_words=False))
 
 
-def _cells(part: Any, found: Any) -> dict[str, float]:
+def _by_name(part: Any) -> dict[str, float]:
+    """Return differences or contributions [SI] by quantity."""
+    from clubface.design.comparison_quantities import QUANTITIES
+
+    return dict(zip(QUANTITIES, map(float, part), strict=True))
+
+
+def _cells(part: Any) -> dict[str, float]:
     """Return differences or contributions [SI] in the units of ``KEYS``."""
     from clubface import units
 
-    by_name = dict(zip(found.quantities(), map(float, part), strict=True))
+    by_name = _by_name(part)
     return {key: by_name[name] / units.size(unit) for key, (name, unit) in KEYS.items()}
 
 
@@ -293,20 +292,21 @@ def _document(found: Any, alternatives: Mapping[str, Mapping[str, Any]]) -> dict
             if (made := found.contributions.get(name)) is not None:
                 entry["contributions"] = [
                     {"change": change.name, "from": change.start, "to": change.end, "derivative": change.derivative,
-                     **_cells(part, found)}
+                     **_cells(part)}
                     for change, part in zip(made.changes, made.si, strict=True)
                 ]  # fmt: skip
-                entry["remainder"] = _cells(made.remainder, found)
+                entry["remainder"] = _cells(made.remainder)
                 entry["left_out"] = made.left_out
         told.append(entry)
     return {"compared_with": first, "alternatives": told}
 
 
 def _write(found: Any, target: str) -> None:
+    from clubface import units
     from clubface.tables.writer import write_columns
 
     rows = found.rows()
     columns: dict[str, list[Any]] = {key: [row[key] for row in rows] for key in ("alternative", "part", "change")}
-    parts = [_cells([row[name] for name in found.quantities()], found) for row in rows]
+    parts = [{key: row[name] / units.size(unit) for key, (name, unit) in KEYS.items()} for row in rows]
     columns |= {key: [part[key] for part in parts] for key in KEYS}
     write_columns(columns, Path(target))

@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import given, options, output
-from clubface.cli.failures import say, say_written
+from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.quantity_units import KEYS, VALUES, Shown, Units, label, shown_units
 from clubface.cli.tables import print_numbers
@@ -30,7 +30,7 @@ TABLE = (9, 7)
 def map_(
     club: options.ClubArgument,
     minus: Annotated[
-        str | None, options.option("--minus", metavar="CLUB", text="Map what CLUB is better than this one by.")
+        str | None, options.option("--minus", metavar="CLUB", text="Map the first club less this one.")
     ] = None,
     quantity: Annotated[
         list[str] | None,
@@ -76,7 +76,6 @@ def map_(
 
     from clubface.design.face_map import map_face
     from clubface.design.face_map_difference import FaceMapDifference
-    from clubface.design.face_map_forgiveness import forgiveness
     from clubface.design.face_map_shots import finished
 
     maps = []
@@ -91,7 +90,7 @@ def map_(
                     progress=update, **conditions,
                 )
             )  # fmt: skip
-    spreads = [] if deviations is None else [forgiveness(each, deviations, **about) for each in maps]
+    spreads = [] if deviations is None else [each.forgiveness(deviations, **about) for each in maps]
     found = maps[0] if len(maps) == 1 else FaceMapDifference(*maps)
     if plot is not None:
         from clubface import plots
@@ -176,9 +175,8 @@ def _print_extremes(found: Any, maps: Sequence[Any], names: Sequence[str], shown
                     output.number(1e3 * found.high[up], 0)]  # fmt: skip
         rows.append(row)
     heads = ["", "at the\ncentre", "least", "toe\nmm", "high\nmm", "greatest", "toe\nmm", "high\nmm"]
-    told = f"{first.centre.club.name}, ball {first.centre.ball.name}, by {first.centre.model}"
-    if len(maps) == 2:
-        told = f"{first.centre.club.name} less {maps[1].centre.club.name}, ball {first.centre.ball.name}, by {first.centre.model}"
+    clubs = " less ".join(each.centre.club.name for each in maps)
+    told = f"{clubs}, ball {first.centre.ball.name}, by {first.centre.model}"
     print_numbers(heads, rows, title=f"{told}: {len(first.toe)} by {len(first.high)} points of the face")
 
 

@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 
 from clubface import units as units_of
 from clubface.design.comparison import Compared
-from clubface.design.comparison_contributions import QUANTITIES
+from clubface.design.comparison_quantities import QUANTITIES
 from clubface.plots.style import COLOURS, DASHES, WIDTH, legend_above, styled
 from clubface.simulation.trajectory import trajectory
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,7 +24,7 @@ STEP = 1e-8
 """s by which the time of the face in the parameters is moved to find the slope by it, which models do not give."""
 
 
-class NoDerivatives(ClubfaceError):
+class DerivativesError(ClubfaceError):
     """Why a launch cannot be differentiated along a line."""
 
 
@@ -91,7 +91,7 @@ def _reduced(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tu
         launch.model, columns, parameters, len(points), rows, variables, launch.accuracy, 1
     )
     if problems:
-        raise NoDerivatives(f"{launch.model} has no launch between the two: {problems[0][2]}")
+        raise DerivativesError(f"{launch.model} has no launch between the two: {problems[0][2]}")
     table = found.reshape(len(rows), 1 + len(variables), len(points))
     by_names = np.zeros((len(rows), len(line.names), len(points)))
     for place, name in enumerate(line.names):
@@ -123,11 +123,11 @@ def _of_elements(line: Line, launch: Launch, share: float, ball: Any) -> tuple[A
 
     point, head = line.at(share), mesh_of(launch.club)
     if head is not None and not isinstance(head, ShellHead):
-        raise NoDerivatives("finite elements give derivatives for rigid heads and for heads of shells, not of solids")
+        raise DerivativesError("finite elements give derivatives for rigid heads and heads of shells, not of solids")
     club = launch.club if head is None else head
     known = variables(club, which=ball)
     if unknown := [name for name in line.names if name not in known]:
-        raise NoDerivatives(f"finite elements of this head give no derivatives by {', '.join(unknown)}")
+        raise DerivativesError(f"finite elements of this head give no derivatives by {', '.join(unknown)}")
     delivered = {name: value for name, value in point.inputs.items() if inputs()[name].group == "delivery"}
     moved = {name: point.inputs[name] for name in line.names if name in point.inputs}
     found = sensitivity(

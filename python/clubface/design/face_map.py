@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from clubface import units
+from clubface.design.comparison_quantities import QUANTITIES, quantities
+from clubface.design.face_map_forgiveness import Forgiveness, forgiveness
 from clubface.design.face_map_outline import Outline, outline_of
-from clubface.design.face_map_shots import QUANTITIES, Struck, run_points
+from clubface.design.face_map_shots import Struck, run_points
 from clubface.design.face_map_surface import Surface, surface_of
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club, club as club_of
@@ -19,7 +21,7 @@ from clubface.errors import InputError, RangeWarning
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import as_values
 from clubface.simulation.launch import Launch
-from clubface.simulation.quantities import Quantity, flight_outputs, outputs
+from clubface.simulation.quantities import outputs
 from clubface.support.checks import check_choice, is_count
 from clubface.support.warning import without_warnings
 
@@ -79,12 +81,6 @@ class FaceMap:
         self._table = table
         self.interpolated = surface.interpolated
 
-    @staticmethod
-    def quantities() -> dict[str, Quantity]:
-        """Return the quantities of a map, by name."""
-        known = {**flight_outputs(), **outputs()}
-        return {name: known[name] for name in QUANTITIES}
-
     def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
         """Return a quantity over the grid, in SI or in ``unit``."""
         check_choice("quantity", name, QUANTITIES)
@@ -110,6 +106,23 @@ class FaceMap:
             raise InputError("share", share, "between 0 and 1")
         return self.surface.area(QUANTITIES.index("ball_speed"), share * self.best().value)
 
+    def forgiveness(self, spread: tuple[Any, Any], *, toe: Any = 0.0, high: Any = 0.0) -> Forgiveness:
+        """Return what impacts cost that scatter about a point, normally and towards the toe and upwards independently.
+
+        Parameters
+        ----------
+        spread
+            Standard deviations towards the toe and upwards [m], or text with a unit.
+        toe, high
+            The point they scatter about [m], or text with a unit; the face centre unless given.
+
+        Raises
+        ------
+        InputError
+            A standard deviation is not above 0 or larger than the face, or the point is not on the face.
+        """
+        return forgiveness(self.surface, self.outline, spread, toe, high)
+
     def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return places towards the toe and upwards [m], and a quantity [SI] over the whole box around the face.
 
@@ -134,7 +147,7 @@ class FaceMap:
 
         variables = {
             name: (("high", "toe"), self.get(name), attributes(each.unit, each.meaning))
-            for name, each in self.quantities().items()
+            for name, each in quantities().items()
         }
         attrs = {**flattened(self.centre.provenance), "outline": self.outline.told}
         return xarray.Dataset(variables, {"toe": self.toe, "high": self.high}, attrs=attrs)
@@ -203,10 +216,10 @@ def map_face(
         if given.pop(name, None) is not None:
             raise InputError(name, values.get(name, "given"), "left out: a map strikes the whole face")
     if model in MODULES:
-        from clubface.simulation.inputs import equipped, shots
         from clubface.simulation.backends import backend_of
+        from clubface.simulation.inputs import equipped, shots
 
-        own, described = backend_of(model).balls(ball, accuracy)
+        described = backend_of(model).balls(ball, accuracy).described
         with_, found = equipped(model, chosen, described, parameters)
         hit = shots(with_, given)
         centre = Launch(np.full((len(outputs()), 1), np.nan), hit, model, found, accuracy)
@@ -244,9 +257,8 @@ def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[ND
         counts = tuple(grid) if isinstance(grid, Iterable) else (COARSE if long else GRID)
         if len(counts) != 2 or not all(is_count(each, LEAST, MOST) for each in counts):
             raise InputError("grid", grid, f"two whole numbers from {LEAST} to {MOST}, as in 101 by 101")
-        toe, high = (
-            np.linspace(*ends, count) for *ends, count in zip(outline.least, outline.greatest, counts, strict=True)
-        )
+        ends = zip(outline.least.tolist(), outline.greatest.tolist(), counts, strict=True)
+        toe, high = (np.linspace(least, greatest, count) for least, greatest, count in ends)
     if long and counts[0] * counts[1] > MOST_LONG:
         raise InputError(
             "grid", f"{counts[0]} by {counts[1]}", f"at most {MOST_LONG} points for a model that takes long"
@@ -255,4 +267,4 @@ def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[ND
 
 
 def _unit(name: str, unit: str) -> str:
-    return units.unit(unit, name=name, dimension=FaceMap.quantities()[name].dimension).symbol
+    return units.unit(unit, name=name, dimension=quantities()[name].dimension).symbol

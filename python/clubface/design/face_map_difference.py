@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface import units
+from clubface.design.comparison_quantities import QUANTITIES, quantities
 from clubface.design.face_map import FaceMap
-from clubface.design.face_map_shots import QUANTITIES
 from clubface.errors import InputError, Told
 from clubface.support.checks import check_choice
 
@@ -41,11 +41,11 @@ class FaceMapDifference:
         found = self.first.get(name) - self.second.get(name)
         if unit is None:
             return found
-        dimension = FaceMap.quantities()[name].dimension
+        dimension = quantities()[name].dimension
         return found / units.size(units.unit(unit, name=name, dimension=dimension).symbol)
 
     def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-        """Return what :meth:`FaceMap.box` does of the difference; NaN beside the second face."""
+        """Return what :meth:`FaceMap.box` does of the difference; NaN beside a second face of another outline."""
         check_choice("quantity", name, QUANTITIES)
         toe, high, values = self.first.box(name)
         across, up = np.meshgrid(toe, high)
@@ -54,7 +54,10 @@ class FaceMapDifference:
             other = other.reshape(values.shape)
         else:
             other = self.second.box(name)[2]
-        return toe, high, np.where(self.second.outline.holds(across, up), values - other, np.nan)
+        found = values - other
+        if not np.array_equal(self.outline.corners, self.second.outline.corners):
+            found = np.where(self.second.outline.holds(across, up), found, np.nan)
+        return toe, high, found
 
     def columns(self) -> dict[str, NDArray[Any]]:
         """Return a long table [SI]: ``toe``, ``high`` and the difference of every quantity, a row for each point."""

@@ -45,7 +45,7 @@ def face_map_figure(found: FaceMap | FaceMapDifference, *, units: Mapping[str, s
     columns = min(2, len(shown))
     rows = -(-len(shown) // columns)
     wide, tall = found.outline.greatest - found.outline.least
-    panel = (WIDTH / columns - 0.9) * float(tall / wide) + 0.55
+    panel = (WIDTH / columns - 0.9) * float(tall / wide) + 0.42
     figure = Figure(figsize=(WIDTH, rows * panel + 0.55), layout="constrained")
     panels = np.atleast_1d(figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)).reshape(-1)
     for axes, (name, unit) in zip(panels, shown.items(), strict=False):
@@ -53,7 +53,7 @@ def face_map_figure(found: FaceMap | FaceMapDifference, *, units: Mapping[str, s
     for axes in panels[len(shown) :]:
         axes.set_axis_off()
     for axes in panels[len(panels) - columns :]:
-        axes.set_xlabel("heel – towards the toe (mm) – toe")
+        axes.set_xlabel("heel ←   towards the toe (mm)   → toe")
     for axes in panels[::columns]:
         axes.set_ylabel("up the face (mm)")
     figure.suptitle(_title(found), fontsize=8.5, x=0.01, ha="left")
@@ -78,7 +78,6 @@ def _panel(figure: Figure, axes: Axes, found: FaceMap | FaceMapDifference, name:
     norm = TwoSlopeNorm(0.0, min(levels[0], -1e-12), max(levels[-1], 1e-12)) if signed else None
     filled = axes.contourf(
         toe, high, np.ma.masked_invalid(values), levels=levels, cmap="RdBu_r" if signed else "viridis", norm=norm,
-        extend="both",
     )  # fmt: skip
     lines = axes.contour(toe, high, np.ma.masked_invalid(values), levels=levels[1:-1], colors="0.15", linewidths=0.4)
     patch = PathPatch(

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from clubface import units
-from clubface.design.face_map import FaceMap
+from clubface.design.comparison_quantities import QUANTITIES
 from clubface.design.face_map_outline import Outline
-from clubface.design.face_map_shots import QUANTITIES
+from clubface.design.face_map_surface import Surface
 from clubface.errors import InputError
 
 if TYPE_CHECKING:
@@ -49,45 +49,31 @@ class Forgiveness(NamedTuple):
     loss: dict[str, float]
 
 
-def forgiveness(found: FaceMap, spread: tuple[Any, Any], *, toe: Any = 0.0, high: Any = 0.0) -> Forgiveness:
-    """Return what impacts cost that scatter over a face as a normal distribution, towards the toe and upwards alone.
+def forgiveness(surface: Surface, outline: Outline, spread: tuple[Any, Any], toe: Any, high: Any) -> Forgiveness:
+    """Return what impacts cost that scatter over a face; see :meth:`clubface.FaceMap.forgiveness`.
 
     Expectations are integrals over the face by Gauss's rule: across it, and at each place from its lower to its upper
     edge.
-
-    Parameters
-    ----------
-    found
-        The map.
-    spread
-        Standard deviations towards the toe and upwards [m], or text with a unit.
-    toe, high
-        The point they scatter about [m], the face centre unless given.
-
-    Raises
-    ------
-    InputError
-        A standard deviation is not above 0 or larger than the face, or the point is not on the face.
     """
     if not isinstance(spread, (tuple, list)) or len(spread) != 2:
         raise InputError("spread", spread, "two standard deviations, towards the toe and upwards")
     deviations = [units.parse(each, "length", name="spread") for each in spread]
     about = [units.parse(each, "length", name=name) for each, name in ((toe, "toe"), (high, "high"))]
-    size = found.outline.greatest - found.outline.least
+    size = outline.greatest - outline.least
     for each, most in zip(deviations, size, strict=True):
         if not 0.0 < each <= most:
             raise InputError("spread", units.show(each, "mm"), f"above 0 and at most {units.show(most, 'mm', 3)}")
-    if not found.outline.holds(*about):
+    if not outline.holds(*about):
         raise InputError("the point", ", ".join(units.show(each, "mm") for each in about), "on the face")
-    across, up, weights = _rule(found.outline, about, deviations)
-    table = found.surface.at(across, up)
+    across, up, weights = _rule(outline, about, deviations)
+    table = surface.at(across, up)
     good = np.isfinite(table).all(axis=0)
     weights = np.where(good, weights, 0.0)
     hit = float(weights.sum())
     table = np.where(good, table, 0.0)
     mean = table @ weights / hit
     deviation = np.sqrt(np.maximum((table - mean[:, None]) ** 2 @ weights / hit, 0.0))
-    middle = found.surface.at(np.array([about[0]]), np.array([about[1]]))[:, 0]
+    middle = surface.at(np.array([about[0]]), np.array([about[1]]))[:, 0]
     named = [dict(zip(QUANTITIES, map(float, each), strict=True)) for each in (mean, deviation, middle - mean)]
     return Forgiveness(about[0], about[1], deviations[0], deviations[1], max(0.0, 1.0 - hit), *named)
 

@@ -9,7 +9,6 @@ import numpy as np
 from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import turn_to_sole
-from clubface.fem.heads.meshed import MeshedHead, mesh_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -72,8 +71,8 @@ class Outline(NamedTuple):
 def outline_of(club: Club) -> Outline:
     """Return the outline of a club's face."""
     size = f"{units.show(club.face_width, 'mm', 4)} by {units.show(club.face_height, 'mm', 4)}"
-    if (head := mesh_of(club)) is not None:
-        return _of_mesh(head, club)
+    if hasattr(club, "head"):
+        return _of_mesh(club)
     width, height = club.face_width / 2.0, club.face_height / 2.0
     if club.kind == "iron":
         heel = -height + 2.0 * height * HEEL_HEIGHT
@@ -86,12 +85,12 @@ def outline_of(club: Club) -> Outline:
     return Outline(corners, f"assumed: an ellipse of {size}")
 
 
-def _of_mesh(head: MeshedHead, club: Club) -> Outline:
-    """Return what holds all nodes of a meshed face."""
+def _of_mesh(club: Any) -> Outline:
+    """Return what holds all nodes of the face of a club that has a mesh."""
     from scipy.spatial import ConvexHull
 
-    places = head.face_places() @ turn_to_sole(club.loft)
+    places = club.head.face_places() @ turn_to_sole(club.loft)
     flat = np.stack([places[:, 2], places[:, 1]], axis=1)
     corners = flat[ConvexHull(flat).vertices]
     limit = np.array([club.face_width, club.face_height]) / 2.0
-    return Outline(np.clip(corners, -limit, limit), f"that of the mesh of {head.name}")
+    return Outline(np.clip(corners, -limit, limit), f"that of the mesh of {club.head.name}")

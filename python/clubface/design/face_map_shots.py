@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from clubface.design.comparison_quantities import FLOWN, LAUNCHED, QUANTITIES
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club
 from clubface.errors import RangeWarning, ShotError
@@ -22,13 +23,6 @@ from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-LAUNCHED = (
-    "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis",
-)  # fmt: skip
-FLOWN = ("carry", "side", "total", "total_side", "apex", "landing_angle")
-QUANTITIES = (*LAUNCHED, *FLOWN)
-"""What a map has of every point."""
 
 
 class Struck(NamedTuple):
