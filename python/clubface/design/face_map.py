@@ -17,7 +17,7 @@ from clubface.design.face_map_surface import Surface, surface_of
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.errors import InputError, RangeWarning
+from clubface.errors import InputError, RangeWarning, Told
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import as_values
 from clubface.simulation.launch import Launch
@@ -221,6 +221,8 @@ def map_face(
 
         described = backend_of(model).balls(ball, accuracy).described
         with_, found = equipped(model, chosen, described, parameters)
+        with without_warnings(RangeWarning):
+            impact(chosen, given, ball=described)  # refuses a delivery that no model takes
         hit = shots(with_, given)
         centre = Launch(np.full((len(outputs()), 1), np.nan), hit, model, found, accuracy)
         settled = Struck(chosen, model, found, ball, accuracy, given, {"air": air, "wind": wind, "ground": ground})
@@ -231,7 +233,7 @@ def map_face(
             chosen, model, centre.parameters, ball, accuracy, given, {"air": air, "wind": wind, "ground": ground}
         )
     if centre.shape:
-        raise InputError("delivery", f"of shape {centre.shape}", "a single one")
+        raise InputError("delivery", Told(f"a batch of shape {centre.shape}"), "a single one")
     outline = outline_of(chosen)
     toe, high = _points(outline, grid, points, long=settled.takes_long)
     across, up = (each.reshape(-1) for each in np.meshgrid(toe, high))

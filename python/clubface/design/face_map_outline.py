@@ -17,6 +17,8 @@ HEEL_HEIGHT = 30.0 / 54.0
 """Height of an iron's face at the heel over that at the toe: of the blade ``7-iron`` among the meshed heads."""
 CORNERS = 96
 """Of an ellipse."""
+BETWEEN = 20
+"""Points along each straight side of a mesh, so that it can be cut off anywhere."""
 
 
 class Outline(NamedTuple):
@@ -92,5 +94,8 @@ def _of_mesh(club: Any) -> Outline:
     places = club.head.face_places() @ turn_to_sole(club.loft)
     flat = np.stack([places[:, 2], places[:, 1]], axis=1)
     corners = flat[ConvexHull(flat).vertices]
+    # The club says how far from the centre its face can be struck, which is less where the centre is not in the middle.
     limit = np.array([club.face_width, club.face_height]) / 2.0
-    return Outline(np.clip(corners, -limit, limit), f"that of the mesh of {club.head.name}")
+    share = np.linspace(0.0, 1.0, BETWEEN, endpoint=False)[None, :, None]
+    between = corners[:, None] * (1.0 - share) + np.roll(corners, -1, axis=0)[:, None] * share
+    return Outline(np.clip(between.reshape(-1, 2), -limit, limit), "of its mesh")

@@ -98,13 +98,13 @@ class Interpolated:
         self._outline = outline
         across, up = (each.reshape(-1) for each in np.meshgrid(toe, high))
         known = np.isfinite(table).all(axis=0)
-        if known.sum() < 6:
-            raise RunError(
-                f"only {known.sum()} points of the face have a shot, too few to draw a map; give a finer grid"
-            )
         self._scale = (outline.greatest - outline.least) / 2.0
         places = np.stack([across[known], up[known]], axis=1) / self._scale
-        self._through = RBFInterpolator(places, table[:, known].T, kernel="cubic", degree=2)
+        try:
+            self._through = RBFInterpolator(places, table[:, known].T, kernel="cubic", degree=2)
+        except (ValueError, np.linalg.LinAlgError):
+            told = f"{known.sum()} points of the face with a shot are too few to draw a map through them"
+            raise RunError(f"{told}; give a finer grid") from None
         self._toe, self._high = (np.linspace(*ends, FINE) for ends in zip(outline.least, outline.greatest, strict=True))
         fine = [each.reshape(-1) for each in np.meshgrid(self._toe, self._high)]
         self._fine = self.at(*fine).reshape(len(QUANTITIES), FINE, FINE)
