@@ -62,7 +62,11 @@ class Outline(NamedTuple):
         last = int(turned[:, 0].argmax())
         one, other = turned[: last + 1], np.concatenate([turned[last:], turned[:1]])[::-1]
         sides = [np.interp(toe, each[:, 0], each[:, 1]) for each in (one, other)]
-        return np.minimum(*sides), np.maximum(*sides)
+        low, top = np.minimum(*sides), np.maximum(*sides)
+        for end in (self.least[0], self.greatest[0]):  # where a side may be upright
+            upright = self.corners[self.corners[:, 0] == end, 1]
+            low, top = np.where(toe == end, upright.min(), low), np.where(toe == end, upright.max(), top)
+        return low, top
 
     def area(self) -> float:
         """Return its area [m2]."""
