@@ -30,6 +30,8 @@ def test_a_map_tells_extremes_sweet_spot_and_what_a_spread_costs(clubface_):
     carries = found.get("carry", "yd")
     assert cells[1] == pytest.approx(np.nanmin(carries), abs=0.051)
     assert cells[4] == pytest.approx(np.nanmax(carries), abs=0.051)
+    up, across = np.unravel_index(np.nanargmin(carries), carries.shape)
+    assert cells[2:4] == pytest.approx([1e3 * found.toe[across], 1e3 * found.high[up]], abs=0.51)
     best = found.best()
     assert (
         f"{abs(1e3 * best.toe):.1f} mm towards the heel and {abs(1e3 * best.high):.1f} mm below the centre" in ran.out

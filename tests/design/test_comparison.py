@@ -2,6 +2,7 @@
 
 import math
 import pickle
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -120,6 +121,24 @@ def test_a_difference_of_one_thing_is_attributed_to_it(field, value, name, model
         difference = found.difference("second", quantity)
         # The time of the face in the parameters of `standard` is moved by steps, good to some 1e-6.
         assert parts(found)[name][quantity] == pytest.approx(difference, rel=1e-5, abs=1e-8)
+
+
+def test_the_time_of_the_face_that_parameters_include_is_told_with_that_of_the_face():
+    """Slopes by it come from steps of 1e-8 s, good to some 1e-6."""
+    driver = clubface.club("driver")
+    usual = clubface.ParameterSet.builtin("standard", "driver")
+    first = {"club": driver, "delivery": DRIVE, "model": "standard", "parameters": usual}
+    stiffer = {**first, "parameters": replace(usual, characteristic_time=200e-6)}
+    found = two(first, stiffer)
+    assert set(parts(found)) == {"included_time"}
+    assert parts(found)["included_time"]["ball_speed"] > 0.1  # m/s: the club's face gives more than the one included
+    assert_adds_up(found, 1e-5)
+    # Parameters of which nobody said which face they include take the club's own for it: a face makes no difference.
+    unsaid = {**first, "parameters": replace(usual, characteristic_time=None)}
+    found = two(unsaid, {**unsaid, "club": driver.replace(characteristic_time="200 us")})
+    assert set(parts(found)) == {"characteristic_time"}
+    assert found.difference("second", "ball_speed") == pytest.approx(0.0, abs=1e-12)
+    assert parts(found)["characteristic_time"]["ball_speed"] == pytest.approx(0.0, abs=1e-6)
 
 
 def test_a_delivery_a_parameter_and_a_ball_are_told_apart():
