@@ -21,6 +21,8 @@ app = typer.Typer(add_completion=False)
 
 DEFAULT = ("ball_speed", "launch", "backspin", "sidespin", "azimuth", "carry", "side", "total")
 """What is listed and drawn unless something else is asked for."""
+LEAST_MISSED = 5e-5
+"""Share of swings beside the face that is told."""
 TABLE = (9, 7)
 """Points of a printed table towards the toe and upwards."""
 
@@ -237,6 +239,8 @@ def _print_spreads(maps: Sequence[Any], spreads: Sequence[Any], names: Sequence[
     print()
     print_numbers(heads, rows, title=f"Impacts that scatter by {deviations} about {about}")
     for found, each in zip(maps, spreads, strict=True):
+        if each.missed < LEAST_MISSED:
+            continue
         output.print_paragraph(
             f"{found.centre.club.name}: {each.missed:.2%} of them miss the face and are not counted."
         )

@@ -74,6 +74,7 @@ def _panel(figure: Figure, axes: Axes, found: FaceMap | FaceMapDifference, name:
     shown = np.where(found.outline.holds(*np.meshgrid(toe / 1e3, high / 1e3)), values, np.nan)
     least, most = float(np.nanmin(shown)), float(np.nanmax(shown))
     levels = _levels(least, most)
+    values = np.clip(values, levels[0], levels[-1])  # beside the face there is more, which is cut away
     signed = name in SIDED or isinstance(found, FaceMapDifference)
     norm = TwoSlopeNorm(0.0, min(levels[0], -1e-12), max(levels[-1], 1e-12)) if signed else None
     filled = axes.contourf(
