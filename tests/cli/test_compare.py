@@ -64,10 +64,11 @@ def test_json_holds_values_differences_and_contributions_that_add_up(clubface_, 
 
 
 def test_a_set_of_parameters_and_a_setting_are_compared_and_shared(clubface_):
-    ran = clubface_("compare", "driver", *SHOT, "--model", "standard", "--parameters", "three-dimensional-impact-models",
-                    "--parameters", "penner", "--json")  # fmt: skip
+    sets = ["three-dimensional-impact-models", "penner"]
+    given = [each for name in sets for each in ("--parameters", name)]
+    ran = clubface_("compare", "driver", *SHOT, "--model", "standard", *given, "--json")
     assert ran.status == 0, ran.err
-    assert [each["parameters"] for each in ran.json["alternatives"]] == ["three-dimensional-impact-models", "penner"]
+    assert [each["parameters"] for each in ran.json["alternatives"]] == sets
     ran = clubface_("compare", "driver", "3-wood", *SHOT, "--set", "friction=0.3", "--json")
     assert ran.status == 0, ran.err
     changed = [each["change"] for each in ran.json["alternatives"][1]["contributions"]]

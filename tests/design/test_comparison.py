@@ -203,7 +203,8 @@ def test_more_inertia_keeps_ball_speed_as_published():
 
     What is lost goes with 1 / inertia (a lever d takes the speed of a mass 1 / (1 / M + d^2 / I)), so that a tenth more
     of it saves an eleventh of the loss, 0.18 % of ball speed; heads differ by a quarter in inertia and so in loss.
-    Golf Tips (about 2007, Driver Tech 101): an inch off the centre costs 7 to 10 mph with an old driver, and 6 mph with one of more inertia.
+    Golf Tips (about 2007, Driver Tech 101): an inch off the centre costs 7 to 10 mph with an old driver, and 6 mph with
+    one of more inertia.
     """
     driver = clubface.club("driver")
     centre = {"speed": "95 mph", "loft": "15 deg"}

@@ -235,6 +235,7 @@ def test_the_sweet_spot_is_the_best_of_all_points(driver):
 def test_few_points_of_a_face_are_enough_where_a_model_takes_long(driver):
     """9 by 7 points of the default model, interpolated, against all: what a coarse map of finite elements can be."""
     coarse_map = clubface.map_face("driver", DRIVE, grid=(9, 7))
+    assert coarse_map.area() == pytest.approx(driver.area(), rel=1e-3)  # computed, however coarse the grid
     across, up = np.meshgrid(coarse_map.toe, coarse_map.high)
     table = np.array([coarse_map.get(name).reshape(-1) for name in QUANTITIES])
     surface = Interpolated(driver.outline, coarse_map.toe, coarse_map.high, table)

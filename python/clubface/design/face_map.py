@@ -203,7 +203,7 @@ def map_face(
     workers
         For a model that takes long: points at a time; left out, one for each core.
     progress
-        For a model that takes long: called with the number of points done and the number of points.
+        Called with the number of points done and the number of points.
 
     Raises
     ------
@@ -244,7 +244,8 @@ def map_face(
             settled, across[inside], up[inside], output=output, workers=workers, progress=progress
         )
     else:
-        table = settled.at(across, up, remark=True)
+        told = progress and (lambda done: progress(done, across.size))
+        table = settled.at(across, up, remark=True, progress=told)
     surface = surface_of(settled, outline, toe, high, table)
     table = np.where(outline.holds(across, up), table, np.nan).reshape(len(QUANTITIES), len(high), len(toe))
     return FaceMap(toe, high, table, outline, surface, centre)

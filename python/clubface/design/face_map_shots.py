@@ -51,15 +51,23 @@ class Struck(NamedTuple):
         """Whether the model takes about a second a shot, so that points of the face are few."""
         return self.model in MODULES
 
-    def at(self, toe: NDArray[Any], high: NDArray[Any], *, remark: bool = False) -> NDArray[Any]:
+    def at(
+        self,
+        toe: NDArray[Any],
+        high: NDArray[Any],
+        *,
+        remark: bool = False,
+        progress: Callable[[int], object] | None = None,
+    ) -> NDArray[Any]:
         """Return ``QUANTITIES`` [SI] at points [m], shape (quantities, points); NaN where there is no shot.
 
-        With ``remark`` it warns of shots outside the range of the model.
+        With ``remark`` it warns of shots outside the range of the model. ``progress`` is called with the number of
+        points done.
         """
         with nullcontext() if remark else without_warnings(RangeWarning):
             launch = impact(
                 self.club, {**self.delivery, "toe": toe, "high": high}, model=self.model, parameters=self.parameters,
-                ball=self.ball, accuracy=self.accuracy, on_error="nan",
+                ball=self.ball, accuracy=self.accuracy, on_error="nan", progress=progress,
             )  # fmt: skip
             flight = fly(launch, **self.conditions, on_error="nan")
         return np.array([(launch if name in LAUNCHED else flight).get(name) for name in QUANTITIES])

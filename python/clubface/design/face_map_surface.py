@@ -22,7 +22,7 @@ AROUND = 11
 PARTS = 8
 """Into which each side of a cell is cut to measure an area."""
 FINE = 101
-"""Points along a side of the grid on which an interpolated area is measured."""
+"""Points along a side of the grid on which an area is measured, at least."""
 
 
 class Surface(Protocol):
@@ -79,8 +79,12 @@ class Computed:
         )
 
     def area(self, quantity: int, least: float) -> float:
-        """Measure it between the points of the grid."""
-        return _area(self._outline, self._toe, self._high, self._table[quantity], least)
+        """Measure it between the points of the grid, or of a finer one where that is coarse."""
+        if min(len(self._toe), len(self._high)) >= FINE:
+            return _area(self._outline, self._toe, self._high, self._table[quantity], least)
+        toe, high = _fine(self._outline)
+        values = self.at(*(each.reshape(-1) for each in np.meshgrid(toe, high)))[quantity]
+        return _area(self._outline, toe, high, values.reshape(len(high), len(toe)), least)
 
     def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return the grid."""
@@ -105,7 +109,7 @@ class Interpolated:
         except (ValueError, np.linalg.LinAlgError):
             told = f"{known.sum()} points of the face with a shot are too few to draw a map through them"
             raise RunError(f"{told}; give a finer grid") from None
-        self._toe, self._high = (np.linspace(*ends, FINE) for ends in zip(outline.least, outline.greatest, strict=True))
+        self._toe, self._high = _fine(outline)
         fine = [each.reshape(-1) for each in np.meshgrid(self._toe, self._high)]
         self._fine = self.at(*fine).reshape(len(QUANTITIES), FINE, FINE)
 
@@ -136,6 +140,11 @@ def surface_of(
     if struck.takes_long:
         return Interpolated(outline, toe, high, table)
     return Computed(struck, outline, toe, high, table)
+
+
+def _fine(outline: Outline) -> list[NDArray[Any]]:
+    """Return places towards the toe and upwards [m] over the box around a face."""
+    return [np.linspace(*ends, FINE) for ends in zip(outline.least, outline.greatest, strict=True)]
 
 
 def _greatest(
