@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import clubface
+import clubface._core
 
 DRIVE = {"speed": "108 mph", "attack": "2 deg", "loft": "13 deg"}
 MODELS = [model["name"] for model in clubface._core.models()]

@@ -237,6 +237,18 @@ def test_what_has_no_derivative_is_changed_first_and_as_a_whole():
     assert made.of("model", "ball_speed") == pytest.approx(step, rel=1e-12)
 
 
+def test_a_hand_may_be_told_by_the_club_or_by_the_delivery():
+    first = {"club": "driver", "delivery": {**DRIVE, "hand": 1.0}}
+    clubs = two(
+        {"club": "driver", "delivery": DRIVE}, {"club": clubface.club("driver").replace(hand=-1), "delivery": DRIVE}
+    )
+    rows = two(first, {"club": "driver", "delivery": {**DRIVE, "hand": -1.0}})
+    for found in (clubs, rows):
+        assert list(parts(found)) == ["hand"]
+        assert_adds_up(found, 1e-12)
+    assert clubs.difference("second", "side") == rows.difference("second", "side")
+
+
 def test_equal_shots_differ_by_nothing():
     found = two({"club": "driver", "delivery": DRIVE}, {"club": "driver", "delivery": DRIVE})
     assert parts(found) == {}

@@ -227,8 +227,8 @@ def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch
 
     if first.model != other.model:
         change("model", model=other.model, parameters=other.parameters)
-    if first.club.hand != other.club.hand:
-        change("hand", club=taken["club"].replace(hand=other.club.hand))
+    if launch.input("hand") != last.input("hand"):
+        change("hand", delivery={**taken["delivery"], "hand": last.input("hand")})
     if other.model in MODULES:
         from clubface.fem.heads.meshed import mesh_of
 
