@@ -82,10 +82,13 @@ def test_file_and_picture_are_written(clubface_, stable, tmp_path):
     np.testing.assert_allclose([float(row["toe_mm"]) for row in rows], 1e3 * found["toe"], atol=1e-9)
     assert picture.read_text().startswith("<?xml")
     assert sorted(each.name for each in tmp_path.iterdir()) == ["map.csv", "map.svg", "stable.toml"]
+    other = tmp_path / "map.csv.unfinished"
+    other.mkdir()  # of another command
     ran = clubface_(
         "map", "driver", "--minus", stable, *SHOT, "--grid", "15x9", "-o", str(table), "--plot", str(picture)
     )
     assert ran.status == 0, ran.err
+    assert other.is_dir()
     with table.open() as file:
         assert "difference_carry_m" in next(csv.reader(file))
 

@@ -101,8 +101,9 @@ def map_(
         plots.save(face_map_figure(found, units={name: shown[name][0] for name in names or DEFAULT}), plot)
     if target is not None:
         _write(found, target)
-        for each in (target, _second(target)):
-            finished(each)
+        for each, of in zip((target, _second(target)), maps, strict=False):
+            if of.interpolated:  # else nothing was kept, and a folder of that name is of something else
+                finished(each)
     if as_json:
         output.print_json(_document(found, maps, spreads, names))
     else:
