@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import TwoSlopeNorm
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
@@ -76,7 +76,8 @@ def _panel(figure: Figure, axes: Axes, found: FaceMap | FaceMapDifference, name:
     levels = _levels(least, most)
     values = np.clip(values, levels[0], levels[-1])  # beside the face there is more, which is cut away
     signed = name in SIDED or isinstance(found, FaceMapDifference)
-    norm = TwoSlopeNorm(0.0, min(levels[0], -1e-12), max(levels[-1], 1e-12)) if signed else None
+    reach = max(abs(levels[0]), abs(levels[-1]))
+    norm = Normalize(-reach, reach) if signed else None  # the same strength of colour to both sides
     filled = axes.contourf(
         toe, high, np.ma.masked_invalid(values), levels=levels, cmap="RdBu_r" if signed else "viridis", norm=norm,
     )  # fmt: skip
