@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.comparison_line import FACE, Line, Point
 from clubface.equipment.backends import MODULES
@@ -14,12 +15,9 @@ from clubface.simulation import core
 from clubface.simulation.flight_derivatives import differentiated
 from clubface.simulation.flight_inputs import BALL, SPIN, VELOCITY
 from clubface.simulation.launch import Launch
-from clubface.simulation.quantities import flight_inputs, flight_outputs, inputs, outputs
+from clubface.simulation.quantities import flight_inputs, inputs, outputs
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-Array = NDArray[Any] if TYPE_CHECKING else Any
+Array = NDArray[Any]
 STEP = 1e-8
 """s by which the time of the face in the parameters is moved to find the slope by it, which models do not give."""
 
@@ -75,7 +73,6 @@ def flown(found: tuple[Array, Array], point: Point, names: Sequence[str], base: 
     for place, name in enumerate(names):
         if name in BALL:
             chain[:, place] += jacobian[:, at.index(name)]
-    assert chain.shape[0] == len(flight_outputs())
     return chain
 
 
