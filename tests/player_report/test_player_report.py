@@ -10,9 +10,10 @@ import pytest
 import clubface
 from clubface.errors import InputError
 from clubface.player_report import words, write_report
-from clubface.player_report.document import as_markdown, blocks
+from clubface.player_report.document import blocks
 from clubface.player_report.figures_of_club import figure, figures_of
 from clubface.recorded.shots import RecordedShots
+from clubface.reports.document import as_markdown
 
 pytest.importorskip("matplotlib")
 
@@ -137,10 +138,11 @@ class Reader(HTMLParser):
 
     def __init__(self):
         super().__init__()
-        self.shown, self.loaded = [], []
+        self.shown, self.loaded, self.saved = [], [], []
 
     def handle_starttag(self, tag, attrs):
-        self.loaded += [value for name, value in attrs if name in ("src", "href")]
+        self.loaded += [value for name, value in attrs if name == "src"]
+        self.saved += [value for name, value in attrs if name == "href"]
 
     def handle_data(self, data):
         self.shown.append(data)
@@ -156,10 +158,23 @@ def test_the_page_is_one_file_with_its_pictures(tmp_path):
     assert len(page.loaded) == 2
     for each in page.loaded:
         kind, _, data = each.partition(",")
-        assert kind == "data:image/png;base64"
-        assert base64.b64decode(data)[:4] == b"\x89PNG"
+        assert kind == "data:image/svg+xml;base64"
+        assert b"<svg" in base64.b64decode(data)
+    pictures, tables = page.saved[::2], page.saved[1::2]
+    assert pictures == page.loaded
+    counts = []
+    for number, (each, club) in enumerate(zip(tables, ("Driver", "<b>7 Iron</b>"), strict=True)):
+        kind, _, data = each.partition(",")
+        assert kind == "data:text/csv;base64"
+        (tmp_path / f"{number}.csv").write_bytes(base64.b64decode(data))
+        again = clubface.read_shots(tmp_path / f"{number}.csv")
+        mine = given.select(given.clubs == club)
+        assert set(again.clubs) == {club}
+        np.testing.assert_allclose(again.launches["backspin"], mine.launches["backspin"], rtol=1e-12)
+        counts.append(len(again))
+    assert counts == [7, 5]
     markdown = write_report(given, tmp_path / "report.md").read_text()
-    assert markdown.count("](data:image/png;base64,") == 2
+    assert markdown.count("](data:image/svg+xml;base64,") == 2
     assert "<b>" not in markdown
     with pytest.raises(InputError, match=r"ends in \.html or \.md"):
         write_report(given, tmp_path / "report.pdf")

@@ -26,7 +26,8 @@ def report(
     import numpy as np
 
     from clubface import launch_monitor
-    from clubface.player_report.document import ENDINGS, write_report
+    from clubface.player_report.document import write_report
+    from clubface.reports.document import ENDINGS
 
     output.check_target("--output", target, ENDINGS, [file, mapping])
     import clubface.plots  # noqa: F401  (a missing library is told before any work)

@@ -48,6 +48,11 @@ ColumnsFile = Annotated[
 Resume = Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")]
 Seed = Annotated[int, typer.Option("--seed", metavar="N", help="Seed of the random numbers.")]
 
+Report = Annotated[
+    str | None,
+    option("--report", metavar="FILE", text="Write a report with words, pictures and sources: .html or .md."),
+]
+
 
 def picture(of: str) -> Any:
     """Return the option that names a picture."""

@@ -47,6 +47,15 @@ def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None
         check_target("--plot", target, ENDINGS, inputs)
 
 
+def check_report(target: str | None, inputs: Iterable[str | None] = ()) -> None:
+    """Refuse a report to write in the same way."""
+    if target is not None:
+        from clubface.reports.document import ENDINGS
+
+        check_target("--report", target, ENDINGS, inputs)
+        import clubface.plots  # noqa: F401  (a missing library is told before any work)
+
+
 def prepare_folder(folder: str | None) -> None:
     """Make a folder for tables and pictures; one that cannot be made, or a missing library, is told before any work."""
     if folder is not None:

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import given, options, output
-from clubface.cli.failures import say
+from clubface.cli.failures import say, say_written
 from clubface.equipment.models import DEFAULT_MODEL
 
 app = typer.Typer(add_completion=False)
@@ -48,12 +48,14 @@ DRAWN = 1e-8
 def shot(
     club: options.ClubArgument,
     plot: Annotated[str | None, options.picture("forces and flight")] = None,
+    report: options.Report = None,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
     """Compute one shot: how the ball leaves and where it flies."""
     delivery = given.delivery(texts)
     output.check_picture(plot)
+    output.check_report(report)
     head = given.club_of(club, texts["hand"])
     names = given.model_names(texts["model"], DEFAULT_MODEL)
     sets = given.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
@@ -73,9 +75,10 @@ def shot(
     if remark := Tally().add_all(launches.values()).remark():
         say(f"note: {remark}")
     flights = {name: fly(launch, **conditions) for name, launch in launches.items()}
-    if plot is not None:
-        _draw(plot, launches, conditions, delivery)
+    if plot is not None or report is not None:
+        _draw(plot, report, launches, flights, conditions, delivery)
     _print(launches, flights, as_json)
+    say_written([each for each in (plot, report) if each is not None])
     if not (texts["model"] or as_json):
         output.print_paragraph("--model all shows every model side by side.")
 
@@ -131,8 +134,15 @@ def _note(launches: Mapping[str, Any], flights: Mapping[str, Any]) -> str:
     return " ".join(said)
 
 
-def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any], delivery: Mapping[str, float]) -> None:
-    """Draw forces and flights of all models into one file."""
+def _draw(
+    plot: str | None,
+    report: str | None,
+    launches: Mapping[str, Any],
+    flights: Mapping[str, Any],
+    conditions: Mapping[str, Any],
+    delivery: Mapping[str, float],
+) -> None:
+    """Draw forces and flights of all models into one file, and write the report around the same picture."""
     from clubface import plots, units
     from clubface.equipment.models import model
     from clubface.simulation.backends import backend_of
@@ -157,4 +167,10 @@ def _draw(path: str, launches: Mapping[str, Any], conditions: Mapping[str, Any],
         described.append("left-handed")
     unbroken = ", ".join(each.replace(" ", "\N{NO-BREAK SPACE}") for each in described)
     figure = plots.shot_figure(positions, histories, title=f"{first.club.name}: {unbroken}")
-    plots.save(figure, path)
+    if plot is not None:
+        plots.save(figure, plot)
+    if report is not None:
+        from clubface.reports.document import write_document
+        from clubface.reports.shot import shot_blocks
+
+        write_document(list(shot_blocks(launches, flights, figure, positions)), report)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from typing import Any
 
 import numpy as np
@@ -30,13 +29,6 @@ def club_picture(of: ClubFigures) -> Figure:
     _draw_shots(left, of)
     _draw_directions(right, of)
     return figure
-
-
-def png(figure: Figure) -> bytes:
-    """Return a picture as the content of a PNG file."""
-    kept = io.BytesIO()
-    figure.savefig(kept, format="png", dpi=160)
-    return kept.getvalue()
 
 
 def _draw_shots(axes: Axes, of: ClubFigures) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import math
 import os
 from collections.abc import Callable, Iterable
@@ -120,3 +121,11 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     with whole_file(target) as file:
         figure.savefig(file, format=kind[1:], metadata=dates[kind])
     return target
+
+
+@styled
+def svg(figure: Figure) -> str:
+    """Return ``figure`` as the text of an SVG file; the same figure gives the same text."""
+    kept = io.StringIO()
+    figure.savefig(kept, format="svg", metadata={"Date": None})
+    return kept.getvalue()

@@ -1,0 +1,93 @@
+"""The report of one shot: what the club did, how the ball left and where it flew, by one model or several."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from clubface.equipment.models import model
+from clubface.plots.style import svg
+from clubface.reports.blocks import Block, Data, Heading, Paragraph, Picture, Table
+from clubface.reports.origin import origin
+from clubface.simulation.flight import Flight
+from clubface.simulation.launch import Launch
+from clubface.simulation.quantities import flight_outputs, outputs
+from clubface.units import display_unit, from_si
+
+LISTED = (
+    "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "spin_axis", "carry", "side", "total", "apex",
+    "landing_angle", "contact_time", "peak_force",
+)  # fmt: skip
+UNITS = {"carry": "yd", "side": "yd", "total": "yd", "apex": "yd", "ball_speed": "mph", "contact_time": "us"}
+DIGITS = {"smash": 3, "backspin": 0, "sidespin": 0, "contact_time": 0}
+
+
+def shot_blocks(
+    launches: Mapping[str, Launch],
+    flights: Mapping[str, Flight],
+    figure: Any,
+    positions: Mapping[str, Any],
+    *,
+    given: Mapping[str, str] | None = None,
+) -> Iterator[Block]:
+    """Yield the pieces of the report on one shot; all mappings go by the name of the model.
+
+    ``figure`` draws it, ``positions`` has the places of the ball in flight [m], and ``given`` tells what else went in.
+    """
+    first = next(iter(launches.values()))
+    yield Heading(1, f"A shot with the {first.club.name}")
+    yield Paragraph(tuple(_words(first, flights[first.model])))
+    if len(launches) > 1:
+        yield Paragraph((f"These are the figures of the model {first.model}; the table has those of the others.",))
+    yield _table(launches, flights)
+    rows = [
+        (name, *(round(float(each), 3) for each in from_si(point, "yd")))
+        for name, place in positions.items()
+        for point in np.asarray(place)
+    ]
+    flown = Data("flight", ("model", "forward (yd)", "height (yd)", "right (yd)"), rows)
+    yield Picture("The flight from the side and from above, and the forces where a model has them", svg(figure), flown)
+    yield from origin(launches.values(), given=given)
+
+
+def _words(launch: Launch, flight: Flight) -> Iterator[str]:
+    def told(value: float, unit: str, digits: int = 0) -> str:
+        return f"{from_si(value, unit):.{digits}f}"
+
+    yield (
+        f"The {launch.club.name} meets the ball {launch.ball.name} at {told(launch.delivery['speed'], 'mph', 1)} mph, "
+        f"with {told(launch.delivery['loft'], 'deg', 1)} degrees of dynamic loft."
+    )
+    yield (
+        f"The ball leaves at {told(launch.ball_speed, 'mph', 1)} mph, {told(launch.launch, 'deg', 1)} degrees upwards, "
+        f"and spins with {told(launch.total_spin, 'rpm')} rpm."
+    )
+    aside = abs(from_si(flight.side, "yd"))
+    place = "on the line to the target" if aside < 0.5 else f"{aside:.0f} yd {_side(flight.side)} of the line"
+    yield (
+        f"It carries {told(flight.carry, 'yd')} yd and lands {place}, after it has risen to "
+        f"{told(flight.apex, 'yd')} yd; it comes down at {told(flight.landing_angle, 'deg')} degrees."
+    )
+
+
+def _side(value: float) -> str:
+    return "right" if value > 0.0 else "left"
+
+
+def _table(launches: Mapping[str, Launch], flights: Mapping[str, Flight]) -> Table:
+    known = {**outputs(), **flight_outputs()}
+    shown, exact = [], []
+    for quantity in LISTED:
+        unit = UNITS.get(quantity) or display_unit(quantity, known[quantity].unit)
+        values = [
+            float((each if quantity in outputs() else flights[name]).get(quantity, unit))
+            for name, each in launches.items()
+        ]
+        label = quantity.replace("_", " ") + ("" if unit == "1" else f" ({unit})")
+        digits = DIGITS.get(quantity, 1)
+        shown.append((label, *("" if np.isnan(value) else f"{value:.{digits}f}" for value in values)))
+        exact.append((label, *values))
+    headings = ("quantity", *(model(name).name for name in launches))
+    return Table(headings, shown, Data("shot", headings, exact))
