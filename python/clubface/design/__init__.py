@@ -1,5 +1,4 @@
-"""From a model to a better club and a better choice: comparisons, golfers and the spread of their shots, optimisation.
+"""From a model to a better club: alternatives side by side, maps of the face, golfers, dispersion and optimisation.
 
-Everything here drives the models through the same calls as anyone who imports clubface, so that any model, ball and air
-will do.
+What stands here drives any model of impact, finite elements among them, and the flight after it.
 """
