@@ -159,9 +159,7 @@ def _integrated(
     """Return what each name of the line contributes to each quantity, shape (names, quantities)."""
     places, weights = np.polynomial.legendre.leggauss(nodes)
     shares = 0.5 + 0.5 * places
-    base, _, _ = flight_columns(
-        last, conditions.get("air"), conditions.get("wind"), conditions.get("ground")
-    )
+    base, _, _ = flight_columns(last, conditions.get("air"), conditions.get("wind"), conditions.get("ground"))
     launched = [list(outputs()).index(name) for name in LAUNCHED]
     flights = [list(flight_outputs()).index(name) for name in FLOWN]
     total = np.zeros((len(QUANTITIES), len(line.names)))
