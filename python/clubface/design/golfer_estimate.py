@@ -99,7 +99,7 @@ def estimate(shots: ReadyShots, *, name: str = "my golfer", like: str | None = N
     steps = np.diff(values, axis=0)
     if len(values) < ENOUGH:
         share, scale = base.mishit_share, base.mishit_scale
-        covariance, _ = _covariance(steps, share, scale)
+        covariance = _covariance(steps, share, scale)
     else:
         covariance, share, scale = _mixture(steps)
     mean = _mean(values, covariance, share, scale)
@@ -144,44 +144,53 @@ def _nearest(shots: ReadyShots, names: tuple[str, ...], values: Floats) -> str:
 
 def _mixture(steps: Floats) -> tuple[Floats, float, float]:
     """Return covariance, share and scale of mishits of the greatest likelihood; share 0 where they gain too little."""
-    plain, without = _covariance(steps, 0.0, 1.0)
-    best = (without + GAIN, plain, 0.0, 1.0)
-    for scale in SCALES:
+    covariance = _covariance(steps, 0.0, 1.0)
+    best = _weighed(steps, covariance, 0.0, 1.0).likelihood + GAIN
+    found = (covariance, 0.0, 1.0)
+    for scale in map(float, SCALES):
         share = 0.1
         for _ in range(ROUNDS):
-            covariance, likelihood, mishits = _round(steps, share, float(scale))
-            if abs(mishits - share) < 1e-5:
+            covariance = _covariance(steps, share, scale)
+            before, share = share, _weighed(steps, covariance, share, scale).mishits
+            if abs(share - before) < 1e-5:
                 break
-            share = mishits
-        if likelihood > best[0]:
-            best = (likelihood, covariance, share, float(scale))
-    return best[1:]
+        if (likelihood := _weighed(steps, covariance, share, scale).likelihood) > best:
+            best, found = likelihood, (covariance, share, scale)
+    return found
 
 
-def _covariance(steps: Floats, share: float, scale: float) -> tuple[Floats, float]:
-    return _round(steps, share, scale)[:2]
-
-
-def _round(steps: Floats, share: float, scale: float) -> tuple[Floats, float, float]:
-    """Return covariance and log likelihood for a share and scale, and the share that the differences then tell."""
-    size = steps.shape[1]
-    widths = np.array([2.0, 1.0 + scale**2, 2.0 * scale**2])
-    chances = np.array([(1.0 - share) ** 2, 2.0 * share * (1.0 - share), share**2])
+def _covariance(steps: Floats, share: float, scale: float) -> Floats:
+    """Return the covariance of shots that are no mishits, of the greatest likelihood for a share and scale of these."""
     covariance = steps.T @ steps / (2.0 * len(steps))
     for _ in range(ROUNDS):
-        root = np.linalg.cholesky(covariance)
-        squares = (np.linalg.solve(root, steps.T) ** 2).sum(axis=0)[:, None]
-        with np.errstate(divide="ignore"):
-            logs = np.log(chances) - 0.5 * size * np.log(widths) - 0.5 * squares / widths
-        most = logs.max(axis=1, keepdims=True)
-        weights = np.exp(logs - most)
-        total = weights.sum(axis=1, keepdims=True)
-        weights /= total
-        before, covariance = covariance, (steps * (weights / widths).sum(axis=1)[:, None]).T @ steps / len(steps)
+        weights = _weighed(steps, covariance, share, scale).weights
+        before, covariance = covariance, (steps * weights[:, None]).T @ steps / len(steps)
         if np.abs(covariance - before).max() <= 1e-9 * np.abs(covariance).max():
             break
+    return covariance
+
+
+class _Weighed(NamedTuple):
+    """How differences of shots go with a covariance: expected 1 / width, log likelihood, share of mishits they tell."""
+
+    weights: Floats
+    likelihood: float
+    mishits: float
+
+
+def _weighed(steps: Floats, covariance: Floats, share: float, scale: float) -> _Weighed:
+    widths = np.array([2.0, 1.0 + scale**2, 2.0 * scale**2])
+    chances = np.array([(1.0 - share) ** 2, 2.0 * share * (1.0 - share), share**2])
+    root = np.linalg.cholesky(covariance)
+    squares = (np.linalg.solve(root, steps.T) ** 2).sum(axis=0)[:, None]
+    with np.errstate(divide="ignore"):
+        logs = np.log(chances) - 0.5 * steps.shape[1] * np.log(widths) - 0.5 * squares / widths
+    most = logs.max(axis=1, keepdims=True)
+    each = np.exp(logs - most)
+    total = each.sum(axis=1, keepdims=True)
+    each /= total
     likelihood = float((most + np.log(total)).sum()) - len(steps) * float(np.log(np.diag(root)).sum())
-    return covariance, likelihood, float((weights[:, 1] + 2.0 * weights[:, 2]).mean() / 2.0)
+    return _Weighed((each / widths).sum(axis=1), likelihood, float((each[:, 1] + 2.0 * each[:, 2]).mean() / 2.0))
 
 
 def _error(steps: Floats, spread: Floats, share: float, scale: float) -> Floats:
@@ -190,7 +199,7 @@ def _error(steps: Floats, spread: Floats, share: float, scale: float) -> Floats:
         return spread * np.sqrt(STANDARD_ERROR / (len(steps) + 1))
     parts = np.array_split(np.arange(len(steps)), BLOCKS)
     without = [np.delete(steps, part, axis=0) for part in parts]
-    spreads = np.sqrt([np.diag(_covariance(each, share, scale)[0]) for each in without])
+    spreads = np.sqrt([np.diag(_covariance(each, share, scale)) for each in without])
     return np.sqrt((BLOCKS - 1) * spreads.var(axis=0))
 
 
