@@ -266,10 +266,12 @@ def _document(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | No
     if slopes is not None:
         found["by_derivatives"] = {
             name: {
-                "mean": slopes.mean(name), "spread": slopes.spread(name), "spread_first_order": slopes.spread(name, order=1),
+                "mean": slopes.mean(name),
+                "spread": slopes.spread(name),
+                "spread_first_order": slopes.spread(name, order=1),
             }
             for name in slopes.value
-        }  # fmt: skip
+        }
     if of.hole is not None:
         found["hole"] = {
             **asdict(of.hole),

@@ -214,7 +214,7 @@ def dispersion(
             each(deliveries, values)
         if flight:
             if start < SHOWN:
-                points.append(_landings(values)[: SHOWN - start])
+                points.append(_landings({name: values[name][: SHOWN - start] for name in ("carry", "side")}))
             if hole is not None:
                 strokes += _count_strokes(hole, values, lies)
         if progress is not None:

@@ -122,7 +122,7 @@ class Tally:
     def cells(self) -> tuple[Floats, Counts]:
         """Return the middles of the squares with landings [m], shape (n, 2), and how many lie in each, shape (n,)."""
         places = np.flatnonzero(self._map)
-        middles: Floats = np.stack([places // ASIDE + 0.5, places % ASIDE - ASIDE // 2 + 0.5], axis=1)
+        middles = np.stack([places // ASIDE + 0.5, places % ASIDE - ASIDE // 2 + 0.5], axis=1)
         return np.multiply(CELL, middles, dtype=np.float64), self._map[places]
 
     def histogram(self, name: str, width: float) -> tuple[Floats, Counts]:

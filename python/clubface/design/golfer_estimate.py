@@ -51,7 +51,9 @@ class Estimate(NamedTuple):
     measured
         The variables that were measured; all others are those of ``like``.
     error
-        Standard error of the spread of each measured variable [SI], shape (measured,).
+        Standard error of the spread of each measured variable [SI], shape (measured,). It holds in proportion: the
+        spread lies within a factor of exp(1.96 error / spread) either way in 19 of 20 sessions, if it is known
+        whether there are mishits.
     drift
         Standard deviation about the session's mean over that from successive differences, by variable: well above 1
         where the session drifted, shape (measured,).
