@@ -260,10 +260,11 @@ class Hitting(NamedTuple):
 
     def mean(self, of: Golfer) -> tuple[Launch, dict[str, float]]:
         """Return what the mean delivery gives; if nothing, it is an error that says why."""
-        launch = impact(
-            self.club, of.delivery(), model=self.model, parameters=self.parameters, ball=self.ball,
-            threads=self.threads, accuracy=self.accuracy,
-        )  # fmt: skip
+        with without_warnings(RangeWarning):  # it is told of the shots
+            launch = impact(
+                self.club, of.delivery(), model=self.model, parameters=self.parameters, ball=self.ball,
+                threads=self.threads, accuracy=self.accuracy,
+            )  # fmt: skip
         found = {name: float(getattr(launch, name)) for name in LAUNCHED}
         if self.flight:
             flight = fly(launch, air=self.air, wind=self.wind, ground=self.ground)
