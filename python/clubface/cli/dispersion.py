@@ -76,7 +76,8 @@ def dispersion(
     output.check_target("--output", target, KINDS)
     output.check_picture(picture)
     player = golfer_named(golfer)
-    head = given.club_of(club or player.club, texts["hand"])
+    own = None if club else "right" if player.hand > 0 else "left"
+    head = given.club_of(club or player.club, texts["hand"] or own)
     _check(player, head, texts["model"], count)
     conditions = given.conditions(texts)
     hitting = {
