@@ -50,8 +50,8 @@ class Columns(NamedTuple):
         How many there are.
     used
         The columns of each quantity: several where a heading is there more than once.
-    club, hand
-        The places of the columns that name the club (the preferred first) and the hand.
+    club, player, hand
+        The places of the columns that name the club (the preferred first), the player and the hand.
     told
         Places of columns whose values are told in a note.
     assumed
@@ -63,6 +63,7 @@ class Columns(NamedTuple):
     width: int
     used: Mapping[str, tuple[Used, ...]]
     club: tuple[int, ...]
+    player: int | None
     hand: int | None
     told: tuple[int, ...]
     assumed: tuple[tuple[str, str], ...]
@@ -123,6 +124,7 @@ def columns_of(
         len(headings),
         {quantity: tuple(each) for quantity, each in used.items()},
         tuple(names.index(plain(each)) for each in layout.club if plain(each) in names),
+        next((names.index(plain(each)) for each in layout.player if plain(each) in names), None),
         next((names.index(plain(each)) for each in layout.hand if plain(each) in names), None),
         tuple(names.index(plain(each)) for each in layout.told if plain(each) in names),
         tuple(assumed),

@@ -6,6 +6,7 @@ import base64
 import html
 import os
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -35,14 +36,14 @@ class Block(NamedTuple):
 def blocks(clubs: list[ClubFigures], shots: RecordedShots) -> Iterator[Block]:
     """Yield the pieces of the report on shots, of which ``clubs`` holds the figures club by club."""
     yield Block("h1", ("Your shots, and what they say",))
-    names = [f"{each.name} ({len(each.shots)})" for each in clubs]
+    names = [f"{each.title} ({len(each.shots)})" for each in clubs]
     yield Block(
         "p", (f"This report is about {words.counted(len(shots))} of {Path(shots.source).name}: {', '.join(names)}.",)
     )
     for each in clubs:
-        yield Block("h2", (each.name[:1].upper() + each.name[1:],))
+        yield Block("h2", (each.title[:1].upper() + each.title[1:],))
         yield Block("p", tuple(words.measured(each)))
-        yield Block("img", (f"{each.name}: where the shots go, and face, path and start line",), _picture(each))
+        yield Block("img", (f"{each.title}: where the shots go, and face, path and start line",), _picture(each))
         for title, texts in (
             ("Where the ball starts, and why", tuple(words.line(each))),
             ("Where you strike it", tuple(words.strike(each))),
@@ -69,7 +70,7 @@ def write_report(shots: RecordedShots, path: str | os.PathLike[str]) -> Path:
         raise InputError("output", str(path), f"a file whose name ends in {' or '.join(ENDINGS)}")
     if not len(shots):
         raise InputError("shots", shots.source, "at least one shot")
-    found = list(blocks(list(_by_club(shots)), shots))
+    found = list(blocks(figures_by_club(shots), shots))
     text = as_html(found) if target.suffix.lower() == ".html" else as_markdown(found)
     return write_text(target, text)
 
@@ -106,12 +107,16 @@ def as_html(of: list[Block]) -> str:
     return f'<!doctype html>\n<html lang="en"><head>{head}</head>\n<body>\n' + "\n".join(body) + "\n</body></html>\n"
 
 
-def _by_club(shots: RecordedShots) -> Iterator[ClubFigures]:
-    if shots.clubs is None:
-        yield figures_of(shots, CLUBLESS)
-        return
-    for name in dict.fromkeys(shots.clubs):
-        yield figures_of(shots.select(shots.clubs == name), str(name) or CLUBLESS)
+def figures_by_club(shots: RecordedShots) -> list[ClubFigures]:
+    """Return the figures of each club of each player; what two players hit is no one's typical shot."""
+    found = []
+    for player, places in shots.by_player():
+        of = shots.select(places)
+        names = [""] if of.clubs is None else dict.fromkeys(of.clubs)
+        for name in names:
+            theirs = of if of.clubs is None else of.select(of.clubs == name)
+            found.append(replace(figures_of(theirs, str(name) or CLUBLESS), player=player))
+    return found
 
 
 def _picture(of: ClubFigures) -> bytes:
