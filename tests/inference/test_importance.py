@@ -7,6 +7,7 @@ import pytest
 
 from clubface.inference.importance import (  # fmt: skip
     Proposal,
+    attempt,
     effective,
     normalised,
     sample,
@@ -63,6 +64,18 @@ def test_impossible_points_are_never_returned():
     assert (found.points[:, 0] > 1.0).all()
     # A standard normal beyond 1 has the mean phi(1)/Q(1) = 1.5251; its deviation there is 0.45.
     assert found.points[:, 0].mean() == pytest.approx(1.5251, abs=5 * 0.45 / math.sqrt(1000))
+
+
+def test_one_proposal_that_is_good_enough_is_one_stage_of_draws():
+    prior = standard_normal(2)
+    found = attempt(lambda x: prior.log_density(x) - 0.02 * x[:, 0] ** 2, prior, size=400, seed=1)
+    assert found.stages == 1
+    assert found.effective >= 800
+    # A posterior narrower than the proposal gets no more than the draws of that one stage.
+    poor = attempt(lambda x: -0.5 * np.sum((x - 1.0) ** 2, axis=1) / 0.04, prior, size=400, seed=1)
+    assert poor.stages == 1
+    assert poor.draws == 4 * 400
+    assert poor.effective < 800
 
 
 def test_nothing_possible_is_an_error():

@@ -7,7 +7,7 @@ import pytest
 
 from clubface import launch_monitor, read_shots
 from clubface.errors import FileError
-from clubface.launch_monitor.cells import CellError, reading, unit_in
+from clubface.launch_monitor.cells import CellError, heading, reading, unit_in
 from clubface.units import to_si
 
 MPH, KMH, YD, RPM, DEG = (to_si(1.0, each) for each in ("mph", "km/h", "yd", "rpm", "deg"))
@@ -27,6 +27,15 @@ def test_a_number_stands_with_its_side_and_its_unit_in_any_order(cell, quantity,
     found = reading(cell, quantity, decimal_comma=False)
     assert (found.value, found.unit) == (value, unit)
     assert unit_in(cell) == unit
+
+
+@pytest.mark.parametrize(
+    ("text", "positive"),
+    [("Push/Pull (deg L-/R+)", "r"), ("Push/Pull (deg R+/L-)", "r"), ("Toe (mm toe-/heel+)", "heel"),
+     ("Toe (mm toe+/heel-)", "toe"), ("Path (deg)", None)],
+)  # fmt: skip
+def test_a_heading_names_the_positive_side_first_or_last(text, positive):
+    assert heading(text).positive == positive
 
 
 @pytest.mark.parametrize(
