@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from clubface.inference import importance
 from clubface.inference.importance import (  # fmt: skip
     Proposal,
     attempt,
@@ -117,3 +118,32 @@ def test_effective_size_and_resampling_follow_the_weights():
     assert effective(weights) == pytest.approx(8 / 3)
     places = systematic(weights, 400, np.random.default_rng(0))
     assert np.bincount(places).tolist() == [100, 100, 200]
+
+
+def test_the_draws_come_from_the_best_of_the_proposals_that_were_tried(monkeypatch):
+    """Each that reaches the posterior is tried; the last one fitted never is, so that nothing speaks for it."""
+    fitted, last = [], []
+    fit, collect = importance._fitted, importance._collected
+
+    def fitting(*given):
+        fitted.append(fit(*given))
+        return fitted[-1]
+
+    def collecting(density, proposal, *given):
+        last.append(proposal)
+        return collect(density, proposal, *given)
+
+    monkeypatch.setattr(importance, "_fitted", fitting)
+    monkeypatch.setattr(importance, "_collected", collecting)
+    likelihood, *_ = linear()
+    drawn(likelihood, 6, size=400, seed=1)
+    (chosen,) = last
+    assert any(chosen is each for each in fitted[:-1])
+    # By fresh draws it is as good as any other that was tried, to the tenth that 4000 draws leave open.
+    prior, random = standard_normal(6), np.random.default_rng(0)
+
+    def quality(proposal):
+        points = proposal.draw(random, 4000)
+        return effective(normalised(prior.log_density(points) + likelihood(points) - proposal.log_density(points)))
+
+    assert quality(chosen) > 0.8 * max(quality(each) for each in fitted[:-1])
