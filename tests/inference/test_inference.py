@@ -246,7 +246,7 @@ def test_samples_and_confidences_are_taken_to_their_ends(found):
     for samples in (1, 100_000):
         assert Inference(club="driver", model="slip", samples=samples) is not None
     for samples in (0, 100_001, True, 10.0):
-        with pytest.raises(InputError, match="samples is .*; it must be a whole number from 1 to 100000"):
+        with pytest.raises(InputError, match=r"samples is .*; it must be a whole number from 1 to 100000"):
             Inference(club="driver", model="slip", samples=samples)
     (low, high), (within_low, within_high) = (found.interval("speed", each) for each in (0.999, 0.001))
     assert low < within_low < found.mean["speed"] + found.deviation["speed"]

@@ -302,5 +302,5 @@ def test_rows_in_memory_are_one_to_a_million(write, tmp_path):
         whole = whole or target.read_bytes()
         assert target.read_bytes() == whole
     for chunk in (0, 1_000_001, True, 2.0):
-        with pytest.raises(InputError, match="chunk_rows is .*; it must be a whole number from 1 to 1000000"):
+        with pytest.raises(InputError, match=r"chunk_rows is .*; it must be a whole number from 1 to 1000000"):
             predict(source, club="driver", output=tmp_path / "none.csv", chunk_rows=chunk)
