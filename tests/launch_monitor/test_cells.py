@@ -61,6 +61,16 @@ def test_fsx_2020_writes_side_and_unit_into_every_cell(tmp_path):
     assert not any("assumed" in note for note in shots.notes)
 
 
+def test_the_column_that_names_the_club_is_no_speed_whatever_unit_is_given_for_speeds(tmp_path):
+    """FS Golf calls the club and its speed by the same word."""
+    path = tmp_path / "flightscope.csv"
+    path.write_text("Club,Ball (mph),Club (mph),Smash,Launch V,Launch H\nDriver,148,100,1.48,12,1 R\n")
+    shots = launch_monitor.read(path, units={"speed": "km/h"})
+    assert shots.clubs is not None
+    assert shots.clubs.tolist() == ["Driver"]
+    np.testing.assert_allclose(shots.deliveries["speed"], [100 * MPH], rtol=1e-14)
+
+
 def test_rows_in_other_units_each_count_in_their_own(tmp_path):
     path = tmp_path / "garmin.csv"
     path.write_text(

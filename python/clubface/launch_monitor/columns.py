@@ -97,11 +97,14 @@ def columns_of(
         known = layout.names.get(each.name)
         if known and (known[0] not in best or known[1] < best[known[0]]):
             best[known[0]] = known[1]
+    names = [each.name if each.unit is None else "" for each in heads]
+    clubs = tuple(names.index(plain(each)) for each in layout.club if plain(each) in names)
     used: dict[str, list[Used]] = {}
     assumed: list[tuple[str, str]] = []
     for position, each in enumerate(heads):
         known = layout.names.get(each.name)
-        if known is None or best[known[0]] != known[1]:
+        # FlightScope calls both the club and its speed "Club"; the one without a unit names it.
+        if known is None or best[known[0]] != known[1] or position in clubs:
             continue
         quantity = known[0]
         told = each.unit
@@ -119,11 +122,10 @@ def columns_of(
     if not used:
         found = listed([each.strip() for each in headings])
         raise FileError(*place, f"no column belongs to a {layout.title} file; {found}")
-    names = [each.name if each.unit is None else "" for each in heads]
     return Columns(
         len(headings),
         {quantity: tuple(each) for quantity, each in used.items()},
-        tuple(names.index(plain(each)) for each in layout.club if plain(each) in names),
+        clubs,
         next((names.index(plain(each)) for each in layout.player if plain(each) in names), None),
         next((names.index(plain(each)) for each in layout.hand if plain(each) in names), None),
         tuple(names.index(plain(each)) for each in layout.told if plain(each) in names),
