@@ -30,7 +30,8 @@ from mutations import Mutation, mutations
 ROOT = Path(__file__).parents[2]
 PACKAGE = "python/clubface"
 LEFT_OUT = (
-    "*/plots/*", "*/figures/*", "*/figures.py", "*/findings/*", "*/fem/response/*", "*/generate.py", "*/__main__.py",
+    "*/plots/*", "*/figures/*", "*/figures.py", "*_figure.py", "*/picture.py", "*/findings/*", "*/fem/response/*",
+    "*/generate.py", "*/__main__.py",
 )  # fmt: skip
 """Pictures, whose looks no test can judge, and studies that take minutes, of which a page shows the results."""
 MOST_SECONDS = 60.0
@@ -92,19 +93,51 @@ def pytest_in(copy: Path, *arguments: str, timeout: float | None = None, **envir
 
 
 class Records:
-    """Which tests run a line, and how long they take."""
+    """Which tests run a line, and how long they take.
 
-    def __init__(self, copy: Path, folder: Path, workers: int) -> None:
+    Parameters
+    ----------
+    copy
+        The sources that are tested.
+    folder
+        Where the records lie while they are made.
+    workers
+        Tests run at a time.
+    kept
+        A file that keeps the records for other runs on the same sources, or has them already; None for none.
+    """
+
+    def __init__(self, copy: Path, folder: Path, workers: int, kept: Path | None) -> None:
+        self.times: dict[str, float] = {}
+        self.lines: dict[str, dict[int, list[str]]] = {}
+        self.rooms: dict[str, list[str]] = {}
+        if kept is not None and kept.exists():
+            told = json.loads(kept.read_text(encoding="utf-8"))
+            self.times = told["times"]
+            self.lines = {path: {int(line): each for line, each in of.items()} for path, of in told["lines"].items()}
+            self._take_newer(kept.stat().st_mtime)
+        else:
+            self._make(copy, folder, workers)
+            if kept is not None:
+                kept.write_text(json.dumps({"times": self.times, "lines": self.lines}), encoding="utf-8")
+        for test in self.times:
+            self.rooms.setdefault(test.rpartition("/")[0] + "/", []).append(test)
+
+    def _take_newer(self, since: float) -> None:
+        """Take test files that are newer than the records as tests of their whole room."""
+        for path in sorted((ROOT / "tests").rglob("test_*.py")):
+            if path.stat().st_mtime > since:
+                self.times[path.relative_to(ROOT).as_posix()] = 0.0
+
+    def _make(self, copy: Path, folder: Path, workers: int) -> None:
         env = {"MUTANTS_RECORDS": str(folder), "MUTANTS_PACKAGE": str(copy / PACKAGE)}
         paths = f"{copy / 'python'}{os.pathsep}{Path(__file__).parent}"
         status = pytest_in(copy, "-p", "recorder", "-n", str(workers), **env | {"PYTHONPATH": paths})
         if status != 0:
             told = (copy / "tests.log").read_text(encoding="utf-8").splitlines()[-20:]
             sys.exit("\n".join([*told, "the tests must pass before errors are planted"]))
-        self.times: dict[str, float] = {}
         for path in folder.glob("times-*.json"):
             self.times |= json.loads(path.read_text(encoding="utf-8"))
-        self.lines: dict[str, dict[int, list[str]]] = {}
         for part in folder.glob("lines.*"):
             data = CoverageData(str(part))
             data.read()
@@ -114,7 +147,7 @@ class Records:
                     of.setdefault(line, []).extend(filter(None, tests))
 
     def tests_of(self, planted: Planted) -> Iterator[list[str]]:
-        """Yield the tests that run a line, then those that run anything of its file.
+        """Yield the tests that run a line, then those that run anything of its file, then all of its room.
 
         What is computed once for several tests, or on import, is recorded with the first of them or with none.
         """
@@ -122,7 +155,8 @@ class Records:
         of_line = set(lines.get(planted.mutation.line, ()))
         of_file = {test for tests in lines.values() for test in tests} - of_line
         room = f"tests/{Path(planted.path).relative_to(PACKAGE).parts[0]}/"
-        for tests in (of_line, of_file):
+        of_room = set(self.rooms.get(room, ())) - of_line - of_file
+        for tests in (of_line, of_file, of_room):
             ranked = sorted(tests, key=lambda test: (not test.startswith(room), self.times.get(test, 0.0)))
             spent, chosen = 0.0, []
             for test in ranked:
@@ -156,6 +190,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=150, help="errors to plant")
     parser.add_argument("--seed", type=int, default=1, help="which errors the sample holds")
     parser.add_argument("--only", default="*", help="files in which to plant, as python/clubface/tables/*")
+    parser.add_argument("--records", type=Path, help="file that keeps which tests run a line, for further runs")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1, help="errors tried at a time")
     given = parser.parse_args()
     every = candidates(given.only)
@@ -173,7 +208,7 @@ def main() -> None:
         for number in range(given.workers):
             copies.put(copy_sources(base / f"copy-{number}"))
         first = copies.get()
-        records = Records(first, base / "records", given.workers)
+        records = Records(first, base / "records", given.workers, given.records)
         copies.put(first)
 
         def tried(planted: Planted) -> bool:

@@ -10,6 +10,7 @@ import pytest
 
 from clubface.errors import FileError
 from clubface.fem import case as cases, files
+from clubface.findings import __main__ as findings
 from clubface.prediction.predict import predict
 from clubface.support import resuming
 from command_line import MAIN
@@ -20,9 +21,10 @@ ROWS = HEAD + "".join(f"{i},{90 + i % 30},1,13,{i % 7}\n" for i in range(400))
 
 @pytest.fixture
 def full(tmp_path, monkeypatch):
-    """A disk with a file of deliveries on which no new file may be longer than 600 bytes."""
+    """A disk with a file of deliveries and one of launches, on which no new file may be longer than 600 bytes."""
     monkeypatch.chdir(tmp_path)
     Path("in.csv").write_text(ROWS)
+    Path("launches.csv").write_text("club,ball_speed_mph,launch_deg,carry_yd\n" + "Driver,150,12,240\n" * 20)
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (600, limits[1]))
     yield
@@ -44,6 +46,9 @@ def full(tmp_path, monkeypatch):
         ("tour", "-o", "tour"),
         ("capture", "synthesize", "-o", "swings", "--count", "1"),
         ("fem", "export", "-o", "deck", "--format", "lsdyna"),
+        ("infer", "launches.csv", "--club", "driver", "--samples", "50", "-o", "draws.csv"),
+        ("monitor", "summary", "launches.csv", "--plot", "bag.png"),
+        ("monitor", "report", "launches.csv", "-o", "report.html"),
         ("infer", "--club", "driver", "--ball-speed", "70 m/s", "--samples", "50", "-o", "draws.csv"),
     ],
     ids=" ".join,
@@ -58,7 +63,26 @@ def test_a_full_disk_is_one_line_and_leaves_no_half_file(clubface_, full, argume
     assert told[0].startswith("clubface: ")
     assert "cannot be written: " in told[0]
     left = {path for path in Path().rglob("*") if path.is_file() and ".unfinished" not in str(path)}
-    assert left == {Path("in.csv")}
+    assert left == {Path("in.csv"), Path("launches.csv")}
+
+
+@pytest.mark.parametrize("command", ["vtu", "findings"])
+def test_a_full_disk_ends_shapes_of_finite_elements_and_the_findings_in_one_line(
+    clubface_, capsys, full, monkeypatch, command
+):
+    if command == "vtu":
+        pytest.importorskip("meshio")
+        quick = cases.case("paper").replace(settings={"duration": 5e-6, "frames": 2})
+        monkeypatch.setattr(cases, "case", lambda _: quick)
+        ran = clubface_("fem", "export", "paper", "-o", "shapes")
+        status, said = ran.status, ran.err
+    else:
+        monkeypatch.setattr(findings, "run", lambda *_, **__: {"tour": [1.0] * 400})
+        status, said = findings.main(["found", "found.json"]), capsys.readouterr().err
+    assert status == 2
+    (told,) = said.splitlines()
+    assert "cannot be written: " in told
+    assert {path for path in Path().rglob("*") if path.is_file()} == {Path("in.csv"), Path("launches.csv")}
 
 
 def test_a_run_that_met_a_full_disk_goes_on_to_the_same_bytes(monkeypatch, tmp_path):

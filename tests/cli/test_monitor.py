@@ -128,16 +128,22 @@ def test_a_listening_process_keeps_every_shot_and_ends_on_an_interrupt(tmp_path)
             for speed in (60.0, 70.0):
                 assert sender.send({"ball_speed": speed, "launch": 0.2, "backspin": 250.0}, {"speed": 45.0}).was_taken
                 assert json.loads(child.stdout.readline())["ball_speed"] == pytest.approx(speed, rel=1e-12)
+            wrong = {"ball_speed": 65.0, "launch": 0.2, "backspin": 95_000 * np.pi / 30}
+            assert sender.send(wrong, {"speed": 45.0}).was_taken
+            assert "total_spin" not in json.loads(child.stdout.readline())
             assert sender.player["Handed"] == "LH"
         shots = read_shots(path)
         child.send_signal(signal.SIGINT)
         _, said = child.communicate(timeout=20)
     finally:
         child.kill()
-    assert shots.launches["ball_speed"] == pytest.approx([60, 70], rel=1e-12)
-    assert shots.hand.tolist() == ["left", "left"]
+    assert shots.launches["ball_speed"] == pytest.approx([60, 70, 65], rel=1e-12)
+    assert np.isnan(shots.launches["total_spin"]).tolist() == [False, False, True]
+    assert shots.hand.tolist() == ["left"] * 3
     assert child.returncode == 130
-    assert f"clubface: interrupted: 2 shots in {path}" in said
+    assert "clubface: shot 3: no shot can have total_spin of 95000 rpm: taken as not measured" in said
+    assert "total_spin in 1 of 3 shots, such as 95000 rpm" in said
+    assert f"clubface: interrupted: 3 shots in {path}" in said
 
 
 def test_listening_ends_after_so_many_shots_or_so_long(clubface_):

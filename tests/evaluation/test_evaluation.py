@@ -5,6 +5,7 @@ import dataclasses
 import io
 import json
 import math
+import re
 from html.parser import HTMLParser
 
 import numpy as np
@@ -252,6 +253,16 @@ def test_the_markdown_shows_the_error_beside_the_published_one(result):
     mae = result.sizes["ball_speed"]["volumetric"].mae / 0.44704
     assert f"| {mae:.2f} |" in row
     assert row.endswith("| 2.12 | 2.91 |")
+    # Words stand to the left of their column and numbers to the right.
+    lines = text.splitlines()
+    rules = {lines[at - 1]: each for at, each in enumerate(lines) if set(each) <= set("|-: ") and "---" in each}
+    assert rules
+    for head, rule in rules.items():
+        below = lines[lines.index(rule, lines.index(head)) + 1]
+        for cell, side in zip(below.split(" | "), rule.split(" | "), strict=True):
+            if re.fullmatch(r"[|\s]*[-+]?[\d.]+[|\s]*", cell):
+                assert side.strip("| ") == "---:", (head, cell)
+        assert rule.startswith("| --- |")
 
 
 def test_the_html_is_one_well_formed_document_with_its_pictures(result):

@@ -263,3 +263,27 @@ def test_lofts_of_a_sweep_are_told_as_they_were_given(tmp_path):
         base, speeds=[40.0], lofts=[math.radians(11.0)], output=path, progress=lambda *at: ran.append(at)
     )
     assert (again["steps"], again["loft_deg"], ran) == (row["steps"], pytest.approx(11.0, abs=1e-9), [])
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"duration": 0.5e-6}, "duration is '0.5 us'; it must be 1 us to 0.1 s"),
+        ({"duration": 0.11}, "duration is '110000 us'"),
+        ({"interval": 0.005e-6}, "interval is '0.005 us'; it must be 0.01 us to the duration"),
+        ({"duration": 100e-6, "interval": 101e-6}, "interval is '101 us'"),
+        ({"safety": 0.04}, "safety is 0.04; it must be 0.05 to 1"),
+        ({"bulk_viscosity": 1.1}, "bulk_viscosity is 1.1; it must be 0 to 1"),
+        ({"bulk_viscosity": -0.1}, "bulk_viscosity is -0.1"),
+        ({"frames": 10_001}, "frames is 10001"), ({"threads": 1025}, "threads is 1025"),
+    ],
+)  # fmt: skip
+def test_settings_beyond_their_limits_are_told_in_the_unit_of_the_limit(given, said):
+    with pytest.raises(InputError) as told:
+        fem.Settings(**given)
+    assert str(told.value).startswith(said)
+
+
+def test_settings_at_their_limits_are_taken():
+    fem.Settings(duration=1e-6, interval=1e-8, safety=0.05, bulk_viscosity=0.0, frames=0, threads=0)
+    fem.Settings(duration=0.1, interval=0.1, safety=1.0, bulk_viscosity=1.0, frames=10_000, threads=1024)

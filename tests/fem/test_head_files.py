@@ -108,3 +108,9 @@ def test_derivatives_by_the_cg_say_that_the_delivery_is_held(clubface_):
     shot = ("sensitivity", "driver", "--speed", "105 mph", "--model", "slip")
     assert "dynamic loft, face angle and lie are held" in " ".join(clubface_(*shot).out.split())
     assert "held" not in clubface_(*shot, "--by", "toe").out
+
+
+def test_a_head_with_a_target_for_its_cg_says_that_the_delivery_is_held(clubface_, file):
+    assert "held" not in clubface_("fem", "head", str(file)).out
+    file.write_text(file.read_text().replace("[target]\n", '[target]\ncg_z = "1 mm"\n'))
+    assert "dynamic loft, face angle and lie are held" in " ".join(clubface_("fem", "head", str(file)).out.split())

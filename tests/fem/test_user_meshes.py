@@ -102,3 +102,18 @@ def test_a_mesh_of_triangles_is_refused(tmp_path):
     meshio.write(path, meshio.Mesh(np.eye(3), [("triangle", [[0, 1, 2]])]))
     with pytest.raises(FileError, match="other kinds: triangle"):
         fem.head(MeshHead(name="bad", file=path, loft="11.5 deg", groups=GROUPS))
+
+
+def test_a_section_of_other_length_than_it_says_is_told_with_its_line(tmp_path):
+    pytest.importorskip("meshio")
+    lines = write_mesh(tmp_path).read_text().splitlines()
+    (tmp_path / "own.toml").write_text(HEAD)
+    for section in ("$Nodes", "$Elements"):
+        at = lines.index(section) + 1
+        found = int(lines[at])
+        for told in (found - 1, found + 1):
+            changed = [*lines[:at], str(told), *lines[at + 1 :]]
+            (tmp_path / "head.msh").write_text("\n".join(changed) + "\n")
+            message = f"head.msh:{at + 1}: this section says that it has {told} lines, and has {found}"
+            with pytest.raises(FileError, match=re.escape(message)):
+                fem.head(tmp_path / "own.toml")

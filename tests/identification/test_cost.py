@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from clubface.errors import InputError, UnknownNameError
-from clubface.identification.cost import HUBER, cost_of, noise_of
+from clubface.identification.cost import HUBER, NOISE, cost_of, noise_of
 from clubface.measured.shots import QUANTITIES
 
 NAMES = tuple(QUANTITIES)
@@ -119,3 +119,13 @@ def test_what_cannot_be_a_cost_is_named():
     with pytest.raises(UnknownNameError, match="carry"):
         noise_of(NAMES, {"carry": "1 m"})
     assert noise_of(("backspin",), {"backspin": "60 rpm"}) == pytest.approx([2.0 * np.pi])
+
+
+def test_the_noise_is_that_of_the_monitor_that_was_quoted():
+    """Caldwell and McPhee (2023), section 4, quote mean errors of 0.2 deg and 50 rpm; 0.5 mph is assumed for speed."""
+    degree, rpm, of_mean = np.pi / 180, np.pi / 30, np.sqrt(np.pi / 2)  # deviation over mean magnitude of a normal
+    expected = {
+        "ball_speed": 0.5 * 0.44704, "launch": 0.2 * degree * of_mean, "azimuth": 0.2 * degree * of_mean,
+        "backspin": 50 * rpm * of_mean, "sidespin": 50 * rpm * of_mean,
+    }  # fmt: skip
+    assert expected == pytest.approx({name: NOISE[name] for name in expected}, rel=1e-12)

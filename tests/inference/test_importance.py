@@ -5,8 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from clubface.inference import importance
 from clubface.inference.importance import (  # fmt: skip
     Proposal,
+    attempt,
     effective,
     normalised,
     sample,
@@ -65,6 +67,18 @@ def test_impossible_points_are_never_returned():
     assert found.points[:, 0].mean() == pytest.approx(1.5251, abs=5 * 0.45 / math.sqrt(1000))
 
 
+def test_one_proposal_that_is_good_enough_is_one_stage_of_draws():
+    prior = standard_normal(2)
+    found = attempt(lambda x: prior.log_density(x) - 0.02 * x[:, 0] ** 2, prior, size=400, seed=1)
+    assert found.stages == 1
+    assert found.effective >= 800
+    # A posterior narrower than the proposal gets no more than the draws of that one stage.
+    poor = attempt(lambda x: -0.5 * np.sum((x - 1.0) ** 2, axis=1) / 0.04, prior, size=400, seed=1)
+    assert poor.stages == 1
+    assert poor.draws == 4 * 400
+    assert poor.effective < 800
+
+
 def test_nothing_possible_is_an_error():
     with pytest.raises(FloatingPointError):
         drawn(lambda x: np.full(len(x), np.nan), 2, size=100, seed=0)
@@ -104,3 +118,32 @@ def test_effective_size_and_resampling_follow_the_weights():
     assert effective(weights) == pytest.approx(8 / 3)
     places = systematic(weights, 400, np.random.default_rng(0))
     assert np.bincount(places).tolist() == [100, 100, 200]
+
+
+def test_the_draws_come_from_the_best_of_the_proposals_that_were_tried(monkeypatch):
+    """Each that reaches the posterior is tried; the last one fitted never is, so that nothing speaks for it."""
+    fitted, last = [], []
+    fit, collect = importance._fitted, importance._collected
+
+    def fitting(*given):
+        fitted.append(fit(*given))
+        return fitted[-1]
+
+    def collecting(density, proposal, *given):
+        last.append(proposal)
+        return collect(density, proposal, *given)
+
+    monkeypatch.setattr(importance, "_fitted", fitting)
+    monkeypatch.setattr(importance, "_collected", collecting)
+    likelihood, *_ = linear()
+    drawn(likelihood, 6, size=400, seed=1)
+    (chosen,) = last
+    assert any(chosen is each for each in fitted[:-1])
+    # By fresh draws it is as good as any other that was tried, to the tenth that 4000 draws leave open.
+    prior, random = standard_normal(6), np.random.default_rng(0)
+
+    def quality(proposal):
+        points = proposal.draw(random, 4000)
+        return effective(normalised(prior.log_density(points) + likelihood(points) - proposal.log_density(points)))
+
+    assert quality(chosen) > 0.8 * max(quality(each) for each in fitted[:-1])

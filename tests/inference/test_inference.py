@@ -10,7 +10,7 @@ from clubface import Prior, infer
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.inference import UnreachableLaunchError, words
 from clubface.inference.prior import prior_of
-from clubface.inference.run import NOISE
+from clubface.inference.run import NOISE, Inference
 from clubface.measured.shots import QUANTITIES
 
 DEG, RPM, MPH = math.pi / 180, math.pi / 30, 0.44704
@@ -240,3 +240,21 @@ def test_the_picture_is_drawn(found, tmp_path):
     figure = pairs_figure(found, truth=found.mean)
     assert len(figure.axes) == 49
     assert save(figure, tmp_path / "pairs.png").stat().st_size > 10_000
+
+
+def test_samples_and_confidences_are_taken_to_their_ends(found):
+    for samples in (1, 100_000):
+        assert Inference(club="driver", model="slip", samples=samples) is not None
+    for samples in (0, 100_001, True, 10.0):
+        with pytest.raises(InputError, match=r"samples is .*; it must be a whole number from 1 to 100000"):
+            Inference(club="driver", model="slip", samples=samples)
+    (low, high), (within_low, within_high) = (found.interval("speed", each) for each in (0.999, 0.001))
+    assert low < within_low < found.mean["speed"] + found.deviation["speed"]
+    assert low < within_low <= within_high < high
+    for confidence in (0.0, 1.0):
+        with pytest.raises(InputError, match=r"confidence is [01].0; it must be between 0 and 1"):
+            found.interval("speed", confidence)
+    # Half of the draws of the speed lie in the interval of 0.5, and a quarter on either side of it.
+    low, high = found.interval("speed", 0.5)
+    speeds = found.deliveries["speed"]
+    assert [np.mean(speeds < low), np.mean(speeds > high)] == pytest.approx([0.25, 0.25], abs=2e-3)

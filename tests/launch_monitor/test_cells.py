@@ -7,7 +7,7 @@ import pytest
 
 from clubface import launch_monitor, read_shots
 from clubface.errors import FileError
-from clubface.launch_monitor.cells import CellError, reading, unit_in
+from clubface.launch_monitor.cells import CellError, heading, reading, unit_in
 from clubface.units import to_si
 
 MPH, KMH, YD, RPM, DEG = (to_si(1.0, each) for each in ("mph", "km/h", "yd", "rpm", "deg"))
@@ -27,6 +27,15 @@ def test_a_number_stands_with_its_side_and_its_unit_in_any_order(cell, quantity,
     found = reading(cell, quantity, decimal_comma=False)
     assert (found.value, found.unit) == (value, unit)
     assert unit_in(cell) == unit
+
+
+@pytest.mark.parametrize(
+    ("text", "positive"),
+    [("Push/Pull (deg L-/R+)", "r"), ("Push/Pull (deg R+/L-)", "r"), ("Toe (mm toe-/heel+)", "heel"),
+     ("Toe (mm toe+/heel-)", "toe"), ("Path (deg)", None)],
+)  # fmt: skip
+def test_a_heading_names_the_positive_side_first_or_last(text, positive):
+    assert heading(text).positive == positive
 
 
 @pytest.mark.parametrize(
@@ -50,6 +59,16 @@ def test_fsx_2020_writes_side_and_unit_into_every_cell(tmp_path):
     np.testing.assert_allclose(shots.launches["sidespin"], [422 * RPM], rtol=1e-14)  # one conversion: a rounding or two
     np.testing.assert_allclose(shots.launches["azimuth"], [2.1 * DEG], rtol=1e-14)
     assert not any("assumed" in note for note in shots.notes)
+
+
+def test_the_column_that_names_the_club_is_no_speed_whatever_unit_is_given_for_speeds(tmp_path):
+    """FS Golf calls the club and its speed by the same word."""
+    path = tmp_path / "flightscope.csv"
+    path.write_text("Club,Ball (mph),Club (mph),Smash,Launch V,Launch H\nDriver,148,100,1.48,12,1 R\n")
+    shots = launch_monitor.read(path, units={"speed": "km/h"})
+    assert shots.clubs is not None
+    assert shots.clubs.tolist() == ["Driver"]
+    np.testing.assert_allclose(shots.deliveries["speed"], [100 * MPH], rtol=1e-14)
 
 
 def test_rows_in_other_units_each_count_in_their_own(tmp_path):

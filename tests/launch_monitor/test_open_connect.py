@@ -8,6 +8,7 @@ import threading
 import time
 from contextlib import ExitStack, contextmanager
 
+import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
@@ -98,6 +99,27 @@ def test_a_message_that_is_none_says_which_field(message, said):
         from_json(message)
 
 
+def test_values_that_no_shot_can_have_are_not_measured_when_the_shot_arrives():
+    found = from_json(changed(BallData={"TotalSpin": -21474836480, "CarryDistance": 900}, ClubData={"Speed": 500}))
+    assert set(found.impossible) == {"total_spin", "carry", "speed"}
+    assert set(found.launch) == {"ball_speed", "launch", "azimuth", "spin_axis"}
+    assert "speed" not in found.delivery
+    assert found.delivery["path"] == pytest.approx(-2.5 * DEG, rel=1e-14)
+    # The limits are those of files: a table of the same numbers loses the same values.
+    shots = recorded([found, from_json(SHOT), from_json(changed(ClubData={"Speed": 300}))])
+    assert shots.notes == (
+        "values that no shot can have were taken as not measured: speed in 2 of 3 shots, such as 500 mph; "
+        "total_spin in 1 of 3 shots, such as -21474836480 rpm; carry in 1 of 3 shots, such as 822.96 m",
+    )
+    assert np.isnan(shots.launches["total_spin"][0])
+    nothing = {"Speed": 999, "HLA": 170, "VLA": 95, "TotalSpin": 0, "SpinAxis": 999, "CarryDistance": 900}
+    alone = changed(BallData=nothing, ShotDataOptions={"ContainsClubData": False})
+    with pytest.raises(MessageError, match="no shot can have such values: ball_speed, spin_axis, total_spin, azimuth"):
+        from_json(alone)
+    still = {"Speed": 147.5, "HLA": 0, "VLA": 14, "BackSpin": 0, "SideSpin": 0}
+    assert set(from_json(SHOT | {"BallData": still}).impossible) == {"backspin", "sidespin"}
+
+
 def test_a_launch_becomes_a_message_and_comes_back():
     launch = clubface.impact("driver", speed="108 mph", attack="2 deg", loft="13 deg", face="1 deg", toe="8 mm")
     found = from_json(json.loads(json.dumps(to_json(launch, shot_number=3))))
@@ -108,9 +130,8 @@ def test_a_launch_becomes_a_message_and_comes_back():
         assert value == pytest.approx(launch.delivery[name], rel=1e-13), name
     assert {"ball_speed", "launch", "azimuth", "total_spin", "spin_axis"} == set(found.launch)
     given = from_json(to_json({"ball_speed": "150 mph", "launch": "12 deg"}, shot_number=1))
-    assert given.launch == pytest.approx(
-        {"ball_speed": 150 * MPH, "launch": 12 * DEG, "azimuth": 0, "total_spin": 0, "spin_axis": 0}
-    )
+    assert given.launch == pytest.approx({"ball_speed": 150 * MPH, "launch": 12 * DEG, "azimuth": 0, "spin_axis": 0})
+    assert given.impossible == {"total_spin": 0.0}  # the message must have a number, and no ball leaves without spin
     parts = {"backspin": 300.0, "sidespin": -40.0}
     given = from_json(to_json({"ball_speed": 60.0, "launch": 0.2, **parts}, shot_number=1))
     assert given.launch["spin_axis"] == pytest.approx(-math.atan(40 / 300), rel=1e-13)

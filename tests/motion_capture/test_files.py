@@ -227,3 +227,44 @@ def test_a_mapping_from_code_is_checked_as_well(changes, message):
     with pytest.raises(InputError, match=message):
         replace(good, **changes)
     assert math.isclose(good.face["FACE_TOP"].standoff, 0.002)
+
+
+def test_a_file_that_is_one_byte_too_short_is_refused_and_one_that_just_fits_is_read(file):
+    content = file.read_bytes()
+    # 40 frames of 3 points of 4 numbers of 4 bytes.
+    needed = points_at(content) + 40 * 3 * 4 * 4
+    file.write_bytes(content[:needed])
+    assert check_layout(file) == Layout(3, 0, 40, 1)
+    assert read_c3d(file).positions.shape == (40, 3, 3)
+    file.write_bytes(content[: needed - 1])
+    with pytest.raises(FileError, match=f"cut short: {needed - 1} bytes of at least {needed} for 40 frames"):
+        check_layout(file)
+
+
+def test_a_header_of_another_number_of_points_or_of_frames_that_end_first_is_damaged(file):
+    content = file.read_bytes()
+    for at, value, message in (
+        (2, 4, "the header says 4 points, POINT:USED 3"), (2, 0, "the file holds 0 points"),
+        (6, 41, "they end first"),
+    ):  # fmt: skip
+        spoiled = bytearray(content)
+        struct.pack_into("<H", spoiled, at, value)
+        file.write_bytes(spoiled)
+        with pytest.raises(FileError, match=message):
+            check_layout(file)
+    # One frame: first and last are the same.
+    single = bytearray(content)
+    struct.pack_into("<H", single, 6, 40)
+    file.write_bytes(single)
+    assert check_layout(file).frames == 1
+
+
+def test_without_a_parameter_the_frames_are_those_of_the_header(file):
+    content = bytearray(file.read_bytes())
+    # Name, offset to the next parameter (2 bytes), type, number of dimensions and these, then the value.
+    at = content.index(b"FRAMES", 512) + len("FRAMES")
+    at += 4 + content[at + 3]
+    assert struct.unpack_from("<H", content, at) == (40,)
+    struct.pack_into("<H", content, at, 0)
+    file.write_bytes(content)
+    assert check_layout(file).frames == 40

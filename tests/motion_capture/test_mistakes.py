@@ -346,3 +346,20 @@ def test_whatever_happens_to_a_recording_it_is_read_or_refused():
                 assert np.isfinite(list(found.uncertainty.values())).all()
     assert outcomes.count("read") >= 5
     assert len(set(outcomes)) >= 5
+
+
+def turned(degrees):
+    """Turn everything about the vertical axis of the laboratory, which is z."""
+    angle = np.radians(degrees)
+    turn = np.array([[np.cos(angle), -np.sin(angle), 0.0], [np.sin(angle), np.cos(angle), 0.0], [0.0, 0.0, 1.0]])
+    return lambda positions: positions @ turn.T
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_head_that_goes_more_aside_than_ahead_is_refused_and_one_far_aside_is_doubted(sign):
+    aside = np.degrees(read().delivery.path)
+    doubted = read(turned(sign * 80.0))
+    assert notes(doubted, "the axis that points to the target may be wrong")
+    assert abs(np.degrees(doubted.delivery.path) - aside) == pytest.approx(80.0, abs=0.5)
+    with pytest.raises(FileError, match="moves away from the target: turn the axis"):
+        read(turned(sign * 100.0))

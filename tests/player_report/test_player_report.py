@@ -107,6 +107,19 @@ def test_the_what_if_is_that_of_the_model():
     )
 
 
+def test_a_change_of_spin_says_whether_there_is_more_or_less_of_it():
+    found = figures_of(shots(), "Driver")
+    texts = list(words.what_if(found))
+    assert len(texts) == len(found.changes)
+    signs = set()
+    for change, text in zip(found.changes, texts, strict=True):
+        rpm = change.launch["backspin"] / RPM
+        (told,) = re.findall(r"backspin ([+-]?[\d,]+) rpm", text)
+        assert float(told.replace(",", "")) == pytest.approx(rpm, abs=0.5)
+        signs.add(told[0])
+    assert {"+", "-"} <= signs
+
+
 def test_what_is_not_known_is_said():
     text = " ".join(words.doubt(figures_of(shots(3, carry=np.array([220.0, 230.0, 240.0]) * YD), "Driver")))
     # Student's t of 2 degrees of freedom, 4.303, times 10 yards over the root of 3.

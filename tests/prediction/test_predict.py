@@ -291,3 +291,16 @@ def test_names_left_out_stand_beside_the_file(write, tmp_path):
     assert report.rejects == str(tmp_path / "shots-launches.rejects.csv")
     assert predict(write(GOOD), club="driver").rejects is None
     assert not (tmp_path / "shots-launches.rejects.csv").exists()
+
+
+def test_rows_in_memory_are_one_to_a_million(write, tmp_path):
+    source = write("speed\n45\n46\n47\n")
+    whole = None
+    for chunk in (1, 2, 1_000_000):
+        target = tmp_path / f"{chunk}.csv"
+        assert predict(source, club="driver", output=target, chunk_rows=chunk).written == 3
+        whole = whole or target.read_bytes()
+        assert target.read_bytes() == whole
+    for chunk in (0, 1_000_001, True, 2.0):
+        with pytest.raises(InputError, match=r"chunk_rows is .*; it must be a whole number from 1 to 1000000"):
+            predict(source, club="driver", output=tmp_path / "none.csv", chunk_rows=chunk)

@@ -5,6 +5,7 @@ import pytest
 from clubface.errors import FileError
 from clubface.prediction.predict import predict
 from deliveries import HEAD, table
+from fem_meshes import HEAD as HEAD_OF_MESH, write_mesh
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 
@@ -48,6 +49,27 @@ def test_a_run_does_not_go_on_with_another_setting_and_still_does_with_its_own(w
     with pytest.raises(FileError, match="begun with another"):
         predict(path, output=output, resume=True, **changed)
     assert predict(path, output=output, resume=True, **BEGUN).resumed == 30
+
+
+@pytest.mark.parametrize("what", ["stiffness", "mesh"])
+def test_a_run_with_a_meshed_club_does_not_go_on_with_another_mesh_of_the_same_name(write, tmp_path, what):
+    """A softer wall has the same mass, CG and inertia, and finite elements give it other launches."""
+    pytest.importorskip("meshio")
+    write_mesh(tmp_path)
+    club = tmp_path / "own.toml"
+    club.write_text(HEAD_OF_MESH)
+    path, options = write(MANY), {"club": club, "output": tmp_path / "out.csv", "model": "standard", "carry": False}
+    with pytest.raises(StoppedError):
+        predict(path, chunk_rows=10, progress=stop(30), **options)
+    if what == "mesh":
+        write_mesh(tmp_path, change=lambda quads: quads[:, [1, 2, 3, 0]])  # the same walls, counted from other corners
+    else:
+        club.write_text(HEAD_OF_MESH.replace("110 GPa", "100 GPa"))
+    with pytest.raises(FileError, match="begun with another club or ball"):
+        predict(path, resume=True, **options)
+    write_mesh(tmp_path)
+    club.write_text(HEAD_OF_MESH)
+    assert predict(path, resume=True, **options).resumed == 30
 
 
 @pytest.mark.parametrize("kind", ["csv", "parquet"])

@@ -77,3 +77,33 @@ def test_the_limits_are_those_of_quantities_and_leave_real_shots_alone():
         shots = load(club).measured
         for name, values in (shots.deliveries | shots.launches).items():
             assert can_be(name, values).all(), name
+
+
+DEG, MPH, RPM, YD = np.pi / 180, 0.44704, np.pi / 30, 0.9144
+ENDS = {
+    "speed": (None, 200 * MPH), "ball_speed": (None, 400 * MPH), "smash": (None, 2.0), "attack": (-90 * DEG, 90 * DEG),
+    "launch": (-90 * DEG, 90 * DEG), "toe": (-0.15, 0.15), "closure": (-36_000 * DEG, 36_000 * DEG),
+    "backspin": (-20_000 * RPM, 20_000 * RPM), "total_spin": (None, 20_000 * RPM), "spin_axis": (-180 * DEG, 180 * DEG),
+    "landing_angle": (0.0, 90 * DEG), "carry": (0.0, 600 * YD), "side": (-600 * YD, 600 * YD),
+    "flight_time": (0.0, 60.0), "landing_speed": (0.0, 400 * MPH),
+}  # fmt: skip
+"""The ends of what a shot can have, entered a second time; None where anything above zero can be."""
+
+
+@pytest.mark.parametrize("name", ENDS)
+def test_a_value_at_the_end_of_what_can_be_can_be_and_one_beyond_cannot(name):
+    low, high = ENDS[name]
+    # A conversion rounds once or twice: a part in 1e12 on either side.
+    inside, outside = [high * (1.0 - 1e-12)], [high * (1.0 + 1e-12)]
+    if low is None:
+        inside, outside = [*inside, 1e-5 if name != "smash" else 0.01], [*outside, 0.0, -1e-9]
+    elif low == 0.0:
+        inside, outside = [*inside, 0.0], [*outside, -1e-12]
+    else:
+        inside, outside = [*inside, low * (1.0 - 1e-12)], [*outside, low * (1.0 + 1e-12)]
+    for single in inside:
+        assert can_be(name, single)
+    for single in outside:
+        assert not can_be(name, single)
+    assert can_be(name, np.array([*inside, np.nan])).all()
+    assert not can_be(name, np.array(outside)).any()

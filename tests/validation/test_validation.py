@@ -102,6 +102,69 @@ def test_the_published_figures_are_those_of_the_tables():
         assert each.unit == unit
 
 
+ALLOWED = {
+    "tour-irons": {"ball speed": 2, "launch angle": 1.5, "spin": 5},
+    "tour-driver": {"ball speed": 2.5, "launch angle": 1, "spin": 8},
+    "tour-woods": {"ball speed": 2.5, "spin": 8},
+    "amateur-drives": {"ball speed": 2.5, "launch angle": 1, "spin": 8},
+    "trackman-drives": {"ball speed": 2.5, "launch angle": 1, "spin": 8},
+    "curvature": {"curve": 25},
+    "head-after-impact": {"attack angle steeper by": 1},
+    "robot-irons": {"spin": 5, "spin by a degree": 15},
+    "sliding": {"rise of launch angle": 1},
+    "spin-peak": {"spin loft of most spin": 4},
+    "toe-hits": {"ball speed, share": 0.01, "change of launch angle": 1, "change of spin": 200, "offline": 5},
+    "strike-height": {"change of launch angle": 1, "change of spin": 300},
+    "gear-effect": {"spin axis": 30, "sidespin by a mm of depth": 15},
+    "contact-time": {"contact time": 25},
+    "longest-drives": {"launch angle": 1, "spin": 300},
+    "longest-drives-ping": {"launch angle": 1, "spin": 300},
+}
+"""How close a model must come, entered a second time: per cent of relative errors, otherwise in the unit printed."""
+OF_EACH = {
+    "standard-shots": {
+        ("driver", "ball speed"): 2.5, ("driver", "launch angle"): 1, ("driver", "spin"): 8,
+        ("6-iron", "ball speed"): 2, ("6-iron", "launch angle"): 1.5, ("6-iron", "spin"): 5,
+        ("pitching-wedge", "ball speed"): 2, ("pitching-wedge", "launch angle"): 1.5, ("pitching-wedge", "spin"): 5,
+    },
+    # The spreads that PING publishes beside its shares; 0.06 is the largest difference between PING and TrackMan.
+    "launch-shares": {
+        ("driver", "share of launch angle (PING)"): 0.08, ("driver", "share of launch angle (TrackMan)"): 0.06,
+        ("driver", "share of start direction (PING)"): 0.08, ("7-iron", "share of launch angle (PING)"): 0.05,
+        ("7-iron", "share of launch angle (TrackMan)"): 0.06, ("7-iron", "share of start direction (PING)"): 0.03,
+        ("pitching-wedge", "share of launch angle (PING)"): 0.06,
+        ("pitching-wedge", "share of launch angle (TrackMan)"): 0.06,
+        ("pitching-wedge", "share of start direction (PING)"): 0.07,
+    },
+    "plates": {
+        ("plate, 143 ft/s", "restitution"): 0.01, ("plate, 125 ft/s", "restitution"): 0.01,
+        ("head without spring, 160 ft/s", "restitution"): 0.01, ("granite, 4 m/s", "restitution"): 0.02,
+        ("granite, 4 m/s, 40 deg", "tangential restitution"): 0.1, ("plate, 50 deg", "tangential restitution"): 0.1,
+    },
+}  # fmt: skip
+
+
+def test_no_tolerance_is_wider_than_was_agreed():
+    found = validate("standard").figures["standard"]
+    assert set(found) == {*ALLOWED, *OF_EACH}
+    for check, figures in found.items():
+        for each in figures:
+            size = 0.01 if each.relative else units.size(each.unit)
+            of_each = OF_EACH.get(check)
+            agreed = ALLOWED[check][each.quantity] if of_each is None else of_each[each.what, each.quantity]
+            assert each.tolerance / size == pytest.approx(agreed, rel=1e-12), (check, each.what, each.quantity)
+
+
+def test_the_deliveries_behind_the_launch_shares_are_those_of_their_clubs():
+    """TrackMan's standard pitching wedge and the drive of a male handicap of 10, typed again from the sources."""
+    found = directions.deliveries()
+    wedge = {"speed": 72 * 0.44704, "attack": -3.9 * DEG, "loft": 36.7 * DEG}
+    assert found["pitching-wedge"] == pytest.approx(wedge, rel=1e-12)
+    assert found["7-iron"]["speed"] == pytest.approx(82 * 0.44704, rel=1e-12)
+    drive = {"speed": 95 * 0.44704, "attack": -1.2 * DEG, "loft": 14.1 * DEG}
+    assert found["driver"] == pytest.approx(drive, rel=1e-12)
+
+
 def test_a_published_loft_is_used_and_another_is_solved():
     found = deliveries.tour(lambda club: club in ("6-iron", "7-iron"), deliveries.IRON)(Judged("slip"))
     quantities = [(each.what, each.quantity) for each in found]

@@ -11,7 +11,7 @@ import typer
 from clubface.cli import options, output
 from clubface.cli.failures import Interrupted, say, say_written
 from clubface.cli.fem_parts import ball as report_ball, face as report_face, head as report_head
-from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REFERENCE_ROWS, RUN_ROWS
+from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REFERENCE_ROWS, RUN_ROWS, SWEEP_COLUMNS
 from clubface.cli.progress import progress_bar, run_with_progress
 from clubface.cli.tables import print_numbers
 from clubface.errors import InputError, RunError, Told
@@ -187,10 +187,13 @@ def sweep(
     if as_json:
         output.print_json(rows)
     else:
-        heads = ("speed\nm/s", "loft\ndeg", "ball\nm/s", "launch\ndeg", "spin\nrpm", "club after\nm/s", "peak\nN", "f")
-        keys = (("speed_mps", 1), ("loft_deg", 1), ("ball_speed_mps", 1), ("launch_deg", 2), ("spin_rpm", 0),
-                ("club_speed_after_mps", 1), ("peak_force_n", 0), ("f", 4))  # fmt: skip
-        print_numbers(heads, [[output.number(row[key], digits) for key, digits in keys] for row in rows])
+        print_numbers(
+            [head for head, *_ in SWEEP_COLUMNS],
+            [
+                [output.number(from_si(row[key], unit), digits) for _, key, unit, digits in SWEEP_COLUMNS]
+                for row in rows
+            ],
+        )
     say_written(written)
 
 

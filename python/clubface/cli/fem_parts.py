@@ -134,6 +134,8 @@ def head(
         rows.append(["characteristic time, us", output.number(from_si(document["characteristic_time_s"], "us"), 0), ""])
     header = ("", "", "asked for") if asked else ("", "")
     print_numbers(header, [each[: len(header)] for each in rows], title=made.description or made.name)
+    if any(target.startswith("cg_") for target in asked):
+        output.print_notes([output.HELD])
 
 
 def face(

@@ -33,8 +33,10 @@ FIGURE_ROWS: tuple[tuple[str, str, str, int], ...] = (
 
 PAPER_ROWS: tuple[tuple[str, str, str, int], ...] = (
     ("ball speed, m/s", "ball_speed_mps", "1", 1),
+    ("ball speed, mph", "ball_speed_mps", "mph", 1),
     ("launch angle, deg", "launch_deg", "1", 1),
     ("club speed after, m/s", "club_speed_after_mps", "1", 1),
+    ("club speed after, mph", "club_speed_after_mps", "mph", 1),
     ("spin of the launch, rpm", "spin_rpm", "1", 0),
     ("spin of all nodes at take-off, rpm", "ball_spin_rpm", "1", 0),
     ("spin of a section's nodes at take-off, rpm", "section_spin_rpm", "1", 0),
@@ -52,6 +54,21 @@ PAPER_ROWS: tuple[tuple[str, str, str, int], ...] = (
     ("f", "f", "1", 4),
 )
 """Label, key, unit and digits."""
+
+SWEEP_COLUMNS: tuple[tuple[str, str, str, int], ...] = (
+    ("speed\nm/s", "speed_mps", "1", 1),
+    ("\nmph", "speed_mps", "mph", 1),
+    ("loft\ndeg", "loft_deg", "1", 1),
+    ("ball\nm/s", "ball_speed_mps", "1", 1),
+    ("\nmph", "ball_speed_mps", "mph", 1),
+    ("launch\ndeg", "launch_deg", "1", 2),
+    ("spin\nrpm", "spin_rpm", "1", 0),
+    ("club after\nm/s", "club_speed_after_mps", "1", 1),
+    ("\nmph", "club_speed_after_mps", "mph", 1),
+    ("peak\nN", "peak_force_n", "1", 0),
+    ("f", "f", "1", 4),
+)
+"""Heading, key, unit and digits of the columns of a sweep."""
 
 REFERENCE_ROWS: tuple[tuple[str, str, str, int], ...] = (
     ("normal rebound, m/s", "normal_mps", "1", 2),

@@ -72,7 +72,9 @@ def listen(
                 if count is not None and len(got) >= count:
                     break
         except KeyboardInterrupt:
+            _say_notes(got)
             raise KeyboardInterrupt(_kept(len(got), target)) from None
+    _say_notes(got)
     say(_kept(len(got), target))
 
 
@@ -113,6 +115,13 @@ def send(
     if refused:
         say(f"{refused} of {last - first + 1} shots were not taken")
         raise typer.Exit(2)
+
+
+def _say_notes(got: list[Message]) -> None:
+    from clubface.launch_monitor.open_connect import recorded
+
+    for note in recorded(got).notes:
+        say(f"note: {note}")
 
 
 def _tell_shot(message: Message, as_json: bool) -> None:

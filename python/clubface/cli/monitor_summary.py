@@ -53,20 +53,21 @@ def summary(
             }
         )
         return
-    heads = ["club", "shots"]
+    several = any(each.player for each in clubs)
+    heads = [*(["player"] if several else []), "club", "shots"]
     for name in measured:
         heads += [f"{name.replace('_', ' ')}\n{'' if QUANTITIES[name] == '1' else QUANTITIES[name]}", "\n±"]
     gaps = any(each.gap for each in clubs)
-    rows = [_row(each, measured, gaps) for each in clubs]
+    rows = [_row(each, measured, gaps, several) for each in clubs]
     print_numbers([*heads, "gap\nyd"] if gaps else heads, rows, title=f"{shots.source} ({shots.format})")
     output.print_rejected(shots.rejected, "rejected", "--json lists all")
     output.print_notes([*shots.notes, *_remarks(clubs)])
 
 
-def _row(of: ClubSummary, measured: list[str], gaps: bool) -> list[str]:
+def _row(of: ClubSummary, measured: list[str], gaps: bool, several: bool) -> list[str]:
     from clubface.launch_monitor.summary import QUANTITIES
 
-    cells = [of.club or "without a name", str(of.places.size)]
+    cells = [*([of.player or "not named"] if several else []), of.club or "without a name", str(of.places.size)]
     for name in measured:
         unit, spread = QUANTITIES[name], of.spreads.get(name)
         digits = DIGITS.get(unit, 1)
@@ -78,11 +79,11 @@ def _row(of: ClubSummary, measured: list[str], gaps: bool) -> list[str]:
 def _remarks(clubs: list[ClubSummary]) -> list[str]:
     found = ["± is the standard deviation from shot to shot"]
     for name in dict.fromkeys(name for each in clubs for name in each.spreads):
-        some = {each.club: each.spreads[name].shots for each in clubs if name in each.spreads}
+        some = {(each.player, each.club): each.spreads[name].shots for each in clubs if name in each.spreads}
         few = [
-            f"{some[each.club]} of {each.places.size} of {each.club or 'the shots'}"
+            f"{some[each.player, each.club]} of {each.places.size} of {_called(each)}"
             for each in clubs
-            if 0 < some.get(each.club, 0) < each.places.size
+            if 0 < some.get((each.player, each.club), 0) < each.places.size
         ]
         if few:
             found.append(f"{name.replace('_', ' ')} was not measured in every shot: {', '.join(few)}")
@@ -91,14 +92,20 @@ def _remarks(clubs: list[ClubSummary]) -> list[str]:
             error = output.number(from_si(longer.gap.error, "yd"))
             told = f"a standard error of {error} yd" if error else "a single shot, so that its error is not known"
             found.append(
-                f"the gap between {longer.club} and {shorter.club} is not sure: "
+                f"the gap between {_called(longer)} and {_called(shorter)} is not sure: "
                 f"{from_si(longer.gap.length, 'yd'):.1f} yd with {told}"
             )
     return found
 
 
+def _called(of: ClubSummary) -> str:
+    club = of.club or "the shots"
+    return f"{of.player}'s {club}" if of.player else club
+
+
 def _document(of: ClubSummary) -> dict[str, Any]:
     return {
+        "player": of.player,
         "club": of.club,
         "shots": of.places.size,
         "quantities": {name: each._asdict() for name, each in of.spreads.items()},

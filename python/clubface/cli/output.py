@@ -18,6 +18,11 @@ from clubface.support.whole_file import write_text
 
 REJECTED = 20
 """Rows without a shot that are printed."""
+HELD = (
+    "Moving the CG changes the impact alone: dynamic loft, face angle and lie are held as delivered. On a shaft a CG"
+    " farther from its axis also adds loft and closes the face before impact; give the delivery that you expect."
+)
+"""What is to be said wherever a CG is moved."""
 
 
 def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: Iterable[str | None] = ()) -> None:

@@ -13,11 +13,6 @@ app = typer.Typer(add_completion=False)
 
 _NAMES = "Several with commas or repeated."
 
-HELD = (
-    "Moving the CG changes the impact alone: dynamic loft, face angle and lie are held as delivered. On a shaft a CG"
-    " farther from its axis also adds loft and closes the face before impact; give the delivery that you expect."
-)
-
 
 @app.command()
 @options.takes(options.DELIVERY, options.EQUIPMENT, options.ONE_MODEL)
@@ -58,7 +53,7 @@ def sensitivity(
     print_numbers(heads, rows, title=f"{head.name}, {chosen.model}: change of the launch")
     output.print_notes(f"{chosen.model}: {text}" for text in chosen.caveats)
     if any(name.startswith(("cg_", "dcg_")) for name in shown):
-        output.print_notes([HELD])
+        output.print_notes([output.HELD])
     if hidden := len(found.variables) - len(shown):
         output.print_notes([f"{hidden} coefficients of {chosen.model} are left out; --by NAME and --json have them."])
 

@@ -117,7 +117,7 @@ def evaluate(
         advice = "give RecordedShots, to which groups can belong, one to each shot"
         raise InputError("groups", Told("for a file"), advice)
     taken = measured_shots(recorded, club=club, only=only, mismatch=mismatch)
-    belonging = _groups_of(recorded.groups() if groups is None else groups, recorded, taken)
+    belonging = _groups_of(groups, recorded, taken)
     given = parameters or {}
     for name in given:
         if name not in names:
@@ -185,9 +185,12 @@ def _timed(compute: Callable[[], dict[str, Floats]], shots: int) -> tuple[dict[s
 def _groups_of(
     groups: Sequence[object] | NDArray[Any] | None, shots: RecordedShots, taken: MeasuredShots
 ) -> NDArray[Any] | None:
-    """Return the groups of the shots taken, of which ``groups`` gives one for every shot of the source."""
+    """Return the groups of the shots taken, of which ``groups`` gives one for every shot of the source.
+
+    Players are told apart among the shots taken: those of one player chosen from a file of several are no group.
+    """
     if groups is None:
-        return None
+        return shots.select(taken.places).groups()
     found = np.asarray(groups)
     if found.shape != (len(shots),):
         raise InputError("groups", Told(f"of shape {found.shape}"), f"one for each shot: ({len(shots)},)")

@@ -117,7 +117,7 @@ def prepared_shots(
         A parameter set of the model.
     """
     recorded = given if isinstance(given, RecordedShots) else read(given)
-    labels = _groups(recorded.groups() if groups is None else groups, len(recorded))
+    labels = None if groups is None else _groups(groups, len(recorded))
     asked = tuple(QUANTITIES) if quantities is None else _asked(quantities)
     measured = measured_shots(recorded, club=club, only=only, mismatch=mismatch, quantities=asked)
     there = tuple(name for name, values in measured.launch.items() if np.isfinite(values).any())
@@ -141,18 +141,21 @@ def prepared_shots(
     if not len(kept):
         told = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
         raise InputError("shots", measured.source, f"shots of which some have a launch that can be computed ({told})")
+    taken = measured.places[kept]
+    labels = recorded.select(taken).groups() if labels is None else labels[taken]
     columns = [launch.input(name) for name in inputs()]
     columns = [each if isinstance(each, float) else np.ascontiguousarray(each[kept]) for each in columns]
     return PreparedShots(
         club=launch.club, ball=launch.ball, columns=columns, quantities=there,
         launches=np.ascontiguousarray(launches[:, kept]), rows=measured.rows[kept],
-        groups=np.unique(labels[measured.places[kept]], return_inverse=True)[1], source=measured.source,
+        groups=np.unique(np.arange(len(kept)) if labels is None else labels, return_inverse=True)[1],
+        source=measured.source,
         dropped=(*measured.dropped, *dropped), notes=(*measured.notes, *notes),
     )  # fmt: skip
 
 
 def _groups(given: Any, shots: int) -> NDArray[Any]:
-    labels = np.arange(shots) if given is None else np.asarray(given)
+    labels = np.asarray(given)
     if labels.shape != (shots,):
         raise InputError("groups", Told(f"of shape {labels.shape}"), f"one label for each shot: ({shots},)")
     return labels

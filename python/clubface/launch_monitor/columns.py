@@ -50,8 +50,8 @@ class Columns(NamedTuple):
         How many there are.
     used
         The columns of each quantity: several where a heading is there more than once.
-    club, hand
-        The places of the columns that name the club (the preferred first) and the hand.
+    club, player, hand
+        The places of the columns that name the club (the preferred first), the player and the hand.
     told
         Places of columns whose values are told in a note.
     assumed
@@ -63,6 +63,7 @@ class Columns(NamedTuple):
     width: int
     used: Mapping[str, tuple[Used, ...]]
     club: tuple[int, ...]
+    player: int | None
     hand: int | None
     told: tuple[int, ...]
     assumed: tuple[tuple[str, str], ...]
@@ -96,11 +97,14 @@ def columns_of(
         known = layout.names.get(each.name)
         if known and (known[0] not in best or known[1] < best[known[0]]):
             best[known[0]] = known[1]
+    names = [each.name if each.unit is None else "" for each in heads]
+    clubs = tuple(names.index(plain(each)) for each in layout.club if plain(each) in names)
     used: dict[str, list[Used]] = {}
     assumed: list[tuple[str, str]] = []
     for position, each in enumerate(heads):
         known = layout.names.get(each.name)
-        if known is None or best[known[0]] != known[1]:
+        # FlightScope calls both the club and its speed "Club"; the one without a unit names it.
+        if known is None or best[known[0]] != known[1] or position in clubs:
             continue
         quantity = known[0]
         told = each.unit
@@ -118,11 +122,11 @@ def columns_of(
     if not used:
         found = listed([each.strip() for each in headings])
         raise FileError(*place, f"no column belongs to a {layout.title} file; {found}")
-    names = [each.name if each.unit is None else "" for each in heads]
     return Columns(
         len(headings),
         {quantity: tuple(each) for quantity, each in used.items()},
-        tuple(names.index(plain(each)) for each in layout.club if plain(each) in names),
+        clubs,
+        next((names.index(plain(each)) for each in layout.player if plain(each) in names), None),
         next((names.index(plain(each)) for each in layout.hand if plain(each) in names), None),
         tuple(names.index(plain(each)) for each in layout.told if plain(each) in names),
         tuple(assumed),

@@ -70,4 +70,5 @@ def _carry(axes: Axes, place: int, of: ClubSummary, look: dict[str, Any]) -> Non
 
 
 def _named(of: ClubSummary) -> str:
-    return of.club or "without a name"
+    club = of.club or "without a name"
+    return f"{of.player}: {club}" if of.player else club

@@ -17,6 +17,8 @@ POINTS = {
     UNKNOWN: "a point that is not published",
 }
 """Where a monitor takes the motion of the club (CG, FACE or UNKNOWN) and its face angles (FACE, CONTACT or UNKNOWN)."""
+PLAYER = ("Player", "Player Name", "Golfer")
+"""Headings under which exports in English name the player."""
 
 
 class Field:
@@ -54,8 +56,11 @@ class Format:
         The columns of each quantity, by name.
     marks
         Groups of headings by which the layout is recognised: its header contains all headings of at least one group.
-    club, hand
-        Headings of the column that names the club, and of the column that says right or left.
+    club, player, hand
+        Headings of the column that names the club, that names the player, and that says right or left.
+    title_of_player
+        A regular expression for the first cell of a row above the header that names the player of all shots below, as
+        its group; "" where no row does.
     needs_units
         Whether a file that names no units can only be read if they are given.
     speed_at
@@ -75,7 +80,9 @@ class Format:
     fields: Mapping[str, Field]
     marks: tuple[tuple[str, ...], ...] = ()
     club: tuple[str, ...] = ("Club", "Club Name", "Club Type")
+    player: tuple[str, ...] = PLAYER
     hand: tuple[str, ...] = ("Hand", "Handed", "Handedness")
+    title_of_player: str = ""
     needs_units: bool = False
     speed_at: str = UNKNOWN
     face_at: str = UNKNOWN

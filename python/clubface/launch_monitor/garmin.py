@@ -8,7 +8,7 @@ the spin axis.
 
 from __future__ import annotations
 
-from clubface.launch_monitor.formats import UNKNOWN, Field, Format
+from clubface.launch_monitor.formats import PLAYER, UNKNOWN, Field, Format
 
 FORMAT = Format(
     name="garmin",
@@ -20,6 +20,7 @@ FORMAT = Format(
         ("Distancia de desviación de vuelo", "Dirección de lanzamiento"),
     ),
     club=("Club Type", "Schlägerart", "Type club", "Tipo de palo", "Club Name", "Schlägername", "Clubnaam"),
+    player=(*PLAYER, "Spieler", "Speler", "Jugador"),
     fields={
         "speed": Field("Club Speed", "Schl.gsch.", "Schlägergeschwindigkeit", "Clubsnelh.", "Vel. palo"),
         "attack": Field("Attack Angle", "Anstellwinkel", "Aanvalshoek", "Ángulo de ataque", unit="deg"),

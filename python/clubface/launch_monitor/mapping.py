@@ -6,6 +6,7 @@
     delimiter = ";"         # optional; found out if left out
     decimal = ","           # optional; found out if left out
     club = "Schläger"       # optional: the heading of the column that names the club
+    player = "Spieler"      # optional: the heading of the column that names the player
     hand = "Hand"           # optional: the heading of the column that says right or left
     speed_at = "cg"         # optional: where speed, attack and path are measured: "cg" or "face"
     face_at = "face"        # optional: where loft and face angle are measured: "face" (its centre) or "contact"
@@ -28,13 +29,13 @@ from typing import Any, NamedTuple
 
 from clubface.errors import UnitError, UnknownNameError
 from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES
-from clubface.launch_monitor.formats import CG, CONTACT, FACE, UNKNOWN, Field, Format
+from clubface.launch_monitor.formats import CG, CONTACT, FACE, PLAYER, UNKNOWN, Field, Format
 from clubface.support.strict_toml import Document
 from clubface.tables.headings import HAND, shot_words
 from clubface.tables.spelling import plain
 from clubface.units import DIMENSIONLESS, unit
 
-KEYS = ("name", "delimiter", "decimal", "club", "hand", "speed_at", "face_at", "columns")
+KEYS = ("name", "delimiter", "decimal", "club", "player", "hand", "speed_at", "face_at", "columns")
 COLUMN_KEYS = ("heading", "unit", "positive", "optional")
 DELIMITERS = (",", ";", "\t")
 SPEED_AT, FACE_AT = (CG, FACE), (FACE, CONTACT)
@@ -88,6 +89,7 @@ def mapping_of(path: str | os.PathLike[str]) -> Mapped:
         fields=fields,
         marks=(tuple(required),),
         club=(data["club"],) if "club" in data else (),
+        player=(data["player"],) if "player" in data else PLAYER,
         hand=(data["hand"],) if "hand" in data else (),
         needs_units=True,
         speed_at=_choice(document, "speed_at", {each: each for each in SPEED_AT}) or UNKNOWN,

@@ -1,7 +1,7 @@
 """Rapsodo MLM2PRO: the shot export, one table a club below a title line, ended by rows of average and deviation.
 
-A newer export is a single table without the title. Neither names its units. The headings are those of public exports
-(repository mmender2/GolfAnalysis on GitHub) and parsers.
+The title names the player. A newer export is a single table without the title. Neither names its units. The headings
+are those of public exports (repository mmender2/GolfAnalysis on GitHub) and parsers.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ FORMAT = Format(
     title="Rapsodo MLM2PRO, shot export",
     marks=(("Club Type", "Club Brand", "Club Model"), ("Club Type", "Side Carry", "Launch Direction")),
     club=("Club Type",),
+    title_of_player=r"Rapsodo MLM2PRO:\s*(.*?)\s+-\s+\d.*",
     fields={
         "speed": Field("Club Speed", unit="mph"),
         "attack": Field("Attack Angle", unit="deg"),

@@ -194,6 +194,7 @@ def _laid_out(session: Session, path: str, layout: Format, other_encoding: bool)
         deliveries={name: values for name, values in found.columns.items() if name in inputs()},
         launches={name: values for name, values in found.columns.items() if name not in inputs()},
         clubs=np.array([shot.club for shot in shots], dtype=object) if session.names_clubs else None,
+        players=np.array([shot.player for shot in shots], dtype=object) if session.names_players else None,
         hand=_hands(shots),
         rows=np.array([shot.line for shot in shots], dtype=np.int64),
         source=path,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -43,8 +44,8 @@ class Shot:
         Line in which the row begins.
     values
         What was measured.
-    club
-        Name of the club, or "".
+    club, player
+        Name of the club and of the player, or "".
     hand
         +1 for right, -1 for left, or NaN if it is not known.
     """
@@ -53,6 +54,7 @@ class Shot:
     values: dict[str, float]
     club: str = ""
     hand: float = nan
+    player: str = ""
 
 
 @dataclass
@@ -77,8 +79,8 @@ class Session:
         Headings that would give a quantity but for what is in their brackets.
     guessed_hand
         Whether something told in terms of the club was read as a right-hander's because nothing tells the hand.
-    names_clubs
-        Whether there is a column for the club.
+    names_clubs, names_players
+        Whether the file names clubs and players.
     """
 
     shots: list[Shot] = field(default_factory=list)
@@ -90,6 +92,7 @@ class Session:
     unused: dict[str, None] = field(default_factory=dict)
     guessed_hand: bool = False
     names_clubs: bool = False
+    names_players: bool = False
 
 
 class SessionReader:
@@ -114,6 +117,8 @@ class SessionReader:
         self._header: Sequence[str] = ()
         self._header_line = 0
         self._counting: Sequence[int] = ()
+        self._title = re.compile(layout.title_of_player) if layout.title_of_player else None
+        self._player = ""
         self.session = Session()
 
     @property
@@ -132,6 +137,9 @@ class SessionReader:
                 continue
             if self._may_be_header(cells) and self._layout.is_marked({heading(each).name for each in cells}):
                 self._header, self._header_line, self._columns = cells, line, None
+            elif self._title is not None and (found := self._title.fullmatch(cells[0].strip())):
+                self._player = found[1]
+                self.session.names_players = True
             elif self._header:
                 self._body(cells, line)
         return self.session
@@ -150,6 +158,7 @@ class SessionReader:
             self.session.assumed.update(self._columns.assumed)
             self.session.unused.update(dict.fromkeys(self._columns.unused))
             self.session.names_clubs |= bool(self._columns.club)
+            self.session.names_players |= self._columns.player is not None
             if units is not None:
                 return
         columns = self._columns
@@ -196,7 +205,8 @@ class SessionReader:
                     raise CellError(f"{message}: {quoted_cell(first)} and {quoted_cell(second)}")
             values[quantity] = found[0][1]
         club = next((cells[place].strip() for place in columns.club if cells[place].strip()), "")
-        return Shot(line, self._checked(values), club, hand)
+        player = self._player if columns.player is None else cells[columns.player].strip()
+        return Shot(line, self._checked(values), club, hand, player)
 
     def _checked(self, values: dict[str, float]) -> dict[str, float]:
         if values.get("ball_speed") == 0.0:

@@ -1,4 +1,4 @@
-"""What a session says of each club: how many shots, means and spreads, and the gaps in carry between clubs."""
+"""What a session says of each club of a player: how many shots, means and spreads, and the gaps in carry."""
 
 from __future__ import annotations
 
@@ -54,6 +54,8 @@ class ClubSummary:
 
     Attributes
     ----------
+    player
+        Who hit it, as in the file; "" where the file names no one, or the same player for all shots.
     club
         Its name as in the file, or "" where the file has none.
     places
@@ -61,9 +63,10 @@ class ClubSummary:
     spreads
         What was measured, by quantity.
     gap
-        How much further it carries than the next shorter club; None for the shortest, or without carry.
+        How much further it carries than the next shorter club of the player; None for the shortest, or without carry.
     """
 
+    player: str
     club: str
     places: NDArray[np.intp]
     spreads: Mapping[str, Spread]
@@ -73,8 +76,14 @@ class ClubSummary:
 def summarised(shots: RecordedShots) -> list[ClubSummary]:
     """Return a summary of each club, the longest first; names of the same club, as 7i and 7 Iron, are taken together.
 
-    Values that were not measured count for nothing, not even as shots of their quantity.
+    The clubs of several players are summed up player by player, as these appear in the file. Values that were not
+    measured count for nothing, not even as shots of their quantity.
     """
+    return [each for player, places in shots.by_player() for each in _of_player(player, shots.select(places), places)]
+
+
+def _of_player(player: str, shots: RecordedShots, whole: NDArray[np.intp]) -> list[ClubSummary]:
+    """Return a summary of each club of a player, whose shots have the places ``whole`` in the session."""
     names = [str(each) for each in shots.clubs] if shots.clubs is not None else [""] * len(shots)
     groups: dict[str, list[int]] = {}
     known: dict[str, str] = {}
@@ -87,7 +96,10 @@ def summarised(shots: RecordedShots) -> list[ClubSummary]:
     length = "carry" if any("carry" in each for _, _, each in found) else "ball_speed"
     found.sort(key=lambda each: -each[2][length].mean if length in each[2] else math.inf)
     shorter = [*(each[2] for each in found[1:]), None]
-    return [ClubSummary(*each, _gap(each[2], after)) for each, after in zip(found, shorter, strict=True)]
+    return [
+        ClubSummary(player, name, whole[places], spreads, _gap(spreads, after))
+        for (name, places, spreads), after in zip(found, shorter, strict=True)
+    ]
 
 
 def _spreads(values: Mapping[str, NDArray[np.float64]], places: list[int]) -> dict[str, Spread]:

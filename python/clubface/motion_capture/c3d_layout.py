@@ -129,7 +129,8 @@ class _Reader:
         if data < self.start or last < first:
             raise self.damaged("the header says where data begin and end, and they end first")
         # Letters beyond 65535 frames do not fit the header; POINT:FRAMES has the same limit. The smaller is sure.
-        frames = min(last - first + 1, self.found.get("POINT:FRAMES") or last - first + 1)
+        frames = last - first + 1
+        frames = min(frames, self.found.get("POINT:FRAMES") or frames)
         word = 4 if self.content[self.sign] & 0x80 else 2  # a negative scale marks floating point
         needed = data + frames * word * (4 * points + analogues)
         if len(self.content) < needed:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from clubface.equipment.models import DEFAULT_MODEL
@@ -21,12 +22,12 @@ CLUBLESS = "a club without a name"
 def blocks(clubs: list[ClubFigures], shots: RecordedShots) -> Iterator[Block]:
     """Yield the pieces of the report on shots, of which ``clubs`` holds the figures club by club."""
     yield Heading(1, "Your shots, and what they say")
-    names = [f"{each.name} ({len(each.shots)})" for each in clubs]
+    names = [f"{each.title} ({len(each.shots)})" for each in clubs]
     yield Paragraph(
         (f"This report is about {words.counted(len(shots))} of {Path(shots.source).name}: {', '.join(names)}.",)
     )
     for each in clubs:
-        yield Heading(2, each.name[:1].upper() + each.name[1:])
+        yield Heading(2, each.title[:1].upper() + each.title[1:])
         yield Paragraph(tuple(words.measured(each)))
         yield _picture(each)
         for title, texts in (
@@ -55,25 +56,29 @@ def write_report(shots: RecordedShots, path: str | os.PathLike[str]) -> Path:
     check_ending(path)
     if not len(shots):
         raise InputError("shots", shots.source, "at least one shot")
-    return write_document(list(blocks(list(_by_club(shots)), shots)), path)
+    return write_document(list(blocks(figures_by_club(shots), shots)), path)
 
 
-def _by_club(shots: RecordedShots) -> Iterator[ClubFigures]:
-    if shots.clubs is None:
-        yield figures_of(shots, CLUBLESS)
-        return
-    for name in dict.fromkeys(shots.clubs):
-        yield figures_of(shots.select(shots.clubs == name), str(name) or CLUBLESS)
+def figures_by_club(shots: RecordedShots) -> list[ClubFigures]:
+    """Return the figures of each club of each player; what two players hit is no one's typical shot."""
+    found = []
+    for player, places in shots.by_player():
+        of = shots.select(places)
+        names = [""] if of.clubs is None else dict.fromkeys(of.clubs)
+        for name in names:
+            theirs = of if of.clubs is None else of.select(of.clubs == name)
+            found.append(replace(figures_of(theirs, str(name) or CLUBLESS), player=player))
+    return found
 
 
 def _picture(of: ClubFigures) -> Picture:
     from clubface.player_report.picture import club_picture
     from clubface.plots.style import svg
 
-    shows = f"{of.name}: where the shots go, and face, path and start line"
+    shows = f"{of.title}: where the shots go, and face, path and start line"
     return Picture(shows, svg(club_picture(of)), _data(of))
 
 
 def _data(of: ClubFigures) -> Data:
     columns = of.shots.columns()
-    return Data(file_name(of.name), list(columns), list(zip(*columns.values(), strict=True)))
+    return Data(file_name(of.title), list(columns), list(zip(*columns.values(), strict=True)))

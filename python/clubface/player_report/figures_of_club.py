@@ -96,6 +96,8 @@ class ClubFigures:
     ----------
     name
         As the file calls it.
+    player
+        Who hit it, where the shots are of several players; "" otherwise.
     club
         The built-in club that stands for it; None if there is none.
     shots
@@ -118,6 +120,12 @@ class ClubFigures:
     inferred: Inferred | None = None
     changes: tuple[Change, ...] = ()
     start: dict[str, float] = field(default_factory=dict)
+    player: str = ""
+
+    @property
+    def title(self) -> str:
+        """The club, and whose it is where that must be said."""
+        return f"{self.player}: {self.name}" if self.player else self.name
 
 
 def figures_of(shots: RecordedShots, name: str) -> ClubFigures:

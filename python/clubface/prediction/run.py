@@ -88,7 +88,8 @@ class Task:
     def content_of(self, source: Path) -> dict[str, Any]:
         """Return what a run is of, by what a person calls it."""
         shot, ball = self.shot, self.shot["ball"]
-        equipment = [shot["club"].inputs(), ball.inputs() if isinstance(ball, Ball) else ball.values()]
+        # The club itself and not its inputs: a meshed one is more than the mass and inertia of its mesh.
+        equipment = [shot["club"], ball.inputs() if isinstance(ball, Ball) else ball.values()]
         return {
             "source": fingerprint_of_file(source),
             "choice of shots": self.content,

@@ -27,7 +27,7 @@ from clubface.units import DIMENSIONLESS, from_si, symbols, to_si, unit
 LONGEST = 1000
 """Characters of a condition."""
 EXAMPLE = 'as in "smash > 1.3 and club == \'7i\'" or "ball_speed > 150 mph"'
-CLUB, ROW, SMASH = "club", "row", "smash"
+CLUB, PLAYER, ROW, SMASH = "club", "player", "row", "smash"
 
 _QUOTED = re.compile(r"""('[^']*'|"[^"]*")""")
 _WITH_UNIT = re.compile(
@@ -88,8 +88,8 @@ def chosen(shots: RecordedShots, condition: str) -> Chosen:
         The shots.
     condition
         Quantities of a delivery or launch by the names of :class:`RecordedShots` or as headings with a unit
-        (``ball_speed_mph``, a number in that unit), ``club``, ``hand`` and ``row``; numbers with units; texts in
-        quotation marks. A club is known by every name that people give it: ``'7i'`` is "7 Iron" too.
+        (``ball_speed_mph``, a number in that unit), ``club``, ``player``, ``hand`` and ``row``; numbers with
+        units; texts in quotation marks. A club is known by every name that people give it: ``'7i'`` is "7 Iron" too.
 
     Raises
     ------
@@ -269,8 +269,9 @@ class _Reader:
     def _name(self, name: str) -> _Number | _Text:
         if name in self._given:
             return self._given[name]
-        if name in (CLUB, HAND):
-            column = self._shots.clubs if name == CLUB else self._shots.hand
+        texts = {CLUB: self._shots.clubs, PLAYER: self._shots.players, HAND: self._shots.hand}
+        if name in texts:
+            column = texts[name]
             if column is None:
                 raise self._error(f"the shots of {self._shots.source} do not say the {name}")
             return _Text([str(each) for each in column], same_club if name == CLUB else _alike)
@@ -280,7 +281,7 @@ class _Reader:
         heading, symbol = split_heading(name, words)
         quantity = words.names.get(heading)
         if quantity is None or quantity not in self._measured:
-            raise UnknownNameError("name in where", name, (*self._measured, CLUB, HAND, ROW))
+            raise UnknownNameError("name in where", name, (*self._measured, *texts, ROW))
         values, dimension = self._measured[quantity], words.dimensions[quantity]
         if symbol is not None:
             unit(symbol, name=name, dimension=dimension)

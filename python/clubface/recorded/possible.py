@@ -8,7 +8,7 @@ are wide: they are no judgement of a player.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -78,20 +78,39 @@ class Cleaned(NamedTuple):
     notes: tuple[str, ...]
 
 
+def impossible(values: Mapping[str, float]) -> dict[str, float]:
+    """Return which values [SI] of one shot cannot have been measured; see :func:`without_impossible`."""
+    still = values.get("backspin") == 0.0 == values.get("sidespin")
+    spins = ("backspin", "sidespin") if still else ()
+    return {name: value for name, value in values.items() if name in spins or not can_be(name, value)}
+
+
+def shown(name: str, value: float) -> str:
+    """Return a value [SI] of a quantity as people read it."""
+    unit = display_unit(name, SI_UNITS[shot_words().dimensions[name]])
+    return show(value, "mph" if unit == "m/s" else unit, 11)
+
+
+def told(name: str, wrong: int, shots: int, example: float) -> str:
+    """Return how many shots have a value of a quantity that cannot be, and one such value [SI], in words."""
+    return f"{name} in {wrong} of {shots} shots, such as {shown(name, example)}"
+
+
+def note_of(every: Iterable[str]) -> str:
+    """Return the note on values that cannot be, from what :func:`told` says of each quantity."""
+    return f"values that no shot can have were taken as not measured: {'; '.join(every)}"
+
+
 def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
     """Return columns of shots [SI] without values that no golf shot can have, which count as not measured."""
-    kept, told = {}, []
+    kept, found = {}, []
     wrong = {name: ~can_be(name, values) for name, values in columns.items()}
     if "backspin" in columns and "sidespin" in columns:
         still = (columns["backspin"] == 0.0) & (columns["sidespin"] == 0.0)
         wrong.update({name: wrong[name] | still for name in ("backspin", "sidespin")})
-    dimensions = shot_words().dimensions
     for name, values in columns.items():
         kept[name] = np.where(wrong[name], np.nan, values) if wrong[name].any() else values
         if wrong[name].any():
-            unit = display_unit(name, SI_UNITS[dimensions[name]])
-            example = show(float(values[wrong[name]][0]), "mph" if unit == "m/s" else unit, 11)
-            told.append(f"{name} in {int(wrong[name].sum())} of {values.size} shots, such as {example}")
+            found.append(told(name, int(wrong[name].sum()), values.size, float(values[wrong[name]][0])))
     had, has = (np.any([~np.isnan(each) for each in of.values()], axis=0) for of in (columns, kept))
-    notes = (f"values that no shot can have were taken as not measured: {'; '.join(told)}",) if told else ()
-    return Cleaned(kept, had & ~has, notes)
+    return Cleaned(kept, had & ~has, (note_of(found),) if found else ())

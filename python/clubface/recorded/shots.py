@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
@@ -148,6 +148,17 @@ class RecordedShots:
             return None
         lonely = np.array([f"row {row}" for row in self.rows], dtype=object)
         return np.where(self.players == "", lonely, self.players).astype(str)
+
+    def by_player(self) -> Iterator[tuple[str, NDArray[np.intp]]]:
+        """Yield each player and the places of his shots; all shots under "" where the file does not name two players.
+
+        Where it does, those of which it does not name the player come under "" too.
+        """
+        if self.players is None or self.groups() is None:
+            yield "", np.arange(len(self))
+            return
+        for player in dict.fromkeys(self.players):
+            yield str(player), np.flatnonzero(self.players == player)
 
     def delivery(self) -> dict[str, Floats]:
         """Return what :func:`impact` takes as ``delivery``: the deliveries, and the hand as +1 or -1."""

@@ -1,6 +1,10 @@
 //! What errors say.
 
+use crate::support::piece;
+use clubface_fem::ball::{BallConstruction, MAX_PIECES};
 use clubface_fem::contact::ContactMethod;
+use clubface_fem::element::Element;
+use clubface_fem::material::{Material, NeoHookean};
 use clubface_fem::solve::Options;
 use clubface_fem::FemError;
 
@@ -43,5 +47,22 @@ fn a_lost_element_is_described_in_words_whatever_its_volume() {
     }
     for ratio in [-0.1, 2e283, f64::INFINITY, f64::NAN] {
         assert!(said(ratio).contains("was turned inside out"), "{}", said(ratio));
+    }
+}
+
+#[test]
+fn a_ball_has_as_many_pieces_as_is_said_and_no_more() {
+    let checked = |count: usize| {
+        let material =
+            Material { law: NeoHookean { shear: 1e7 }.law(), bulk: 5e8, maxwell: vec![], density: 1150.0 };
+        let pieces = (1..=count).map(|place| piece("shell", 0.003 * place as f64, 1, material.clone())).collect();
+        BallConstruction { pieces, cube: 4, element: Element::OnePoint, mass: None }.check()
+    };
+    for count in [1, MAX_PIECES] {
+        assert!(checked(count).is_ok(), "{count} pieces");
+    }
+    for count in [0, MAX_PIECES + 1] {
+        let said = checked(count).expect_err("too few or too many").to_string();
+        assert_eq!(said, format!("pieces is {count}; it must be from 1 to {MAX_PIECES}"));
     }
 }

@@ -29,6 +29,8 @@ NEVER_ZERO = ("speed", "loft", "closure")
 """Quantities of the club that are zero only where they were not measured."""
 METRES = ("meters", "metres", "meter", "metre", "m")
 LARGEST_NUMBER = 1e9
-"""No number of a message comes near it."""
+"""No number of a message comes near it, but for what stands for a value that was not measured."""
+LARGEST_VALUE = 1e39
+"""The greatest number that such a value can be, of four bytes, is 3.4e38."""
 OK, PLAYER, FAILED = 200, 201, 501
 HANDS = {"right": "RH", "left": "LH"}

@@ -15,6 +15,7 @@ from clubface.launch_monitor.open_connect.fields import FAILED, OK, PLAYER
 from clubface.launch_monitor.open_connect.framing import Broken, ObjectStream
 from clubface.launch_monitor.open_connect.messages import Message, MessageError, from_json
 from clubface.launch_monitor.open_connect.outgoing import player, reply
+from clubface.recorded.possible import shown
 
 LOOPBACK = "127.0.0.1"
 PORT = 921
@@ -72,7 +73,8 @@ class Listener:
         Called with every shot before it is acknowledged. If it raises, the shot is answered with code 501, and the
         error ends the iteration.
     on_problem
-        Called with a sentence for bytes that are not a message, and when a monitor connects or leaves.
+        Called with a sentence for bytes that are not a message, for values that no shot can have, and when a monitor
+        connects or leaves.
 
     Raises
     ------
@@ -187,6 +189,9 @@ class Listener:
                 self._tell(f"{client.name}: {error}")
                 self._answer(client, reply(FAILED, str(error)))
                 continue
+            if message.impossible:
+                values = ", ".join(f"{name} of {shown(name, value)}" for name, value in message.impossible.items())
+                self._tell(f"shot {message.shot_number}: no shot can have {values}: taken as not measured")
             if message.kind == "shot":
                 try:
                     self._keep(message)

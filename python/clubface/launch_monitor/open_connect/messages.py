@@ -5,7 +5,7 @@ angles in degrees, spin in rpm, and the carry in yards or metres as ``Units`` sa
 positive to the right. The page does not give the signs of the club data. Here path and face angle are positive to the
 right for either hand, the horizontal impact is positive towards the toe in mm, as connectors for the protocol write it,
 and the closure rate is in deg/s. Clients must send a number, so a zero of club speed, loft or closure rate, or zeros of
-both impact offsets, mean not measured.
+both impact offsets, mean not measured. So does a value that no golf shot can have.
 """
 
 from __future__ import annotations
@@ -16,7 +16,16 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from clubface.errors import ClubfaceError
-from clubface.launch_monitor.open_connect.fields import BALL, CLUB, LARGEST_NUMBER, METRES, NEVER_ZERO, VERSION
+from clubface.launch_monitor.open_connect.fields import (
+    BALL,
+    CLUB,
+    LARGEST_NUMBER,
+    LARGEST_VALUE,
+    METRES,
+    NEVER_ZERO,
+    VERSION,
+)
+from clubface.recorded.possible import impossible, note_of, told
 from clubface.units import to_si
 
 if TYPE_CHECKING:
@@ -41,6 +50,8 @@ class Message:
         Inputs of an impact by name; empty if the club was not measured.
     launch
         Quantities of the launch by name; empty without ball data.
+    impossible
+        The values of both that no shot can have, and which therefore are in neither.
     is_ready, sees_ball
         The state that the monitor reports; None if it reports none.
     """
@@ -50,6 +61,7 @@ class Message:
     shot_number: int
     delivery: Mapping[str, float] = field(default_factory=dict)
     launch: Mapping[str, float] = field(default_factory=dict)
+    impossible: Mapping[str, float] = field(default_factory=dict)
     is_ready: bool | None = None
     sees_ball: bool | None = None
 
@@ -77,6 +89,7 @@ def from_json(data: Mapping[str, Any]) -> Message:
         raise MessageError(f"APIversion is {version[:20]!r}; it must be {VERSION!r}")
     launch: dict[str, float] = {}
     delivery: dict[str, float] = {}
+    wrong: dict[str, float] = {}
     if flags["IsHeartBeat"]:
         kind = "heartbeat"
     elif flags["ContainsBallData"] or flags["ContainsClubData"]:
@@ -87,6 +100,12 @@ def from_json(data: Mapping[str, Any]) -> Message:
             delivery = _delivery(_object(data, "ClubData"))
         if not launch and not delivery:
             raise MessageError("ClubData holds nothing but zeros")
+        wrong = impossible(delivery | launch)
+        launch, delivery = (
+            {name: value for name, value in each.items() if name not in wrong} for each in (launch, delivery)
+        )
+        if not launch and not delivery:
+            raise MessageError(f"no shot can have such values: {', '.join(wrong)}")
     else:
         kind = "status"
     number = _number(data, "ShotNumber", "") if kind == "shot" or "ShotNumber" in data else 0.0
@@ -98,13 +117,14 @@ def from_json(data: Mapping[str, Any]) -> Message:
         shot_number=int(number),
         delivery=delivery,
         launch=launch,
+        impossible=wrong,
         is_ready=flags["LaunchMonitorIsReady"],
         sees_ball=flags["LaunchMonitorBallDetected"],
     )
 
 
 def _launch(ball: Mapping[str, Any], metric: bool) -> dict[str, float]:
-    given = {name: _number(ball, name, "BallData.") for name in BALL if ball.get(name) is not None}
+    given = {name: _number(ball, name, "BallData.", LARGEST_VALUE) for name in BALL if ball.get(name) is not None}
     for name in ("Speed", "HLA", "VLA"):
         if name not in given:
             raise MessageError(f"BallData.{name} is missing")
@@ -120,7 +140,7 @@ def _launch(ball: Mapping[str, Any], metric: bool) -> dict[str, float]:
 
 
 def _delivery(club: Mapping[str, Any]) -> dict[str, float]:
-    given = {name: _number(club, name, "ClubData.") for name in CLUB if club.get(name) is not None}
+    given = {name: _number(club, name, "ClubData.", LARGEST_VALUE) for name in CLUB if club.get(name) is not None}
     if given.get("Speed", 0.0) < 0.0:
         raise MessageError("ClubData.Speed must not be below 0")
     if not any(given.values()):
@@ -153,13 +173,13 @@ def _flag(options: Mapping[str, Any], name: str) -> bool | None:
     return found
 
 
-def _number(data: Mapping[str, Any], name: str, where: str) -> float:
+def _number(data: Mapping[str, Any], name: str, where: str, largest: float = LARGEST_NUMBER) -> float:
     found = data.get(name)
     try:
         number = math.nan if isinstance(found, bool) or found is None else float(found)
     except (TypeError, ValueError, OverflowError):
         number = math.nan
-    if not abs(number) < LARGEST_NUMBER:
+    if not abs(number) < largest:
         raise MessageError(f"{where}{name} must be a number" if found is not None else f"{where}{name} is missing")
     return number
 
@@ -169,7 +189,10 @@ def _metric(data: Mapping[str, Any]) -> bool:
 
 
 def recorded(messages: Iterable[Message], *, hand: str | None = None, source: str = "Open Connect") -> RecordedShots:
-    """Return the shots among the messages as :class:`RecordedShots`; ``rows`` are the shot numbers."""
+    """Return the shots among the messages as :class:`RecordedShots`; ``rows`` are the shot numbers.
+
+    A note counts the values that no shot can have.
+    """
     import numpy as np
 
     from clubface.recorded.shots import RecordedShots
@@ -180,6 +203,11 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None, source: st
         names = dict.fromkeys(name for each in of for name in each)
         return {name: np.array([each.get(name, math.nan) for each in of]) for name in names}
 
+    wrong: dict[str, list[float]] = {}
+    for each in shots:
+        for name, value in each.impossible.items():
+            wrong.setdefault(name, []).append(value)
+    counts = [told(name, len(values), len(shots), values[0]) for name, values in wrong.items()]
     return RecordedShots(
         deliveries=columns([each.delivery for each in shots]),
         launches=columns([each.launch for each in shots]),
@@ -187,4 +215,5 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None, source: st
         rows=np.array([each.shot_number for each in shots], dtype=np.int64),
         source=source,
         format="open-connect",
+        notes=(note_of(counts),) if counts else (),
     )
