@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import given, options, output, reporting
 from clubface.cli.compare_alternatives import alternatives_of
 from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.quantity_units import KEYS, Shown, Units, label, shown_units
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
+from clubface.units import from_si
 
 app = typer.Typer(add_completion=False)
 
@@ -64,6 +65,7 @@ def compare(
     unit: Units = None,
     target: Annotated[str | None, options.output("FILE", "Write all figures, CSV or Parquet by its ending.")] = None,
     plot: Annotated[str | None, options.picture("flights and contributions")] = None,
+    report: options.Report = None,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
@@ -71,6 +73,7 @@ def compare(
     inputs = [*clubs, *(texts["ball"] or ()), *(texts["parameters"] or ()), deliveries]
     output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
     output.check_picture(plot, inputs)
+    output.check_report(report, inputs)
     conditions = given.conditions(texts)
     shown = shown_units(unit)
 
@@ -85,18 +88,46 @@ def compare(
         )  # fmt: skip
     with progress_bar("points of derivatives") as update:
         found = computed(alternatives, **conditions, split=split, nodes=nodes, progress=update)
-    if plot is not None:
+    if plot is not None or report is not None:
         from clubface import plots
         from clubface.design.comparison_figures import comparison_figure
 
-        plots.save(comparison_figure(found, **conditions, units={key: told for key, (told, _) in shown.items()}), plot)
+        figure = comparison_figure(found, **conditions, units={key: told for key, (told, _) in shown.items()})
+        if plot is not None:
+            plots.save(figure, plot)
+        if report is not None:
+            reporting.write(
+                report, title=f"{' and '.join(found.names)} compared", words=_words(found),
+                picture=("Flights, and what makes the differences", figure), columns=_columns(found),
+                show=lambda: _print(found, shown), launches=found.launches.values(),
+                given=reporting.told_conditions(texts),
+            )  # fmt: skip
     if target is not None:
         _write(found, target)
     if as_json:
         output.print_json(_document(found, alternatives))
     else:
         _print(found, shown)
-    say_written([each for each in (target, plot) if each is not None])
+    say_written([each for each in (target, plot, report) if each is not None])
+
+
+def _words(found: Any) -> Iterator[str]:
+    """Say what the differences are, and what makes most of that in carry, in sentences."""
+    first = found.names[0]
+    for name in found.names[1:]:
+        carry, speed = found.difference(name, "carry", "yd"), found.difference(name, "ball_speed", "mph")
+        spin = found.difference(name, "backspin", "rpm")
+        faster = reporting.more_or_less(speed, "mph", ("faster", "slower"))
+        more = reporting.more_or_less(spin, "rpm", ("more", "less"), 0)
+        farther = reporting.more_or_less(carry, "yd", ("farther", "less far"))
+        yield f"Beside {first}, with {name} the ball leaves {faster}, spins {more} and carries {farther}."
+        if (made := found.contributions.get(name)) is None or made.left_out or not made.changes:
+            continue
+        parts = [(_by_name(part)["carry"], change.name) for change, part in zip(made.changes, made.si, strict=True)]
+        most, which = max(parts, key=lambda part: abs(part[0]))
+        if most:
+            told = reporting.more_or_less(from_si(most, "yd"), "yd", ("of carry more", "of carry less"))
+            yield f"What changes the carry most is {which.replace('_', ' ')}: {told}."
 
 
 def _print(found: Any, shown: Shown) -> None:
@@ -213,11 +244,17 @@ def _document(found: Any, alternatives: Mapping[str, Mapping[str, Any]]) -> dict
 
 
 def _write(found: Any, target: str) -> None:
-    from clubface import units
     from clubface.tables.writer import write_columns
+
+    write_columns(_columns(found), Path(target))
+
+
+def _columns(found: Any) -> dict[str, list[Any]]:
+    """Return all figures as a long table, in the units of its headings."""
+    from clubface import units
 
     rows = found.rows()
     columns: dict[str, list[Any]] = {key: [row[key] for row in rows] for key in ("alternative", "part", "change")}
     parts = [{key: row[name] / units.size(unit) for key, (name, unit) in KEYS.items()} for row in rows]
     columns |= {key: [part[key] for part in parts] for key in KEYS}
-    write_columns(columns, Path(target))
+    return columns

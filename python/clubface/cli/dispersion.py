@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import given, options, output, reporting
 from clubface.cli.failures import say
 from clubface.cli.golfer import GolferArgument
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
+from clubface.units import from_si
 
 if TYPE_CHECKING:
     from clubface.design.dispersion import Dispersion
@@ -65,6 +67,7 @@ def dispersion(
     no_shares: Annotated[bool, typer.Option("--no-shares", help="Leave out what spreads the shots.")] = False,
     target: Annotated[str | None, options.output("FILE", "Write every shot to this file, CSV or Parquet.")] = None,
     picture: Annotated[str | None, options.picture("where the balls land and what spreads them")] = None,
+    report: options.Report = None,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
@@ -75,6 +78,7 @@ def dispersion(
 
     output.check_target("--output", target, KINDS)
     output.check_picture(picture)
+    output.check_report(report)
     player = golfer_named(golfer)
     own = None if club else "right" if player.hand > 0 else "left"
     head = given.club_of(club or player.club, texts["hand"] or own)
@@ -103,6 +107,9 @@ def dispersion(
         from clubface.design.dispersion_figure import dispersion_figure
 
         say(f"wrote {plots.save(dispersion_figure(found, shares), picture)}")
+    if report is not None:
+        _report(report, found, slopes, shares, hit, texts)
+        say(f"wrote {report}")
     if as_json:
         output.print_json(_document(found, slopes, shares))
     else:
@@ -156,8 +163,53 @@ def _by_derivatives(of: Dispersion, hit: Any) -> ByDerivatives | None:
     return by_derivatives(of.golfer, hit)
 
 
+def _report(
+    target: str,
+    of: Dispersion,
+    slopes: ByDerivatives | None,
+    shares: Indices | None,
+    hit: Any,
+    texts: Mapping[str, Any],
+) -> None:
+    from clubface.design.dispersion_figure import dispersion_figure
+
+    drawn = None
+    columns: dict[str, Any] = {}
+    if of.points.size:
+        drawn = ("Where the balls land, and what spreads them", dispersion_figure(of, shares))
+        columns = {"ahead (yd)": from_si(of.points[:, 0], "yd"), "right (yd)": from_si(of.points[:, 1], "yd")}
+    golfer = of.golfer
+    told = {"golfer": golfer.title or golfer.name, "shots": str(of.count), "seed": str(of.seed)}
+    reporting.write(
+        target, title=f"Where the shots of {told['golfer']} go with the {of.club.name}", words=_words(of),
+        picture=drawn, columns=columns, show=lambda: _print(of, slopes, shares), launches=[hit.mean(golfer)[0]],
+        given=told | reporting.told_conditions(texts),
+    )  # fmt: skip
+
+
+def _words(of: Dispersion) -> Iterator[str]:
+    """Say where shots go, in sentences."""
+
+    def told(name: str, share: float) -> str:
+        unit, _ = UNITS[name]
+        return f"{from_si(of.quantile(name, share), unit):.0f}"
+
+    yield f"Half of {of.count} shots leave at {told('ball_speed', 0.25)} to {told('ball_speed', 0.75)} mph."
+    if not of.points.size:
+        return
+    yield (
+        f"Half of them carry {told('carry', 0.25)} to {told('carry', 0.75)} yd, and nine of ten at least "
+        f"{told('carry', 0.1)} yd."
+    )
+    left, right = (from_si(of.quantile("side", share), "yd") for share in (0.05, 0.95))
+    places = [reporting.more_or_less(each, "yd", ("right", "left"), 0) for each in (left, right)]
+    yield f"Nine of ten land between {' and '.join(places)} of the line."
+    if of.hole is not None:
+        yield f"On the hole given, the shot leaves {of.strokes:.2f} strokes to play, as tour players count."
+
+
 def _print(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> None:
-    from clubface.units import from_si, size
+    from clubface.units import size
 
     heads = ["", "unit", "mean", "±", *(f"{share:.0%}" for share in SHOWN)]
     if slopes is not None:
@@ -191,7 +243,6 @@ def _print_ellipses(of: Dispersion) -> None:
     from math import degrees
 
     from clubface.design.dispersion import SHARES
-    from clubface.units import from_si
 
     rows = []
     for share in SHARES:
@@ -204,17 +255,15 @@ def _print_ellipses(of: Dispersion) -> None:
 
 
 def _print_strokes(of: Dispersion) -> None:
-    from clubface.units import from_si
-
     assert of.hole is not None
     told = ", ".join(f"{100.0 * share:.0f} % {name}" for name, share in of.lies.items() if share > 0.0)
     before = of.hole.before()
     length = output.number(from_si(of.hole.length, "yd"), 0)
-    print(
+    output.print_paragraph(
         f"Strokes on a hole of {length} yd from the {of.hole.lie}: {of.strokes:.3f} expected after the shot,"
         f" {before:.3f} before it; {of.gained:+.3f} gained."
     )
-    print(f"At rest: {told}.")
+    output.print_paragraph(f"At rest: {told}.")
 
 
 def _print_shares(of: Indices) -> None:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import given, options, output, reporting
 from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.quantity_units import KEYS, VALUES, Shown, Units, label, shown_units
@@ -25,6 +25,8 @@ LEAST_MISSED = 5e-5
 """Share of swings beside the face that is told."""
 TABLE = (9, 7)
 """Points of a printed table towards the toe and upwards."""
+STRUCK = 0.02
+"""How far beside the centre a strike is that a report tells of [m]."""
 
 
 @app.command()
@@ -57,6 +59,7 @@ def map_(
     unit: Units = None,
     target: Annotated[str | None, options.output("FILE", "Write the map, a row a point, CSV or Parquet.")] = None,
     plot: Annotated[str | None, options.picture("contours on the face")] = None,
+    report: options.Report = None,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
@@ -64,6 +67,7 @@ def map_(
     inputs = [club, minus, texts["ball"], texts["parameters"]]
     output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
     output.check_picture(plot, inputs)
+    output.check_report(report, inputs)
     delivery = given.delivery(texts)
     about = {name: delivery.pop(name) for name in ("toe", "high") if name in delivery}
     deviations = None if spread is None else _spread(spread)
@@ -94,11 +98,21 @@ def map_(
             )  # fmt: skip
     spreads = [] if deviations is None else [each.forgiveness(deviations, **about) for each in maps]
     found = maps[0] if len(maps) == 1 else FaceMapDifference(*maps)
-    if plot is not None:
+    if plot is not None or report is not None:
         from clubface import plots
         from clubface.design.face_map_figures import face_map_figure
 
-        plots.save(face_map_figure(found, units={name: shown[name][0] for name in names or DEFAULT}), plot)
+        figure = face_map_figure(found, units={name: shown[name][0] for name in names or DEFAULT})
+        if plot is not None:
+            plots.save(figure, plot)
+        if report is not None:
+            told = " less ".join(each.centre.club.name for each in maps)
+            reporting.write(
+                report, title=f"Launch and flight over the face: {told}", words=_words(maps),
+                picture=("Contours on the outline of the face", figure), columns=_columns(found),
+                show=lambda: _print(found, maps, spreads, names, shown), launches=[each.centre for each in maps],
+                given=reporting.told_conditions(texts),
+            )  # fmt: skip
     if target is not None:
         _write(found, target)
         for each, of in zip((target, _second(target)), maps, strict=False):
@@ -108,7 +122,27 @@ def map_(
         output.print_json(_document(found, maps, spreads, names))
     else:
         _print(found, maps, spreads, names, shown)
-    say_written([each for each in (target, plot) if each is not None])
+    say_written([each for each in (target, plot, report) if each is not None])
+
+
+def _words(maps: Sequence[Any]) -> Iterator[str]:
+    """Say what a strike beside the centre costs, in sentences."""
+    for each in maps:
+        middle = each.at(0.0, 0.0)
+        yield (
+            f"Struck at the centre of the face, {each.centre.club.name} sends the ball off at "
+            f"{fixed(float(middle['ball_speed']), 'mph', 1)} and carries it {fixed(float(middle['carry']), 'yd', 0)}."
+        )
+        for toe, place in ((STRUCK, "towards the toe"), (-STRUCK, "towards the heel")):
+            if not each.outline.holds(toe, 0.0):
+                continue
+            there = each.at(toe, 0.0)
+            lost = from_si(float(middle["carry"] - there["carry"]), "yd")
+            yield (
+                f"Struck {fixed(STRUCK, 'mm', 0)} {place}, it carries "
+                f"{reporting.more_or_less(-lost, 'yd', ('farther', 'less far'))} and lands "
+                f"{reporting.more_or_less(from_si(float(there['side']), 'yd'), 'yd', ('right', 'left'))} of the line."
+            )
 
 
 def _second(target: str) -> str:
@@ -285,9 +319,14 @@ def _spread_document(spread: Any) -> dict[str, Any]:
 def _write(found: Any, target: str) -> None:
     from clubface.tables.writer import write_columns
 
+    write_columns(_columns(found), Path(target))
+
+
+def _columns(found: Any) -> dict[str, Any]:
+    """Return the map as a long table, in the units of its headings."""
     table = found.columns()
     columns = {f"{name}_mm": from_si(table[name], "mm") for name in ("toe", "high")}
     columns |= {key: table[name] / size(unit) for key, (name, unit) in KEYS.items()}
     if hasattr(found, "second"):
         columns = {key if key in ("toe_mm", "high_mm") else f"difference_{key}": each for key, each in columns.items()}
-    write_columns(columns, Path(target))
+    return columns

@@ -6,7 +6,9 @@ import json
 import math
 import os
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +20,36 @@ from clubface.support.whole_file import write_text
 
 REJECTED = 20
 """Rows without a shot that are printed."""
+_REPEATED: ContextVar[list[Any] | None] = ContextVar("repeated", default=None)
+
+
+@contextmanager
+def repeated_in(blocks: list[Any]) -> Iterator[None]:
+    """Repeat tables, paragraphs and notes that are printed as blocks of a report."""
+    before = _REPEATED.set(blocks)
+    try:
+        yield
+    finally:
+        _REPEATED.reset(before)
+
+
+def repeat_table(title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    """Add a table to the report that repeats what is printed, if there is one."""
+    if (blocks := _REPEATED.get()) is not None:
+        from clubface.reports.blocks import Heading, Table
+
+        if title:
+            blocks.append(Heading(3, title))
+        blocks.append(Table([head.replace("-\n", "").replace("\n", " ") for head in heads], rows))
+
+
+def _repeat_texts(texts: Sequence[str], *, bullets: bool) -> None:
+    if (blocks := _REPEATED.get()) is not None and texts:
+        from clubface.reports.blocks import Bullets, Paragraph
+
+        blocks.append(Bullets(texts) if bullets else Paragraph(texts))
+
+
 HELD = (
     "Moving the CG changes the impact alone: dynamic loft, face angle and lie are held as delivered. On a shaft a CG"
     " farther from its axis also adds loft and closes the face before impact; give the delivery that you expect."
@@ -118,7 +150,9 @@ def print_notes(notes: Iterable[str]) -> None:
     import textwrap
 
     width = min(terminal_width() or 120, 120)
-    for note in dict.fromkeys(notes):
+    told = list(dict.fromkeys(notes))
+    _repeat_texts(told, bullets=True)
+    for note in told:
         print(textwrap.fill(in_a_line(note), width, initial_indent="* ", subsequent_indent="  "))
 
 
@@ -126,4 +160,5 @@ def print_paragraph(text: str) -> None:
     """Print running text, wrapped to the terminal."""
     import textwrap
 
+    _repeat_texts([text], bullets=False)
     print(textwrap.fill(text, min(terminal_width() or 120, 120)))

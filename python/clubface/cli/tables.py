@@ -7,7 +7,7 @@ import sys
 import textwrap
 from collections.abc import Iterable, Sequence
 
-from clubface.cli.output import terminal_width
+from clubface.cli.output import repeat_table, terminal_width
 
 
 def print_numbers(
@@ -27,6 +27,7 @@ def print_numbers(
         Whether the last row sums up the others and is set apart.
     """
     body = [list(row) for row in rows]
+    repeat_table(title, heads, body)
     available = terminal_width()
     widths = [
         max(len(line) for cell in column for line in cell.split("\n")) for column in zip(heads, *body, strict=True)

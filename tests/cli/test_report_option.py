@@ -1,0 +1,70 @@
+"""``--report``: the file has the numbers that the command prints and writes, and says what they are of."""
+
+import base64
+import csv
+import html
+import io
+import re
+
+import pytest
+
+pytest.importorskip("matplotlib")
+
+SPEED = ("--speed", "105 mph")
+COMMANDS = {
+    "compare": ("compare", "driver", "3-wood", *SPEED, "--air", "altitude=1000 m"),
+    "map": ("map", "driver", *SPEED, "--grid", "9x7", "--spread", "12 mm x 9 mm", "--altitude", "1000 m"),
+    "dispersion": ("dispersion", "tour-driver", "--count", "256", "--hole", "430 yd", "--altitude", "1000 m"),
+}
+
+
+@pytest.fixture(params=COMMANDS)
+def written(request, clubface_, tmp_path):
+    """Return a command, what it prints, and its report as text and as page."""
+    ran = clubface_(*COMMANDS[request.param], "--report", str(tmp_path / "report.html"))
+    assert ran.status == 0
+    assert f"wrote {tmp_path / 'report.html'}" in ran.err
+    page = (tmp_path / "report.html").read_text()
+    return request.param, ran.out, html.unescape(re.sub(r"<[^>]+>", " ", page)), page
+
+
+def test_every_number_that_is_printed_is_in_the_report(written):
+    _, printed, text, _ = written
+    numbers = re.findall(r"(?<![\w.])-?\d+\.\d+(?![\w.])", printed)
+    assert len(numbers) > 40
+    missing = {each for each in numbers if each not in text}
+    assert not missing
+
+
+def test_the_report_says_what_went_in_and_where_it_comes_from(written):
+    name, _, text, _ = written
+    assert "1000 m" in text
+    assert "Computed by clubface" in text
+    assert "Table 1 of" in text  # the source of the driver's values
+    if name == "dispersion":
+        assert "256" in text
+
+
+def test_the_data_behind_the_picture_are_those_of_the_output(written, clubface_, tmp_path):
+    name, _, _, page = written
+    data = [base64.b64decode(each).decode() for each in re.findall(r'href="data:text/csv;base64,([^"]+)"', page)]
+    rows = list(csv.DictReader(io.StringIO(data[0])))
+    if name == "dispersion":
+        assert len(rows) == 256
+        mean = sum(float(row["right (yd)"]) for row in rows) / 256
+        assert f" {mean:.1f} " in re.sub(r"\s+", " ", written[1])  # the mean of the printed side
+        return
+    target = tmp_path / "table.csv"
+    clubface_(*COMMANDS[name], "-o", str(target))
+    with open(target, newline="") as file:
+        same = list(csv.DictReader(file))
+    assert len(rows) == len(same)
+    for one, other in zip(rows, same, strict=True):
+        for key in set(one) - {"alternative", "part", "change"}:
+            assert (one[key] == other[key] == "") or float(one[key]) == pytest.approx(float(other[key]), rel=1e-6)
+
+
+def test_json_and_report_go_together(clubface_, tmp_path):
+    ran = clubface_(*COMMANDS["compare"], "--json", "--report", str(tmp_path / "report.md"))
+    assert ran.out.startswith("{")
+    assert "| remainder |" in (tmp_path / "report.md").read_text()
