@@ -90,9 +90,7 @@ def status(
     if as_json:
         output.print_json(asdict(found))
         return
-    print(
-        f"{found.name}: {found.done} of {found.chunks} chunks are done, {found.tasks} tasks in all, {found.chunk} a chunk"
-    )
+    print(f"{found.name}: {found.done} of {found.chunks} chunks are done; {found.tasks} tasks, {found.chunk} a chunk")
     print(f"parts in {found.store}, {found.size / 1e6:.1f} MB")
     for what, chunks in (("missing", found.missing), ("damaged", found.damaged)):
         if chunks:

@@ -19,8 +19,8 @@ GRID, HYPERCUBE, SOBOL, TABLE = DESIGNS = ("grid", "latin-hypercube", "sobol", "
 """Every combination of values, two ways to fill the space between ends, and the rows of a file."""
 MOST_HYPERCUBE = 1_000_000
 """Samples of a Latin hypercube, which is drawn as a whole by every worker."""
-BITS = 53
-"""Of a Sobol point, as a number has them: more points than anyone needs before they repeat."""
+BITS = 32
+"""Of a coordinate of a Sobol point: the sequence has 2**32 points. SciPy passes over points of no more bits."""
 
 
 class Design(Protocol):
@@ -70,7 +70,7 @@ class Samples:
 
     def __init__(self, axes: Sequence[Axis], samples: Any, method: str, seed: int) -> None:
         self.axes = tuple(axes)
-        most = MOST if method == SOBOL else MOST_HYPERCUBE
+        most = 2**BITS if method == SOBOL else MOST_HYPERCUBE
         if not is_count(samples, 1, most):
             more = "" if method == SOBOL else "; sobol takes more"
             raise InputError("samples", samples, f"a whole number from 1 to {most} for the design {method}{more}")
