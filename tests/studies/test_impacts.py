@@ -33,7 +33,7 @@ def test_tasks_are_single_shots_and_their_flights(tmp_path):
 def test_models_clubs_balls_and_hands_are_swept_by_name(tmp_path):
     text = """
 [impact]
-held = {{ speed = "90 mph", toe = "8 mm" }}
+held = {{ speed = "105 mph", toe = "8 mm" }}
 outputs = ["ball_speed", "sidespin"]
 [sweep]
 model = ["response", "area"]
@@ -46,7 +46,7 @@ hand = ["right", "left"]
     axes = {each.name: each for each in study.design.axes}
     for task in range(16):
         named = {name: axes[name].choices[each[task]] for name, each in inputs.items()}
-        launch = clubface.impact(named.pop("club"), speed="90 mph", toe="8 mm", **named)
+        launch = clubface.impact(named.pop("club"), speed="105 mph", toe="8 mm", **named)
         assert found.columns["sidespin"][task] == launch.sidespin
 
 
@@ -104,7 +104,7 @@ speed = ["100 mph", "110 mph"]
     assert found.columns["backspin"][1] == launch.backspin
 
 
-def test_shots_without_a_result_are_nan_and_told_with_their_task(tmp_path):
+def test_shots_without_a_result_are_nan_and_told_with_their_task(tmp_path, in_this_process):
     path = shots(tmp_path, text=shots_of_speeds('["105 mph", "-5 mph", "100 mph"]'))
     done = studies.run(path, workers=1)
     assert done.failed[0] == 1
@@ -114,7 +114,7 @@ def test_shots_without_a_result_are_nan_and_told_with_their_task(tmp_path):
     assert np.isfinite(table.overall.mean).all()
 
 
-def test_shots_outside_the_range_of_a_model_are_told(tmp_path):
+def test_shots_outside_the_range_of_a_model_are_told(tmp_path, in_this_process):
     done = studies.run(shots(tmp_path, text=shots_of_speeds('["90 mph", "105 mph"]', 'model = "adjusted"')), workers=1)
     assert done.remark == "outside the range of adjusted: clubhead speed in 1 of 2 shots (101 to 118 mph)"
 

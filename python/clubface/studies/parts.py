@@ -1,7 +1,7 @@
-"""One part of a study: a Parquet file of the tasks of a chunk, whole or not there, that tells damage by sums.
+"""One part of a study: a Parquet file of the tasks of a chunk, whole or not there, that tells damage by a sum.
 
-Any program reads such files. The metadata of the schema holds, under ``clubface``, where the numbers come from, and
-the SHA-256 of the values of every column; under ``clubface-sum``, that of this text.
+Any program reads such files. The metadata of the schema holds, under ``clubface``, where the numbers come from; and
+under ``clubface-sum``, the SHA-256 of the file as it is with ``HOLE`` in place of that sum.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from clubface.errors import FileError
-from clubface.support.checked_json import text_sum
 from clubface.support.whole_file import whole_file
 from clubface.tables.parquet import pyarrow_for
 
@@ -22,6 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 TOLD, SUM = b"clubface", b"clubface-sum"
+HOLE = b"the sum of the file as it is with this text in the place of it".ljust(64, b".")
 DAMAGED = "this part is damaged"
 
 
@@ -82,7 +82,6 @@ def write_part(path: Path, columns: Values, units: Mapping[str, str], told: Mapp
         What is told of the part besides, of what JSON has.
     """
     pyarrow = pyarrow_for(path)
-    text = json.dumps({**told, "sums": {name: ColumnSum().add(each).text() for name, each in columns.items()}})
     arrays, fields = [], []
     for name, each in columns.items():
         if isinstance(each, Names):
@@ -91,9 +90,15 @@ def write_part(path: Path, columns: Values, units: Mapping[str, str], told: Mapp
         else:
             arrays.append(pyarrow.array(each))
         fields.append(pyarrow.field(name, arrays[-1].type, metadata={"unit": units[name]} if name in units else None))
-    schema = pyarrow.schema(fields, {TOLD: text.encode(), SUM: text_sum(text).encode()})
+    schema = pyarrow.schema(fields, {TOLD: json.dumps(told).encode(), SUM: HOLE})
+    stream = pyarrow.BufferOutputStream()
+    pyarrow.parquet.write_table(pyarrow.Table.from_arrays(arrays, schema=schema), stream, compression="zstd")
+    content = stream.getvalue().to_pybytes()
+    place = content.rindex(HOLE)
     with whole_file(path) as file:
-        pyarrow.parquet.write_table(pyarrow.Table.from_arrays(arrays, schema=schema), file, compression="zstd")
+        file.write(content[:place])
+        file.write(hashlib.sha256(content).hexdigest().encode())
+        file.write(content[place + len(HOLE) :])
 
 
 def read_part(path: Path) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:
@@ -105,18 +110,19 @@ def read_part(path: Path) -> tuple[dict[str, NDArray[Any] | Names], dict[str, An
         It is damaged; one that is not there is a ``FileNotFoundError``.
     """
     pyarrow = pyarrow_for(path)
+    # As a whole: the file may be replaced by another process while it is read.
+    content = path.read_bytes()
     try:
-        # From memory: the file may be replaced by another process while it is read.
-        table = pyarrow.parquet.read_table(pyarrow.BufferReader(path.read_bytes()))
-        text = table.schema.metadata[TOLD].decode()
-        if table.schema.metadata[SUM].decode() != text_sum(text):
-            raise FileError(str(path), None, DAMAGED)
-        told = json.loads(text)
-        columns = {name: _values(table.column(name).combine_chunks()) for name in table.column_names}
-        if told["sums"] == {name: ColumnSum().add(each).text() for name, each in columns.items()}:
-            return columns, told
-    except FileNotFoundError:
-        raise
+        file = pyarrow.parquet.ParquetFile(pyarrow.BufferReader(content))
+        told = file.metadata.metadata  # as it stands there; the Arrow schema beside it has a copy with the hole
+        place = content.rindex(told[SUM])
+        found = hashlib.sha256(content[:place])
+        for each in (HOLE, content[place + len(HOLE) :]):
+            found.update(each)
+        if found.hexdigest().encode() == told[SUM]:
+            table = file.read()
+            columns = {name: _values(table.column(name).combine_chunks()) for name in table.column_names}
+            return columns, json.loads(told[TOLD])
     except (OSError, ValueError, KeyError, TypeError, IndexError, AttributeError, pyarrow.ArrowException):
         pass
     raise FileError(str(path), None, DAMAGED)

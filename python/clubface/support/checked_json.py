@@ -18,20 +18,19 @@ LARGEST = 64_000_000
 def write_checked(path: Path, values: Mapping[str, Any], *, new: bool = False) -> None:
     """Write what JSON has with a sum over it; a ``new`` file that is there already is an error."""
     text = json.dumps(values)
-    write_text(path, f'{{"sum": "{text_sum(text)}", "values": {text}}}', new=new)
+    write_text(path, f'{{"sum": "{_sum(text)}", "values": {text}}}', new=new)
 
 
 def read_checked(path: Path, damaged: str) -> dict[str, Any]:
     """Return what :func:`write_checked` wrote; anything else is a :class:`FileError` that says ``damaged``."""
     try:
         found = json.loads(path.read_bytes()) if path.stat().st_size <= LARGEST else {}
-        if found["sum"] == text_sum(json.dumps(found["values"])):
+        if found["sum"] == _sum(json.dumps(found["values"])):
             return found["values"]
     except (OSError, ValueError, KeyError, TypeError, RecursionError, OverflowError):
         pass
     raise FileError(str(path), None, damaged)
 
 
-def text_sum(text: str) -> str:
-    """Return the SHA-256 of a text in UTF-8."""
+def _sum(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()

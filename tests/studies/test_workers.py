@@ -1,0 +1,137 @@
+"""Workers, commands and machines that die at any moment lose nothing that is finished."""
+
+import os
+import random
+import signal
+import time
+
+import pytest
+
+from clubface import studies
+from clubface.errors import RunError
+from clubface.studies.pool import work
+from study_files import shots, squares, started, sums
+
+pytest.importorskip("pyarrow")
+pytestmark = pytest.mark.skipif(not hasattr(os, "killpg"), reason="this system has no such signals")
+
+KILLER = """
+import os, signal
+replace = os.replace
+def killed(source, target, **options):
+    folder = os.environ.get("KILLED_RENAMES")
+    if folder and os.sep + "parts" + os.sep in os.fspath(target):
+        number = len(os.listdir(folder))
+        open(os.path.join(folder, str(number)), "w").close()
+        if number % 3 == 0:
+            os.kill(os.getpid(), signal.SIGKILL)
+    return replace(source, target, **options)
+os.replace = killed
+"""
+"""What makes every third worker that is about to give a part its name die before it does, as when the power fails."""
+
+
+@pytest.fixture
+def undisturbed(tmp_path):
+    path = squares(tmp_path, name="undisturbed.toml")
+    studies.run(path, workers=1)
+    return sums(path)
+
+
+def children(pid):
+    """The processes that a process has started."""
+    with open(f"/proc/{pid}/task/{pid}/children") as file:
+        return [int(each) for each in file.read().split()]
+
+
+def left(folder):
+    return [each.name for each in folder.rglob(".*")]
+
+
+def test_workers_killed_between_writing_and_renaming_lose_nothing(tmp_path, undisturbed):
+    (tmp_path / "killer").mkdir()
+    (tmp_path / "killer" / "sitecustomize.py").write_text(KILLER)
+    (tmp_path / "renames").mkdir()
+    path = squares(tmp_path)
+    command = started(
+        "study", "run", path, "--workers", "2", path=[tmp_path / "killer"], KILLED_RENAMES=str(tmp_path / "renames")
+    )
+    _, said = command.communicate(timeout=60)
+    assert command.returncode == 0, said
+    renames = len(os.listdir(tmp_path / "renames"))
+    assert renames - (renames + 2) // 3 == 20  # every chunk once, beside those that were killed
+    assert sums(path) == undisturbed
+    assert left(tmp_path / "squares.store") == []
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/task"), reason="needs /proc")
+def test_workers_killed_at_random_are_replaced(tmp_path, undisturbed):
+    path = squares(tmp_path, seconds=0.005)
+    command, random_, killed = started("study", "run", path, "--workers", "2"), random.Random(1), 0
+    while command.poll() is None and killed < 3:
+        time.sleep(random_.uniform(0.1, 0.4))
+        for worker in children(command.pid)[:1]:
+            os.kill(worker, signal.SIGKILL)
+            killed += 1
+    _, said = command.communicate(timeout=60)
+    assert command.returncode == 0, said
+    assert killed
+    assert sums(path) == undisturbed
+
+
+@pytest.mark.parametrize("kill", [signal.SIGKILL, signal.SIGINT], ids=["SIGKILL", "Ctrl-C"])
+def test_a_command_that_is_killed_is_gone_on_with(tmp_path, undisturbed, kill):
+    path, store = squares(tmp_path, seconds=0.01), tmp_path / "squares.store"
+    command = started("study", "run", path, "--workers", "2")
+    ends = time.monotonic() + 30.0
+    while len(list(store.rglob("0*.parquet"))) < 3 and time.monotonic() < ends:
+        time.sleep(0.02)
+    command.send_signal(kill)
+    begun = time.monotonic()
+    _, said = command.communicate(timeout=30)
+    if kill == signal.SIGINT:
+        assert command.returncode == 130
+        assert "of 20 chunks are done and kept in" in said
+        assert time.monotonic() - begun < 2.0  # 0.1 s on a machine that has nothing else to do
+    done = studies.run(path, workers=1)
+    assert 0 < done.computed < 20
+    assert sums(path) == undisturbed
+
+
+def test_a_chunk_that_kills_its_workers_is_given_up(tmp_path):
+    with pytest.raises(RunError, match="3 workers died over chunk 5; the last was ended by SIGKILL"):
+        work(["sh", "-c", "read n; kill -9 $$"], iter([5]), workers=1, done=print)
+
+
+def test_a_worker_that_cannot_start_is_told(tmp_path):
+    with pytest.raises(RunError, match="ended with status 3: no disk"):
+        work(["sh", "-c", "echo no disk >&2; exit 3"], iter([5]), workers=1, done=print)
+
+
+def test_what_a_chunk_cannot_do_ends_the_run_and_keeps_the_others(tmp_path):
+    path = shots(tmp_path, chunk=1)
+    studies.run(path, workers=1, shard="1/2")
+    folder = tmp_path / "shots.store" / "parts" / "0000"
+    folder.chmod(0o500)
+    try:
+        if os.access(folder, os.W_OK):
+            pytest.skip("nothing is forbidden to this user")
+        with pytest.raises(studies.ClubfaceError, match="cannot be written"):
+            studies.run(path, workers=1)
+    finally:
+        folder.chmod(0o700)
+
+
+@pytest.mark.study
+def test_a_hundred_thousand_tasks_take_no_more_memory_than_a_thousand(tmp_path):
+    """A hundred times the parts: lists of numbers of 100,000 chunks take 1 MB, and nothing else may grow."""
+    import resource
+
+    peaks = []
+    for count in (1_000, 100_000):
+        path = squares(tmp_path, count=count, chunk=10, name=f"of-{count}.toml")
+        command = started("study", "run", path, "--workers", "2")
+        _, said = command.communicate(timeout=1200)
+        assert command.returncode == 0, said
+        peaks.append(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
+    assert peaks[1] - peaks[0] < 10_000  # kB
