@@ -102,7 +102,7 @@ def axis(name: str, given: Any, swept: Swept) -> Axis:
     check_names(f"key of {name}", given, ("from", "to", "count", "step"))
     if not ("from" in given and "to" in given) or ("count" in given and "step" in given):
         raise InputError(name, dict(given), f"given as {FORMS}")
-    first, last = (_number(name, given[key], swept.unit) for key in ("from", "to"))
+    first, last = (number(name, given[key], swept.unit) for key in ("from", "to"))
     if "count" in given:
         if not is_count(given["count"], 1, MOST):
             raise InputError(f"count of {name}", given["count"], f"a whole number from 1 to {MOST}")
@@ -111,7 +111,7 @@ def axis(name: str, given: Any, swept: Swept) -> Axis:
         if not last > first:
             raise InputError(name, dict(given), "an interval whose end is above its beginning")
         return Axis(name=name, unit=swept.unit, ends=(first, last))
-    step = _number(name, given["step"], swept.unit)
+    step = number(name, given["step"], swept.unit)
     steps = (last - first) / step if step else -1.0
     if not 0.0 <= steps < MOST:
         raise InputError(f"step of {name}", given["step"], "a step that leads from the first value to the last")
@@ -124,7 +124,7 @@ def _list(name: str, given: Sequence[Any], swept: Swept) -> Axis:
     if not given:
         raise InputError(name, given, "a list of at least one value")
     if swept.unit is not None:
-        values = tuple(_number(name, each, swept.unit) for each in given)
+        values = tuple(number(name, each, swept.unit) for each in given)
         return Axis(name=name, unit=swept.unit, values=values, count=len(values))
     for each in given:
         if not isinstance(each, str):
@@ -136,7 +136,8 @@ def _list(name: str, given: Sequence[Any], swept: Swept) -> Axis:
     return Axis(name=name, unit=None, choices=tuple(given), count=len(given))
 
 
-def _number(name: str, value: Any, unit: str) -> float:
+def number(name: str, value: Any, unit: str) -> float:
+    """Return a value of an input in SI; the bulge and the roll of a face may be "flat"."""
     if value == FLAT and name in ("bulge", "roll"):
         return float("inf")
     return units.parse(value, units.unit(unit).dimension, name=name)

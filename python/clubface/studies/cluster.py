@@ -7,6 +7,7 @@ here. What the scheduler forgets or loses is given to it again; what is finished
 from __future__ import annotations
 
 import logging
+import threading
 import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -77,10 +78,9 @@ class _Cluster:
         self._again: deque[int] = deque()
         self._lost: dict[int, int] = {}
         self._number = 0
+        self._news = threading.Event()
 
     def run(self, chunks: Iterator[int]) -> None:
-        from distributed import wait
-
         heard = time.monotonic()
         threads = self._threads()
         looked = time.monotonic()
@@ -94,8 +94,8 @@ class _Cluster:
                 self._submit(chunk)
             if not self._running:
                 return
-            with suppress(TimeoutError):
-                wait(list(self._running), timeout=0.1, return_when="FIRST_COMPLETED")
+            self._news.wait(0.1)
+            self._news.clear()
             for future in [each for each in self._running if each.done()]:
                 self._end(future)
             if self._client.status == "running":
@@ -109,6 +109,7 @@ class _Cluster:
         key = f"{self._arguments[2]}-{chunk}-{self._number}-{id(self):x}"
         future = self._client.submit(ensure, *self._arguments, chunk, key=key, pure=False, retries=0)
         self._running[future] = chunk
+        future.add_done_callback(lambda _: self._news.set())
 
     def _end(self, future: Any) -> None:
         """Count a chunk that is done, or give one again whose worker was lost."""

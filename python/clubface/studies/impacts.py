@@ -20,7 +20,7 @@ from clubface.simulation.inputs import parameter_set
 from clubface.simulation.outside import Tally
 from clubface.simulation.quantities import flight_outputs, inputs, outputs
 from clubface.simulation.run_options import tolerance
-from clubface.studies.axes import Swept
+from clubface.studies.axes import Swept, number
 from clubface.studies.kinds import Column, Computed
 from clubface.support.checks import check_choice, check_names
 from clubface.support.processor import vector_units
@@ -162,7 +162,9 @@ def _check(study: Study) -> None:
     held = table.get("held", {})
     if not isinstance(held, Mapping):
         raise InputError("held", held, 'a table, as in held = { speed = "113 mph" }')
-    check_names("input", held, inputs())
+    check_names("input", held, [each for each in inputs() if each != "hand"])
+    for name, value in held.items():
+        number(name, value, inputs()[name].unit)
     swept = {each.name for each in study.design.axes}
     if "speed" not in held and "speed" not in swept:
         raise InputError("speed", None, 'sweep it, or hold it, as in held = { speed = "113 mph" }')

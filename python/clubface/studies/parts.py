@@ -111,8 +111,8 @@ def read_part(path: Path) -> tuple[dict[str, NDArray[Any] | Names], dict[str, An
     """
     pyarrow = pyarrow_for(path)
     # As a whole: the file may be replaced by another process while it is read.
-    content = path.read_bytes()
     try:
+        content = path.read_bytes()
         file = pyarrow.parquet.ParquetFile(pyarrow.BufferReader(content))
         told = file.metadata.metadata  # as it stands there; the Arrow schema beside it has a copy with the hole
         place = content.rindex(told[SUM])
@@ -123,6 +123,8 @@ def read_part(path: Path) -> tuple[dict[str, NDArray[Any] | Names], dict[str, An
             table = file.read()
             columns = {name: _values(table.column(name).combine_chunks()) for name in table.column_names}
             return columns, json.loads(told[TOLD])
+    except FileNotFoundError:
+        raise
     except (OSError, ValueError, KeyError, TypeError, IndexError, AttributeError, pyarrow.ArrowException):
         pass
     raise FileError(str(path), None, DAMAGED)

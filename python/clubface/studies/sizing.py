@@ -28,7 +28,7 @@ def chunk_size(study: Study, task: Task) -> int:
         The tasks that were tried have no result; the message says why.
     """
     begun = time.process_time()
-    _check(task, study.design.count)
+    _check(study, task)
     seconds, tasks = time.process_time() - begun, 1
     if study.chunk is not None:
         return min(study.chunk, study.design.count)
@@ -53,11 +53,14 @@ def rounded(size: float) -> int:
     return max(1, next((step * power for step in STEPS if step * power <= min(size, MOST_ROWS)), 1))
 
 
-def _check(task: Task, count: int) -> None:
+def _check(study: Study, task: Task) -> None:
     """Refuse a study whose first task has no result, nor the last."""
     found = Computed({})
-    for index in dict.fromkeys((0, count - 1)):
-        found = task.run(range(index, index + 1))
+    for index in dict.fromkeys((0, study.design.count - 1)):
+        try:
+            found = task.run(range(index, index + 1))
+        except ClubfaceError as error:
+            raise study.wrap(error) from None
         if not found.failed:
             return
     raise ClubfaceError(f"no task that was tried has a result: {found.failed[0][1]}")
