@@ -5,15 +5,12 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from clubface import units
 from clubface.errors import InputError
 from clubface.studies.axes import Swept
-from clubface.studies.kinds import Column, Computed
-
-if TYPE_CHECKING:
-    from clubface.studies.study import Study
+from clubface.studies.kinds import Column, Computed, Described
 
 
 class Empty:
@@ -30,7 +27,7 @@ class Empty:
     columns: Mapping[str, Column]
     depends_on: Mapping[str, str]
 
-    def __init__(self, study: Study, seconds: float) -> None:
+    def __init__(self, study: Described, seconds: float) -> None:
         self._design, self._seconds = study.design, seconds
         self.columns = {"square": Column("1", "square of the input x")}
         self.depends_on = {}
@@ -54,11 +51,11 @@ class EmptyKind:
         """Return the one input, a number."""
         return {"x": Swept("1")}
 
-    def files(self, study: Study) -> tuple[Path, ...]:
+    def files(self, study: Described) -> tuple[Path, ...]:
         """Return nothing: no file is read."""
         return ()
 
-    def prepare(self, study: Study) -> Empty:
+    def prepare(self, study: Described) -> Empty:
         """Return the task."""
         seconds = units.parse(study.table.get("seconds", 0.0), "time", name="seconds")
         if not 0.0 <= seconds <= 3600.0:

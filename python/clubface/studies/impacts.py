@@ -21,7 +21,7 @@ from clubface.simulation.outside import Tally
 from clubface.simulation.quantities import flight_outputs, inputs, outputs
 from clubface.simulation.run_options import tolerance
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds import Column, Computed
+from clubface.studies.kinds import Column, Computed, Described
 from clubface.support.checks import check_choice, check_names
 from clubface.support.processor import vector_units
 from clubface.support.shipped import is_path
@@ -29,8 +29,6 @@ from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    from clubface.studies.study import Study
 
 USUAL = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "carry", "side", "total")
 """The quantities that are kept where nothing is said."""
@@ -46,7 +44,7 @@ class Impacts:
     columns: Mapping[str, Column]
     depends_on: Mapping[str, str]
 
-    def __init__(self, study: Study) -> None:
+    def __init__(self, study: Described) -> None:
         self._design, self._folder = study.design, study.folder
         self._table = table = study.table
         axes = {each.name: each for each in study.design.axes}
@@ -128,7 +126,7 @@ class ImpactKind:
             parameters |= {of.name: Swept(of.unit) for of in model_of(each).parameters}
         return {**parameters, **numbers, **named, "hand": Swept(None, tuple(HANDS))}
 
-    def files(self, study: Study) -> list[Path]:
+    def files(self, study: Described) -> list[Path]:
         """Return the files of clubs, balls and parameters."""
         given = study.table.get("parameters")
         texts = [
@@ -138,7 +136,7 @@ class ImpactKind:
         ]
         return [study.folder / each for each in texts if isinstance(each, str) and is_path(each)]
 
-    def prepare(self, study: Study) -> Impacts:
+    def prepare(self, study: Described) -> Impacts:
         """Return the task, when clubs, balls and parameters have been read once."""
         try:
             _check(study)
@@ -150,7 +148,7 @@ class ImpactKind:
 KIND = ImpactKind()
 
 
-def _check(study: Study) -> None:
+def _check(study: Described) -> None:
     """Refuse what no shot can have, before one is computed."""
     table = study.table
     for name in ("club", "ball", "hand", "model"):

@@ -12,13 +12,13 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
+from clubface.errors import ClubfaceError, FileError
 from clubface.studies.axes import Swept
+from clubface.studies.designs import Design
 from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    from clubface.studies.study import Study
 
 MODULES = {"impact": "clubface.studies.impacts", "empty": "clubface.studies.empty"}
 """The module of each kind of study."""
@@ -76,6 +76,34 @@ class Task(Protocol):
         ...
 
 
+class Described(Protocol):
+    """What a kind knows of a study, which is a :class:`clubface.studies.study.Study`.
+
+    Attributes
+    ----------
+    table, sweep
+        The table of the kind and [sweep], as in the file.
+    design
+        Which inputs each task has.
+    """
+
+    @property
+    def table(self) -> Mapping[str, Any]: ...
+    @property
+    def sweep(self) -> Mapping[str, Any]: ...
+    @property
+    def design(self) -> Design: ...
+
+    @property
+    def folder(self) -> Path:
+        """The folder in which relative names of files begin."""
+        ...
+
+    def wrap(self, error: ClubfaceError) -> FileError:
+        """Return an error about a value of the kind's table with file and line."""
+        ...
+
+
 class Kind(Protocol):
     """A kind of study.
 
@@ -94,11 +122,11 @@ class Kind(Protocol):
         """Return the inputs that may be swept, from the kind's table and [sweep] as the file has them."""
         ...
 
-    def files(self, study: Study) -> Sequence[Path]:
+    def files(self, study: Described) -> Sequence[Path]:
         """Return the files that the result depends on, without those that they name in turn."""
         ...
 
-    def prepare(self, study: Study) -> Task:
+    def prepare(self, study: Described) -> Task:
         """Return the task; what is wrong with the study is an error here, before any work."""
         ...
 
