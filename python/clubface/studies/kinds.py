@@ -77,22 +77,22 @@ class Task(Protocol):
 
 
 class Described(Protocol):
-    """What a kind knows of a study, which is a :class:`clubface.studies.study.Study`.
-
-    Attributes
-    ----------
-    table, sweep
-        The table of the kind and [sweep], as in the file.
-    design
-        Which inputs each task has.
-    """
+    """What a kind knows of a study, which is a :class:`clubface.studies.study.Study`."""
 
     @property
-    def table(self) -> Mapping[str, Any]: ...
+    def table(self) -> Mapping[str, Any]:
+        """The table of the kind, as in the file."""
+        ...
+
     @property
-    def sweep(self) -> Mapping[str, Any]: ...
+    def sweep(self) -> Mapping[str, Any]:
+        """The table [sweep], as in the file."""
+        ...
+
     @property
-    def design(self) -> Design: ...
+    def design(self) -> Design:
+        """Which inputs each task has."""
+        ...
 
     @property
     def folder(self) -> Path:
