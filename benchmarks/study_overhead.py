@@ -32,7 +32,7 @@ x = {{ from = 0, to = 1, count = {count} }}
 SHOTS = """
 [study]
 design = "sobol"
-samples = 200_000
+samples = 1_048_576
 [impact]
 club = "driver"
 [sweep]
@@ -109,11 +109,11 @@ def shots(folder: Path) -> None:
     """Shots with six inputs and eight results: time and bytes of each."""
     path = folder / "shots.toml"
     path.write_text(SHOTS)
-    clock, used = measured(lambda: studies.run(path, workers=2))
+    _, used = measured(lambda: studies.run(path, workers=2))
     found = opened(path)
     print(f"{found.count} shots with flight, {found.record['chunk']} a chunk: {1e6 * used / found.count:.1f} us of a")
     print(f"  processor each, {found.size() / found.count:.0f} bytes")
-    clock, used = measured(lambda: studies.join(path, folder / "shots.parquet"))
+    _, used = measured(lambda: studies.join(path, folder / "shots.parquet"))
     print(f"  joined: {1e6 * used / found.count:.2f} us each")
 
 

@@ -6,7 +6,9 @@ import pytest
 
 from clubface import studies
 from clubface.errors import ClubfaceError, FileError
+from clubface.studies import sizing
 from clubface.studies.chunks import Chunks, checked_part
+from clubface.studies.kinds import Computed
 from clubface.studies.parts import read_part
 from clubface.studies.state import opened
 from clubface.studies.study import read_study
@@ -188,3 +190,34 @@ def test_parts_are_found_by_what_checks_them(tmp_path):
     columns, _ = checked_part(opened(path), 19)
     assert columns["x"][-1] == 1.0
     assert columns["square"].tolist() == (columns["x"] ** 2).tolist()
+
+
+class Slow:
+    """A task that loads for a while, and then takes a time for each index, on a clock of its own."""
+
+    def __init__(self, clock, loading, each):
+        self._clock, self._loading, self._each = clock, loading, each
+
+    def run(self, indices):
+        self._clock[0] += self._loading + self._each * len(indices)
+        self._loading = 0.0
+        return Computed({})
+
+
+@pytest.mark.parametrize(
+    ("loading", "each", "count", "size"),
+    [
+        (0.6, 3e-6, 10**9, 500_000),  # 2 s are 667,000 tasks, above the most
+        (0.6, 3e-6, 100_000, 20_000),  # 0.1 s, so that there is a chunk for each of several workers
+        (0.6, 1e-3, 10**6, 2_000),
+        (0.0, 0.7, 1000, 2),
+        (0.0, 60.0, 1000, 1),
+        (4.0, 0.05, 3, 1),
+    ],
+)
+def test_a_chunk_takes_the_time_it_should(tmp_path, monkeypatch, loading, each, count, size):
+    clock = [0.0]
+    monkeypatch.setattr(sizing.time, "process_time", lambda: clock[0])
+    path = tmp_path / "study.toml"
+    path.write_text(f'[study]\nkind = "empty"\n[sweep]\nx = {{ from = 0, to = 1, count = {count} }}\n')
+    assert sizing.chunk_size(read_study(path), Slow(clock, loading, each)) == size

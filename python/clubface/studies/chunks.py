@@ -10,7 +10,7 @@ from clubface.errors import FileError
 from clubface.studies.kinds import Task
 from clubface.studies.parts import Names, read_part, write_part
 from clubface.studies.store import OTHERWISE, PartStore, open_store
-from clubface.studies.study import Study, read_study
+from clubface.studies.study import StudyFile, read_study
 from clubface.support.resuming import check_same, fingerprints
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ class Chunks:
         Its store.
     """
 
-    def __init__(self, study: Study, store: PartStore) -> None:
+    def __init__(self, study: StudyFile, store: PartStore) -> None:
         self._study, self._store = study, store
         self._task: Task = study.kind.prepare(study)
         self._axes = {each.name: each for each in study.design.axes}

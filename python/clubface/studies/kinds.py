@@ -77,7 +77,7 @@ class Task(Protocol):
 
 
 class Described(Protocol):
-    """What a kind knows of a study, which is a :class:`clubface.studies.study.Study`."""
+    """What a kind knows of a study, which is a :class:`clubface.studies.study.StudyFile`."""
 
     @property
     def table(self) -> Mapping[str, Any]:

@@ -17,7 +17,7 @@ from clubface.studies.pool import work
 from clubface.studies.shards import Shard, shard as shard_of
 from clubface.studies.sizing import chunk_size
 from clubface.studies.store import PartStore, begin, store_of
-from clubface.studies.study import Study, read_study
+from clubface.studies.study import StudyFile, read_study
 from clubface.support.checks import is_count
 from clubface.support.version import __version__
 from clubface.tables.parquet import pyarrow_for
@@ -98,7 +98,7 @@ class Tallied:
 
 
 def run(
-    which: str | os.PathLike[str] | Study,
+    which: str | os.PathLike[str] | StudyFile,
     *,
     store: str | os.PathLike[str] | None = None,
     workers: int | None = None,
@@ -111,7 +111,7 @@ def run(
     Parameters
     ----------
     which
-        The file of the study, or a :class:`Study`.
+        The file of the study, or a :class:`StudyFile`.
     store
         The folder of what is finished; beside the file, with the ending ".store", unless given. All who share a study
         name the same folder.
@@ -138,7 +138,7 @@ def run(
     if scheduler is not None and workers is not None:
         raise InputError("workers", workers, "leave it out with a scheduler, whose cluster has its own workers")
     share = Shard(1, 1) if shard is None else shard_of(shard)
-    study = which if isinstance(which, Study) else read_study(which)
+    study = which if isinstance(which, StudyFile) else read_study(which)
     folder = Path(store) if store is not None else store_of(study.path)
     pyarrow_for(folder)
     task = study.kind.prepare(study)
@@ -187,7 +187,7 @@ def _order(store: PartStore, share: Shard) -> Iterator[int]:
         yield from (chunk for chunk in range(store.chunks) if there[chunk] == wanted and share.has(chunk))
 
 
-def _description(study: Study, task: Task) -> dict[str, Any]:
+def _description(study: StudyFile, task: Task) -> dict[str, Any]:
     """Return the rest of the record of a study that begins."""
     axes = [
         {"name": each.name, "unit": each.unit, "choices": each.choices, "count": each.count}

@@ -6,17 +6,17 @@ import time
 
 from clubface.errors import ClubfaceError
 from clubface.studies.kinds import Computed, Task
-from clubface.studies.study import MOST_ROWS, Study
+from clubface.studies.study import MOST_ROWS, StudyFile
 
-ENOUGH = 0.1
-"""Time of a processor [s] over which tasks are timed."""
+ENOUGH, LOADING = 0.1, 5.0
+"""Time of a processor [s] over which tasks are timed, and that loading libraries does not take."""
 LEAST, FEWEST = 0.1, 32
 """A chunk that takes longer [s] is made smaller where there would be fewer chunks than that."""
 STEPS = (5, 2, 1)
 """A size is one of these times a power of ten."""
 
 
-def chunk_size(study: Study, task: Task) -> int:
+def chunk_size(study: StudyFile, task: Task) -> int:
     """Return the tasks of a chunk: as the study says, or as many as take the time that a chunk should take.
 
     The results do not depend on it. Some tasks are computed in any case, so that a study none of whose tasks can be
@@ -32,9 +32,11 @@ def chunk_size(study: Study, task: Task) -> int:
     seconds, tasks = time.process_time() - begun, 1
     if study.chunk is not None:
         return min(study.chunk, study.design.count)
-    # What is done only once is in the first time: it counts only where a task is long.
+    # Libraries are loaded in the first time, which tells the time of a task only where that is much longer.
+    if seconds < LOADING:
+        seconds, tasks = 0.0, 0
     while seconds < ENOUGH and tasks < min(study.design.count, MOST_ROWS):
-        tasks = min(8 * tasks, study.design.count, MOST_ROWS)
+        tasks = min(max(8 * tasks, 1), study.design.count, MOST_ROWS)
         first = (study.design.count - tasks) // 2
         begun = time.process_time()
         task.run(range(first, first + tasks))
@@ -53,7 +55,7 @@ def rounded(size: float) -> int:
     return max(1, next((step * power for step in STEPS if step * power <= min(size, MOST_ROWS)), 1))
 
 
-def _check(study: Study, task: Task) -> None:
+def _check(study: StudyFile, task: Task) -> None:
     """Refuse a study whose first task has no result, nor the last."""
     found = Computed({})
     for index in dict.fromkeys((0, study.design.count - 1)):

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface.errors import FileError
-from clubface.studies.study import Study
+from clubface.studies.study import StudyFile
 from clubface.support.checked_json import read_checked, write_checked
 from clubface.support.folders import prepared_folder
 from clubface.support.resuming import check_same, fingerprint, fingerprints
@@ -122,7 +122,7 @@ def open_store(folder: Path) -> PartStore:
     return PartStore(folder, read_checked(folder / RECORD, DAMAGED))
 
 
-def begin(folder: Path, study: Study, describe: Callable[[], dict[str, Any]]) -> PartStore:
+def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]) -> PartStore:
     """Return the store of a study in a folder, which is made unless it is there.
 
     Parameters

@@ -48,7 +48,7 @@ SECONDS = 2.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Study:
+class StudyFile:
     """A study as its file describes it.
 
     Attributes
@@ -104,7 +104,7 @@ class Study:
         return error if isinstance(error, FileError) else self.document.wrap(error, self.kind.name)
 
 
-def read_study(path: str | os.PathLike[str]) -> Study:
+def read_study(path: str | os.PathLike[str]) -> StudyFile:
     """Read a study from its file; what is wrong in it is a :class:`FileError` with the line."""
     document = Document.read(path)
     data = document.data
@@ -135,7 +135,7 @@ def read_study(path: str | os.PathLike[str]) -> Study:
         if error.parameter == "samples":
             raise document.wrap(error, "study") from None
         raise document.error(str(error), error.parameter.rpartition(" ")[2], "sweep") from None
-    return Study(
+    return StudyFile(
         path=Path(path), name=name, kind=chosen, table=table, sweep=sweep, method=method, seed=seed, design=made,
         chunk=chunk, seconds=seconds, document=document,
     )  # fmt: skip

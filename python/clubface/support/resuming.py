@@ -212,6 +212,15 @@ class Store:
         """Return the path of a file of the store."""
         return self.folder / name
 
+    def checked(self, name: str, sum_: str) -> Path:
+        """Return the path of a file of the store that still has the fingerprint which was kept of it."""
+        path = self.file(name)
+        if path.exists() and fingerprint_of_file(path) != sum_:
+            raise FileError(
+                str(path), None, "this part of the unfinished work is damaged; start again without resuming"
+            )
+        return path
+
     def keep(self, name: str, value: Any) -> None:
         """Keep a value."""
         self._values[name] = self._fresh[name] = value
