@@ -50,7 +50,7 @@ def test_a_grid_of_a_billion_tasks_is_made_where_it_is_asked_for():
     assert [found[name].tolist() for name in "abc"] == [[123.0, 123.0], [456.0, 456.0], [789.0, 790.0]]
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=10, deadline=None)
 @given(size=st.integers(1, 70), method=st.sampled_from(["sobol", "latin-hypercube"]))
 def test_samples_are_the_same_in_chunks_of_any_size(size, method):
     pytest.importorskip("scipy")

@@ -3,6 +3,8 @@
 import os
 import random
 import signal
+import subprocess
+import sys
 import time
 
 import pytest
@@ -31,9 +33,9 @@ os.replace = killed
 """What makes every third worker that is about to give a part its name die before it does, as when the power fails."""
 
 
-@pytest.fixture
-def undisturbed(tmp_path):
-    path = squares(tmp_path, name="undisturbed.toml")
+@pytest.fixture(scope="module")
+def undisturbed(tmp_path_factory):
+    path = squares(tmp_path_factory.mktemp("undisturbed"))
     studies.run(path, workers=1)
     return sums(path)
 
@@ -117,16 +119,47 @@ def test_what_a_chunk_cannot_do_ends_the_run_and_keeps_the_others(tmp_path):
     assert studies.status(path).done > 10
 
 
+MEMORY = """
+import resource, sys
+from clubface import studies
+studies.run(sys.argv[1], workers=2)
+studies.join(sys.argv[1])
+studies.summary(sys.argv[1])
+print(*(resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)))
+"""
+"""Runs a study and prints the most memory that this process and a worker had [kB]."""
+
+
 @pytest.mark.study
 def test_a_hundred_thousand_tasks_take_no_more_memory_than_a_thousand(tmp_path):
-    """A hundred times the parts: lists of numbers of 100,000 chunks take 1 MB, and nothing else may grow."""
-    import resource
-
+    """A hundred times the parts; libraries that are loaded, and what they keep of what they free, differ by 10 MB."""
     peaks = []
     for count in (1_000, 100_000):
-        path = squares(tmp_path, count=count, chunk=10, name=f"of-{count}.toml")
+        path = squares(tmp_path, count=count, name=f"of-{count}.toml")
+        ran = subprocess.run([sys.executable, "-c", MEMORY, path], capture_output=True, text=True, check=True)
+        peaks.append([int(each) for each in ran.stdout.split()])
+    print(peaks)
+    assert all(large - small < 10_000 for small, large in zip(*peaks, strict=True))
+
+
+@pytest.mark.study
+@pytest.mark.parametrize("seed", range(3))
+def test_a_study_killed_twenty_times_ends_with_the_same_sums(tmp_path, seed):
+    whole, path, random_ = shots(tmp_path, name="whole.toml", chunk=1), shots(tmp_path, chunk=1), random.Random(seed)
+    studies.run(whole, workers=1)
+    for kill in range(20):
         command = started("study", "run", path, "--workers", "2")
-        _, said = command.communicate(timeout=1200)
-        assert command.returncode == 0, said
-        peaks.append(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
-    assert peaks[1] - peaks[0] < 10_000  # kB
+        time.sleep(random_.uniform(0.0, 3.0))
+        for worker in children(command.pid) if command.poll() is None and kill % 3 == 0 else ():
+            os.kill(worker, signal.SIGKILL)
+        command.send_signal(signal.SIGINT if kill % 2 else signal.SIGKILL)
+        command.communicate()
+        if kill % 5 == 4 and begun(path):
+            for part in random_.sample(sorted((tmp_path / "shots.store" / "parts").rglob("0*.parquet")), 1):
+                part.unlink()
+    studies.run(path, workers=2)
+    assert sums(path) == sums(whole)
+
+
+def begun(path):
+    return any((path.parent / f"{path.stem}.store").rglob("0*.parquet"))
