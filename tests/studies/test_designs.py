@@ -7,8 +7,9 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from clubface.errors import FileError, InputError
+from clubface.studies import designs
 from clubface.studies.axes import Axis, Swept, axis
-from clubface.studies.designs import Grid, Rows, Samples, design
+from clubface.studies.designs import Grid, Remembered, Rows, Samples, design
 from clubface.studies.table_rows import table_columns
 from clubface.units import to_si
 
@@ -67,7 +68,18 @@ def test_samples_do_not_depend_on_which_were_asked_for_before(method):
     whole = made.values(range(64))
     assert np.array_equal(late["x"], whole["x"][40:50])
     assert np.array_equal(early["x"], whole["x"][10:20])
+    assert np.array_equal(Remembered(made).values(range(3, 9))["x"], whole["x"][3:9])
     assert not np.array_equal(Samples(BETWEEN, 64, method, 4).values(range(64))["x"], whole["x"])
+
+
+def test_a_sobol_sequence_is_scipys_wherever_it_is_entered(monkeypatch):
+    """Drawn by SciPy from the beginning in one piece, and entered after states that are kept on the way."""
+    qmc = pytest.importorskip("scipy.stats").qmc
+    monkeypatch.setattr(designs, "STRIDE", 16)
+    whole = qmc.Sobol(3, scramble=True, bits=32, rng=3).random(128)
+    made = Samples(BETWEEN, 128, "sobol", 3)
+    for first in (100, 37, 16, 0, 96, 127):
+        np.testing.assert_array_equal(made.values(range(first, 128))["x"], 2.0 + 2.0 * whole[first:, 0])
 
 
 @pytest.mark.parametrize("method", ["sobol", "latin-hypercube"])

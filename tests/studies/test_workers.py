@@ -12,7 +12,7 @@ import pytest
 from clubface import studies
 from clubface.errors import ClubfaceError, RunError
 from clubface.studies.pool import work
-from study_files import squares, started, sums
+from study_files import shots, squares, started, sums
 
 pytest.importorskip("pyarrow")
 pytestmark = pytest.mark.skipif(not hasattr(os, "killpg"), reason="this system has no such signals")

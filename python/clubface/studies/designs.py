@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 import threading
 import warnings
@@ -42,6 +43,10 @@ class Design(Protocol):
         ...
 
 
+STRIDE = 2**22
+"""Points of a Sobol sequence after which its state is kept; it takes 10 ms to pass over them."""
+
+
 class Grid:
     """Every combination of the values of some axes, the last of which changes first. See :class:`Design`."""
 
@@ -78,6 +83,7 @@ class Samples:
         self._method, self._seed = method, seed
         self._lock = threading.Lock()  # Dask may run several chunks in one process
         self._drawn: Any = None
+        self._passed: list[Any] = []
 
     def values(self, tasks: range) -> dict[str, NDArray[Any]]:
         """Return the inputs of consecutive tasks by name."""
@@ -86,16 +92,21 @@ class Samples:
         return {each.name: each.drawn(shares[:, place]) for place, each in enumerate(self.axes)}
 
     def _sobol(self, tasks: range) -> NDArray[Any]:
-        from scipy.stats import qmc
-
-        # A worker meets rising numbers, so that it passes over the sequence once.
-        if self._drawn is None or self._drawn.num_generated > tasks.start:
-            self._drawn = qmc.Sobol(len(self.axes), scramble=True, bits=BITS, rng=self._seed)
-        if tasks.start > self._drawn.num_generated:
-            self._drawn.fast_forward(tasks.start - self._drawn.num_generated)
+        made = self._sequence(tasks.start)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # that a chunk is not balanced: the whole is what counts
-            return self._drawn.random(len(tasks))
+            return made.random(len(tasks))
+
+    def _sequence(self, start: int) -> Any:
+        """Return the sequence at a point. It is only passed over forwards, so that states on the way are kept."""
+        from scipy.stats import qmc
+
+        if not self._passed:
+            self._passed.append(qmc.Sobol(len(self.axes), scramble=True, bits=BITS, rng=self._seed))
+        while len(self._passed) <= start // STRIDE:
+            self._passed.append(copy.deepcopy(self._passed[-1]).fast_forward(STRIDE))
+        made = copy.deepcopy(self._passed[start // STRIDE])
+        return made.fast_forward(start % STRIDE) if start % STRIDE else made
 
     def _hypercube(self) -> NDArray[Any]:
         from scipy.stats import qmc
@@ -127,6 +138,21 @@ class Rows:
             found[each.name] = each.at(place)
         found |= {name: values[rows] for name, values in self._columns.items()}
         return {each.name: found[each.name] for each in self.axes}
+
+
+class Remembered:
+    """A design that keeps what it last returned to each thread: the task and the part of a chunk both ask for it."""
+
+    def __init__(self, of: Design) -> None:
+        self.axes, self.count = of.axes, of.count
+        self._of, self._last = of, threading.local()
+
+    def values(self, tasks: range) -> dict[str, NDArray[Any]]:
+        """Return the inputs of consecutive tasks by name."""
+        if getattr(self._last, "tasks", None) != tasks:
+            self._last.tasks, self._last.values = None, self._of.values(tasks)
+            self._last.tasks = tasks
+        return dict(self._last.values)
 
 
 def design(method: str, axes: Sequence[Axis], samples: Any, seed: int) -> Design:

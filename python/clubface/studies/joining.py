@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 from clubface.errors import FileError
 from clubface.studies.chunks import checked_part
-from clubface.studies.parts import TOLD, ColumnSum, Names
+from clubface.studies.parts import TOLD, ColumnSum, Names, encoding
 from clubface.studies.running import Tallied
 from clubface.studies.state import opened
 from clubface.studies.store import PartStore
@@ -133,7 +133,8 @@ def _written(path: Path | None, store: PartStore) -> AbstractContextManager[Writ
 def _parquet(path: Path, store: PartStore) -> Iterator[Write]:
     """Write Parquet, a row group a part."""
     arrow = pyarrow_for(path)
-    names = {each["name"] for each in store.record["axes"] if each["unit"] is None}
+    names = [each["name"] for each in store.record["axes"] if each["unit"] is None]
+    how = encoding(_order(store), names)
     units = _units(store)
     kinds = {name: arrow.dictionary(arrow.int32(), arrow.string()) for name in names}
     fields = [
@@ -147,7 +148,7 @@ def _parquet(path: Path, store: PartStore) -> Iterator[Write]:
             return arrow.DictionaryArray.from_arrays(arrow.array(each.codes.astype("int32")), arrow.array(each.choices))
         return arrow.array(each)
 
-    with whole_file(path) as file, arrow.parquet.ParquetWriter(file, schema, compression="zstd") as writer:
+    with whole_file(path) as file, arrow.parquet.ParquetWriter(file, schema, **how) as writer:
         yield lambda columns: writer.write_table(
             arrow.Table.from_arrays([array(columns[name]) for name in _order(store)], schema=schema)
         )

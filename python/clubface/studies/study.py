@@ -32,7 +32,7 @@ from typing import Any
 from clubface import units
 from clubface.errors import ClubfaceError, FileError, InputError, Told, UnknownNameError
 from clubface.studies.axes import Axis, Swept, axis
-from clubface.studies.designs import DESIGNS, GRID, HYPERCUBE, SOBOL, TABLE, Design, Rows, design
+from clubface.studies.designs import DESIGNS, GRID, HYPERCUBE, SOBOL, TABLE, Design, Remembered, Rows, design
 from clubface.studies.kinds import Kind, kind
 from clubface.studies.referred import fingerprints_of
 from clubface.studies.table_rows import table_columns
@@ -136,8 +136,8 @@ def read_study(path: str | os.PathLike[str]) -> StudyFile:
             raise document.wrap(error, "study") from None
         raise document.error(str(error), error.parameter.rpartition(" ")[2], "sweep") from None
     return StudyFile(
-        path=Path(path), name=name, kind=chosen, table=table, sweep=sweep, method=method, seed=seed, design=made,
-        chunk=chunk, seconds=seconds, document=document,
+        path=Path(path), name=name, kind=chosen, table=table, sweep=sweep, method=method, seed=seed,
+        design=Remembered(made), chunk=chunk, seconds=seconds, document=document,
     )  # fmt: skip
 
 
