@@ -100,7 +100,7 @@ def test_a_picture_shows_every_quantity_along_every_input(drives):
     figure = draw(studies.summary(drives))
     assert [each.get_xlabel() for each in figure.axes[-3:]] == ["loft, deg", "toe, mm", "attack, deg"]
     assert [figure.axes[3 * row].get_ylabel() for row in range(4)] == [
-        "ball speed, m/s",
+        "ball speed, mph",
         "backspin, rpm",
         "carry, m",
         "side, m",

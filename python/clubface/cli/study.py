@@ -12,7 +12,8 @@ from clubface.cli.failures import say, say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
 from clubface.errors import InputError
-from clubface.units import display_unit, from_si, size
+from clubface.tables.headings import heading_of
+from clubface.units import from_si, size
 
 if TYPE_CHECKING:
     from clubface.studies.summing import Along, Figures, Summary
@@ -91,7 +92,8 @@ def status(
         output.print_json(asdict(found))
         return
     print(f"{found.name}: {found.done} of {found.chunks} chunks are done; {found.tasks} tasks, {found.chunk} a chunk")
-    print(f"parts in {found.store}, {found.size / 1e6:.1f} MB")
+    size = f"{found.size / 1e6:.1f} MB" if found.size >= 1e6 else f"{found.size / 1e3:.1f} kB"
+    print(f"parts in {found.store}, {size}")
     for what, chunks in (("missing", found.missing), ("damaged", found.damaged)):
         if chunks:
             print(f"{what}, the first of them: {', '.join(map(str, chunks))}")
@@ -165,7 +167,7 @@ def _tell(failed: tuple[int, str], remark: str) -> None:
 
 
 def _print(found: Summary) -> None:
-    units = {name: display_unit(name, unit) for name, unit in found.quantities.items()}
+    units = {name: heading_of(name, unit)[1] for name, unit in found.quantities.items()}
     rows = []
     for place, (name, unit) in enumerate(units.items()):
         each = _shown(found.overall, place, unit)
@@ -186,7 +188,7 @@ def level_texts(along: Along) -> list[str]:
     """Return the levels of an input as they are read, with their unit."""
     if along.unit is None:
         return list(along.levels)
-    unit = display_unit(along.name, along.unit)
+    unit = heading_of(along.name, along.unit)[1]
     after = "" if unit == "1" else f" {unit}"
 
     def told(value: float) -> str:

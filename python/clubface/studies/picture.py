@@ -11,7 +11,8 @@ from matplotlib.patches import Patch
 
 from clubface.plots.style import COLOURS, WIDTH, legend_above, styled
 from clubface.studies.summing import Along, Summary
-from clubface.units import display_unit, from_si, size
+from clubface.tables.headings import heading_of
+from clubface.units import from_si, size
 
 MOST_ROWS, MOST_COLUMNS = 8, 6
 """Quantities and inputs of a picture; the first of more."""
@@ -26,12 +27,12 @@ def draw(found: Summary) -> Figure:
     figure = Figure(figsize=(WIDTH, 0.7 + HEIGHT * max(len(quantities), 2)), layout="constrained")
     axes = figure.subplots(len(quantities), len(inputs), sharex="col", sharey="row", squeeze=False)
     for row, (name, unit) in enumerate(quantities):
-        shown = display_unit(name, unit)
+        shown = heading_of(name, unit)[1]
         for column, along in enumerate(inputs):
             _panel(axes[row, column], along, row, shown)
         axes[row, 0].set_ylabel(_label(name, shown))
     for column, along in enumerate(inputs):
-        axes[-1, column].set_xlabel(_label(along.name, display_unit(along.name, along.unit) if along.unit else "1"))
+        axes[-1, column].set_xlabel(_label(along.name, heading_of(along.name, along.unit)[1] if along.unit else "1"))
     legend_above(
         figure,
         [
@@ -58,7 +59,7 @@ def _panel(panel: Any, along: Along, place: int, unit: str) -> None:
         panel.errorbar(x, mean, spread, fmt="o", color=COLOURS[0], capsize=2.5, linewidth=1.0)
         return
     middles = [sum(each) / 2.0 if isinstance(each, tuple) else each for each in along.levels]
-    x = from_si(np.array(middles), display_unit(along.name, along.unit))
+    x = from_si(np.array(middles), heading_of(along.name, along.unit)[1])
     panel.fill_between(x, mean - spread, mean + spread, color=COLOURS[0], alpha=0.2, linewidth=0)
     panel.plot(x, mean, color=COLOURS[0], marker="o" if len(x) < 12 else None, markersize=2.5)
     for each in (least, most):
