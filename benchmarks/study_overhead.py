@@ -18,7 +18,10 @@ from clubface import studies
 from clubface.studies.axes import Axis
 from clubface.studies.designs import Grid, Samples
 from clubface.studies.pool import work
+from clubface.studies.running import Tallied, order
+from clubface.studies.shards import Shard
 from clubface.studies.state import opened
+from clubface.studies.store import PartStore
 
 EMPTY = """
 [study]
@@ -99,9 +102,15 @@ def empty_chunks(folder: Path, count: int) -> None:
     print(f"  clock with two workers; {size:.0f} bytes a part")
     clock, used = measured(lambda: studies.run(path, workers=2))
     print(f"  checked again: {1e3 * used / count:.2f} ms of a processor each")
-    many = 200_000
+
+
+def handed_out(folder: Path) -> None:
+    """A million chunks, none of them there, handed out to workers that do nothing."""
+    many = 1_000_000
+    store = PartStore(folder / "none", {"count": many, "chunk": 1, "content": {}})
     worker = [sys.executable, "-c", ANSWERS]
-    clock, used = measured(lambda: work(worker, iter(range(many)), workers=2, done=lambda chunk, told: None))
+    tally = Tallied()
+    _, used = measured(lambda: work(worker, order(store, Shard(1, 1)), workers=2, done=tally.add))
     print(f"{many} chunks handed out to workers that do nothing: {1e6 * used / many:.0f} us of a processor each")
 
 
@@ -146,6 +155,7 @@ if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
         long_chunks(Path(name))
         empty_chunks(Path(name), int(sys.argv[1]) if len(sys.argv) > 1 else 2000)
+        handed_out(Path(name))
         shots(Path(name))
         full_count()
         cluster(Path(name))

@@ -5,12 +5,14 @@ import os
 import subprocess
 import sys
 import time
+from concurrent.futures import CancelledError
 from contextlib import contextmanager, suppress
 
 import pytest
 
 from clubface import studies
 from clubface.errors import ClubfaceError, LinkError
+from clubface.studies import cluster
 from study_files import squares, sums
 
 pytest.importorskip("pyarrow")
@@ -60,8 +62,6 @@ def at(count, act):
 
 
 def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path, monkeypatch, in_this_process):
-    from clubface.studies import cluster
-
     monkeypatch.setattr(cluster, "PATIENCE", 4.0)
     whole, path = squares(tmp_path, name="whole.toml"), squares(tmp_path, seconds=0.005)
     studies.run(whole)
@@ -77,8 +77,60 @@ def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path,
 
 
 def test_an_address_without_a_scheduler_is_told(tmp_path, monkeypatch):
-    from clubface.studies import cluster
-
     monkeypatch.setattr(cluster, "PATIENCE", 1.0)
     with pytest.raises(LinkError, match=r"127.0.0.1:9 is no scheduler that answers"):
         studies.run(squares(tmp_path), scheduler="127.0.0.1:9")
+
+
+class Lost:
+    """A client whose workers are lost over some chunks, so many times."""
+
+    status = "running"
+
+    def __init__(self, losses):
+        self.losses, self.given = dict(losses), []
+
+    def nthreads(self):
+        return {"one": 1}
+
+    def submit(self, function, *arguments, **options):
+        chunk = arguments[-1]
+        self.given.append(chunk)
+        self.losses[chunk] = left = self.losses.get(chunk, 0) - 1
+        return Future(chunk, left >= 0)
+
+
+class Future:
+    def __init__(self, chunk, lost):
+        self._chunk, self._lost = chunk, lost
+
+    def done(self):
+        return True
+
+    def add_done_callback(self, call):
+        call(self)
+
+    def release(self):
+        pass
+
+    def result(self, timeout):
+        if self._lost:
+            raise CancelledError
+        return self._chunk
+
+
+def computed_by(client):
+    done = {}
+    cluster._Cluster(client, "here", ("study", "store", "identity"), done.__setitem__).run(iter(range(5)))
+    return done
+
+
+def test_a_chunk_that_the_scheduler_has_lost_is_given_to_it_again():
+    client = Lost({1: 2, 4: cluster.TRIES - 1})
+    assert computed_by(client) == {chunk: chunk for chunk in range(5)}
+    assert sorted(client.given) == [0, 1, 1, 1, 2, 3, *[4] * cluster.TRIES]
+
+
+def test_a_chunk_over_which_worker_after_worker_is_lost_is_given_up():
+    with pytest.raises(LinkError, match="has lost the workers of chunk 2 5 times"):
+        computed_by(Lost({2: 100}))

@@ -107,7 +107,7 @@ def encoding(columns: Iterable[str], names: Sequence[str]) -> dict[str, Any]:
     """Return how Parquet is written fast and small: few numbers are the same, but the first bytes of many are alike."""
     numbers = [name for name in columns if name not in names]
     return {
-        "compression": "zstd",
+        "compression": "snappy",
         "write_statistics": False,
         "use_dictionary": list(names),
         "use_byte_stream_split": numbers,

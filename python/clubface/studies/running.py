@@ -19,10 +19,13 @@ from clubface.studies.sizing import chunk_size
 from clubface.studies.store import PartStore, begin, store_of
 from clubface.studies.study import StudyFile, read_study
 from clubface.support.checks import is_count
+from clubface.support.resuming import fingerprint
 from clubface.support.version import __version__
 from clubface.tables.parquet import pyarrow_for
 
 MOST_WORKERS = 1024
+LONGEST = 10_000
+"""Characters of a table that every part repeats."""
 SHOWN = 5
 """Chunks that are told by their number."""
 
@@ -158,10 +161,10 @@ def run(
         if scheduler is not None:
             from clubface.studies.cluster import work_on_cluster
 
-            work_on_cluster(scheduler, arguments, _order(opened, share), done=ended)
+            work_on_cluster(scheduler, arguments, order(opened, share), done=ended)
         else:
             command = [sys.executable, "-P", "-W", "ignore", "-m", "clubface.studies.worker", *arguments]
-            work(command, _order(opened, share), workers=min(workers or _processors(), max(whole, 1)), done=ended)
+            work(command, order(opened, share), workers=min(workers or _processors(), max(whole, 1)), done=ended)
     except (KeyboardInterrupt, ClubfaceError) as stop:
         kept = f"{done} of {whole} chunks are done and kept in {folder}"
         if isinstance(stop, KeyboardInterrupt):
@@ -180,7 +183,7 @@ def run(
     )  # fmt: skip
 
 
-def _order(store: PartStore, share: Shard) -> Iterator[int]:
+def order(store: PartStore, share: Shard) -> Iterator[int]:
     """Yield the chunks of a share: first those that are missing, then those that are there, to be checked."""
     there = store.present()
     for wanted in (0, 1):
@@ -203,11 +206,16 @@ def _description(study: StudyFile, task: Task) -> dict[str, Any]:
             "kind": study.kind.name,
             "design": study.method,
             "seed": study.seed,
-            "inputs": study.table,
-            "sweep": study.sweep,
+            "inputs": _told(study.table),
+            "sweep": _told(study.sweep),
             "files": study.content()["file that it names"],
         },
     }
+
+
+def _told(table: Mapping[str, Any]) -> Any:
+    """Return a table as every part repeats it: of a very long one its fingerprint alone."""
+    return table if len(repr(table)) < LONGEST else fingerprint(table)
 
 
 def _processors() -> int:
