@@ -81,6 +81,20 @@ def launches(rows: int) -> str:
     return "ball_speed_mph,launch_deg,backspin_rpm\n" + "".join(lines)
 
 
+def study_file() -> str:
+    """Return a study of 40 chunks."""
+    return """
+[study]
+chunk = 4000
+[impact]
+club = "driver"
+[sweep]
+speed = { from = "90 mph", to = "120 mph", count = 16 }
+loft = { from = "8 deg", to = "14 deg", count = 100 }
+toe = { from = "-20 mm", to = "20 mm", count = 100 }
+"""
+
+
 def shots(count: int) -> str:
     """Return a file of measured shots."""
     import numpy as np
@@ -107,6 +121,7 @@ INPUTS: dict[str, Callable[[], str]] = {
     "deliveries.csv": lambda: deliveries(200_000),
     "launches.csv": lambda: launches(2_000),
     "shots.csv": lambda: shots(40),
+    "study.toml": study_file,
     "few.csv": lambda: deliveries(400),
 }
 COMMANDS = (
@@ -146,6 +161,10 @@ COMMANDS = (
         ("swings/swing-001.c3d", "swings/swing-020.c3d", "swings/markers.toml", "swings/truth.csv"),
     ),
     Command("findings", ("found", "found.json"), (), ("found.json", "found/work.json"), FINDINGS),
+    Command(
+        "study run", ("study", "run", "study.toml", "--workers", "2"), (),
+        tuple(f"study.store/parts/0000/{chunk:08d}.parquet" for chunk in range(40)),
+    ),
     Command("tour", ("tour", "-o", "tour"), (), ("tour/tour.csv", "tour/tour-launch.svg", "tour/tour-errors.png")),
 )  # fmt: skip
 SMALL = Command(

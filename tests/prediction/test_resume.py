@@ -79,6 +79,19 @@ def test_a_run_over_parquet_goes_on_with_pieces_of_another_size(write, tmp_path)
     assert found == [str(number) for number in range(100)]
 
 
+@pytest.mark.parametrize("name", ["00000002.csv", "00000002.rejects.csv"])
+def test_a_damaged_piece_is_told_and_not_put_into_the_output(write, tmp_path, name):
+    path, output = write(MANY), tmp_path / "out.csv"
+    begin(path, output)
+    piece = tmp_path / "out.csv.unfinished" / name
+    content = bytearray(piece.read_bytes())
+    content[len(content) // 2] ^= 1
+    piece.write_bytes(content)
+    with pytest.raises(FileError, match=f"{name}: this part of the unfinished work is damaged"):
+        predict(path, club="driver", output=output, resume=True)
+    assert not output.exists()
+
+
 @pytest.mark.parametrize("ending", ENDINGS)
 def test_a_piece_written_but_not_recorded_is_written_anew(write, tmp_path, ending):
     path, output = write(MANY), tmp_path / f"out.{ending}"

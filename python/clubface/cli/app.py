@@ -37,6 +37,7 @@ COMMANDS = {
     "infer": "infer",
     "fem": "fem",
     "capture": "capture",
+    "study": "study",
 }
 """The module of each command, in the order of the help."""
 READER_GONE = 128 + 13

@@ -23,6 +23,8 @@ EXTRAS = {
     "ezc3d": "capture",
     "pymoo": "fit",
     "scipy": "fit",
+    "distributed": "cluster",
+    "dask": "cluster",
 }
 """The extra of the package that brings each optional library."""
 

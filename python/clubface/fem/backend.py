@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from clubface.equipment.models import Model
@@ -34,7 +35,7 @@ HOW = Settings(until_separation=True)
 
 
 class FiniteElements:
-    """A shot at a time, each on all cores."""
+    """A shot at a time, each on as many threads as are asked for."""
 
     def balls(self, given: Any, accuracy: float | None) -> Balls:
         """Return the meshed ball that is ``given``, as for :func:`clubface.fem.ball`, and the same as a rigid ball.
@@ -51,13 +52,13 @@ class FiniteElements:
         import numpy as np
 
         (friction,) = shots.parameters
-        head = mesh_of(shots.club)
+        head, how = mesh_of(shots.club), replace(HOW, threads=shots.threads)
         found = np.full((len(outputs()), shots.size), np.nan)
         problems: Problems = []
         for row in range(shots.size):
             columns, mu = [_at(each, row) for each in shots.inputs], _at(friction, row)
             try:
-                result, _ = simulate(*struck(head, shots.club, shots.own, columns), mu, how=HOW)
+                result, _ = simulate(*struck(head, shots.club, shots.own, columns), mu, how=how)
             except InputError as error:
                 problems.append((row, error.parameter, error.allowed))
                 continue

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -183,13 +183,15 @@ def run(
                 name = f"{len(store):08d}"
                 with whole_file(store.file(name + target.suffix)) as file:
                     form.piece(file, chunk, rows, results)
+                sums = [fingerprint_of_file(store.file(name + target.suffix))]
                 if rejects:
                     with whole_file(store.file(name + REJECTS)) as file:
                         rejects_form.piece(file, rejects)
+                    sums.append(fingerprint_of_file(store.file(name + REJECTS)))
                 read = len(chunk.lines) + len(chunk.ragged)
                 counts = {"rows": read, "written": read - len(rejects), "rejected": len(rejects)}
                 shown = [(each.line, each.reason) for each in rejects[:SHOWN]]
-                store.keep(name, {**counts, "shown": shown, "outside": tally.counts()})
+                store.keep(name, {**counts, "shown": shown, "outside": tally.counts(), "sums": sums})
                 done += read
                 if progress is not None:
                     progress(reader.progress(), done)
@@ -200,16 +202,23 @@ def run(
             raise FileError(reader.path, reader.header_line, "there is no delivery below the names of the columns")
         outcome = _outcome(store, resumed)
         if outcome.counts["rejected"]:
-            pieces = [store.file(name + REJECTS) for name in store if store[name]["rejected"]]
             with store.result(aside) as file:
-                rejects_form.whole(file, pieces)
+                rejects_form.whole(file, _pieces(store, REJECTS, 1))
         else:
             # Rejects of an earlier run do not stay beside a file they do not belong to.
             aside.unlink(missing_ok=True)
         with store.result(target) as file:
-            form.whole(file, [store.file(name + target.suffix) for name in store])
+            form.whole(file, _pieces(store, target.suffix, 0))
         store.remove()
     return outcome
+
+
+def _pieces(store: Store, ending: str, place: int) -> Iterator[Path]:
+    """Yield the files of the chunks that have one, each when it is found to be what was written."""
+    for name in store:
+        sums = store[name]["sums"]
+        if place < len(sums):
+            yield store.checked(name + ending, sums[place])
 
 
 def _outcome(store: Store, resumed: int) -> Outcome:

@@ -14,18 +14,18 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, BinaryIO, Self
 
 from clubface.errors import FileError
+from clubface.support.checked_json import read_checked, write_checked
 from clubface.support.folders import prepared_folder
 from clubface.support.lock import Lock
 from clubface.support.version import __version__
-from clubface.support.whole_file import unwritable, whole_file, write_text
+from clubface.support.whole_file import unwritable, whole_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 WORK, LOCK = "work.json", "lock"
 """The files of a store that tell what it is of, and who works on it."""
-LARGEST = 64_000_000
-"""Bytes of a file in which values are kept."""
+DAMAGED = "this record of unfinished work is damaged; remove the folder it is in, and start again"
 OFTEN = 0.5
 """What is finished is on the disk after this time at most [s]: small values are written together."""
 
@@ -78,8 +78,16 @@ def _told(value: Any) -> Any:
     raise TypeError(f"a {type(value).__name__} has no fingerprint")
 
 
-def _sum(text: str) -> str:
-    return hashlib.sha256(text.encode()).hexdigest()
+def fingerprints(content: Mapping[str, Any]) -> dict[str, str]:
+    """Return a fingerprint of each part of what a work is of, and of the version, by what a person calls it."""
+    return {name: fingerprint(each) for name, each in {**content, "version": __version__}.items()}
+
+
+def check_same(folder: Path, told: Mapping[str, str], begun: Mapping[str, str], otherwise: str) -> None:
+    """Refuse to go on with work in ``folder`` that was begun with other content; both as of :func:`fingerprints`."""
+    if other := [name for name in {**told, **begun} if told.get(name) != begun.get(name)]:
+        message = f"this was begun with another {', another '.join(other)}; {otherwise}"
+        raise FileError(str(folder), None, message)
 
 
 class Store:
@@ -121,7 +129,7 @@ class Store:
         self._fresh: dict[str, Any] = {}
         self._batches = 0
         self._written = time.monotonic()
-        told = {name: fingerprint(each) for name, each in {**content, "version": __version__}.items()}
+        told = fingerprints(content)
         if not folder.parent.is_dir():
             raise FileError(str(of or folder), None, f"there is no folder {str(folder.parent)!r}")
         self._lock = self._locked(of or folder)
@@ -166,29 +174,17 @@ class Store:
             except OSError as error:
                 raise unwritable(self.folder, error) from None
             self._write(WORK, told)
-        elif other := [name for name in {**told, **begun} if told.get(name) != begun.get(name)]:
-            message = f"this was begun with another {', another '.join(other)}; {otherwise}"
-            raise FileError(str(self.folder), None, message)
         else:
+            check_same(self.folder, told, begun, otherwise)
             for name in sorted(each.name for each in self.folder.glob("[0-9]*.json")):
                 self._values |= self._read(name)
                 self._batches = int(name.partition(".")[0]) + 1
 
     def _write(self, name: str, values: Mapping[str, Any]) -> None:
-        text = json.dumps(values)
-        write_text(self.folder / name, f'{{"sum": "{_sum(text)}", "values": {text}}}')
+        write_checked(self.folder / name, values)
 
     def _read(self, name: str) -> dict[str, Any]:
-        """Return what was written; a sum over it tells damage."""
-        path = self.folder / name
-        try:
-            found = json.loads(path.read_bytes()) if path.stat().st_size <= LARGEST else {}
-            if found["sum"] == _sum(json.dumps(found["values"])):
-                return found["values"]
-        except (OSError, ValueError, KeyError, TypeError, RecursionError, OverflowError):
-            pass
-        message = "this record of unfinished work is damaged; remove the folder it is in, and start again"
-        raise FileError(str(self.folder / name), None, message)
+        return read_checked(self.folder / name, DAMAGED)
 
     def __enter__(self) -> Self:
         return self
@@ -215,6 +211,15 @@ class Store:
     def file(self, name: str) -> Path:
         """Return the path of a file of the store."""
         return self.folder / name
+
+    def checked(self, name: str, sum_: str) -> Path:
+        """Return the path of a file of the store that still has the fingerprint which was kept of it."""
+        path = self.file(name)
+        if path.exists() and fingerprint_of_file(path) != sum_:
+            raise FileError(
+                str(path), None, "this part of the unfinished work is damaged; start again without resuming"
+            )
+        return path
 
     def keep(self, name: str, value: Any) -> None:
         """Keep a value."""

@@ -1,0 +1,237 @@
+"""``clubface study``: inputs swept over a computation, on any number of processes and machines."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from clubface.cli import given, options, output
+from clubface.cli.failures import say, say_written
+from clubface.cli.progress import progress_bar
+from clubface.cli.tables import print_numbers
+from clubface.errors import InputError
+from clubface.tables.headings import heading_of
+from clubface.units import from_si, size
+
+if TYPE_CHECKING:
+    from clubface.studies.summing import Along, Figures, Summary
+
+app = typer.Typer(add_completion=False, no_args_is_help=True, help="Inputs swept over a computation, at any scale.")
+
+StudyArgument = Annotated[str, typer.Argument(metavar="STUDY", help="TOML file of a study.")]
+StudyOrStore = Annotated[
+    str, typer.Argument(metavar="STUDY", help="TOML file of a study, or the folder of its finished parts.")
+]
+StoreOption = Annotated[
+    str | None,
+    options.option("--store", metavar="FOLDER", text="Folder of the finished parts; STUDY.store unless given."),
+]
+TABLES = (".parquet", ".pq", ".csv", ".tsv")
+MOST_SHOWN = 8
+"""Quantities whose means are printed along each input."""
+
+
+@app.command("run")
+def run(
+    study: StudyArgument,
+    workers: Annotated[
+        int | None,
+        typer.Option("--workers", metavar="N", help="Processes at a time; one for each processor unless given."),
+    ] = None,
+    shard: Annotated[
+        str | None,
+        options.option("--shard", metavar="K/N", text="Compute share K of N; slurm or kubernetes/N in a job's array."),
+    ] = None,
+    scheduler: Annotated[
+        str | None,
+        options.option("--scheduler", metavar="ADDRESS", text="Compute on the Dask cluster with this scheduler."),
+    ] = None,
+    store: StoreOption = None,
+    as_json: options.Json = False,
+) -> None:
+    """Compute what is missing of a study; what is finished stays, whatever happens."""
+    from clubface.studies.running import run as compute
+
+    with progress_bar("chunks") as progress:
+        done = compute(study, store=store, workers=workers, shard=shard, scheduler=scheduler, progress=progress)
+    count, shown = done.mended
+    if count:
+        chunks = (
+            f"{output.counted(count, 'damaged part')} ({', '.join(map(str, shown))}{', ...' * (count > len(shown))})"
+        )
+        say(f"note: {chunks} {'was' if count == 1 else 'were'} computed again")
+    _tell(done.failed, done.remark)
+    if as_json:
+        output.print_json(asdict(done))
+        return
+    kept = done.chunks - done.computed
+    print(
+        f"{done.tasks} tasks in {output.counted(done.chunks, 'chunk')}: {done.computed} computed, {kept} there already"
+    )
+    if done.missing:
+        print(f"{output.counted(done.missing, 'chunk')} of the whole study left to other runs; parts in {done.store}")
+    else:
+        print(f"the study is complete in {done.store}")
+
+
+@app.command("status")
+def status(
+    study: StudyOrStore,
+    check: Annotated[bool, typer.Option("--check", help="Read every part and tell the damaged ones.")] = False,
+    store: StoreOption = None,
+    as_json: options.Json = False,
+) -> None:
+    """Tell how far a study is."""
+    from clubface.studies.state import status as state
+
+    with progress_bar("parts") as progress:
+        found = state(study, store=store, check=check, progress=progress)
+    if as_json:
+        output.print_json(asdict(found))
+        return
+    print(f"{found.name}: {found.done} of {found.chunks} chunks are done; {found.tasks} tasks, {found.chunk} a chunk")
+    size = f"{found.size / 1e6:.1f} MB" if found.size >= 1e6 else f"{found.size / 1e3:.1f} kB"
+    print(f"parts in {found.store}, {size}")
+    for what, chunks in (("missing", found.missing), ("damaged", found.damaged)):
+        if chunks:
+            print(f"{what}, the first of them: {', '.join(map(str, chunks))}")
+
+
+@app.command("join")
+def join(
+    study: StudyOrStore,
+    target: Annotated[str | None, options.output("FILE", "Write the table, Parquet or CSV by its ending.")] = None,
+    store: StoreOption = None,
+    as_json: options.Json = False,
+) -> None:
+    """Put all parts together in the order of the tasks, and print the SHA-256 of every column."""
+    from clubface.studies.joining import join as put_together
+
+    output.check_target("--output", target, TABLES, [study])
+    with progress_bar("parts") as progress:
+        found = put_together(study, target, store=store, progress=progress)
+    _tell(found.failed, found.remark)
+    if len(found.processors) > 1:
+        say(f"note: computed on {', '.join(found.processors)}, which agree to rounding, not in the last digits")
+    if as_json:
+        output.print_json(asdict(found))
+    else:
+        print(f"{found.tasks} tasks; SHA-256 of their columns:")
+        width = max(map(len, found.sums))
+        for name, each in found.sums.items():
+            print(f"{name.ljust(width)}  {each}")
+    say_written([target] if target is not None else [])
+
+
+@app.command("summary")
+def summary(
+    study: StudyOrStore,
+    quantities: Annotated[
+        list[str] | None,
+        options.option("--output", metavar="NAMES", text="Quantities with commas or repeated; all unless given."),
+    ] = None,
+    plot: Annotated[str | None, options.picture("means, spreads and extremes along every input")] = None,
+    store: StoreOption = None,
+    as_json: options.Json = False,
+) -> None:
+    """Print means, spreads and extremes, of all tasks and along every input that was swept."""
+    from clubface.studies.summing import summary as sum_up
+
+    output.check_picture(plot, [study])
+    names = given.names(quantities) if quantities else None
+    if names == []:
+        raise InputError("--output", quantities, "names of quantities, as in carry,backspin")
+    with progress_bar("parts") as progress:
+        found = sum_up(study, quantities=names, store=store, progress=progress)
+    _tell(found.failed, found.remark)
+    if as_json:
+        output.print_json(_document(found))
+    else:
+        _print(found)
+    if plot is not None:
+        from clubface.plots.style import save
+        from clubface.studies.picture import draw
+
+        save(draw(found), plot)
+        say_written([plot])
+
+
+def _tell(failed: tuple[int, str], remark: str) -> None:
+    count, first = failed
+    if count:
+        say(f"note: {output.counted(count, 'task')} without a result; the first is {first}")
+    if remark:
+        say(f"note: {remark}")
+
+
+def _print(found: Summary) -> None:
+    units = {name: heading_of(name, unit)[1] for name, unit in found.quantities.items()}
+    rows = []
+    for place, (name, unit) in enumerate(units.items()):
+        each = _shown(found.overall, place, unit)
+        rows.append([name, *map(_number, each), "" if unit == "1" else unit])
+    print_numbers(("", "mean", "deviation", "least", "most", "unit"), rows, title=f"{found.name}, {found.tasks} tasks")
+    shown = list(units.items())[:MOST_SHOWN]
+    for along in found.along:
+        heads = [f"{name}\n{'' if unit == '1' else unit}" for name, unit in shown]
+        body = []
+        for label, figures in zip(level_texts(along), along.figures, strict=True):
+            cells = [_shown(figures, place, unit) for place, (_, unit) in enumerate(shown)]
+            body.append([label, *(f"{_number(mean)} ± {_number(spread)}" for mean, spread, *_ in cells)])
+        print()
+        print_numbers(["", *heads], body, title=f"Mean and deviation along {along.name}")
+
+
+def level_texts(along: Along) -> list[str]:
+    """Return the levels of an input as they are read, with their unit."""
+    if along.unit is None:
+        return list(along.levels)
+    unit = heading_of(along.name, along.unit)[1]
+    after = "" if unit == "1" else f" {unit}"
+
+    def told(value: float) -> str:
+        return f"{from_si(value, unit):.6g}"
+
+    return [
+        (f"{told(each[0])} to {told(each[1])}" if isinstance(each, tuple) else told(each)) + after
+        for each in along.levels
+    ]
+
+
+def _shown(figures: Figures, place: int, unit: str) -> list[float]:
+    """Return mean, deviation, least and most of a quantity in a unit."""
+    values = [from_si(float(each[place]), unit) for each in (figures.mean, figures.least, figures.most)]
+    return [values[0], float(figures.deviation[place]) / size(unit), *values[1:]]
+
+
+def _number(value: float) -> str:
+    return "" if value != value else f"{value:.5g}"
+
+
+def _document(found: Summary) -> dict[str, Any]:
+    def told(figures: Figures) -> dict[str, Any]:
+        return {
+            name: {key: getattr(figures, key)[place].item() for key in ("count", "mean", "deviation", "least", "most")}
+            for place, name in enumerate(found.quantities)
+        }
+
+    along = {
+        each.name: {
+            "unit": each.unit,
+            "levels": [
+                {"level": level, **told(figures)} for level, figures in zip(each.levels, each.figures, strict=True)
+            ],
+        }
+        for each in found.along
+    }
+    return {
+        "name": found.name,
+        "tasks": found.tasks,
+        "units": dict(found.quantities),
+        "overall": told(found.overall),
+        "along": along,
+        "failed": found.failed,
+        "remark": found.remark,
+    }

@@ -1,0 +1,137 @@
+"""What a study may compute: the interface of a task, and the list of kinds of studies.
+
+A kind is a module with a ``KIND``. The study names it, gives it a table of its own, and sweeps what it says may be
+swept. From the study it prepares a task, whose columns at any index follow from the study and the index alone. A
+distribution of shots, a map over a face, or an optimisation is added by one such module and one line in ``MODULES``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+
+from clubface.errors import ClubfaceError, FileError
+from clubface.studies.axes import Swept
+from clubface.studies.designs import Design
+from clubface.support.checks import check_choice
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+MODULES = {"impact": "clubface.studies.impacts", "empty": "clubface.studies.empty"}
+"""The module of each kind of study."""
+
+
+class Column(NamedTuple):
+    """A column that a task computes.
+
+    Attributes
+    ----------
+    unit
+        Its SI unit, "1" for none.
+    meaning
+        One line.
+    """
+
+    unit: str
+    meaning: str
+
+
+class Computed(NamedTuple):
+    """What a task computes at some indices.
+
+    Attributes
+    ----------
+    columns
+        Numbers by name [SI], float64, shape (indices,); NaN where there is no result.
+    failed
+        The indices without a result, and why; rising.
+    outside
+        The shots outside the range of their model, as :meth:`clubface.simulation.outside.Tally.counts` tells them.
+    """
+
+    columns: Mapping[str, NDArray[Any]]
+    failed: Sequence[tuple[int, str]] = ()
+    outside: Sequence[Any] = ({}, [])
+
+
+class Task(Protocol):
+    """What is computed.
+
+    Attributes
+    ----------
+    columns
+        The columns by name.
+    depends_on
+        What beside study and version may change bits of the result, such as the processor; told with each part.
+    """
+
+    columns: Mapping[str, Column]
+    depends_on: Mapping[str, str]
+
+    def run(self, indices: range) -> Computed:
+        """Compute consecutive indices on one thread; the result must not depend on which are computed together."""
+        ...
+
+
+class Described(Protocol):
+    """What a kind knows of a study, which is a :class:`clubface.studies.study.StudyFile`."""
+
+    @property
+    def table(self) -> Mapping[str, Any]:
+        """The table of the kind, as in the file."""
+        ...
+
+    @property
+    def sweep(self) -> Mapping[str, Any]:
+        """The table [sweep], as in the file."""
+        ...
+
+    @property
+    def design(self) -> Design:
+        """Which inputs each task has."""
+        ...
+
+    @property
+    def folder(self) -> Path:
+        """The folder in which relative names of files begin."""
+        ...
+
+    def wrap(self, error: ClubfaceError) -> FileError:
+        """Return an error about a value of the kind's table with file and line."""
+        ...
+
+
+class Kind(Protocol):
+    """A kind of study.
+
+    Attributes
+    ----------
+    name
+        As in the file of a study, and the name of the table that the kind has there.
+    keys
+        The keys of that table.
+    """
+
+    name: str
+    keys: tuple[str, ...]
+
+    def swept(self, table: Mapping[str, Any], sweep: Mapping[str, Any]) -> Mapping[str, Swept]:
+        """Return the inputs that may be swept, from the kind's table and [sweep] as the file has them."""
+        ...
+
+    def files(self, study: Described) -> Sequence[Path]:
+        """Return the files that the result depends on, without those that they name in turn."""
+        ...
+
+    def prepare(self, study: Described) -> Task:
+        """Return the task; what is wrong with the study is an error here, before any work."""
+        ...
+
+
+def kind(name: str) -> Kind:
+    """Return a kind of study by name."""
+    check_choice("kind", name, MODULES)
+    return import_module(MODULES[name]).KIND

@@ -1,0 +1,226 @@
+"""Running a study: its chunks on processes of this machine, as one of several jobs, or on a cluster."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from clubface.errors import ClubfaceError, InputError
+from clubface.simulation.outside import Tally
+from clubface.studies.chunks import COMPUTED, MENDED
+from clubface.studies.kinds import Task
+from clubface.studies.pool import work
+from clubface.studies.shards import Shard, shard as shard_of
+from clubface.studies.sizing import chunk_size
+from clubface.studies.store import PartStore, begin, store_of
+from clubface.studies.study import StudyFile, read_study
+from clubface.support.checks import is_count
+from clubface.support.resuming import fingerprint
+from clubface.support.version import __version__
+from clubface.tables.parquet import pyarrow_for
+
+MOST_WORKERS = 1024
+LONGEST = 10_000
+"""Characters of a table that every part repeats."""
+SHOWN = 5
+"""Chunks that are told by their number."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Outcome:
+    """What a run has done.
+
+    Attributes
+    ----------
+    store
+        The folder of the store.
+    chunks, tasks
+        Of this run: all of the study, or those of a shard.
+    computed
+        The chunks that were computed now; the others were there.
+    mended
+        How many of them replaced damaged parts, and the first of those.
+    failed
+        Tasks without a result, and the first reason.
+    remark
+        What is to be said of shots outside the range of their model, or "".
+    missing
+        The chunks of the whole study that no run has finished yet.
+    """
+
+    store: str
+    chunks: int
+    tasks: int
+    computed: int
+    mended: tuple[int, tuple[int, ...]]
+    failed: tuple[int, str]
+    remark: str
+    missing: int
+
+
+class Tallied:
+    """Counts what workers tell of chunks, in a space that does not grow with their number."""
+
+    def __init__(self) -> None:
+        self.computed = self.mended = self.failed = 0
+        self.shown: list[int] = []
+        self._first: tuple[int, str] | None = None
+        self._outside = Tally()
+
+    def add(self, chunk: int, told: Mapping[str, Any]) -> None:
+        """Count a chunk."""
+        self.computed += told["did"] in (COMPUTED, MENDED)
+        if told["did"] == MENDED:
+            self.mended += 1
+            if len(self.shown) < SHOWN:
+                self.shown.append(chunk)
+        self.notes(told)
+
+    def notes(self, told: Mapping[str, Any]) -> None:
+        """Count the tasks of a chunk without a result, and outside of a range."""
+        count, *first = told["failed"]
+        self.failed += count
+        for index, reason in first:
+            if self._first is None or index < self._first[0]:
+                self._first = (index, reason)
+        self._outside.add_counts(told["outside"])
+
+    @property
+    def reason(self) -> str:
+        """Why the first task without a result has none, or ""."""
+        return f"task {self._first[0]}: {self._first[1]}" if self._first else ""
+
+    @property
+    def remark(self) -> str:
+        """What is to be said of shots outside the range of their model, or ""."""
+        return self._outside.remark()
+
+
+def run(
+    which: str | os.PathLike[str] | StudyFile,
+    *,
+    store: str | os.PathLike[str] | None = None,
+    workers: int | None = None,
+    shard: str | None = None,
+    scheduler: str | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Outcome:
+    """Compute what is missing of a study; what is there is checked and stays.
+
+    Parameters
+    ----------
+    which
+        The file of the study, or a :class:`StudyFile`.
+    store
+        The folder of what is finished; beside the file, with the ending ".store", unless given. All who share a study
+        name the same folder.
+    workers
+        Processes at a time on this machine; left out, one for each processor that this process may use.
+    shard
+        Compute one share alone, see :func:`clubface.studies.shards.shard`.
+    scheduler
+        Address of the scheduler of a Dask cluster, whose workers compute instead of this machine.
+    progress
+        Called with the chunks done and the chunks of this run.
+
+    Raises
+    ------
+    FileError
+        The study is mistaken, or the store belongs to another.
+    ClubfaceError
+        A chunk cannot be computed; what is finished is kept.
+    KeyboardInterrupt
+        Ctrl-C was pressed; the message says where the finished chunks are.
+    """
+    if workers is not None and not is_count(workers, 1, MOST_WORKERS):
+        raise InputError("workers", workers, f"a whole number from 1 to {MOST_WORKERS}")
+    if scheduler is not None and workers is not None:
+        raise InputError("workers", workers, "leave it out with a scheduler, whose cluster has its own workers")
+    share = Shard(1, 1) if shard is None else shard_of(shard)
+    study = which if isinstance(which, StudyFile) else read_study(which)
+    folder = Path(store) if store is not None else store_of(study.path)
+    pyarrow_for(folder)
+    task = study.kind.prepare(study)
+    opened = begin(folder, study, lambda: _description(study, task))
+    whole = sum(1 for chunk in range(opened.chunks) if share.has(chunk))
+    tally, done = Tallied(), 0
+
+    def ended(chunk: int, told: Mapping[str, Any]) -> None:
+        nonlocal done
+        done += 1
+        tally.add(chunk, told)
+        if progress is not None:
+            progress(done, whole)
+
+    arguments = (str(study.path.resolve()), str(folder.resolve()), opened.identity)
+    try:
+        if scheduler is not None:
+            from clubface.studies.cluster import work_on_cluster
+
+            work_on_cluster(scheduler, arguments, order(opened, share), done=ended)
+        else:
+            command = [sys.executable, "-P", "-W", "ignore", "-m", "clubface.studies.worker", *arguments]
+            work(command, order(opened, share), workers=min(workers or _processors(), max(whole, 1)), done=ended)
+    except (KeyboardInterrupt, ClubfaceError) as stop:
+        kept = f"{done} of {whole} chunks are done and kept in {folder}"
+        if isinstance(stop, KeyboardInterrupt):
+            raise KeyboardInterrupt(f"{kept}; the same command goes on after them") from None
+        if not done:
+            raise
+        raise ClubfaceError(f"{stop}; {kept}") from None
+    missing = opened.present().count(0)
+    if not missing:
+        opened.tidy()
+    tasks = sum(len(opened.tasks(chunk)) for chunk in range(opened.chunks) if share.has(chunk))
+    return Outcome(
+        store=str(folder), chunks=whole, tasks=tasks, computed=tally.computed,
+        mended=(tally.mended, tuple(tally.shown)), failed=(tally.failed, tally.reason), remark=tally.remark,
+        missing=missing,
+    )  # fmt: skip
+
+
+def order(store: PartStore, share: Shard) -> Iterator[int]:
+    """Yield the chunks of a share: first those that are missing, then those that are there, to be checked."""
+    there = store.present()
+    for wanted in (0, 1):
+        yield from (chunk for chunk in range(store.chunks) if there[chunk] == wanted and share.has(chunk))
+
+
+def _description(study: StudyFile, task: Task) -> dict[str, Any]:
+    """Return the rest of the record of a study that begins."""
+    axes = [
+        {"name": each.name, "unit": each.unit, "choices": each.choices, "count": each.count}
+        for each in study.design.axes
+    ]
+    return {
+        "chunk": chunk_size(study, task),
+        "axes": axes,
+        "columns": {name: list(each) for name, each in task.columns.items()},
+        "provenance": {
+            "name": study.name,
+            "clubface_version": __version__,
+            "kind": study.kind.name,
+            "design": study.method,
+            "seed": study.seed,
+            "inputs": _told(study.table),
+            "sweep": _told(study.sweep),
+            "files": study.content()["file that it names"],
+        },
+    }
+
+
+def _told(table: Mapping[str, Any]) -> Any:
+    """Return a table as every part repeats it: of a very long one its fingerprint alone."""
+    return table if len(repr(table)) < LONGEST else fingerprint(table)
+
+
+def _processors() -> int:
+    """Return how many processors this process may use, which a job of a cluster is told in this way."""
+    try:
+        return len(os.sched_getaffinity(0))
+    except AttributeError:  # not Linux
+        return os.cpu_count() or 1

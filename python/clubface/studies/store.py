@@ -1,0 +1,160 @@
+"""What a study has finished: a record of what it is of, and a file for each chunk that is done.
+
+The store is the truth. A chunk whose part is there and whole is done, whoever computed it; nobody keeps a list, and
+nothing is locked: two workers that compute the same chunk write the same bytes, and each part takes its name only when
+all of it is on the disk.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from clubface.errors import FileError
+from clubface.studies.study import StudyFile
+from clubface.support.checked_json import read_checked, write_checked
+from clubface.support.folders import prepared_folder
+from clubface.support.resuming import check_same, fingerprint, fingerprints
+from clubface.support.whole_file import synced
+
+RECORD, PARTS, ENDING = "study.json", "parts", ".parquet"
+A_FOLDER = 1000
+"""Parts of a folder: file systems slow down with very many."""
+DAMAGED = "this record of a study is damaged; remove the folder it is in, and start again"
+OTHERWISE = "give another folder with --store, or remove this one"
+
+
+def store_of(path: Path) -> Path:
+    """Return the folder of the store of a study's file, unless another is named."""
+    return path.with_name(f"{path.stem}.store")
+
+
+@dataclass(frozen=True)
+class PartStore:
+    """The store of a study.
+
+    Attributes
+    ----------
+    folder
+        Where it is.
+    record
+        What it is of: ``content`` (fingerprints), ``name``, ``count`` and ``chunk`` (tasks in all and in a chunk),
+        ``axes``, ``columns``, and ``provenance``, which every part repeats.
+    """
+
+    folder: Path
+    record: dict[str, Any]
+
+    @property
+    def count(self) -> int:
+        """The tasks of the study."""
+        return self.record["count"]
+
+    @property
+    def chunks(self) -> int:
+        """The chunks of the study."""
+        return -(-self.count // self.record["chunk"])
+
+    @property
+    def identity(self) -> str:
+        """A text that is the same only for the same study in chunks of the same size."""
+        return fingerprint([self.record["content"], self.record["chunk"]])[:16]
+
+    def tasks(self, chunk: int) -> range:
+        """Return the tasks of a chunk."""
+        size = self.record["chunk"]
+        return range(chunk * size, min((chunk + 1) * size, self.count))
+
+    def path(self, chunk: int) -> Path:
+        """Return the file of a chunk."""
+        return self.folder / PARTS / f"{chunk // A_FOLDER:04d}" / f"{chunk:08d}{ENDING}"
+
+    def prepare(self, chunk: int) -> Path:
+        """Return the file of a chunk that is to be written, in a folder that is on the disk."""
+        path = self.path(chunk)
+        if not path.parent.is_dir():
+            prepared_folder(path.parent)
+            synced(path.parent.parent)
+        return path
+
+    def present(self) -> bytearray:
+        """Return for each chunk whether a part is there (1) or not (0); no part is read."""
+        found = bytearray(self.chunks)
+        for each in self._files():
+            stem = each.name.partition(".")[0]
+            if each.name.endswith(ENDING) and stem.isdecimal() and int(stem) < len(found):
+                found[int(stem)] = 1
+        return found
+
+    def size(self) -> int:
+        """Return the bytes of all parts."""
+        total = 0
+        for each in self._files():
+            with suppress(OSError):
+                total += each.stat().st_size
+        return total
+
+    def tidy(self) -> None:
+        """Remove what killed workers have left; to be called when all parts are there and nobody writes."""
+        for each in self._files():
+            if each.name.startswith("."):
+                with suppress(OSError):
+                    os.unlink(each.path)
+
+    def _files(self) -> Iterator[os.DirEntry[str]]:
+        try:
+            folders = sorted(each.path for each in os.scandir(self.folder / PARTS) if each.is_dir())
+        except FileNotFoundError:
+            return
+        for folder in folders:
+            with os.scandir(folder) as files:
+                yield from files
+
+
+def open_store(folder: Path) -> PartStore:
+    """Return the store in a folder."""
+    if not (folder / RECORD).is_file():
+        raise FileError(str(folder), None, "this folder holds no study")
+    return PartStore(folder, read_checked(folder / RECORD, DAMAGED))
+
+
+def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]) -> PartStore:
+    """Return the store of a study in a folder, which is made unless it is there.
+
+    Parameters
+    ----------
+    folder
+        The folder.
+    study
+        The study.
+    describe
+        Called for the rest of the record where there is none yet. The size of a chunk is among it: it is decided once,
+        by whoever comes first, since workers on other machines must cut the study into the same chunks.
+
+    Raises
+    ------
+    FileError
+        The store belongs to another study, or the folder is something else.
+    """
+    content = fingerprints(study.content())
+    if not (folder / RECORD).exists():
+        if folder.exists() and (not folder.is_dir() or any(each.name != PARTS for each in _seen(folder))):
+            raise FileError(str(folder), None, "this is no store of a study; give another folder with --store")
+        record = {"content": content, "name": study.name, "count": study.design.count, **describe()}
+        prepared_folder(folder)
+        try:
+            write_checked(folder / RECORD, record, new=True)
+        except FileError:
+            if not (folder / RECORD).exists():
+                raise
+    found = open_store(folder)
+    check_same(folder, content, found.record["content"], OTHERWISE)
+    return found
+
+
+def _seen(folder: Path) -> list[Path]:
+    return [each for each in folder.iterdir() if not each.name.startswith(".")]

@@ -1,0 +1,195 @@
+"""The file of a study: what is computed, what is swept, and in which design.
+
+::
+
+    [study]
+    name = "driver-loft"
+    kind = "impact"                # unless given
+    design = "grid"                # grid (unless given), latin-hypercube, sobol or table
+    samples = 4096                 # of a Latin hypercube or a Sobol sequence
+    seed = 1                       # of the same
+    chunk = 5000                   # tasks computed and kept together; or
+    seconds = 2                    # the time that a chunk should take, from which the size follows
+
+    [impact]                       # the table of the kind
+    club = "driver"
+    held = { speed = "113 mph" }
+
+    [sweep]
+    loft = { from = "8 deg", to = "14 deg", count = 13 }
+    toe = ["-10 mm", "0 mm", "10 mm"]
+    table = "deliveries.csv"       # of the design "table"
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from clubface import units
+from clubface.errors import ClubfaceError, FileError, InputError, Told, UnknownNameError
+from clubface.studies.axes import Axis, Swept, axis
+from clubface.studies.designs import DESIGNS, GRID, HYPERCUBE, SOBOL, TABLE, Design, Remembered, Rows, design
+from clubface.studies.kinds import Kind, kind
+from clubface.studies.referred import fingerprints_of
+from clubface.studies.table_rows import table_columns
+from clubface.support.checks import check_choice, check_name, is_count
+from clubface.support.strict_toml import Document
+
+KEYS = ("name", "kind", "design", "samples", "seed", "chunk", "seconds")
+SAMPLED = (HYPERCUBE, SOBOL)
+MOST_ROWS = 500_000
+"""Tasks of a chunk."""
+SECONDS = 2.0
+"""A chunk takes about that time [s] where nothing is said."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class StudyFile:
+    """A study as its file describes it.
+
+    Attributes
+    ----------
+    path
+        The file.
+    name
+        What it is called; the file's name without ending unless given.
+    kind
+        What computes it.
+    table, sweep
+        The table of the kind and [sweep], as in the file.
+    method, seed
+        Name of the design, and the seed of a sampled one.
+    design
+        Which inputs each task has.
+    chunk
+        Tasks of a chunk, or None where ``seconds`` tell how long one should take [s].
+    """
+
+    path: Path
+    name: str
+    kind: Kind
+    table: Mapping[str, Any]
+    sweep: Mapping[str, Any]
+    method: str
+    seed: int
+    design: Design
+    chunk: int | None
+    seconds: float
+    document: Document
+
+    @property
+    def folder(self) -> Path:
+        """The folder in which relative names of files begin."""
+        return self.path.parent
+
+    def content(self) -> dict[str, Any]:
+        """Return what the results depend on besides the version, by what a person calls it."""
+        files = [*self.kind.files(self), *([self.folder / self.sweep["table"]] if self.method == TABLE else [])]
+        return {
+            "kind": self.kind.name,
+            f"[{self.kind.name}]": self.table,
+            "[sweep]": [list(self.sweep.items())],
+            "design": [self.method, self.design.count],
+            "file that it names": [fingerprints_of(each) for each in files],
+            **({"seed or version of SciPy": [self.seed, *_generators()]} if self.method in SAMPLED else {}),
+            **({} if self.chunk is None else {"chunk": self.chunk}),
+        }
+
+    def wrap(self, error: ClubfaceError) -> FileError:
+        """Return an error about a value of the kind's table with file and line."""
+        return error if isinstance(error, FileError) else self.document.wrap(error, self.kind.name)
+
+
+def read_study(path: str | os.PathLike[str]) -> StudyFile:
+    """Read a study from its file; what is wrong in it is a :class:`FileError` with the line."""
+    document = Document.read(path)
+    data = document.data
+    head = _table(document, "study")
+    document.check_keys(head, KEYS, (), "study")
+    try:
+        chosen = kind(head.get("kind", "impact"))
+        check_choice("design", method := head.get("design", GRID), DESIGNS)
+        check_name(name := head.get("name", Path(path).stem))
+        if not is_count(seed := head.get("seed", 0), 0, 2**63 - 1):
+            raise InputError("seed", seed, "a whole number from 0")
+        chunk, seconds = _chunk(head)
+        for key in ("samples", "seed"):
+            if key in head and method not in SAMPLED:
+                raise InputError(key, head[key], f"leave it out of the design {method}, which is not sampled")
+    except ClubfaceError as error:
+        raise document.wrap(error, "study") from None
+    document.check_keys(data, ("study", chosen.name, "sweep"), ("sweep",))
+    table, sweep = _table(document, chosen.name), _table(document, "sweep")
+    document.check_keys(table, chosen.keys, (), chosen.name)
+    try:
+        known = chosen.swept(table, sweep)
+    except ClubfaceError as error:
+        raise document.wrap(error, chosen.name) from None
+    try:
+        made = _design(document, known, sweep, (method, head.get("samples"), seed))
+    except InputError as error:
+        if error.parameter == "samples":
+            raise document.wrap(error, "study") from None
+        raise document.error(str(error), error.parameter.rpartition(" ")[2], "sweep") from None
+    return StudyFile(
+        path=Path(path), name=name, kind=chosen, table=table, sweep=sweep, method=method, seed=seed,
+        design=Remembered(made), chunk=chunk, seconds=seconds, document=document,
+    )  # fmt: skip
+
+
+def _table(document: Document, name: str) -> dict[str, Any]:
+    found = document.data.get(name, {})
+    if not isinstance(found, dict):
+        raise document.error(f"{name} must be a table, [{name}]", name)
+    return found
+
+
+def _chunk(head: Mapping[str, Any]) -> tuple[int | None, float]:
+    """Return the tasks of a chunk, if they are given, and the time that it should take [s]."""
+    if "chunk" in head:
+        if "seconds" in head:
+            raise InputError("seconds", head["seconds"], "leave it out, since the chunk is given")
+        if not is_count(head["chunk"], 1, MOST_ROWS):
+            raise InputError("chunk", head["chunk"], f"a whole number of tasks from 1 to {MOST_ROWS}")
+        return head["chunk"], SECONDS
+    seconds = units.parse(head.get("seconds", SECONDS), "time", name="seconds")
+    if not 0.01 <= seconds <= 600.0:
+        raise InputError("seconds", head["seconds"], "from 0.01 to 600 s; 1 to 10 s are usual")
+    return None, seconds
+
+
+def _design(
+    document: Document, known: Mapping[str, Swept], sweep: Mapping[str, Any], how: tuple[str, Any, int]
+) -> Design:
+    """Return the design of a study from what may be swept, and its method, samples and seed."""
+    method, samples, seed = how
+    axes: list[Axis] = []
+    for name, given in sweep.items():
+        if name == TABLE:
+            continue
+        if name not in known:
+            raise document.error(str(UnknownNameError("input", name, known)), name, "sweep")
+        axes.append(axis(name, given, known[name]))
+    if method != TABLE:
+        if TABLE in sweep:
+            raise InputError(TABLE, sweep[TABLE], 'leave it out, or write design = "table" under [study]')
+        return design(method, axes, samples, seed)
+    if not isinstance(sweep.get(TABLE), str):
+        raise InputError(TABLE, sweep.get(TABLE), 'the name of a file of the design "table", as in "deliveries.csv"')
+    columns = table_columns(Path(document.path).parent / sweep[TABLE], known)
+    for each in axes:
+        if each.name in columns:
+            raise InputError(each.name, Told("given twice"), "in the table or in [sweep], not in both")
+    return Rows(columns, axes)
+
+
+def _generators() -> tuple[str, str]:
+    """Return the versions of what draws samples: another may draw others."""
+    import numpy
+    import scipy
+
+    return numpy.__version__, scipy.__version__

@@ -1,0 +1,232 @@
+"""Means, spreads and extremes of what a study found, in all and along every input that it swept."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+from clubface.errors import InputError
+from clubface.studies.joining import parts
+from clubface.studies.parts import Names
+from clubface.studies.running import Tallied
+from clubface.studies.state import opened
+from clubface.support.checks import check_names
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+MOST_LEVELS = 40
+"""Different values of an input that are told one by one; more are put together in classes."""
+CLASSES = 10
+
+
+@dataclass(frozen=True)
+class Figures:
+    """Statistics of some tasks for every quantity, those without a result left out.
+
+    Attributes
+    ----------
+    count
+        Tasks with a result, shape (quantities,), as all others.
+    mean, deviation
+        Mean and standard deviation (of the tasks as a whole) [SI]; NaN where there is no result.
+    least, most
+        Extremes [SI].
+    """
+
+    count: NDArray[Any]
+    mean: NDArray[Any]
+    deviation: NDArray[Any]
+    least: NDArray[Any]
+    most: NDArray[Any]
+
+
+@dataclass(frozen=True)
+class Along:
+    """Statistics along one swept input.
+
+    Attributes
+    ----------
+    name, unit
+        The input and its SI unit; None where it has names.
+    levels
+        The names, the values [SI], or the ends (from, to) of classes of values [SI].
+    figures
+        Of the tasks at each level.
+    """
+
+    name: str
+    unit: str | None
+    levels: Sequence[Any]
+    figures: Sequence[Figures]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Summary:
+    """What a study found.
+
+    Attributes
+    ----------
+    name
+        Of the study.
+    tasks
+        How many there are.
+    quantities
+        SI unit by name of the quantities that are summed up.
+    overall
+        Of all tasks.
+    along
+        Along each swept input.
+    failed, remark
+        As of :class:`clubface.studies.Joined`.
+    """
+
+    name: str
+    tasks: int
+    quantities: Mapping[str, str]
+    overall: Figures
+    along: Sequence[Along]
+    failed: tuple[int, str]
+    remark: str
+
+
+class _Sums:
+    """Means and spreads of levels, part by part, in an order that the study fixes (Chan, Golub and LeVeque 1983)."""
+
+    def __init__(self, levels: int, quantities: int) -> None:
+        import numpy as np
+
+        shape = (levels, quantities)
+        self._count, self._mean, self._squares = np.zeros(shape), np.zeros(shape), np.zeros(shape)
+        self._least, self._most = np.full(shape, math.inf), np.full(shape, -math.inf)
+
+    def add(self, level: NDArray[Any], values: NDArray[Any]) -> None:
+        """Add tasks of levels (from 0 on), values of shape (quantities, tasks)."""
+        import numpy as np
+
+        levels = len(self._count)
+        for place, every in enumerate(values):
+            there = np.isfinite(every)
+            at, found = level[there], every[there]
+            count = np.bincount(at, minlength=levels)
+            some = np.maximum(count, 1)
+            mean = np.bincount(at, found, levels) / some
+            squares = np.bincount(at, (found - mean[at]) ** 2, levels)
+            before, whole = self._count[:, place].copy(), self._count[:, place] + count
+            shift = (mean - self._mean[:, place]) * (count > 0)
+            self._mean[:, place] += shift * count / np.maximum(whole, 1)
+            self._squares[:, place] += squares + shift**2 * before * count / np.maximum(whole, 1)
+            self._count[:, place] = whole
+            np.minimum.at(self._least[:, place], at, found)
+            np.maximum.at(self._most[:, place], at, found)
+
+    def figures(self) -> list[Figures]:
+        """Return the statistics of each level."""
+        import numpy as np
+
+        none = self._count == 0
+        some = np.where(none, np.nan, self._count)
+        columns = (
+            self._count.astype(int), np.where(none, np.nan, self._mean), np.sqrt(self._squares / some),
+            np.where(none, np.nan, self._least), np.where(none, np.nan, self._most),
+        )  # fmt: skip
+        return [Figures(*each) for each in zip(*columns, strict=True)]
+
+
+class _Levels:
+    """The values of one swept input, one by one while they are few, and the classes of all where they are many."""
+
+    def __init__(self, name: str, unit: str | None, choices: Sequence[str]) -> None:
+        self.name, self.unit, self._choices = name, unit, tuple(choices)
+        self._values: set[float] = set()
+        self._least, self._most = math.inf, -math.inf
+
+    def look(self, values: NDArray[Any] | Names) -> None:
+        """Take note of values, before any is counted."""
+        import numpy as np
+
+        if isinstance(values, Names):
+            return
+        if len(self._values) <= MOST_LEVELS:
+            self._values.update(np.unique(values)[: MOST_LEVELS + 1].tolist())
+        finite = values[np.isfinite(values)]
+        if finite.size:
+            self._least, self._most = min(self._least, float(finite.min())), max(self._most, float(finite.max()))
+
+    @property
+    def levels(self) -> list[Any]:
+        """The names, values or ends of classes."""
+        if self.unit is None:
+            return list(self._choices)
+        if len(self._values) <= MOST_LEVELS:
+            return sorted(self._values)
+        width = (self._most - self._least) / CLASSES
+        ends = [self._least + width * place for place in range(CLASSES)] + [self._most]
+        return list(pairwise(ends))
+
+    def places(self, values: NDArray[Any] | Names) -> NDArray[Any]:
+        """Return the level of each value."""
+        import numpy as np
+
+        if isinstance(values, Names):
+            return values.codes
+        if len(self._values) <= MOST_LEVELS:
+            return np.searchsorted(self.levels, values)
+        inner = [first for first, _ in self.levels[1:]]
+        return np.searchsorted(inner, values, side="right")
+
+
+def summary(
+    which: str | os.PathLike[str],
+    *,
+    quantities: Sequence[str] | None = None,
+    store: str | os.PathLike[str] | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Summary:
+    """Sum up a study, all of whose parts must be there, in a space that does not grow with it.
+
+    Parameters
+    ----------
+    which
+        The file of the study, or the folder of its store.
+    quantities
+        The quantities to sum up; all unless given.
+    store
+        The folder of the store of a file, unless it is the usual one.
+    progress
+        Called with the parts read, each twice, and twice the parts in all.
+    """
+    import numpy as np
+
+    found = opened(which, store)
+    known = {name: unit for name, (unit, _) in found.record["columns"].items()}
+    names = list(dict.fromkeys(quantities if quantities is not None else known))
+    check_names("quantity of the study", names, known)
+    if not names:
+        raise InputError("quantities", names, "at least one")
+    along = [_Levels(each["name"], each["unit"], each["choices"]) for each in found.record["axes"]]
+    for number, (columns, _) in enumerate(parts(found), 1):
+        for each in along:
+            each.look(columns[each.name])
+        if progress is not None:
+            progress(number, 2 * found.chunks)
+    overall = _Sums(1, len(names))
+    sums = [_Sums(len(each.levels), len(names)) for each in along]
+    tally = Tallied()
+    for number, (columns, told) in enumerate(parts(found), 1):
+        values = np.stack([columns[name] for name in names])  # pyright: ignore[reportArgumentType, reportCallIssue]
+        overall.add(np.zeros(told["tasks"], dtype=np.int64), values)
+        for each, levels in zip(sums, along, strict=True):
+            each.add(levels.places(columns[levels.name]), values)
+        tally.notes(told)
+        if progress is not None:
+            progress(found.chunks + number, 2 * found.chunks)
+    return Summary(
+        name=found.record["name"], tasks=found.count, quantities={name: known[name] for name in names},
+        overall=overall.figures()[0], failed=(tally.failed, tally.reason), remark=tally.remark,
+        along=[Along(of.name, of.unit, of.levels, each.figures()) for of, each in zip(along, sums, strict=True)],
+    )  # fmt: skip

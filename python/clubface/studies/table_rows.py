@@ -1,0 +1,55 @@
+"""The rows of a file as the tasks of a study: every one must hold numbers, or the study would not be what it says."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from clubface import units
+from clubface.errors import FileError
+from clubface.studies.axes import Swept
+from clubface.tables.headings import layout
+from clubface.tables.reader import open_table
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+AT_A_TIME = 100_000
+"""Rows."""
+
+
+def table_columns(path: Path, known: Mapping[str, Swept]) -> dict[str, tuple[str, NDArray[Any]]]:
+    """Return the columns of a CSV or Parquet file that give inputs: SI unit and values [SI] by name.
+
+    Raises
+    ------
+    FileError
+        No column gives an input that is ``known``, there is no row, or a cell that is used holds no number.
+    """
+    import numpy as np
+
+    reader = open_table(path)
+    try:
+        found = layout(reader.headings, reader.path, reader.header_line)
+        used = [each for each in found.used if (known.get(each.quantity) or Swept(None)).unit is not None]
+        if not used:
+            raise FileError(str(path), reader.header_line, "no column of this table is an input that can be swept")
+        parts: dict[str, list[NDArray[Any]]] = {each.quantity: [] for each in used}
+        for chunk in reader.chunks(AT_A_TIME, 0):
+            if chunk.ragged:
+                raise FileError(str(path), chunk.ragged[0].line, chunk.ragged[0].reason)
+            for column in used:
+                numbers, bad = chunk.numbers(column)
+                if bad:
+                    row = min(bad)
+                    raise FileError(str(path), chunk.lines[row], bad[row], column.quantity)
+                parts[column.quantity].append(units.to_si(numbers, column.unit))
+    finally:
+        reader.close()
+    if not any(map(len, parts.values())):
+        raise FileError(str(path), reader.header_line, "there is no row below the names of the columns")
+    return {
+        name: (units.SI_UNITS[units.unit(known[name].unit or "1").dimension], np.concatenate(each))
+        for name, each in parts.items()
+    }

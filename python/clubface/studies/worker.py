@@ -1,0 +1,36 @@
+"""A process that computes chunks of a study: numbers come in, one a line, and what was done goes out as JSON.
+
+It ends with its input, so that no worker outlives the command that started it by more than the chunk it computes.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import traceback
+from typing import Any
+
+
+def main(study: str, folder: str, identity: str) -> None:
+    """Answer until the input ends; what a library prints goes to the error stream."""
+    answers = os.fdopen(os.dup(1), "w", buffering=1)
+    os.dup2(2, 1)
+    from clubface.errors import ClubfaceError
+    from clubface.studies.chunks import ensure
+
+    for line in sys.stdin:
+        answer: dict[str, Any] = {"chunk": int(line)}
+        try:
+            answer |= ensure(study, folder, identity, int(line))
+        except ClubfaceError as error:
+            answer["mistake"] = str(error)
+        except MemoryError:
+            answer["mistake"] = "not enough memory for a chunk; give a smaller one, or fewer workers"
+        except Exception:
+            answer["error"] = traceback.format_exc()
+        answers.write(json.dumps(answer) + "\n")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,24 @@
+"""What of a processor may change the last bits of a result."""
+
+from __future__ import annotations
+
+import platform
+from functools import cache
+from pathlib import Path
+
+
+@cache
+def vector_units() -> str:
+    """Return the kind of processor, with the widest vectors that finite elements use on it, as in "x86_64 avx2"."""
+    machine = platform.machine() or "unknown"
+    flags: set[str] = set()
+    try:
+        for line in Path("/proc/cpuinfo").read_text().splitlines():
+            if line.startswith("flags"):
+                flags = set(line.partition(":")[2].split())
+                break
+    except OSError:
+        return machine  # not Linux
+    if {"avx512f", "avx512dq"} <= flags:
+        return f"{machine} avx512"
+    return f"{machine} avx2" if {"avx2", "fma"} <= flags else machine

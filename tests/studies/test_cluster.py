@@ -1,0 +1,136 @@
+"""A study on a real Dask cluster: a scheduler and workers, which are processes of their own and are killed."""
+
+import json
+import os
+import subprocess
+import sys
+import time
+from concurrent.futures import CancelledError
+from contextlib import contextmanager, suppress
+
+import pytest
+
+from clubface import studies
+from clubface.errors import ClubfaceError, LinkError
+from clubface.studies import cluster
+from study_files import squares, sums
+
+pytest.importorskip("pyarrow")
+pytest.importorskip("distributed")
+pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning")
+
+
+@contextmanager
+def processes(*commands):
+    """Modules of Dask as processes, ended with all that they have started."""
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    running = []
+    try:
+        for command in commands:
+            quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+            running.append(subprocess.Popen([sys.executable, "-m", *command], env=environment, **quiet))
+        yield running
+    finally:
+        for each in running:
+            each.kill()
+            each.wait()
+
+
+@contextmanager
+def scheduler(folder):
+    """The address of a scheduler, and its process."""
+    file = folder / "scheduler.json"
+    command = ["distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard"]
+    with processes([*command, "--scheduler-file", str(file)]) as (process,):
+        ends = time.monotonic() + 60.0
+        while time.monotonic() < ends:
+            with suppress(OSError, ValueError):
+                yield json.loads(file.read_text())["address"], process
+                return
+            time.sleep(0.05)
+        pytest.fail("the scheduler has not started")
+
+
+def workers(address, count):
+    command = ["distributed.cli.dask_worker", address, "--no-nanny", "--nthreads", "1", "--no-dashboard"]
+    return processes(*[[*command, "--name", str(number)] for number in range(count)])
+
+
+def at(count, act):
+    """A progress that acts when so many chunks are done."""
+    return lambda done, whole: act() if done == count else None
+
+
+def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path, monkeypatch, in_this_process):
+    monkeypatch.setattr(cluster, "PATIENCE", 4.0)
+    whole, path = squares(tmp_path, name="whole.toml"), squares(tmp_path, seconds=0.005)
+    studies.run(whole)
+    with scheduler(tmp_path) as (address, boss), workers(address, 2) as (first, _):
+        # The other worker goes on alone.
+        done = studies.run(path, scheduler=address, shard="1/2", progress=at(2, first.kill))
+        assert (done.computed, done.missing) == (10, 10)
+        with pytest.raises(ClubfaceError, match=r"is gone, the scheduler of the cluster; .* of 20 chunks are done and"):
+            studies.run(path, scheduler=address, progress=at(3, boss.kill))
+    done = studies.run(path)
+    assert 0 < done.computed <= 7
+    assert sums(path) == sums(whole)
+
+
+def test_an_address_without_a_scheduler_is_told(tmp_path, monkeypatch):
+    monkeypatch.setattr(cluster, "PATIENCE", 1.0)
+    with pytest.raises(LinkError, match=r"127.0.0.1:9 is no scheduler that answers"):
+        studies.run(squares(tmp_path), scheduler="127.0.0.1:9")
+
+
+class Lost:
+    """A client whose workers are lost over some chunks, so many times."""
+
+    status = "running"
+
+    def __init__(self, losses):
+        self.losses, self.given = dict(losses), []
+
+    def nthreads(self):
+        return {"one": 1}
+
+    def submit(self, function, *arguments, **options):
+        chunk = arguments[-1]
+        self.given.append(chunk)
+        self.losses[chunk] = left = self.losses.get(chunk, 0) - 1
+        return Future(chunk, left >= 0)
+
+
+class Future:
+    def __init__(self, chunk, lost):
+        self._chunk, self._lost = chunk, lost
+
+    def done(self):
+        return True
+
+    def add_done_callback(self, call):
+        call(self)
+
+    def release(self):
+        pass
+
+    def result(self, timeout):
+        if self._lost:
+            raise CancelledError
+        return self._chunk
+
+
+def computed_by(client):
+    done = {}
+    cluster._Cluster(client, "here", ("study", "store", "identity"), done.__setitem__).run(iter(range(5)))
+    return done
+
+
+def test_a_chunk_that_the_scheduler_has_lost_is_given_to_it_again():
+    client = Lost({1: 2, 4: cluster.TRIES - 1})
+    assert computed_by(client) == {chunk: chunk for chunk in range(5)}
+    assert sorted(client.given) == [0, 1, 1, 1, 2, 3, *[4] * cluster.TRIES]
+
+
+def test_a_chunk_over_which_worker_after_worker_is_lost_is_given_up():
+    with pytest.raises(LinkError, match="has lost the workers of chunk 2 5 times"):
+        computed_by(Lost({2: 100}))

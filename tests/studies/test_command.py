@@ -1,0 +1,106 @@
+"""The command line of studies: what it prints, and mistakes told in one line with status 2."""
+
+import pytest
+
+from command_line import assert_mistake
+from study_files import shots, squares
+
+pytest.importorskip("pyarrow")
+pytestmark = pytest.mark.usefixtures("in_this_process")
+
+
+@pytest.fixture
+def study(clubface_):
+    """Run ``clubface study``, paths and all."""
+    return lambda *arguments: clubface_("study", *map(str, arguments))
+
+
+def test_a_study_is_run_looked_at_joined_and_summed_up(study, tmp_path):
+    path, table, picture = shots(tmp_path), tmp_path / "all.csv", tmp_path / "all.svg"
+    assert "24 tasks in 5 chunks: 5 computed, 0 there already\nthe study is complete" in study("run", path).out
+    assert study("run", path, "--json").json["computed"] == 0
+    assert "5 of 5 chunks are done; 24 tasks, 5 a chunk" in study("status", path, "--check").out
+    ran = study("join", tmp_path / "shots.store", "-o", table)
+    assert ran.out.splitlines()[0] == "24 tasks; SHA-256 of their columns:"
+    assert len(ran.out.splitlines()[4].split()[1]) == 64
+    assert len(table.read_text().splitlines()) == 25
+    assert study("join", path, "--json").json["sums"]["toe"] in ran.out
+    ran = study("summary", path, "--output", "carry,side", "--plot", picture)
+    assert "Mean and deviation along toe" in ran.out
+    assert picture.read_text().startswith("<?xml")
+    document = study("summary", path, "--json").json
+    assert document["along"]["toe"]["levels"][2]["level"] == 0.01
+    assert document["overall"]["carry"]["count"] == 24
+
+
+def test_shares_and_damage_are_told(study, tmp_path):
+    path = squares(tmp_path)
+    assert "10 chunks of the whole study left to other runs" in study("run", path, "--shard", "1/2").out
+    assert study("status", path).out.splitlines()[2] == "missing, the first of them: " + ", ".join(
+        map(str, range(1, 20, 2))
+    )
+    (tmp_path / "squares.store" / "parts" / "0000" / "00000002.parquet").write_bytes(b"")
+    ran = study("run", path)
+    assert ran.err == "clubface: note: 1 damaged part (2) was computed again\n"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("[study]", "[study", ("this is not TOML",)),
+        ("[study]", "[studies]", ("unknown key 'studies'", "did you mean study")),
+        ("[study]", '[study]\nkind = "putts"', (":3:", "unknown kind 'putts'")),
+        ("[study]", '[study]\ndesign = "sobolev"', ("unknown design 'sobolev'", "did you mean sobol")),
+        ("[study]", "[study]\nseed = 1", ("leave it out of the design grid",)),
+        ("[study]", '[study]\nseconds = "2 s"', ("since the chunk is given",)),
+        ("chunk = 5", "chunk = 0", (":3:", "a whole number of tasks from 1")),
+        ("chunk = 5", 'seconds = "1 h"', ("seconds",)),
+        ("[impact]", "[impacts]", ("unknown key 'impacts'",)),
+        ('club = "driver"', "", ("club is missing",)),
+        ('club = "driver"', 'club = "drivr"', ("unknown club 'drivr'", "did you mean driver")),
+        ('club = "driver"', 'club = "no.toml"', ("no.toml", "cannot be read")),
+        ('club = "driver"', 'club = "driver"\nmodel = "are"', ("unknown model 'are'", "did you mean area")),
+        ('club = "driver"', 'club = "driver"\nweather = 1', ("unknown key 'weather'",)),
+        ('speed = "105 mph"', 'attack = "1 deg"', ("speed is missing", "sweep it, or hold it")),
+        ('speed = "105 mph"', 'speed = "105 mph", loft = "9 deg"', ("loft is held and swept",)),
+        ('speed = "105 mph"', 'speed = "105 deg"', ("speed", "not an angle")),
+        ('speed = "105 mph"', 'sped = "105 mph"', ("unknown input 'sped'", "did you mean speed")),
+        ('"carry", "side"', '"carri"', ("unknown output 'carri'", "did you mean carry")),
+        ("loft =", "lofts =", (":9:", "unknown input 'lofts'", "did you mean loft")),
+        ("count = 4", "count = 4.5", (":9:", "a whole number from 1")),
+        ('"8 deg"', '"8 mph"', (":9:", "not a speed")),
+        ('["-10 mm", "0 mm", "10 mm"]', "[]", (":10:", "at least one value")),
+        ('["-10 mm", "0 mm", "10 mm"]', '"-10 mm"', (":10:", "a list, or a table")),
+        ("attack =", 'table = "a.csv"\nattack =', ('write design = "table"',)),
+    ],
+)
+def test_a_mistake_in_the_file_is_told_and_nothing_is_written(study, tmp_path, old, new, words):
+    path = shots(tmp_path)
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new, 1))
+    assert_mistake(study("run", path), "shots.toml" if "no.toml" not in words else "no.toml", *words)
+    assert [each.name for each in tmp_path.iterdir()] == ["shots.toml"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("run", "none.toml"), ("none.toml", "cannot be read")),
+        (("run", "{}", "--workers", "0"), ("--workers is 0",)),
+        (("run", "{}", "--shard", "5/4"), ("--shard is '5/4'",)),
+        (("run", "{}", "--workers", "2", "--scheduler", "localhost:1"), ("--workers", "leave it out")),
+        (("status", "{}"), ("nothing of this study is done yet",)),
+        (("join", "{}", "-o", "all.xls"), ("--output", ".parquet")),
+        (("summary", "{}", "--plot", "all.gif"), ("--plot", ".png")),
+    ],
+)
+def test_a_mistake_in_the_options_is_told(study, tmp_path, arguments, words):
+    path = squares(tmp_path)
+    assert_mistake(study(*(each.format(path) for each in arguments)), *words)
+
+
+def test_another_quantity_than_those_of_the_study_is_told(study, tmp_path):
+    path = squares(tmp_path)
+    study("run", path)
+    assert_mistake(study("summary", path, "--output", "carry"), "unknown quantity of the study 'carry'")

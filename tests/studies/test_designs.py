@@ -1,0 +1,146 @@
+"""Which inputs a task has: known values, and the same ones in whatever chunks they are asked for."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from clubface.errors import FileError, InputError
+from clubface.studies import designs
+from clubface.studies.axes import Axis, Swept, axis
+from clubface.studies.designs import Grid, Remembered, Rows, Samples, design
+from clubface.studies.table_rows import table_columns
+from clubface.units import to_si
+
+SPEED = Swept("m/s")
+X = Axis(name="x", unit="1", ends=(0.0, 1.0), count=3)
+Y = Axis(name="y", unit="1", values=(5.0, 7.0), count=2)
+CLUB = Axis(name="club", unit=None, choices=("driver", "3-wood"), count=2)
+BETWEEN = (Axis(name="x", unit="1", ends=(2.0, 4.0)), Axis(name="y", unit="1", ends=(-1.0, 1.0)), CLUB)
+
+
+def joined(of, size):
+    parts = [of.values(range(first, min(first + size, of.count))) for first in range(0, of.count, size)]
+    return {name: np.concatenate([each[name] for each in parts]) for name in parts[0]}
+
+
+def test_evenly_spaced_values_begin_and_end_where_the_file_says():
+    found = axis("speed", {"from": "90 mph", "to": "120 mph", "count": 31}, SPEED).at(np.arange(31))
+    assert found[0] == to_si(90.0, "mph")
+    assert found[-1] == to_si(120.0, "mph")
+    np.testing.assert_allclose(np.diff(found), to_si(1.0, "mph"), rtol=1e-12)  # rounding of values of 50 m/s
+
+
+def test_steps_reach_the_last_value_in_spite_of_the_rounding_of_units():
+    for last in (100, 113, 120):
+        made = axis("speed", {"from": "90 mph", "to": f"{last} mph", "step": "0.1 mph"}, SPEED)
+        assert made.count == 10 * (last - 90) + 1
+
+
+def test_a_grid_changes_its_last_input_first():
+    found = Grid([CLUB, X, Y]).values(range(12))
+    assert found["y"].tolist() == [5.0, 7.0] * 6
+    assert found["x"].tolist() == [0.0, 0.0, 0.5, 0.5, 1.0, 1.0] * 2
+    assert found["club"].tolist() == [0] * 6 + [1] * 6
+
+
+def test_a_grid_of_a_billion_tasks_is_made_where_it_is_asked_for():
+    axes = [Axis(name=name, unit="1", ends=(0.0, 999.0), count=1000) for name in "abc"]
+    found = Grid(axes).values(range(123_456_789, 123_456_791))
+    assert [found[name].tolist() for name in "abc"] == [[123.0, 123.0], [456.0, 456.0], [789.0, 790.0]]
+
+
+@settings(max_examples=10, deadline=None)
+@given(size=st.integers(1, 70), method=st.sampled_from(["sobol", "latin-hypercube"]))
+def test_samples_are_the_same_in_chunks_of_any_size(size, method):
+    pytest.importorskip("scipy")
+    whole = Samples(BETWEEN, 64, method, 3).values(range(64))
+    for name, each in joined(Samples(BETWEEN, 64, method, 3), size).items():
+        assert np.array_equal(each, whole[name])
+
+
+@pytest.mark.parametrize("method", ["sobol", "latin-hypercube"])
+def test_samples_do_not_depend_on_which_were_asked_for_before(method):
+    pytest.importorskip("scipy")
+    made = Samples(BETWEEN, 64, method, 3)
+    late, early = made.values(range(40, 50)), made.values(range(10, 20))
+    whole = made.values(range(64))
+    assert np.array_equal(late["x"], whole["x"][40:50])
+    assert np.array_equal(early["x"], whole["x"][10:20])
+    assert np.array_equal(Remembered(made).values(range(3, 9))["x"], whole["x"][3:9])
+    assert not np.array_equal(Samples(BETWEEN, 64, method, 4).values(range(64))["x"], whole["x"])
+
+
+def test_a_sobol_sequence_is_scipys_wherever_it_is_entered(monkeypatch):
+    """Drawn by SciPy from the beginning in one piece, and entered after states that are kept on the way."""
+    qmc = pytest.importorskip("scipy.stats").qmc
+    monkeypatch.setattr(designs, "STRIDE", 16)
+    whole = qmc.Sobol(3, scramble=True, bits=32, rng=3).random(128)
+    made = Samples(BETWEEN, 128, "sobol", 3)
+    for first in (100, 37, 16, 0, 96, 127):
+        np.testing.assert_array_equal(made.values(range(first, 128))["x"], 2.0 + 2.0 * whole[first:, 0])
+
+
+@pytest.mark.parametrize("method", ["sobol", "latin-hypercube"])
+def test_samples_have_one_value_in_each_of_as_many_equal_parts(method):
+    """What defines a Latin hypercube, and holds for every coordinate of a scrambled Sobol sequence of 2**m points."""
+    pytest.importorskip("scipy")
+    found = Samples(BETWEEN, 64, method, 1).values(range(64))
+    assert sorted(np.floor((found["x"] - 2.0) / 2.0 * 64).astype(int)) == list(range(64))
+    assert np.bincount(found["club"]).tolist() == [32, 32]
+
+
+def test_the_rows_of_a_table_are_computed_for_every_name(write):
+    path = write("club_speed_mph,attack_deg,note\n90,-1,a\n100,2,b\n")
+    columns = table_columns(path, {"speed": SPEED, "attack": Swept("rad")})
+    found = Rows(columns, [CLUB]).values(range(4))
+    assert found["club"].tolist() == [0, 0, 1, 1]
+    np.testing.assert_allclose(found["speed"], to_si(np.array([90.0, 100.0, 90.0, 100.0]), "mph"))
+    assert found["attack"][1] == math.radians(2.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("club_speed_mph\n90\nfast\n", ":3: club_speed_mph: 'fast' is not a number"),
+        ("club_speed_mph\n", "no row"),
+        ("weather\nfine\n", "no column"),
+        ("club_speed_mph,attack_deg\n90\n", "1 cell where there are 2 columns"),
+    ],
+)
+def test_a_table_with_a_row_that_cannot_be_used_is_refused(write, text, words):
+    with pytest.raises(FileError, match=words):
+        table_columns(write(text), {"speed": SPEED, "attack": Swept("rad")})
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ([], "at least one"),
+        ("90 mph", "a list, or a table"),
+        ({"from": "90 mph"}, "given as"),
+        ({"from": "90 mph", "to": "100 mph", "count": 0}, "whole number from 1"),
+        ({"from": "90 mph", "to": "100 mph", "count": 3, "step": "1 mph"}, "given as"),
+        ({"from": "90 mph", "to": "100 mph", "step": "-1 mph"}, "leads from the first"),
+        ({"from": "90 mph", "to": "100 mph", "steps": 3}, "did you mean step"),
+        ({"from": "100 mph", "to": "90 mph"}, "above its beginning"),
+        (["90 deg"], "not an angle"),
+    ],
+)
+def test_an_axis_that_cannot_be_used_is_told(given, words):
+    with pytest.raises(InputError, match=words):
+        axis("speed", given, SPEED)
+
+
+def test_designs_and_axes_that_do_not_fit_are_told():
+    with pytest.raises(InputError, match="an interval is for samples"):
+        design("grid", [BETWEEN[0]], None, 0)
+    with pytest.raises(InputError, match="for the design sobol"):
+        design("sobol", [X], 8, 0)
+    with pytest.raises(InputError, match="sobol takes more"):
+        design("latin-hypercube", BETWEEN, 2_000_000, 0)
+    with pytest.raises(InputError, match="samples is missing"):
+        design("sobol", BETWEEN, None, 0)
+    with pytest.raises(InputError, match="at most"):
+        Grid([Axis(name=name, unit="1", ends=(0.0, 1.0), count=10**7) for name in "ab"])

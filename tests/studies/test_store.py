@@ -1,0 +1,223 @@
+"""The store is the truth: what is there and whole is done, what is damaged is computed again, and nothing is mixed."""
+
+import shutil
+
+import pytest
+
+from clubface import studies
+from clubface.errors import ClubfaceError, FileError
+from clubface.studies import sizing
+from clubface.studies.chunks import Chunks, checked_part
+from clubface.studies.kinds import Computed
+from clubface.studies.parts import read_part
+from clubface.studies.state import opened
+from clubface.studies.study import read_study
+from study_files import shots, squares, sums
+
+pytest.importorskip("pyarrow")
+pytestmark = pytest.mark.usefixtures("in_this_process")
+
+
+def part(path, chunk):
+    return opened(path).path(chunk)
+
+
+def test_the_sums_of_columns_do_not_depend_on_chunks_and_workers(tmp_path):
+    small, large = shots(tmp_path, chunk=5), shots(tmp_path, chunk=7, name="large.toml")
+    assert studies.run(small, workers=1).chunks == 5
+    assert studies.run(large, workers=2).chunks == 4
+    assert sums(small) == sums(large)
+    assert len(set(sums(small).values())) == 7
+
+
+def test_a_size_of_chunks_that_is_measured_is_kept_and_does_not_count(tmp_path):
+    path = shots(tmp_path)
+    studies.run(path, workers=1)
+    other = tmp_path / "other.toml"
+    other.write_text(path.read_text().replace("chunk = 5", 'seconds = "1 s"'))
+    studies.run(other, workers=1)
+    other.write_text(other.read_text().replace("1 s", "9 s"))
+    assert studies.run(other, workers=1).computed == 0
+    assert sums(path) == sums(other)
+
+
+def test_two_workers_that_compute_the_same_chunk_write_the_same_bytes(tmp_path):
+    path = shots(tmp_path)
+    studies.run(path, workers=1)
+    before = part(path, 2).read_bytes()
+    part(path, 2).unlink()
+    Chunks(read_study(path), opened(path)).ensure(2)
+    assert part(path, 2).read_bytes() == before
+
+
+def test_what_is_finished_is_not_computed_again(tmp_path):
+    path = squares(tmp_path)
+    assert studies.run(path, workers=1).computed == 20
+    stamps = [part(path, chunk).stat().st_mtime_ns for chunk in range(20)]
+    part(path, 7).unlink()
+    done = studies.run(path, workers=1)
+    assert (done.computed, done.mended[0]) == (1, 0)
+    assert [part(path, chunk).stat().st_mtime_ns for chunk in range(20) if chunk != 7] == stamps[:7] + stamps[8:]
+
+
+@pytest.mark.parametrize("at", [0, 100, 0.3, 0.6, 0.9, -1])
+def test_a_part_with_a_changed_byte_is_computed_again_and_told(tmp_path, at):
+    path = shots(tmp_path)
+    studies.run(path, workers=1)
+    before, file = sums(path), part(path, 3)
+    content = bytearray(file.read_bytes())
+    place = int(at * len(content)) if isinstance(at, float) else at
+    content[place] ^= 0x55
+    file.write_bytes(content)
+    done = studies.run(path, workers=1)
+    assert done.mended == (1, (3,))
+    assert sums(path) == before
+
+
+@pytest.mark.parametrize("content", [b"", b"PAR1", b"PAR1" + b"\0" * 500 + b"PAR1"])
+def test_a_part_that_is_no_part_is_computed_again(tmp_path, content):
+    path = squares(tmp_path)
+    studies.run(path, workers=1)
+    before = sums(path)
+    part(path, 19).write_bytes(content)
+    assert studies.status(path, check=True).damaged == (19,)
+    with pytest.raises(FileError, match=r"damaged; clubface study run computes it again"):
+        sums(path)
+    assert studies.run(path, workers=1).mended == (1, (19,))
+    assert sums(path) == before
+
+
+def test_a_part_in_the_place_of_another_is_computed_again(tmp_path):
+    path, other = squares(tmp_path), squares(tmp_path, name="other.toml", seconds=1e-9)
+    for each in (path, other):
+        studies.run(each, workers=1)
+    before = sums(path)
+    shutil.copy(part(path, 3), part(path, 4))
+    shutil.copy(part(other, 6), part(path, 6))
+    assert studies.run(path, workers=1).mended == (2, (4, 6))
+    assert sums(path) == before
+
+
+def test_a_part_tells_where_it_comes_from_to_any_program(tmp_path):
+    import pyarrow.parquet
+
+    path = shots(tmp_path)
+    studies.run(path, workers=1)
+    table = pyarrow.parquet.read_table(part(path, 1))
+    assert table.column_names == ["loft", "toe", "attack", "ball_speed", "backspin", "carry", "side"]
+    assert table.schema.field("loft").metadata == {b"unit": b"rad"}
+    _, told = read_part(part(path, 1))
+    assert (told["first"], told["tasks"], told["name"], told["kind"]) == (5, 5, "shots", "impact")
+    assert told["inputs"]["held"] == {"speed": "105 mph"}
+    assert told["clubface_version"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("14 deg", "15 deg", r"another \[sweep\]"),
+        ("count = 4", "count = 5", r"another \[sweep\], another design"),
+        ("105 mph", "106 mph", r"another \[impact\]"),
+        ("chunk = 5", "chunk = 6", "another chunk"),
+        ("loft =", "face =", r"another \[sweep\]"),
+    ],
+)
+def test_a_changed_study_does_not_go_on_in_the_old_store(tmp_path, old, new, words):
+    path = shots(tmp_path)
+    studies.run(path, workers=1)
+    path.write_text(path.read_text().replace(old, new))
+    for command in (studies.run, studies.status, studies.join, studies.summary):
+        with pytest.raises(FileError, match=f"begun with {words}.*; give another folder with --store"):
+            command(path)
+
+
+def test_a_changed_file_that_the_study_names_is_another_study(tmp_path):
+    import clubface
+
+    mine = tmp_path / "mine.toml"
+    mine.write_text(clubface.club("driver").replace(name="mine").to_toml())
+    path = shots(tmp_path)
+    path.write_text(path.read_text().replace('"driver"', '"mine.toml"'))
+    studies.run(path, workers=1)
+    mine.write_text(mine.read_text() + "\n")
+    with pytest.raises(FileError, match="another file that it names"):
+        studies.run(path, workers=1)
+
+
+def test_other_folders_are_left_alone(tmp_path):
+    path, folder = squares(tmp_path), tmp_path / "photos"
+    folder.mkdir()
+    (folder / "one.jpg").write_text("precious")
+    with pytest.raises(FileError, match="no store of a study"):
+        studies.run(path, store=folder)
+    assert [each.name for each in folder.iterdir()] == ["one.jpg"]
+    with pytest.raises(FileError, match="holds no study"):
+        studies.status(folder)
+    with pytest.raises(FileError, match="nothing of this study is done yet"):
+        studies.status(path)
+
+
+def test_a_damaged_record_is_told(tmp_path):
+    path = squares(tmp_path)
+    studies.run(path, workers=1)
+    record = tmp_path / "squares.store" / "study.json"
+    record.write_text(record.read_text().replace('"count": 200', '"count": 300'))
+    with pytest.raises(FileError, match="this record of a study is damaged"):
+        studies.run(path, workers=1)
+
+
+def test_an_unfinished_study_is_not_joined(tmp_path):
+    path = squares(tmp_path)
+    studies.run(path, workers=1, shard="1/4")
+    found = studies.status(path)
+    assert (found.done, found.chunks, found.missing[:4]) == (5, 20, (1, 2, 3, 5))
+    for command in (studies.join, studies.summary):
+        with pytest.raises(FileError, match="15 of 20 chunks are not done yet"):
+            command(path)
+
+
+def test_a_study_without_any_result_ends_before_it_begins(tmp_path):
+    path = shots(tmp_path)
+    path.write_text(path.read_text().replace("105 mph", "-105 mph"))
+    with pytest.raises(ClubfaceError, match="no task that was tried has a result: speed"):
+        studies.run(path, workers=1)
+    assert not (tmp_path / "shots.store").exists()
+
+
+def test_parts_are_found_by_what_checks_them(tmp_path):
+    path = squares(tmp_path)
+    studies.run(path, workers=1)
+    columns, _ = checked_part(opened(path), 19)
+    assert columns["x"][-1] == 1.0
+    assert columns["square"].tolist() == (columns["x"] ** 2).tolist()
+
+
+class Slow:
+    """A task that loads for a while, and then takes a time for each index, on a clock of its own."""
+
+    def __init__(self, clock, loading, each):
+        self._clock, self._loading, self._each = clock, loading, each
+
+    def run(self, indices):
+        self._clock[0] += self._loading + self._each * len(indices)
+        self._loading = 0.0
+        return Computed({})
+
+
+@pytest.mark.parametrize(
+    ("loading", "each", "count", "size"),
+    [
+        (0.6, 3e-6, 10**9, 500_000),  # 2 s are 667,000 tasks, above the most
+        (0.6, 3e-6, 100_000, 20_000),  # 0.1 s, so that there is a chunk for each of several workers
+        (0.6, 1e-3, 10**6, 2_000),
+        (0.0, 0.7, 1000, 2),
+        (0.0, 60.0, 1000, 1),
+        (4.0, 0.05, 3, 1),
+    ],
+)
+def test_a_chunk_takes_the_time_it_should(tmp_path, monkeypatch, loading, each, count, size):
+    clock = [0.0]
+    monkeypatch.setattr(sizing.time, "process_time", lambda: clock[0])
+    path = tmp_path / "study.toml"
+    path.write_text(f'[study]\nkind = "empty"\n[sweep]\nx = {{ from = 0, to = 1, count = {count} }}\n')
+    assert sizing.chunk_size(read_study(path), Slow(clock, loading, each)) == size
