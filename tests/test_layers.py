@@ -13,7 +13,8 @@ ROOT = Path(clubface.__file__).parent
 ROOMS = (
     "errors", "support", "units", "measurements", "equipment", "simulation", "plots", "tables", "recorded",
     "launch_monitor", "measured", "prediction", "tour", "validation", "benchmark_data", "evaluation", "identification",
-    "inference", "reports", "player_report", "fem", "design", "motion_capture", "studies", "findings", "cli", "__main__",
+    "inference", "reports", "player_report", "fem", "design", "motion_capture", "studies", "findings", "cli",
+    "__main__",
 )  # fmt: skip
 """From the ground up. The package itself, which names what is public in all of them, stands above."""
 
