@@ -82,12 +82,43 @@ def test_held_out_strikes_are_met_as_the_page_says(table):
     """The percentiles that docs/models/response.md gives, rounded up in their last digit."""
     found = summary(DEFAULTS, table, PARTS)
     asked = {
-        "clubs, held out": {"speed": 0.0035, "direction": np.radians(0.185), "spin": 1.0, "spin_vector": 1.165},
-        "heads, held out": {"speed": 0.0105, "direction": np.radians(0.51), "spin": 2.45, "spin_vector": 3.35},
+        "clubs, held out": {"speed": 0.0028, "direction": np.radians(0.165), "spin": 0.79, "spin_vector": 0.915},
+        "heads, held out": {"speed": 0.0066, "direction": np.radians(0.395), "spin": 1.85, "spin_vector": 2.55},
+        "heads, held out, 0.2 kg and more": {
+            "speed": 0.0050,
+            "direction": np.radians(0.295),
+            "spin": 1.55,
+            "spin_vector": 2.05,
+        },
+        "spinning balls, clubs, held out": {
+            "speed": 0.0033,
+            "direction": np.radians(0.275),
+            "spin": 1.95,
+            "spin_vector": 4.95,
+        },
+        "spinning balls, heads, held out": {
+            "speed": 0.0087,
+            "direction": np.radians(0.785),
+            "spin": 2.85,
+            "spin_vector": 6.35,
+        },
     }
     for part, limits in asked.items():
         for quantity, limit in limits.items():
             assert 0.5 * limit < found[part][quantity][1] < limit, (part, quantity)
+
+
+def test_spins_before_impact_are_within_the_range_and_about_all_axes():
+    """Evenly over a cube, so that each component has a mean of nothing and a deviation of its end over the root of 3:
+    within three times what that of as many random ones would be from it."""
+    names = ("ball_backspin", "ball_sidespin", "ball_riflespin")
+    for place in (place for place, name in enumerate(PARTS) if "spinning" in name):
+        made = [each for (part, _), each in strikes(PARTS).items() if part == place]
+        spins = np.array([[each.delivery[name] for name in names] for each in made]) / (100.0 * np.pi)
+        assert np.abs(spins).max() <= 1.0
+        assert np.abs(spins.mean(axis=0)).max() < 3.0 / np.sqrt(3.0 * len(spins))
+        assert spins.std(axis=0) == pytest.approx(np.full(3, np.sqrt(1.0 / 3.0)), abs=0.07)
+        assert np.abs(np.corrcoef(spins.T) - np.eye(3)).max() < 3.0 / np.sqrt(len(spins))
 
 
 def test_the_fit_finds_the_coefficients_from_strikes_by_the_model(table):
