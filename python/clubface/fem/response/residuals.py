@@ -77,7 +77,9 @@ def figure(values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Pa
     import numpy as np
     from matplotlib.figure import Figure
 
-    drawn = Figure(figsize=(9.0, 3.2), layout="constrained")
+    from clubface.plots.style import legend_above
+
+    drawn = Figure(figsize=(9.0, 3.4), layout="constrained")
     panels = drawn.subplots(1, 3, sharey=True)
     told = {
         "speed": ("difference of ball speed, %", 100.0, 0.5),
@@ -91,11 +93,11 @@ def figure(values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Pa
         for panel, (key, (_, size, _)) in zip(panels, told.items(), strict=True):
             ordered = np.sort(found[key]) * size
             panel.plot(ordered, np.arange(1, len(ordered) + 1) / len(ordered), label=name)
+    legend_above(drawn, panels[0].get_lines())
     for panel, (text, _, asked) in zip(panels, told.values(), strict=True):
         panel.axvline(asked, color="0.6", linewidth=0.8)
         panel.axhline(0.95, color="0.6", linewidth=0.8)
         panel.set_xlim(0.0, 4.0 * asked)
         panel.set_xlabel(text)
     panels[0].set_ylabel("share of the strikes")
-    panels[0].legend(loc="lower right")
     return drawn
