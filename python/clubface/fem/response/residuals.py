@@ -56,7 +56,7 @@ def summary(
     found = {}
     for place, (name, part) in enumerate(parts.items()):
         of_part = strikes.where(strikes.part == place)
-        each, groups = differences(values, of_part), {name: slice(None)}
+        each, groups = differences(values, of_part), {name: np.arange(len(of_part.friction))}
         if part.held_out and not part.built_in:
             masses = effective_mass(of_part)
             for least, most in pairwise(MASSES):
