@@ -29,15 +29,14 @@ def test_without_friction_a_ball_keeps_its_spin_about_the_normal_and_most_of_the
 
 @pytest.mark.parametrize("name", AXES)
 def test_the_default_model_follows_the_finite_elements_to_balls_that_spin(name):
-    """The coefficients were found on balls at rest. With 1000 rpm about any axis they still meet what the fit is asked
-    for, but that the model leaves more of a spin across the backspin than the finite elements do: a quarter of 1000
-    rpm at most, which is 3.5% of the backspin."""
+    """With 1000 rpm about any axis the launch meets what the fit is asked for; sidespin, which has no share of its own
+    to be measured by, stays within 1% of the backspin."""
     spins = {"ball_backspin": 0.0, name: "1000 rpm"}
     want, got = (clubface.impact("7-iron", {**CAST, **spins}, model=model) for model in ("fem", "response"))
     assert abs(got.ball_speed / want.ball_speed - 1.0) < 0.005
     assert abs(got.launch - want.launch) < np.radians(0.2)
     assert abs(got.backspin / want.backspin - 1.0) < 0.02
-    assert abs(got.sidespin - want.sidespin) < 0.035 * want.backspin
+    assert abs(got.sidespin - want.sidespin) < 0.01 * want.backspin
 
 
 @pytest.mark.parametrize("hand", ["right", "left"])

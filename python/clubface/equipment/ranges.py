@@ -28,6 +28,9 @@ QUANTITIES = {
     "friction": Bounded("friction", "1"),
     "club_mass": Bounded("mass of the head", "g"),
     "characteristic_time": Bounded("characteristic time", "us"),
+    "ball_backspin": Bounded("backspin before impact", "rpm"),
+    "ball_sidespin": Bounded("sidespin before impact", "rpm"),
+    "ball_riflespin": Bounded("riflespin before impact", "rpm"),
 }
 """What a range can be of: inputs of a shot, ``friction`` of the model's parameters, and ``incidence``, the angle
 between the velocity of the clubhead and the normal at the face centre."""
@@ -39,6 +42,7 @@ RANGES: Mapping[str, Range] = {
         "friction": (0.05, 0.6),
         "club_mass": (0.16, 5.0),
         "characteristic_time": (0.0, 350e-6),
+        **dict.fromkeys(("ball_backspin", "ball_sidespin", "ball_riflespin"), (-100.0 * math.pi, 100.0 * math.pi)),
     }
 }
 """Ranges by model: the strikes from which its parameters come for every ball. The strikes by finite elements to which

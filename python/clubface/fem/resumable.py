@@ -76,6 +76,7 @@ class ResumableTable:
         what: str,
         workers: int | None,
         progress: Callable[[int, int], object] | None,
+        is_of: Callable[[P, Mapping[str, Any]], bool] = lambda point, row: True,
     ) -> list[dict[str, Any]]:
         """Run what has no row yet, side by side, a row kept as each ends; return the rows of all.
 
@@ -91,12 +92,14 @@ class ResumableTable:
             Runs at a time; left out, as many as there are cores.
         progress
             Called with the rows there are and the rows in all.
+        is_of
+            Whether a row that is there is of what is run now; if not, it is run again.
         """
-        with self._store(places) as store:
+        with self._store(places, is_of) as store:
             if store is not None:
                 for name in store:
                     self._keep(store[name])
-            rows = {point: self._rows.get(_key(place)) for point, place in places.items()}
+            rows = {point: self._row(point, place, is_of) for point, place in places.items()}
 
             def ended(point: P, row: dict[str, Any]) -> None:
                 rows[point] = row
@@ -117,12 +120,21 @@ class ResumableTable:
                 self._write(found, store)
         return found
 
-    def _store(self, places: Mapping[P, tuple[float, float]]) -> AbstractContextManager[Store | None]:
+    def _row(
+        self, point: P, place: tuple[float, float], is_of: Callable[[P, Mapping[str, Any]], bool]
+    ) -> dict[str, Any] | None:
+        """Return the row of a place, None where there is none or one of something else."""
+        row = self._rows.get(_key(place))
+        return row if row is not None and is_of(point, row) else None
+
+    def _store(
+        self, places: Mapping[P, tuple[float, float]], is_of: Callable[[P, Mapping[str, Any]], bool]
+    ) -> AbstractContextManager[Store | None]:
         """Return the store of what is not in the table yet, or None."""
         if self._path is None:
             return nullcontext()
         folder = unfinished(self._path)
-        if not folder.exists() and all(_key(place) in self._rows for place in places.values()):
+        if not folder.exists() and all(self._row(*each, is_of) is not None for each in places.items()):
             return nullcontext()
         otherwise = f"finish that with the same command, or remove {folder}"
         return Store(folder, self._content, of=self._path, otherwise=otherwise)

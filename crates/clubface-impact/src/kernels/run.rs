@@ -12,7 +12,7 @@ use crate::shot::INPUT_COUNT;
 use clubface_math::{Computation, Scalar};
 
 /// Largest number of parameters a model may have.
-pub const MOST_PARAMETERS: usize = 112;
+pub const MOST_PARAMETERS: usize = 152;
 
 /// The impact of a model, a function of its own for each kind of number.
 pub(super) struct Run<'a, M, S, R> {

@@ -53,14 +53,15 @@ impl<S: Scalar> Model<S> for Response<S> {
         let Contact { middle, end, time } = self.contact(&bodies, speed);
         let mobility = bodies.mobility(middle);
         let sliding = bodies.sliding(middle);
-        let at = self.features(&bodies, &mobility, sliding, speed);
+        let at = self.features(&bodies, &mobility, sliding, speed, end);
 
         // Relative velocity at separation: along the normal, and along the face.
         let rebound = speed * S::zero().max(self.restitution(&at));
         let driven = mobility.coupling * ((speed + rebound) / mobility.normal);
         let along = driven * self.drive(&at)
             - sliding * self.tangential(&at)
-            - mobility.scaled(sliding) * self.tangential_mobility(&at);
+            - mobility.scaled(sliding) * self.tangential_mobility(&at)
+            + middle.normal.cross(sliding) * (bodies.turning(middle, sliding, speed) * self.swerve(&at));
         let arm = touch.ball.radius * self.lever(&at);
         let wanted = end.normal * rebound + along.reject(end.normal) - bodies.approach(end, arm);
 
@@ -69,8 +70,8 @@ impl<S: Scalar> Model<S> for Response<S> {
             bodies.head(end.point, middle.point) + turning.scale(-arm.squared() / touch.ball.inertia);
         let linear = self.within_friction(&bodies, gained, wanted, middle.normal, end.normal);
         let normal_impulse = middle.normal.dot(linear);
-        let twist = self.twist(&bodies, &at, middle, linear);
-        let (ball, club) = Impulse { place: middle, linear, twist, arm }.motions(&bodies);
+        let couple = self.couple(&bodies, &at, middle, linear, arm);
+        let (ball, club) = Impulse { place: middle, linear, couple, arm }.motions(&bodies);
         let mut launch = touch.launch(ball, club);
         launch.contact_time = time;
         launch.peak_force = normal_impulse / time * self.peak(&at);
@@ -123,12 +124,14 @@ impl<S: Scalar> Response<S> {
         mobility: &Mobility<S>,
         sliding: Vec3<S>,
         speed: S,
+        end: Place<S>,
     ) -> Features<S> {
         let normal = bodies.estimated_normal(speed, mobility);
         let rolling = bodies.rolling(sliding, normal, mobility);
         let need = bodies.need(rolling, normal);
         let slipping = need / (need + self.half_slip.squared());
         let coupling = mobility.coupling.dot(sliding) / mobility.normal;
+        let gained = -bodies.approach(end, S::zero()).dot(end.normal) - speed;
         Features {
             speed: speed * SPEED.recip() - 0.75,
             friction: (self.friction - 0.3) * 3.0,
@@ -137,6 +140,8 @@ impl<S: Scalar> Response<S> {
             ratio: mobility.ratio(),
             coupling: coupling * 3.0 / (sliding.norm_squared() + speed.squared()).sqrt(),
             face: face(bodies.touch),
+            bend: gained * 5.0 / (gained.squared() + speed.squared()).sqrt(),
+            offset: mobility.coupling.norm_squared() * 10.0 / mobility.normal.squared(),
         }
     }
 
@@ -167,16 +172,28 @@ impl<S: Scalar> Response<S> {
         middle * normal + Vec3::select(over, along * scale, along)
     }
 
-    /// The twist about the normal by which a turning face turns the ball, N m s.
+    /// What turns the ball beside the impulse, N m s: about the normal the friction of a face and a ball that turn,
+    /// and across it the pressure, which is greater ahead of a ball that rolls.
     #[inline(always)]
-    fn twist(&self, bodies: &Bodies<S>, at: &Features<S>, middle: Place<S>, linear: Vec3<S>) -> S {
+    fn couple(
+        &self,
+        bodies: &Bodies<S>,
+        at: &Features<S>,
+        middle: Place<S>,
+        linear: Vec3<S>,
+        arm: S,
+    ) -> Vec3<S> {
+        let Place { point, normal } = middle;
         let touch = bodies.touch;
-        let turned = bodies.inverse_inertia * linear.cross(middle.point);
-        let spin = middle.normal.dot((touch.club_spin - touch.ball_spin) * self.twist_before + turned)
-            * self.torsion(at);
-        let limit = self.friction * linear.dot(middle.normal) * touch.ball.radius * self.twist_arm + 1e-30;
-        let free = spin * touch.ball.inertia;
-        free / ((free / limit).squared() + 1.0).sqrt()
+        let inertia = touch.ball.inertia;
+        let turned = bodies.inverse_inertia * linear.cross(point);
+        let before = touch.club_spin * self.twist_before - touch.ball_spin * self.twist_spin;
+        let twist = normal.dot(before + turned) * self.torsion(at) * inertia;
+        let limit = self.friction * linear.dot(normal) * touch.ball.radius * self.twist_arm + 1e-30;
+        let twist = twist / ((twist / limit).squared() + 1.0).sqrt();
+        let gained = linear.cross(normal) * (arm / inertia) - turned;
+        let rolling = (touch.ball_spin - touch.club_spin + gained * self.rolling_gained).reject(normal);
+        normal * twist - rolling * (self.rolling(at) * inertia)
     }
 }
 

@@ -22,6 +22,8 @@ fn at_rest(places: &[f64], friction: f64) -> Vec<f64> {
     let info = RESPONSE.info();
     let each = info.parameters.iter().zip(places).map(|(p, place)| match p.name {
         name if MOTIONS.contains(&name) => 0.0,
+        // The pressure ahead of a ball that rolls turns it as no force at first touch does.
+        name if name.starts_with("rolling_") => 0.0,
         "friction" => friction,
         "time" => p.default,
         "half_slip" | "sharpness" => p.default * (0.5 + place),

@@ -17,7 +17,7 @@ from clubface.fem.balls import ball
 from clubface.fem.response.design import PARTS
 from clubface.fem.response.fit import MODEL, fit, weights
 from clubface.fem.response.residuals import PERCENTILES, figure, summary
-from clubface.fem.response.runs import in_fit, run
+from clubface.fem.response.runs import in_fit, of_clubs, run
 from clubface.plots.style import save
 from clubface.support.whole_file import write_text
 
@@ -37,7 +37,7 @@ def main(arguments: list[str]) -> int:
         meshed, described = ball(which), rigid_ball(which)
         strikes = run(meshed, PARTS, folder / f"{meshed.name}.csv", progress=tell)
         used = strikes.where(in_fit(strikes, PARTS))
-        values = fit(used, weights(used, used.part == list(PARTS).index("clubs")))
+        values = fit(used, weights(used, of_clubs(used, PARTS)))
         values = {name: float(f"{value:.6g}") for name, value in values.items()}
         left = summary(values, strikes, PARTS)
         own = {**described.parameters, MODEL: {**described.parameters.get(MODEL, {}), **values}}

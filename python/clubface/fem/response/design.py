@@ -1,4 +1,4 @@
-"""Strikes to fit response functions to: all kinds of rigid heads, and the built-in clubs."""
+"""Strikes to fit response functions to: all kinds of rigid heads and the built-in clubs, with balls at rest or not."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 RANGE = RANGES["response"]
+SPINS = ("ball_backspin", "ball_sidespin", "ball_riflespin")
 CLUBS = (
     "driver", "3-wood", "5-wood", "hybrid", "3-iron", "5-iron", "6-iron", "7-iron", "8-iron", "9-iron",
     "pitching-wedge",
@@ -42,12 +43,15 @@ class Part:
         How many, and the seed of their sequence.
     held_out
         Whether the coefficients are not fitted to them.
+    built_in
+        Whether the heads are those of the built-in clubs.
     """
 
     make: Callable[[int, int], list[Strike]]
     count: int
     seed: int
     held_out: bool
+    built_in: bool = False
 
 
 def heads(count: int, seed: int) -> list[Strike]:
@@ -57,6 +61,32 @@ def heads(count: int, seed: int) -> list[Strike]:
     radii of gyration of 13.5 to 55 mm; CG and impact point anywhere on a clubface; half of them flat, some turning, and
     with rigid faces or characteristic times from 100 us to the end of the range.
     """
+    return _heads(_sequence(24, count, seed))
+
+
+def spinning_heads(count: int, seed: int) -> list[Strike]:
+    """Return strikes as those of heads of all kinds, with balls that spin about any axis before impact."""
+    points = _sequence(27, count, seed)
+    return _spinning(_heads(points), points[:, 24:])
+
+
+def spinning_clubs(count: int, seed: int) -> list[Strike]:
+    """Return strikes as those with the built-in clubs, with balls that spin about any axis before impact."""
+    points = _sequence(13, count, seed)
+    return _spinning(_clubs(points), points[:, 10:])
+
+
+def _spinning(of: list[Strike], shares: NDArray[Any]) -> list[Strike]:
+    """Return strikes with a spin of the ball, given as shares of its range about the three axes."""
+    found = []
+    for each, u in zip(of, shares, strict=True):
+        spin = {name: float(_between(name, share)) for name, share in zip(SPINS, u, strict=True)}
+        found.append(each._replace(delivery={**each.delivery, **spin}))
+    return found
+
+
+def _heads(points: NDArray[Any]) -> list[Strike]:
+    """Return strikes with free heads from points of the unit cube."""
     import numpy as np
     from scipy.spatial.transform import Rotation
 
@@ -64,7 +94,7 @@ def heads(count: int, seed: int) -> list[Strike]:
     slowest, fastest = RANGE["speed"]
     lightest, heaviest = RANGE["club_mass"]
     softest = RANGE["characteristic_time"][1]
-    for u in _sequence(24, count, seed):
+    for u in points:
         mass = heaviest if u[4] < 0.04 else lightest * (0.45 / lightest) ** u[3]
         gyration = np.array([0.0135 * (0.035 / 0.0135) ** u[6], *(0.024 * (0.055 / 0.024) ** u[7:9])])
         moments = mass * gyration**2
@@ -109,8 +139,13 @@ def _between(name: str, share: float) -> float:
 
 def clubs(count: int, seed: int) -> list[Strike]:
     """Return strikes with the built-in clubs as golfers deliver them, good and bad, with faces of several kinds."""
+    return _clubs(_sequence(10, count, seed))
+
+
+def _clubs(points: NDArray[Any]) -> list[Strike]:
+    """Return strikes with the built-in clubs, one after the other, from points of the unit cube."""
     found = []
-    for number, u in enumerate(_sequence(10, count, seed)):
+    for number, u in enumerate(points):
         head = club(CLUBS[number % len(CLUBS)])
         wood = head.kind == "wood"
         rigid, least, more = (0.2, 200e-6, 80e-6) if wood else (0.4, 100e-6, 120e-6)
@@ -138,10 +173,14 @@ def _sequence(dimensions: int, count: int, seed: int) -> NDArray[Any]:
 
 PARTS: dict[str, Part] = {
     "heads": Part(heads, 1024, 101, held_out=False),
-    "clubs": Part(clubs, 440, 102, held_out=False),
+    "clubs": Part(clubs, 440, 102, held_out=False, built_in=True),
     "more heads": Part(heads, 1024, 105, held_out=False),
     "heads, held out": Part(heads, 512, 103, held_out=True),
-    "clubs, held out": Part(clubs, 220, 104, held_out=True),
+    "clubs, held out": Part(clubs, 220, 104, held_out=True, built_in=True),
+    "spinning balls, heads": Part(spinning_heads, 256, 106, held_out=False),
+    "spinning balls, clubs": Part(spinning_clubs, 132, 107, held_out=False, built_in=True),
+    "spinning balls, heads, held out": Part(spinning_heads, 128, 108, held_out=True),
+    "spinning balls, clubs, held out": Part(spinning_clubs, 66, 109, held_out=True, built_in=True),
 }
 """The strikes of the coefficients, and those that they were not fitted to, by what they are."""
 

@@ -22,6 +22,8 @@ RIDGE = 0.02
 """What a coefficient of one costs, in these deviations: keeps those that no strike determines near zero."""
 CLUB_WEIGHT = 2.5
 """Of a strike with a built-in club, beside one with any head."""
+CONVERGED = 1e-7
+"""Share of the cost by which a search must lower it at least: one that repeats another gives the same coefficients."""
 LIGHT = 0.12
 """Effective mass [kg] of a head at the impact point below which its strikes count less, since no club is so light."""
 
@@ -97,7 +99,10 @@ def effective_mass(strikes: Strikes) -> NDArray[Any]:
 def fit(
     strikes: Strikes, weight: NDArray[Any], *, progress: Callable[[float], object] | None = None
 ) -> dict[str, float]:
-    """Return the coefficients that fit the strikes best, those of the registry being where the search begins."""
+    """Return the coefficients that fit the strikes best.
+
+    The search begins with those of the registry, which stay where no others fit better.
+    """
     import numpy as np
     from scipy.optimize import least_squares
 
@@ -108,6 +113,9 @@ def fit(
     terms = np.array([bounds[name].meaning.startswith("term ") for name in names])
     kept: dict[bytes, tuple[Any, Any]] = {}
 
+    def cost(residual: NDArray[Any]) -> float:
+        return float(np.sum(np.sqrt(1.0 + residual**2) - 1.0))
+
     def at(x: NDArray[Any]) -> tuple[Any, Any]:
         if x.tobytes() not in kept:
             kept.clear()
@@ -116,7 +124,7 @@ def fit(
             slope = (slopes / scale[:, :, None]).reshape(-1, len(names))
             kept[x.tobytes()] = residual, np.concatenate([slope, RIDGE * np.eye(len(names))[terms]])
             if progress is not None:
-                progress(float(np.sum(np.sqrt(1.0 + residual**2) - 1.0)))
+                progress(cost(residual))
         return kept[x.tobytes()]
 
     size = np.maximum(np.abs(start), 0.05)
@@ -128,4 +136,6 @@ def fit(
         lambda x: at(x)[1],  # pyright: ignore[reportArgumentType] -- its stubs know names of methods alone
         bounds=(lower, upper), x_scale=size, loss="soft_l1", max_nfev=60,
     )  # fmt: skip
-    return dict(zip(names, map(float, best.x), strict=True))
+    first = cost(at(start)[0])
+    found = best.x if cost(best.fun) < (1.0 - CONVERGED) * first else start
+    return dict(zip(names, map(float, found), strict=True))

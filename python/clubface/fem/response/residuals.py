@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from clubface.fem.response.design import Part
-from clubface.fem.response.fit import fitted, simulated
+from clubface.fem.response.fit import effective_mass, fitted, simulated
 from clubface.fem.response.runs import Strikes
 
 if TYPE_CHECKING:
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
 SPIN_SHARE, SPIN_LEAST = 0.02, 40.0 * math.pi / 30.0
 """A spin is met within this share of itself, or within this much [rad/s]."""
 PERCENTILES = (50, 95, 100)
+MASSES = (0.0, 0.12, 0.2, math.inf)
+"""Ends of the classes of effective mass [kg] by which differences with any heads are told, too."""
 
 
 def differences(values: Mapping[str, float], strikes: Strikes) -> dict[str, NDArray[Any]]:
@@ -47,14 +50,26 @@ def differences(values: Mapping[str, float], strikes: Strikes) -> dict[str, NDAr
 def summary(
     values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Part]
 ) -> dict[str, dict[str, list[float]]]:
-    """Return the percentiles of the differences, by part and quantity."""
+    """Return the percentiles of the differences by part and quantity, for held-out heads also by effective mass."""
     import numpy as np
 
     found = {}
-    for place, name in enumerate(parts):
-        each = differences(values, strikes.where(strikes.part == place))
-        found[name] = {key: [float(np.percentile(of, p)) for p in PERCENTILES] for key, of in each.items()}
+    for place, (name, part) in enumerate(parts.items()):
+        of_part = strikes.where(strikes.part == place)
+        each, groups = differences(values, of_part), {name: np.arange(len(of_part.friction))}
+        if part.held_out and not part.built_in:
+            masses = effective_mass(of_part)
+            for least, most in pairwise(MASSES):
+                groups[f"{name}, {_class(least, most)}"] = np.flatnonzero((masses >= least) & (masses < most))
+        for group, chosen in groups.items():
+            found[group] = {key: [float(np.percentile(of[chosen], p)) for p in PERCENTILES] for key, of in each.items()}
     return found
+
+
+def _class(least: float, most: float) -> str:
+    if not least:
+        return f"below {most:g} kg"
+    return f"{least:g} kg and more" if math.isinf(most) else f"{least:g} to {most:g} kg"
 
 
 def figure(values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Part]) -> Figure:
@@ -62,7 +77,9 @@ def figure(values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Pa
     import numpy as np
     from matplotlib.figure import Figure
 
-    drawn = Figure(figsize=(9.0, 3.2), layout="constrained")
+    from clubface.plots.style import legend_above
+
+    drawn = Figure(figsize=(9.0, 3.4), layout="constrained")
     panels = drawn.subplots(1, 3, sharey=True)
     told = {
         "speed": ("difference of ball speed, %", 100.0, 0.5),
@@ -76,11 +93,11 @@ def figure(values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Pa
         for panel, (key, (_, size, _)) in zip(panels, told.items(), strict=True):
             ordered = np.sort(found[key]) * size
             panel.plot(ordered, np.arange(1, len(ordered) + 1) / len(ordered), label=name)
+    legend_above(drawn, panels[0].get_lines())
     for panel, (text, _, asked) in zip(panels, told.values(), strict=True):
         panel.axvline(asked, color="0.6", linewidth=0.8)
         panel.axhline(0.95, color="0.6", linewidth=0.8)
         panel.set_xlim(0.0, 4.0 * asked)
         panel.set_xlabel(text)
     panels[0].set_ylabel("share of the strikes")
-    panels[0].legend(loc="lower right")
     return drawn

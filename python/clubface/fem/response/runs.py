@@ -1,9 +1,9 @@
-"""The table of strikes: each run by finite elements once, and an interrupted run goes on after them."""
+"""The table of strikes: each run by finite elements once, also where the design or an interrupted run goes on later."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface.fem.balls import Ball
@@ -11,6 +11,7 @@ from clubface.fem.response.design import Part, Strike, strikes
 from clubface.fem.resumable import ResumableTable
 from clubface.fem.run import inputs_of, one_shot, strike
 from clubface.fem.settings import Settings
+from clubface.support.resuming import fingerprint
 from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
@@ -20,8 +21,9 @@ TARGETS = (
     "velocity_x", "velocity_y", "velocity_z", "spin_x", "spin_y", "spin_z", "contact_time", "peak_force",
 )  # fmt: skip
 """What the model must give, SI."""
-COLUMNS = ("part", "number", *TARGETS, "stopped")
-"""Of the table: which strike it is (the design tells how it is delivered), and its results."""
+COLUMNS = ("part", "number", *TARGETS, "stopped", "inputs")
+"""Of the table: which strike it is (the design tells how it is delivered), its results, and a sum of its inputs, by
+which a row is run again where the design gives its number to another strike."""
 DIGITS = 9
 _SETTINGS = Settings(duration=2.5e-3, interval=2e-5, until_separation=True, threads=1)
 
@@ -68,7 +70,7 @@ def run(
     parts
         The strikes, by what they are.
     path
-        The table. It belongs to one ball and one design, and is refused with others.
+        The table. It belongs to one ball, and is refused with another. Strikes that have changed are run again.
     workers
         Runs at a time; left out, as many as there are cores.
     progress
@@ -78,20 +80,22 @@ def run(
 
     planned = strikes(parts)
 
-    def one(place: tuple[int, int], keep_going: Any, threads: int) -> dict[str, Any]:
-        return _row(place, planned[place], ball, keep_going)
-
-    content = {"ball": ball.values(), "design": [(name, part.seed) for name, part in parts.items()]}
-    places = {place: (float(place[0]), float(place[1])) for place in planned}
-    rows = ResumableTable(path, content, COLUMNS, {"stopped": str}).fill(
-        places, one, what="strikes", workers=workers, progress=progress
-    )
-    pairs = [(place, row) for place, row in zip(planned, rows, strict=True) if not row["stopped"]]
     with without_warnings():
-        shots = [one_shot(planned[place].club, planned[place].delivery, ball) for place, _ in pairs]
+        shots = {place: inputs_of(one_shot(each.club, each.delivery, ball)) for place, each in planned.items()}
+    sums = {place: _sum([*inputs, planned[place].friction]) for place, inputs in shots.items()}
+
+    def one(place: tuple[int, int], keep_going: Any, threads: int) -> dict[str, Any]:
+        return {**_row(place, planned[place], ball, keep_going), "inputs": sums[place]}
+
+    places = {place: (float(place[0]), float(place[1])) for place in planned}
+    rows = ResumableTable(path, {"ball": ball.values()}, COLUMNS, {"stopped": str, "inputs": str}).fill(
+        places, one, what="strikes", workers=workers, progress=progress,
+        is_of=lambda place, row: row["inputs"] == sums[place],
+    )  # fmt: skip
+    pairs = [(place, row) for place, row in zip(planned, rows, strict=True) if not row["stopped"]]
     return Strikes(
         np.array([place[0] for place, _ in pairs]),
-        np.array([inputs_of(shot) for shot in shots]),
+        np.array([shots[place] for place, _ in pairs]),
         np.array([planned[place].friction for place, _ in pairs]),
         np.array([[row[name] for name in TARGETS] for _, row in pairs]),
     )
@@ -102,6 +106,18 @@ def in_fit(of: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
     import numpy as np
 
     return np.isin(of.part, [place for place, part in enumerate(parts.values()) if not part.held_out])
+
+
+def of_clubs(of: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
+    """Return which strikes are with built-in clubs."""
+    import numpy as np
+
+    return np.isin(of.part, [place for place, part in enumerate(parts.values()) if part.built_in])
+
+
+def _sum(values: Iterable[float]) -> str:
+    """Return a text that tells inputs apart; another machine may differ in their last digits."""
+    return fingerprint([f"{value + 0.0:.{DIGITS}g}" for value in values])[:8]
 
 
 def _row(place: tuple[int, int], planned: Strike, ball: Ball, keep_going: Any) -> dict[str, Any]:

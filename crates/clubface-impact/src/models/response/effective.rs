@@ -71,6 +71,14 @@ impl<S: Scalar> Bodies<'_, S> {
         self.approach(place, self.touch.ball.radius * LEVER).reject(place.normal)
     }
 
+    /// How fast the ball turns about the normal relative to the face, as its surface speed at one radius over that of the
+    /// whole approach.
+    #[inline(always)]
+    pub fn turning(&self, place: Place<S>, sliding: Vec3<S>, speed: S) -> S {
+        let turning = place.normal.dot(self.touch.ball_spin - self.touch.club_spin);
+        turning * self.touch.ball.radius / (sliding.norm_squared() + speed.squared()).sqrt()
+    }
+
     /// Relative velocity at `seen` per impulse at `point`, without the turning of the ball.
     #[inline(always)]
     pub fn head(&self, seen: Vec3<S>, point: Vec3<S>) -> Mat3<S> {
@@ -136,13 +144,13 @@ impl<S: Scalar> Bodies<'_, S> {
     }
 }
 
-/// What an impulse at a place, and a twist about the normal there, make of club and ball.
+/// What an impulse at a place, and a couple there, make of club and ball.
 pub struct Impulse<S> {
     pub place: Place<S>,
     /// On the ball, N s.
     pub linear: Vec3<S>,
-    /// About the normal, on the ball, N m s.
-    pub twist: S,
+    /// On the ball, N m s.
+    pub couple: Vec3<S>,
     /// Distance of the ball's CG from the contact point, m.
     pub arm: S,
 }
@@ -151,15 +159,14 @@ impl<S: Scalar> Impulse<S> {
     /// Both motions after impact. An impulse that would make energy is scaled down to where it makes none.
     #[inline(always)]
     pub fn motions(&self, bodies: &Bodies<S>) -> (Motion<S>, Motion<S>) {
-        let Self { place, linear, twist, arm } = *self;
+        let Self { place, linear, couple, arm } = *self;
         let touch = bodies.touch;
         let (ball, mass) = (&touch.ball, touch.club_mass);
-        let twisting = place.normal * twist;
-        let spin = (linear.cross(place.normal) * arm + twisting) * ball.inertia.recip();
-        let head_torque = place.point.cross(linear) + twisting;
+        let spin = (linear.cross(place.normal) * arm + couple) * ball.inertia.recip();
+        let head_torque = place.point.cross(linear) + couple;
         let head_spin = bodies.inverse_inertia * head_torque;
         // Energy gained by a share of the impulse: share * first + share^2 * second.
-        let first = linear.dot(bodies.approach(place, arm)) - twisting.dot(touch.club_spin - touch.ball_spin);
+        let first = linear.dot(bodies.approach(place, arm)) - couple.dot(touch.club_spin - touch.ball_spin);
         let second = (linear.norm_squared() * (ball.mass.recip() + mass.recip())
             + spin.norm_squared() * ball.inertia
             + head_spin.dot(head_torque))

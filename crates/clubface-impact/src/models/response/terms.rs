@@ -17,6 +17,11 @@ pub struct Features<S> {
     pub coupling: S,
     /// Square of the characteristic time over 250 us.
     pub face: S,
+    /// How much faster the normals approach at separation than at first touch, since a face curves and turns: the gain
+    /// over the size of both, times 5.
+    pub bend: S,
+    /// How far the normal impulse drives the contact along the face in any direction: the square, times 10.
+    pub offset: S,
 }
 
 /// Declares the parameters of a model whose response functions are sums of terms, and a method for each function.
