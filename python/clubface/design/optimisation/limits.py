@@ -112,12 +112,17 @@ class Buildable:
         All fields that change, in the order of the slopes.
     distributed
         Whether the variables make the moments positive semidefinite by themselves.
+    mass_changes
+        Whether the mass does; otherwise the budget is no limit, and a solver would stumble over a margin that is 0.
     """
 
     name = "the head can be built"
 
-    def __init__(self, base: Club, envelope: Envelope, fields: Sequence[str], distributed: bool) -> None:
+    def __init__(
+        self, base: Club, envelope: Envelope, fields: Sequence[str], *, distributed: bool, mass_changes: bool
+    ) -> None:
         self.envelope, self._values, self._distributed = envelope, of_club(base), distributed
+        self._mass_changes = mass_changes
         self._changing = [(MASS_PROPERTIES.index(name), row) for row, name in enumerate(fields) if name in MASS_PROPERTIES]
         self._fields = tuple(fields)
         self._forms = np.array([each.matrix for each in envelope.volume.forms()])
@@ -133,7 +138,8 @@ class Buildable:
         """Return the traces, the rest of the budget and, where it may be negative, every principal moment."""
         placed = self.envelope.placed(pseudo_inertia(self.values(state)))
         found = [np.einsum("fij,ij->f", self._forms, placed) / self.envelope.budget]
-        found.append(np.array([1.0 - placed[3, 3] / self.envelope.budget]))
+        if self._mass_changes:
+            found.append(np.array([1.0 - placed[3, 3] / self.envelope.budget]))
         if not self._distributed:
             scale = np.outer(self.envelope.scale, self.envelope.scale)
             found.append(np.linalg.eigvalsh(placed * scale))
@@ -145,7 +151,9 @@ class Buildable:
         by_values = pseudo_inertia_derivatives(values)
         by_numbers = sum(by_values[place][..., None] * state.slopes[row] for place, row in self._changing)
         assert isinstance(by_numbers, np.ndarray)  # there is at least one mass property that changes
-        found = [np.einsum("fij,ijn->fn", self._forms, by_numbers) / budget, -by_numbers[3, 3][None] / budget]
+        found = [np.einsum("fij,ijn->fn", self._forms, by_numbers) / budget]
+        if self._mass_changes:
+            found.append(-by_numbers[3, 3][None] / budget)
         if not self._distributed:
             scale = self.envelope.scale
             placed = self.envelope.placed(pseudo_inertia(values)) * np.outer(scale, scale)
