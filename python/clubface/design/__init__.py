@@ -1,4 +1,4 @@
-"""Better clubs from the models: what the rules allow, what a body can be, golfers and their shots, optima.
+"""From a model to a better club: alternatives side by side, maps of the face, golfers, dispersion and optimisation.
 
-Everything here drives any model through its derivatives and its batches, so that a new model needs no change here.
+What stands here drives any model of impact, finite elements among them, and the flight after it.
 """

@@ -31,7 +31,8 @@ SPEED_EXPONENT = 0.18
 FACE = ("loft", "bulge", "roll", "characteristic_time")
 FREE = (*MASS_PROPERTIES, *FACE, "lie")
 """What may change: fields of a club, and its lie as a change of the lie at impact."""
-LANDING = ("carry", "side")
+LANDING = ("carry", "side", "total", "total_side")
+"""What is known of a shot: where it comes down, and where it comes to rest; the rows of all landings."""
 LAUNCH = (*VELOCITY, *SPIN)
 
 
@@ -79,13 +80,13 @@ class Slopes:
         Parameters
         ----------
         weights
-            Of carry and side of every shot, shape (2, shots).
+            Of what is known of every shot, shape (landings, shots).
         """
         by_launch = np.einsum("on,oin->in", weights, self._flight)
         return np.einsum("in,ijn->j", by_launch, self._launch)
 
     def each(self) -> NDArray[Any]:
-        """Return the derivatives of carry and side of every shot, shape (2, variables, shots)."""
+        """Return the derivatives of every landing, shape (landings, variables, shots)."""
         return np.einsum("oin,ijn->ojn", self._flight, self._launch)
 
 
@@ -157,13 +158,16 @@ class Landings:
         return list(given.values())
 
     def of(self, club: Mapping[str, float]) -> NDArray[Any]:
-        """Return carry and side [m] with a club that differs by the fields given, shape (2, shots); NaN for a failure."""
+        """Return the landings [m] with a club that differs by the fields given, shape (landings, shots).
+
+        All are NaN if there is no such club.
+        """
         columns = self._inputs(club)
         found, _ = core.impact(self.setting.model, columns, self._own, self.count, None, self.setting.threads)
         names = list(outputs())
         launches = found[[names.index(name) for name in LAUNCH]]
         if np.isnan(launches).any():
-            return np.full((2, self.count), np.nan)
+            return np.full((len(LANDING), self.count), np.nan)
         flown, _ = core.fly(self._flights(launches, columns), self.count, self.setting.threads)
         return flown[[list(flight_outputs()).index(name) for name in LANDING]]
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from clubface import units
+from clubface.design.strokes import Hole, expected
 from clubface.errors import UnknownNameError
 
 if TYPE_CHECKING:
@@ -17,7 +19,7 @@ SHARE = 0.9
 """Of normally distributed shots that the landing ellipse holds."""
 
 Judged = tuple[float, "NDArray[Any]"]
-"""A value, and its derivatives by carry and side of every shot, shape (2, shots)."""
+"""A value, and its derivatives by every landing, of the shape of the landings."""
 
 
 class Objective(NamedTuple):
@@ -34,7 +36,7 @@ class Objective(NamedTuple):
     sign
         -1 if more is better, +1 if less is.
     judge
-        From landings, shape (2, shots): carry and side [m], to the value and its derivatives.
+        From landings [m], rows as in ``landings.LANDING``, to the value and its derivatives.
     one_shot
         Whether a single shot has it.
     """
@@ -80,7 +82,9 @@ def ellipse(landed: NDArray[Any]) -> Judged:
     # d sqrt(det C) = sqrt(det C) / 2 trace(C^-1 dC), and dC = 2 / n (around)(d around)'
     by_place = area / landed.shape[1] * np.linalg.solve(covariance, around)
     by_down, by_side = by_place
-    return area, np.array([by_down * landed[0] / down, by_side - by_down * landed[1] / down])
+    weights = np.zeros_like(landed)
+    weights[:2] = by_down * landed[0] / down, by_side - by_down * landed[1] / down
+    return area, weights
 
 
 OBJECTIVES = {
@@ -92,6 +96,59 @@ OBJECTIVES = {
     )
 }
 """The ways to judge that need nothing but landings."""
+
+
+EDGE = 4.0
+"""Width [m] over which one lie turns into another, so that expected strokes have derivatives; assumed."""
+_STEP = 1e-3
+"""Half the difference [m] by which expected strokes, straight lines between published distances, are differentiated."""
+
+
+def strokes(hole: Hole) -> Objective:
+    """Return the objective of the strokes expected on a hole after the shot, by where balls come to rest."""
+
+    def judge(landed: NDArray[Any]) -> Judged:
+        total, side = landed[2], landed[3]
+        ahead = np.sqrt(np.maximum(total**2 - side**2, 1e-12))
+        value, by_ahead, by_side = _after(hole, ahead, side)
+        weights = np.zeros_like(landed)
+        weights[2] = by_ahead * total / ahead
+        weights[3] = by_side - by_ahead * side / ahead
+        return float(value.mean()), weights / landed.shape[1]
+
+    meaning = f"mean strokes to hole out after the shot, {units.fixed(hole.length, 'yd', 0)} hole"
+    return Objective("strokes", meaning, units.DIMENSIONLESS, "1", 1.0, judge, True)
+
+
+def _after(hole: Hole, ahead: NDArray[Any], side: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Return strokes after balls have come to rest, and their derivatives by the place.
+
+    They are those of ``Hole.after``, but for a band of ``EDGE`` where a ball lies partly in either of two lies.
+    """
+    off, left = np.abs(side), np.maximum(np.hypot(hole.length - ahead, side), 1e-6)
+    rough, by_rough = _step(off - 0.5 * hole.fairway)
+    trees, by_trees = _step(off - 0.5 * hole.fairway - hole.rough)
+    away, by_away = _step(left - hole.green)
+    lies = {name: _lie(name, left) for name in ("fairway", "rough", "recovery", "green")}
+    (fair, fair_left), (deep, deep_left), (wild, wild_left), (putt, putt_left) = lies.values()
+    off_green = fair + rough * (deep - fair) + trees * (wild - deep)
+    value = putt + away * (off_green - putt)
+    by_left = putt_left + away * (
+        fair_left + rough * (deep_left - fair_left) + trees * (wild_left - deep_left) - putt_left
+    ) + by_away * (off_green - putt)  # fmt: skip
+    by_off = away * (by_rough * (deep - fair) + by_trees * (wild - deep))
+    return value, -by_left * (hole.length - ahead) / left, by_left * side / left + by_off * np.sign(side)
+
+
+def _step(beyond: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return how far a ball is across an edge, 0 to 1 without a corner, and the derivative."""
+    part = np.clip(beyond / EDGE + 0.5, 0.0, 1.0)
+    return part**2 * (3.0 - 2.0 * part), 6.0 * part * (1.0 - part) / EDGE
+
+
+def _lie(name: str, left: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+    above, below = expected(name, left + _STEP), expected(name, np.maximum(left - _STEP, 0.0))
+    return 0.5 * (above + below), (above - below) / (2.0 * _STEP)
 
 
 def objective(name: str, others: dict[str, Objective] | None = None) -> Objective:
