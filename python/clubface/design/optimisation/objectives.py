@@ -18,6 +18,10 @@ if TYPE_CHECKING:
 SHARE = 0.9
 """Of normally distributed shots that the landing ellipse holds."""
 
+FINE, ROUGH = 1e-8, 1e-6
+"""Precisions: of what is smooth, but for 1e-9 that the steps of flights leave in a mean, and of expected strokes, which
+jump with the number of bounces of a single ball."""
+
 Judged = tuple[float, "NDArray[Any]"]
 """A value, and its derivatives by every landing, of the shape of the landings."""
 
@@ -39,6 +43,8 @@ class Objective(NamedTuple):
         From landings [m], rows as in ``landings.LANDING``, to the value and its derivatives.
     one_shot
         Whether a single shot has it.
+    precision
+        Part of its value to which it is made best.
     """
 
     name: str
@@ -48,6 +54,7 @@ class Objective(NamedTuple):
     sign: float
     judge: Callable[[NDArray[Any]], Judged]
     one_shot: bool
+    precision: float = FINE
 
 
 def carry(landed: NDArray[Any]) -> Judged:
@@ -117,7 +124,7 @@ def strokes(hole: Hole) -> Objective:
         return float(value.mean()), weights / landed.shape[1]
 
     meaning = f"mean strokes to hole out after the shot, {units.fixed(hole.length, 'yd', 0)} hole"
-    return Objective("strokes", meaning, units.DIMENSIONLESS, "1", 1.0, judge, True)
+    return Objective("strokes", meaning, units.DIMENSIONLESS, "1", 1.0, judge, True, ROUGH)
 
 
 def _after(hole: Hole, ahead: NDArray[Any], side: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:

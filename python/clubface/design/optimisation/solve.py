@@ -14,9 +14,12 @@ if TYPE_CHECKING:
 
 SLACK = 1e-6
 """What every margin keeps above 0 while it is solved, so that rounding of the solver breaks no limit."""
-PRECISION = 1e-8
-"""Of the cost, as a part of its size at the start; noise of the flights' steps in the mean of shots is near 1e-9."""
 MOST_STEPS = 200
+PATIENCE = 8
+"""Steps without progress after which a solver stops: the number of bounces jumps from shot to shot, so that expected
+strokes are smooth only to some 1e-6."""
+PENALTIES = (0.03, 0.3, 3.0)
+"""Costs of a broken limit, in parts of the cost at the start, with which progress is looked for."""
 ALIKE = 1e-4
 """Costs that differ by less than this part are the same optimum."""
 REFUSED = 10.0
@@ -65,6 +68,7 @@ def solve(problem: Problem, start: NDArray[Any], *, progress: Callable[[], objec
     """Return the optimum that is reached from a start."""
     from scipy.optimize import minimize
 
+    best_yet = _Best()
     scale = max(abs(problem.cost(start)), 1e-6) if np.isfinite(problem.cost(start)) else 1.0
 
     def cost(point: NDArray[Any]) -> float:
@@ -74,6 +78,8 @@ def solve(problem: Problem, start: NDArray[Any], *, progress: Callable[[], objec
     def slope(point: NDArray[Any]) -> NDArray[Any]:
         if progress is not None:
             progress()
+        broken = max(-float(margins(point).min()), 0.0) if limited else 0.0
+        best_yet.tell(point, cost(point), broken, problem.objective.precision)
         return np.nan_to_num(problem.slope(point) / scale)
 
     def margins(point: NDArray[Any]) -> NDArray[Any]:
@@ -84,14 +90,46 @@ def solve(problem: Problem, start: NDArray[Any], *, progress: Callable[[], objec
 
     limited = problem.margins(start).size > 0
     box = problem.variables.box
-    found = minimize(
-        cost, start, jac=slope, method="SLSQP", bounds=box,
-        constraints=[{"type": "ineq", "fun": margins, "jac": margin_slopes}] if limited else [],
-        options={"maxiter": MOST_STEPS, "ftol": PRECISION},
-    )  # fmt: skip
-    point = np.clip(found.x, *box.T)
+    try:
+        found = minimize(
+            cost, start, jac=slope, method="SLSQP", bounds=box,
+            constraints=[{"type": "ineq", "fun": margins, "jac": margin_slopes}] if limited else [],
+            options={"maxiter": MOST_STEPS, "ftol": problem.objective.precision},
+        )  # fmt: skip
+        point, steps, message = found.x, int(found.nit), str(found.message)
+    except _Stalled:
+        point, steps, message = best_yet.point, best_yet.steps, "no more progress"
+    point = np.clip(point, *box.T)
     least = float(problem.margins(point).min()) if limited else np.inf
-    return Solution(point, problem.cost(point), least, int(found.nit), str(found.message))
+    return Solution(point, problem.cost(point), least, steps, message)
+
+
+class _Stalled(Exception):
+    """No progress for some steps."""
+
+
+class _Best:
+    """Remembers the best point within all limits, and stops a solver that makes no progress from it."""
+
+    def __init__(self) -> None:
+        self.point, self.cost, self.steps, self._idle = np.empty(0), np.inf, 0, 0
+        self._merit = {each: np.inf for each in PENALTIES}
+
+    def tell(self, point: NDArray[Any], cost: float, broken: float, precision: float) -> None:
+        """Take note of a point at which the solver takes a step, and of how much a limit is broken there.
+
+        Steps along a curved limit break it a little while they make progress, so progress counts with penalties, too.
+        """
+        self.steps += 1
+        self._idle += 1
+        for penalty, merit in self._merit.items():
+            if cost + penalty * broken < merit - precision:
+                self._merit[penalty], self._idle = cost + penalty * broken, 0
+        if broken <= 0.5 * SLACK and cost < self.cost:
+            self._idle = 0 if cost < self.cost - precision else self._idle
+            self.point, self.cost = np.array(point), cost
+        if self._idle > PATIENCE and np.isfinite(self.cost):
+            raise _Stalled
 
 
 def best(found: Sequence[Solution]) -> Solution | None:
