@@ -32,6 +32,7 @@ COMMANDS = {
     "infer": "infer",
     "fem": "fem",
     "capture": "capture",
+    "optimise": "optimise",
 }
 """The module of each command, in the order of the help."""
 READER_GONE = 128 + 13

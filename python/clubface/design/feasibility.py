@@ -205,7 +205,7 @@ class Envelope:
     def margins(self, pseudo: NDArray[Any]) -> list[Margin]:
         """Return all conditions on a head with this pseudo-inertia, beside the whole head's."""
         placed = self.placed(pseudo)
-        found = [_positive("the head", pseudo, self._whole_scale(pseudo))]
+        found = [_positive("the mass of the head", pseudo, self._whole_scale(pseudo))]
         found += _inside("the head", pseudo, self.volume, pseudo[3, 3])
         found.append(_positive("the discretionary mass", placed, self.scale))
         found += _inside("the discretionary mass", placed, self.volume, self.budget)
@@ -224,7 +224,11 @@ def _positive(of: str, pseudo: NDArray[Any], scale: NDArray[Any]) -> Margin:
     """Return whether moments are those of mass that is nowhere negative."""
     least, vectors = np.linalg.eigh(pseudo * np.outer(scale, scale))
     vector = vectors[:, 0] * scale
-    return Margin(f"{of} is a body", float(least[0]), f"no mass distribution has the moments of {of}: {_told(pseudo, vector)}")
+    return Margin(
+        f"{of} is nowhere negative",
+        float(least[0]),
+        f"no distribution of mass has these moments of {of}: {_told(pseudo, vector)}",
+    )
 
 
 def _told(pseudo: NDArray[Any], vector: NDArray[Any]) -> str:
@@ -255,5 +259,5 @@ def refuse_impossible(name: str, envelope: Envelope, values: NDArray[Any]) -> No
     """Refuse mass properties (in the order of ``MASS_PROPERTIES``) that no body in an envelope has, with the reason."""
     missed = [each for each in envelope.margins(pseudo_inertia(values)) if not each.met]
     if missed:
-        allowed = f"a head that can be built: {missed[0].reason}; give other mass properties or another volume, shell or budget"
-        raise InputError("club", name, allowed)
+        advice = "give other mass properties or another volume, shell or budget"
+        raise InputError("club", name, f"a head that can be built: {missed[0].reason}; {advice}")

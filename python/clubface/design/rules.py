@@ -115,7 +115,9 @@ def rules_of(which: str | Club) -> tuple[Rule, ...]:
     return tuple(rules()[name] for name in (*wood, *face))
 
 
-def check_rules(which: str | Club, *, volume: Any = None, size: tuple[Any, Any, Any] | None = None) -> list[RuleVerdict]:
+def check_rules(
+    which: str | Club, *, volume: Any = None, size: tuple[Any, Any, Any] | None = None
+) -> list[RuleVerdict]:
     """Return what a club has of every limit that holds for it.
 
     Parameters

@@ -1,1 +1,1 @@
-"""Clubs that are best for golfers within limits, and parts that fit them: one problem, solved with exact derivatives."""
+"""Clubs best for golfers within limits, and parts that fit them: one problem, solved with exact derivatives."""

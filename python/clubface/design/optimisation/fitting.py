@@ -1,4 +1,4 @@
-"""Fitting: parts and settings from lists, every combination judged on the same shots, and what is left free adjusted."""
+"""Fitting: parts and settings from lists, every combination judged on the same shots, and what is free adjusted."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from clubface import units
-from clubface.design.optimisation.landings import Landings, Setting
+from clubface.design.optimisation.landings import DEFAULT_SETTING, Landings, Setting
 from clubface.design.optimisation.objectives import Objective, objective, strokes
 from clubface.design.optimisation.problem import Problem
 from clubface.design.optimisation.solve import best, solve, starts
@@ -18,7 +18,6 @@ from clubface.design.optimisation.variables import Variables
 from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError
 
 if TYPE_CHECKING:
@@ -93,7 +92,7 @@ class Fitting:
     settings: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     bounds: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     hole: Hole | None = None
-    setting: Setting = Setting(model=DEFAULT_MODEL)
+    setting: Setting = DEFAULT_SETTING
     shots: int = 10_000
     seed: int = 1
 

@@ -47,7 +47,7 @@ def front(study: Study, golfers: list[tuple[Landings, float]], solved: Solve) ->
     one, other = (study.objective(name) for name in study.objectives)
     ends = []
     for end, beside in ((one, other), (other, one)):
-        problem = study.problem(golfers, end.name, (_free(beside),))
+        problem = study.problem(golfers, end.name, others=(beside,))
         tried = [
             solved(f"front {end.name} {place}", "finding the ends of the front", problem, point)
             for place, point in enumerate(starts(problem, min(study.starts, STARTS), study.seed))
@@ -64,7 +64,7 @@ def front(study: Study, golfers: list[tuple[Landings, float]], solved: Solve) ->
         kept = ShotLimit(
             objective=other, least=level if other.sign < 0 else -math.inf, most=level if other.sign > 0 else math.inf
         )  # fmt: skip
-        problem = study.problem(golfers, one.name, (kept,))
+        problem = study.problem(golfers, one.name, limits=(kept,))
         # The neighbour nearly keeps the new level; the other end keeps every level, and is seldom near.
         mixed = [before, ends[1][1], 0.5 * (before + ends[1][1])]
         tried = [
@@ -75,11 +75,6 @@ def front(study: Study, golfers: list[tuple[Landings, float]], solved: Solve) ->
             before = found.point
             found_points.append(_point(problem, before, study))
     return tuple(_not_dominated([*found_points, points[1]], one.sign, other.sign, study.objectives))
-
-
-def _free(objective: Any) -> ShotLimit:
-    """A limit that limits nothing, so that the objective is known at every point."""
-    return ShotLimit(objective=objective, least=-math.inf, most=math.inf)
 
 
 def _point(problem: Problem, point: NDArray[Any], study: Study) -> FrontPoint:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface.design.feasibility import MASS_PROPERTIES
+from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError
 from clubface.simulation import core
 from clubface.simulation.flight_inputs import BALL, SPIN, VELOCITY, conditions
@@ -59,6 +60,9 @@ class Setting:
     wind: Any = None
     speed_exponent: float = SPEED_EXPONENT
     threads: int = 0
+
+
+DEFAULT_SETTING = Setting(model=DEFAULT_MODEL)
 
 
 class Slopes:

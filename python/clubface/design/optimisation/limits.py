@@ -123,7 +123,9 @@ class Buildable:
     ) -> None:
         self.envelope, self._values, self._distributed = envelope, of_club(base), distributed
         self._mass_changes = mass_changes
-        self._changing = [(MASS_PROPERTIES.index(name), row) for row, name in enumerate(fields) if name in MASS_PROPERTIES]
+        self._changing = [
+            (MASS_PROPERTIES.index(name), row) for row, name in enumerate(fields) if name in MASS_PROPERTIES
+        ]
         self._fields = tuple(fields)
         self._forms = np.array([each.matrix for each in envelope.volume.forms()])
 

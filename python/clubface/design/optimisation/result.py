@@ -157,7 +157,10 @@ class Optimum:
         envelope = study.variables.envelope
         if envelope is not None:
             pseudo = feasibility.pseudo_inertia(feasibility.of_club(self.built))
-            found += _of_margins(envelope.margins(pseudo))
+            margins = envelope.margins(pseudo)
+            if "mass" not in self.club:
+                margins.pop()  # the budget limits nothing where the mass is given
+            found += _of_margins(margins)
         for name, (low, high) in (*study.bounds.items(), *study.limits.items()):
             if name in FREE:
                 found.append(_of_range(name, self.club[name], low, high, UNITS[name]))

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -93,7 +92,9 @@ class _Run:
     def __init__(self, study: Study, kept: Any, progress: Progress | None) -> None:
         self.study, self._kept, self._progress = study, kept, progress
         two = len(study.objectives) == 2
-        self._whole = study.starts + len(_levels(study.shots)) + NOMINAL_STARTS + REPEATS + (study.points + 2 if two else 0)
+        self._whole = (
+            study.starts + len(_levels(study.shots)) + NOMINAL_STARTS + REPEATS + (study.points + 2 if two else 0)
+        )
         self._done = 0
 
     def _once(self, name: str, words: str, compute: Callable[[], Any]) -> Any:
@@ -165,12 +166,15 @@ class _Run:
         study, count = self.study, max(self.study.shots // REPEATS, 1)
         judges = study.known()
         rows = [
-            self._once(f"fresh {place}", "judging on fresh shots", lambda place=place: self._judged(place, count, clubs))
+            self._once(
+                f"fresh {place}", "judging on fresh shots", lambda place=place: self._judged(place, count, clubs)
+            )
             for place in range(REPEATS)
         ]
         table = np.array(rows)  # repeats, clubs, objectives
         return Fresh(
-            shots=count * REPEATS * len(study.golfers), clubs=tuple(clubs), objectives=tuple(each.name for each in judges),
+            shots=count * REPEATS * len(study.golfers), clubs=tuple(clubs),
+            objectives=tuple(each.name for each in judges),
             values=table.mean(axis=0),
             errors=_error(table - table[:, -1:]),
         )  # fmt: skip
@@ -210,14 +214,3 @@ def _error(differences: NDArray[Any]) -> NDArray[Any]:
 def _nearest(tried: list[Solution]) -> str:
     least = max(each.least_margin for each in tried)
     return f"broken by at least {max(-least, 0.0):.2g} (as a part of the limit)"
-
-
-def document(found: Optimum) -> dict[str, Any]:
-    """Return a result as JSON has it."""
-    return {
-        "title": found.study.title, "optimum": dict(found.club), "nominal": dict(found.nominal),
-        "starts": found.starts, "alike": found.alike, "shots": found.shots, "missed": found.missed,
-        "judged": dict(found.judged), "fresh": {**asdict(found.fresh)},
-        "verdicts": [asdict(each) for each in found.verdicts()],
-        "front": [asdict(each) for each in found.front],
-    }  # fmt: skip

@@ -1,4 +1,4 @@
-"""The best point of a problem: sequential quadratic programming (Kraft, 1988) from many starts, with exact gradients."""
+"""The best point of a problem: sequential quadratic programming (Kraft, 1988) from many starts, exact gradients."""
 
 from __future__ import annotations
 
@@ -97,14 +97,14 @@ def solve(problem: Problem, start: NDArray[Any], *, progress: Callable[[], objec
             options={"maxiter": MOST_STEPS, "ftol": problem.objective.precision},
         )  # fmt: skip
         point, steps, message = found.x, int(found.nit), str(found.message)
-    except _Stalled:
+    except _StalledError:
         point, steps, message = best_yet.point, best_yet.steps, "no more progress"
     point = np.clip(point, *box.T)
     least = float(problem.margins(point).min()) if limited else np.inf
     return Solution(point, problem.cost(point), least, steps, message)
 
 
-class _Stalled(Exception):
+class _StalledError(Exception):
     """No progress for some steps."""
 
 
@@ -113,7 +113,7 @@ class _Best:
 
     def __init__(self) -> None:
         self.point, self.cost, self.steps, self._idle = np.empty(0), np.inf, 0, 0
-        self._merit = {each: np.inf for each in PENALTIES}
+        self._merit = dict.fromkeys(PENALTIES, np.inf)
 
     def tell(self, point: NDArray[Any], cost: float, broken: float, precision: float) -> None:
         """Take note of a point at which the solver takes a step, and of how much a limit is broken there.
@@ -129,7 +129,7 @@ class _Best:
             self._idle = 0 if cost < self.cost - precision else self._idle
             self.point, self.cost = np.array(point), cost
         if self._idle > PATIENCE and np.isfinite(self.cost):
-            raise _Stalled
+            raise _StalledError
 
 
 def best(found: Sequence[Solution]) -> Solution | None:

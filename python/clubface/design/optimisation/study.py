@@ -13,15 +13,14 @@ import numpy as np
 from clubface import units
 from clubface.design.feasibility import MASS_PROPERTIES, Envelope, Volume, of_club, pseudo_inertia
 from clubface.design.golfers import golfer as golfer_of
-from clubface.design.optimisation.landings import FREE, Landings, Setting
+from clubface.design.optimisation.landings import DEFAULT_SETTING, FREE, Landings, Setting
 from clubface.design.optimisation.limits import Buildable, FieldLimit, ShotLimit
 from clubface.design.optimisation.objectives import OBJECTIVES, Objective, objective, strokes
 from clubface.design.optimisation.problem import Limit, Problem
 from clubface.design.optimisation.variables import Variables
 from clubface.design.rules import rules_of
 from clubface.design.strokes import Hole
-from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
-from clubface.equipment.models import DEFAULT_MODEL
+from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 from clubface.errors import InputError
 
 if TYPE_CHECKING:
@@ -115,7 +114,7 @@ class Study:
     conform: bool = True
     tolerance: bool = True
     hole: Hole | None = None
-    setting: Setting = Setting(model=DEFAULT_MODEL)
+    setting: Setting = DEFAULT_SETTING
     shots: int = 10_000
     seed: int = 1
     starts: int = 8
@@ -173,19 +172,22 @@ class Study:
         return found
 
     def problem(
-        self, golfers: list[tuple[Landings, float]], objective: str, limits: tuple[ShotLimit, ...] = ()
+        self,
+        golfers: list[tuple[Landings, float]],
+        objective: str,
+        *,
+        limits: tuple[ShotLimit, ...] = (),
+        others: tuple[Objective, ...] = (),
     ) -> Problem:
-        """Return the problem for an objective; ``limits`` stand beside those of the study."""
+        """Return the problem for an objective; ``limits`` stand beside those of the study; ``others`` are known."""
         own = tuple(
             ShotLimit(objective=self.objective(name), least=low, most=high)
             for name, (low, high) in self.limits.items()
             if name not in FREE
         )
         asked = [*own, *limits]
-        others = [each.objective for each in asked]
-        return Problem(
-            self.variables, golfers, self.objective(objective), [*self.design_limits(), *asked], others
-        )  # fmt: skip
+        known = [*(each.objective for each in asked), *others]
+        return Problem(self.variables, golfers, self.objective(objective), [*self.design_limits(), *asked], known)
 
     def design_limits(self) -> list[Limit]:
         """Return the limits that are of the club and not of its shots."""

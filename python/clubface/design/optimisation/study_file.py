@@ -111,7 +111,7 @@ def _golfers(document: Document) -> Any:
     if isinstance(given, str):
         return given
     if not (isinstance(given, list) and given and all(isinstance(each, dict) for each in given)):
-        raise document.error('golfer must be a name, a file, or tables [[golfer]] with name and weight', "golfer")
+        raise document.error("golfer must be a name, a file, or tables [[golfer]] with name and weight", "golfer")
     for place, each in enumerate(given):
         document.check_keys(each, ("name", "weight"), ("name",), "golfer", place)
         document.check_text(each, ("name",), "golfer", place)
@@ -131,7 +131,9 @@ def _study(document: Document, common: dict[str, Any]) -> Study:
         check_choice("objective", name, JUDGED)
     variables = dict(data["variables"])
     distributed = _is_distributed(variables)
-    bounds = {name: _bounds(f"variables.{name}", each, DIMENSIONS, name, open_=False) for name, each in variables.items()}
+    bounds = {
+        name: _bounds(f"variables.{name}", each, DIMENSIONS, name, open_=False) for name, each in variables.items()
+    }
     if distributed:
         own = [name for name in bounds if name in MASS_PROPERTIES and name != "mass"]
         if own:
@@ -192,7 +194,9 @@ def _head(document: Document) -> Head:
     document.check_keys(given, known, ("size", "centre", "discretionary_mass"), "head")
     shape = given.get("shape", "box")
     check_choice("head.shape", shape, SHAPES)
-    volume = Volume(shape=shape, centre=_vector("head.centre", given["centre"]), size=_vector("head.size", given["size"]))
+    volume = Volume(
+        shape=shape, centre=_vector("head.centre", given["centre"]), size=_vector("head.size", given["size"])
+    )
     displaced = units.parse(given["volume"], "volume", name="head.volume") if "volume" in given else None
     budget = units.parse(given["discretionary_mass"], "mass", name="head.discretionary_mass")
     if not 0.0 < budget < 1.0:
@@ -213,7 +217,9 @@ def _fitting(document: Document, common: dict[str, Any]) -> Fitting:
     check_choice("objective", data["objective"], JUDGED)
     document.check_keys(given, ("clubs", "balls", "setting", "loft", "lie"), ("clubs",), "fit")
     bounds = {
-        name: _bounds(f"fit.{name}", given[name], DIMENSIONS, name, open_=False) for name in ("loft", "lie") if name in given
+        name: _bounds(f"fit.{name}", given[name], DIMENSIONS, name, open_=False)
+        for name in ("loft", "lie")
+        if name in given
     }
     settings = {}
     for each in given.get("setting", []):
@@ -235,4 +241,3 @@ def _texts(place: str, given: Any) -> list[str]:
     if not (isinstance(given, list) and given and all(isinstance(each, str) for each in given)):
         raise InputError(place, given, "a list of names or files")
     return given
-
