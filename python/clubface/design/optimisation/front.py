@@ -1,7 +1,7 @@
 """The front between two objectives by the epsilon-constraint method: one is made best while the other must be kept.
 
-Exact gradients and common shots make every point a smooth problem, solved from its neighbours (Haimes, Lasdon and
-Wismer, 1971).
+Exact gradients and common shots make every point a smooth problem (Haimes, Lasdon and Wismer, 1971), solved from its
+neighbours and from elsewhere.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
     from clubface.design.optimisation.study import Study
 
-STARTS = 4
-"""Starts of the best of either objective alone, of those of the study."""
+STARTS = 6
+"""Starts of every point, beside its neighbours: a front may jump from one kind of club to another."""
 MARGIN = 1e-9
 """Part by which a front may be worse and still be no step back."""
 
@@ -50,7 +50,7 @@ def front(study: Study, golfers: list[tuple[Landings, float]], solved: Solve) ->
         problem = study.problem(golfers, end.name, others=(beside,))
         tried = [
             solved(f"front {end.name} {place}", "finding the ends of the front", problem, point)
-            for place, point in enumerate(starts(problem, min(study.starts, STARTS), study.seed))
+            for place, point in enumerate(starts(problem, STARTS, study.seed))
         ]
         found = best(tried)
         if found is None:
@@ -66,7 +66,7 @@ def front(study: Study, golfers: list[tuple[Landings, float]], solved: Solve) ->
         )  # fmt: skip
         problem = study.problem(golfers, one.name, limits=(kept,))
         # The neighbour nearly keeps the new level; the other end keeps every level, and is seldom near.
-        mixed = [before, ends[1][1], 0.5 * (before + ends[1][1])]
+        mixed = [before, ends[1][1], 0.5 * (before + ends[1][1]), *starts(problem, STARTS, study.seed)]
         tried = [
             solved(f"front {place} {start}", "following the front", problem, point) for start, point in enumerate(mixed)
         ]
@@ -75,6 +75,11 @@ def front(study: Study, golfers: list[tuple[Landings, float]], solved: Solve) ->
             before = found.point
             found_points.append(_point(problem, before, study))
     return tuple(_not_dominated([*found_points, points[1]], one.sign, other.sign, study.objectives))
+
+
+def front_solutions(study: Study) -> int:
+    """Return how many problems a front takes to solve."""
+    return 2 * STARTS + (study.points - 2) * (3 + STARTS)
 
 
 def _point(problem: Problem, point: NDArray[Any], study: Study) -> FrontPoint:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from clubface.design.optimisation.front import front
+from clubface.design.optimisation.front import front, front_solutions
 from clubface.design.optimisation.landings import Landings
 from clubface.design.optimisation.problem import Problem
 from clubface.design.optimisation.result import Fresh, FrontPoint, Optimum
@@ -93,7 +93,7 @@ class _Run:
         self.study, self._kept, self._progress = study, kept, progress
         two = len(study.objectives) == 2
         self._whole = (
-            study.starts + len(_levels(study.shots)) + NOMINAL_STARTS + REPEATS + (study.points + 2 if two else 0)
+            study.starts + len(_levels(study.shots)) + NOMINAL_STARTS + REPEATS + (front_solutions(study) if two else 0)
         )
         self._done = 0
 

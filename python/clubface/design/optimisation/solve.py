@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 SLACK = 1e-6
 """What every margin keeps above 0 while it is solved, so that rounding of the solver breaks no limit."""
 MOST_STEPS = 200
-PATIENCE = 8
+PATIENCE = 12
 """Steps without progress after which a solver stops: the number of bounces jumps from shot to shot, so that expected
 strokes are smooth only to some 1e-6."""
 PENALTIES = (0.03, 0.3, 3.0)
@@ -64,7 +64,7 @@ def starts(problem: Problem, count: int, seed: int) -> list[NDArray[Any]]:
     return [problem.variables.start(), *spread][:count]
 
 
-def solve(problem: Problem, start: NDArray[Any], *, progress: Callable[[], object] | None = None) -> Solution:
+def solve(problem: Problem, start: NDArray[Any]) -> Solution:
     """Return the optimum that is reached from a start."""
     from scipy.optimize import minimize
 
@@ -76,8 +76,6 @@ def solve(problem: Problem, start: NDArray[Any], *, progress: Callable[[], objec
         return found if np.isfinite(found) else REFUSED
 
     def slope(point: NDArray[Any]) -> NDArray[Any]:
-        if progress is not None:
-            progress()
         broken = max(-float(margins(point).min()), 0.0) if limited else 0.0
         best_yet.tell(point, cost(point), broken, problem.objective.precision)
         return np.nan_to_num(problem.slope(point) / scale)
@@ -128,7 +126,10 @@ class _Best:
         if broken <= 0.5 * SLACK and cost < self.cost:
             self._idle = 0 if cost < self.cost - precision else self._idle
             self.point, self.cost = np.array(point), cost
-        if self._idle > PATIENCE and np.isfinite(self.cost):
+        found = np.isfinite(self.cost)
+        if not found:
+            self.point = np.array(point)  # where it looks for one within all limits
+        if self._idle > (PATIENCE if found else 4 * PATIENCE):
             raise _StalledError
 
 

@@ -200,7 +200,7 @@ def _solved(forward: NDArray[Any], wanted: NDArray[Any]) -> NDArray[Any]:
 
 
 def _rows(numbers: NDArray[Any]) -> NDArray[Any]:
-    """Return a root of the pseudo-inertia of a mass of 1, shape (4, 4): its CG, and the root of the moments about it."""
+    """Return a root of the pseudo-inertia of a mass of 1, shape (4, 4): its CG, and the root of moments about it."""
     found = np.zeros((4, 4))
     found[:3, 0] = numbers[:3]
     for number, place in zip(numbers[3:], _ROOT, strict=True):

@@ -81,9 +81,9 @@ def notes(found: Optimum) -> list[str]:
     study, name = found.study, found.study.objectives[0]
     judge = study.objective(name)
     said = [
-        f"{found.alike} of {found.starts} starts found this optimum of the {judge.meaning}, to one part in ten thousand.",
-        f"Solved on {found.shots} shots; the table is of {found.fresh.shots} fresh ones, which no solver has seen. After"
-        " ± stands the standard error of a difference.",
+        f"{found.alike} of {found.starts} starts found this optimum of the {judge.meaning} (to 1 part in 10,000).",
+        f"Solved on {found.shots} shots; the table is of {found.fresh.shots} fresh ones, which no solver has seen."
+        " After ± stands the standard error of a difference.",
     ]
     if found.missed:
         said.append(f"{found.missed} shots miss the face of the club and are left out.")
