@@ -180,3 +180,21 @@ def test_a_mistake_in_a_file_is_told_with_its_line(old, new, line, told):
     with pytest.raises(FileError, match=told) as error:
         from_document(Document(text, "my.toml"), "x")
     assert line is None or f"my.toml, line {line}" in str(error.value) or f"my.toml:{line}" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "score"),
+    [("handicap-5-driver", 78), ("handicap-10-driver", 83), ("bogey-driver", 91), ("women-15-driver", 88)],
+)
+def test_the_drives_of_shipped_amateurs_spread_in_direction_as_published(name, score):
+    """Broadie and Ko (2009) give 5.5 degrees for scores about 80 and 7.9 for 100; between and beyond on a line. Spreads
+    are written to a tenth of a degree, which is some 4 %, and 2^12 shots add 1 %."""
+    import clubface
+
+    table = measurements.table("drive-directions-2009")
+    slope = (table["direction_spread"][1] - table["direction_spread"][0]) / (table["score"][1] - table["score"][0])
+    known = table["direction_spread"][0] + slope * (score - table["score"][0])
+    launch = clubface.impact("driver", golfer(name).sample(2**12), on_error="nan")
+    flight = clubface.fly(launch, on_error="nan")
+    direction = np.arctan2(flight.side, np.sqrt(flight.carry**2 - flight.side**2))
+    assert np.nanstd(direction) == pytest.approx(known, rel=0.06)

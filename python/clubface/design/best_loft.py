@@ -109,12 +109,20 @@ def best_loft(
         best = lofts[np.arange(len(best)), place]
         low, high = best - step, best + step
     launch, flight = hit(best[:, None])
+    ball_speed, launched, spin = (
+        np.asarray(each)[:, 0] for each in (launch.ball_speed, launch.launch, launch.total_spin)
+    )
     return BestLoft(
-        speeds, attacks, best,
-        *(np.asarray(each)[:, 0] for each in (launch.ball_speed, launch.launch, launch.total_spin)),
-        flight.carry[:, 0], flight.total[:, 0],
-        _within(lambda lofts: hit(lofts)[1].carry, best, flight.carry[:, 0]),
-    )  # fmt: skip
+        speed=speeds,
+        attack=attacks,
+        loft=best,
+        ball_speed=ball_speed,
+        launch=launched,
+        spin=spin,
+        carry=flight.carry[:, 0],
+        total=flight.total[:, 0],
+        within=_within(lambda lofts: hit(lofts)[1].carry, best, flight.carry[:, 0]),
+    )
 
 
 def _reached(distance: Floats) -> Floats:

@@ -12,7 +12,7 @@ import numpy as np
 from clubface.design.dispersion_tally import FLOWN, LAUNCHED, Tally, forward
 from clubface.design.golfer import Golfer
 from clubface.design.golfers import golfer as golfer_named
-from clubface.design.strokes import Hole
+from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
@@ -162,7 +162,9 @@ def dispersion(
     flight: bool = True,
     hole: Hole | None = None,
     threads: int | None = None,
-    progress: Callable[[int], object] | None = None,
+    accuracy: float | None = None,
+    each: Callable[[Mapping[str, Floats], Mapping[str, Floats]], object] | None = None,
+    progress: Callable[[int, int], object] | None = None,
 ) -> Dispersion:
     """Hit a golfer's shots and sum up where they go.
 
@@ -179,7 +181,7 @@ def dispersion(
         How many shots; powers of two cover the distribution most evenly.
     seed
         Another seed gives other shots.
-    model, parameters, ball, threads
+    model, parameters, ball, accuracy, threads
         As for :func:`impact`.
     air, wind, ground
         As for :func:`fly`.
@@ -187,30 +189,36 @@ def dispersion(
         Whether the balls fly; without, launches alone are counted.
     hole
         A :class:`Hole` on which strokes are counted, or None.
+    each
+        Called with the deliveries of some shots and what came of them, by name in SI units, chunk after chunk.
     progress
-        Called with the number of shots done.
+        Called with the number of shots done and that of all.
     """
     check_count("count", count, 1, MOST)
     of_club = club_named(club if club is not None else golfer_named(golfer).club)
     of_golfer = golfer_named(golfer).for_hand(of_club.hand)
     if hole is not None and not flight:
         raise InputError("hole", "given", "left out where the balls do not fly")
-    hit = Hitting(of_club, model, parameters, ball, air, wind, ground, flight, threads)
+    hit = Hitting(of_club, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
     launch, mean_shot = hit.mean(of_golfer)
     tally = Tally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot)
-    strokes, lies, points, reasons = 0.0, dict.fromkeys(("green", "fairway", "rough", "recovery"), 0), [], {}
+    strokes, points, reasons = 0.0, [], {}
+    lies: dict[str, int] = dict.fromkeys(AT_REST, 0)
     outside = RangeTally()
     for start in range(0, count, CHUNK):
         some = min(CHUNK, count - start)
-        values = hit(of_golfer.sample(some, seed=seed, start=start), reasons, outside)
+        deliveries = of_golfer.sample(some, seed=seed, start=start)
+        values = hit(deliveries, reasons, outside)
         tally.add(values)
+        if each is not None:
+            each(deliveries, values)
         if flight:
             if start < SHOWN:
-                points.append(_landings(values)[: SHOWN - start])
+                points.append(_landings({name: values[name][: SHOWN - start] for name in ("carry", "side")}))
             if hole is not None:
                 strokes += _count_strokes(hole, values, lies)
         if progress is not None:
-            progress(start + some)
+            progress(start + some, count)
     if tally.counted == 0:
         raise InputError("golfer", of_golfer.name, f"one whose shots have a result: {next(iter(reasons.values()))}")
     if remark := outside.remark():
@@ -235,12 +243,13 @@ class Hitting(NamedTuple):
     ground: Any = None
     flight: bool = True
     threads: int | None = None
+    accuracy: float | None = None
 
     def launches(self, deliveries: Mapping[str, Floats]) -> Launch:
         """Return the launches."""
         return impact(
             self.club, deliveries, model=self.model, parameters=self.parameters, ball=self.ball,
-            threads=self.threads, on_error="nan",
+            threads=self.threads, accuracy=self.accuracy, on_error="nan",
         )  # fmt: skip
 
     def flights(self, launch: Launch) -> Flight:
@@ -253,7 +262,7 @@ class Hitting(NamedTuple):
         """Return what the mean delivery gives; if nothing, it is an error that says why."""
         launch = impact(
             self.club, of.delivery(), model=self.model, parameters=self.parameters, ball=self.ball,
-            threads=self.threads,
+            threads=self.threads, accuracy=self.accuracy,
         )  # fmt: skip
         found = {name: float(getattr(launch, name)) for name in LAUNCHED}
         if self.flight:
@@ -267,6 +276,7 @@ class Hitting(NamedTuple):
         reasons: dict[str, str] | None = None,
         outside: RangeTally | None = None,
     ) -> dict[str, Floats]:
+        """Hit shots; ``reasons`` takes why some have no result, ``outside`` those outside the range of the model."""
         with without_warnings(RangeWarning):
             launch = self.launches(deliveries)
         if outside is not None:
@@ -277,8 +287,8 @@ class Hitting(NamedTuple):
             last = flight = self.flights(launch)
             found |= {name: getattr(flight, name) for name in FLOWN}
         if reasons is not None and not reasons:
-            for each in last.problems:
-                reasons.setdefault(each.parameter, each.reason)
+            for problem in last.problems:
+                reasons.setdefault(problem.parameter, problem.reason)
         return found
 
 

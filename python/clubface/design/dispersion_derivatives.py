@@ -114,7 +114,7 @@ def _gradients(at: Floats, of: Golfer, hit: Hitting) -> tuple[dict[str, float], 
     launched = (*VELOCITY, *SPIN)
     found = sensitivity(
         hit.club, values, model=hit.model, parameters=hit.parameters, ball=getattr(hit.ball, "rigid", hit.ball),
-        outputs=(*LAUNCHED, *launched), variables=of.variables,
+        accuracy=hit.accuracy, outputs=(*LAUNCHED, *launched), variables=of.variables,
     )  # fmt: skip
     rows: dict[str, Floats] = dict(zip(found.outputs, found.si, strict=True))
     value = {name: float(getattr(found.launch, name)) for name in LAUNCHED}

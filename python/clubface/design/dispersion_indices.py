@@ -2,9 +2,9 @@
 
 Where the variables are independent these are Sobol's indices: the share of the variance that goes with a variable alone
 (first order), and the share that would be left if all others were held (total). Where variables are correlated such
-shares overlap, and do not add up. Then each variable has its Shapley effect instead (Owen, 2014; Song, Nelson and Staum,
-2016): the variance it adds to what others tell already, averaged over all orders in which they can be told. These
-effects add up to 1.
+shares overlap, and do not add up. Then each variable has its Shapley effect instead (Owen, 2014; Song, Nelson and
+Staum, 2016): the variance it adds to what others tell already, averaged over all orders in which they can be told.
+These effects add up to 1.
 
 All are of shots that are no mishits: a mishit is further off in all variables at once.
 """
@@ -17,6 +17,7 @@ from math import factorial
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.dispersion import Hitting
 from clubface.design.dispersion_derivatives import ByDerivatives
@@ -29,6 +30,7 @@ COUNT = 2**10
 ORDERS = 32
 """Orders in which variables are told, half of them the others reversed; all orders where they are as few."""
 CORRELATED = 1e-9
+Places = NDArray[np.intp]
 Function = Callable[[Floats], Floats]
 """Outcomes, shape (outcomes, n), of values of the variables, shape (k, n)."""
 
@@ -74,7 +76,7 @@ def indices(
     """
     varies = of.spread > 0.0
     names = tuple(name for name, does in zip(of.variables, varies, strict=True) if does)
-    held = {name: float(mean) for name, mean in zip(of.variables, of.mean, strict=True) if name not in names}
+    held = {name: np.asarray(mean) for name, mean in zip(of.variables, of.mean, strict=True) if name not in names}
 
     def outcome(values: Floats) -> Floats:
         found = hit({**held, **dict(zip(names, values, strict=True))})
@@ -115,7 +117,7 @@ def indices_by_derivatives(of: ByDerivatives, outcomes: Sequence[str] = ("carry"
 
 
 def sobol(function: Function, mean: Floats, spread: Floats, *, count: int, seed: int) -> tuple[Floats, Floats]:
-    """Return first-order and total indices, each of shape (outcomes, k), of independent, normally distributed variables.
+    """Return first-order and total indices, each of shape (outcomes, k), of independent, normal variables.
 
     They are those of ``scipy.stats.sobol_indices`` (Saltelli and others, 2010), from (k + 2) ``count`` evaluations.
     """
@@ -186,7 +188,7 @@ def _effects_of_all(variance: Callable[[int], Floats], size: int) -> Floats:
     return np.array(found).T / every[-1][:, None]
 
 
-def _redrawn(away: Floats, fresh: Floats, covariance: Floats, inside: Floats) -> Floats:
+def _redrawn(away: Floats, fresh: Floats, covariance: Floats, inside: Places) -> Floats:
     """Return deviations that share the variables ``inside`` with ``away`` and are drawn anew in the others."""
     outside = np.setdiff1d(np.arange(len(away)), inside)
     found = away.copy()
@@ -196,13 +198,13 @@ def _redrawn(away: Floats, fresh: Floats, covariance: Floats, inside: Floats) ->
     return found
 
 
-def _told(covariance: Floats, inside: Floats) -> Floats:
+def _told(covariance: Floats, inside: Places) -> Floats:
     """Return the covariance of what the variables ``inside`` tell of all."""
     across = covariance[:, inside]
     return across @ np.linalg.solve(covariance[np.ix_(inside, inside)], across.T)
 
 
-def _members(told: int, size: int) -> Floats:
+def _members(told: int, size: int) -> Places:
     return np.array([place for place in range(size) if told >> place & 1], dtype=np.intp)
 
 

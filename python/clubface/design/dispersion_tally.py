@@ -17,7 +17,7 @@ Counts = NDArray[np.int64]
 
 
 class Scale(NamedTuple):
-    """How a quantity is counted: from where to where [SI], and in how many bins. What lies beyond is in the end bins."""
+    """How a quantity is counted: from where to where [SI], in how many bins. What lies beyond is in the end bins."""
 
     least: float
     most: float
@@ -123,7 +123,7 @@ class Tally:
         """Return the middles of the squares with landings [m], shape (n, 2), and how many lie in each, shape (n,)."""
         places = np.flatnonzero(self._map)
         middles = np.stack([places // ASIDE + 0.5, places % ASIDE - ASIDE // 2 + 0.5], axis=1)
-        return CELL * middles, self._map[places]
+        return np.multiply(CELL, middles, dtype=np.float64), self._map[places]
 
     def histogram(self, name: str, width: float) -> tuple[Floats, Counts]:
         """Return edges [SI] and counts of bins about ``width`` wide, from the least shot to the greatest."""
@@ -133,7 +133,8 @@ class Tally:
         filled = np.flatnonzero(counts)
         first, last = (filled[0], filled[-1]) if len(filled) else (0, 0)
         starts = np.arange(first, last + 1, together)
-        return of.least + step * np.append(starts, starts[-1] + together), np.add.reduceat(counts, starts)
+        edges = np.append(starts, starts[-1] + together).astype(np.float64)
+        return of.least + step * edges, np.add.reduceat(counts, starts).astype(np.int64)
 
 
 def forward(distance: Floats, side: Floats) -> Floats:

@@ -20,6 +20,8 @@ from clubface.support.checks import check_choice
 
 LIES = ("tee", "fairway", "rough", "sand", "recovery")
 GREEN = "green"
+AT_REST = (GREEN, "fairway", "rough", "recovery")
+"""Where a ball comes to rest; a hole has no bunkers here."""
 FAIRWAY_WIDTH = units.parse("32 yd", "length")
 """Width of a fairway unless given; assumed, about that of tour courses."""
 ROUGH_WIDTH = units.parse("20 yd", "length")
