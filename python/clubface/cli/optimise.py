@@ -45,12 +45,10 @@ def optimise(
 def _optimise(asked: Any, target: str | None, picture: str | None, resume: bool, as_json: bool) -> None:
     from clubface.design.optimisation import words
     from clubface.design.optimisation.run import optimise as find
-    from clubface.support.whole_file import write_text
 
     with progress_bar(lambda _, whole, told: told) as progress:
         found = find(asked, output=target, resume=resume, progress=progress)
     if target is not None:
-        write_text(target, found.built.to_toml())
         say(f"wrote {target}")
     if picture is not None:
         from clubface import plots
@@ -65,6 +63,10 @@ def _optimise(asked: Any, target: str | None, picture: str | None, resume: bool,
     print_numbers(*words.shots_table(found), title="On fresh shots")
     print()
     print_numbers(*words.limits_table(found), title="Limits")
+    heads, rows = words.placement_table(found)
+    if rows:
+        print()
+        print_numbers(heads, rows, title="One way to place the discretionary mass, seen from the face centre")
     if found.front:
         print()
         print_numbers(*words.front_table(found), title="Clubs than which none is better in both objectives")

@@ -49,7 +49,8 @@ def _draw_landings(axes: Axes, of: Optimum) -> None:
         axes.plot(*_ellipse(side, down), color=colour, label=name, linestyle="--" if place == 0 else "-")
     edges = np.array([line.get_ydata() for line in axes.lines if line.get_label() in ("start", "optimum")])
     axes.set_ylim(edges.min() - 15.0, edges.max() + 15.0)  # a topped ball far behind would make all others small
-    axes.set_aspect("equal", adjustable="datalim")
+    axes.set_aspect("equal", adjustable="box")
+    axes.set_xlim(-0.5 * np.ptp(axes.get_ylim()), 0.5 * np.ptp(axes.get_ylim()))
     axes.set_xlabel(f"side ({UNIT}), right is positive")
     axes.set_ylabel(f"distance down the line ({UNIT})")
     axes.set_title(f"Landings, with the ellipses of {SHARE:.0%}")

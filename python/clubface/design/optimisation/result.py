@@ -13,6 +13,7 @@ import numpy as np
 from clubface import units
 from clubface.design import feasibility
 from clubface.design.optimisation.landings import FREE
+from clubface.design.optimisation.placement import PointMass, placement
 from clubface.design.optimisation.study import DIMENSIONS, UNITS, Study
 from clubface.equipment.clubs import Club
 from clubface.errors import RuleWarning
@@ -149,6 +150,13 @@ class Optimum:
         """The optimum as a club."""
         return club_of(self.study, self.club)
 
+    def placed(self) -> list[PointMass]:
+        """Return point masses that are one way to place the discretionary mass; empty where no mass moves."""
+        envelope = self.study.variables.envelope
+        if envelope is None:
+            return []
+        return placement(envelope, feasibility.pseudo_inertia(feasibility.of_club(self.built)))
+
     def verdicts(self) -> list[Verdict]:
         """Return what the optimum has of every limit: rules, what can be built, bounds, and limits of the shots."""
         study = self.study
@@ -158,7 +166,7 @@ class Optimum:
         if envelope is not None:
             pseudo = feasibility.pseudo_inertia(feasibility.of_club(self.built))
             margins = envelope.margins(pseudo)
-            if "mass" not in self.club:
+            if "mass" not in study.bounds:
                 margins.pop()  # the budget limits nothing where the mass is given
             found += _of_margins(margins)
         for name, (low, high) in (*study.bounds.items(), *study.limits.items()):

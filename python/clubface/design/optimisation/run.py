@@ -51,7 +51,7 @@ def optimise(
     study
         What may change, what is best, for whom, and within which limits.
     output
-        The file that will be written of the result. Beside it, in a folder, what is finished is kept until the run
+        The TOML file to which the best club is written. Beside it, in a folder, what is finished is kept until the run
         ends; without it, nothing is.
     resume
         Whether to go on with what an interrupted run of the same study has finished.
@@ -69,7 +69,12 @@ def optimise(
         The club to start from is impossible in the head of the study, or no start reaches a club within all limits.
     """
     with without_warnings(RuleWarning), without_warnings(RangeWarning), _store(study, output, resume) as kept:
-        return _Run(study, kept, progress).result()
+        found = _Run(study, kept, progress).result()
+        if output is not None:
+            with kept.result(Path(output)) as file:
+                file.write(found.built.to_toml().encode())
+            kept.remove()
+        return found
 
 
 def _store(study: Study, output: str | Path | None, resume: bool) -> AbstractContextManager[Any]:

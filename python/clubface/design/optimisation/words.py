@@ -8,6 +8,7 @@ from typing import Any
 
 from clubface import units
 from clubface.design.optimisation.fitting import Combination, Fitting, told
+from clubface.design.optimisation.landings import FREE
 from clubface.design.optimisation.objectives import Objective
 from clubface.design.optimisation.result import Optimum
 from clubface.design.optimisation.study import UNITS
@@ -61,6 +62,16 @@ def limits_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     return ["limit", "optimum", "allowed", "verdict"], rows
 
 
+def placement_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
+    """Return point masses that are one way to place the discretionary mass."""
+    rows = [
+        [str(number), *(units.fixed(value, unit, 1).split()[0] for value, unit in zip(
+            (each.mass, *each.place), ("g", "mm", "mm", "mm"), strict=True))]
+        for number, each in enumerate(found.placed(), 1)
+    ]
+    return ["mass", "g", "x (mm)\nto the target", "y (mm)\nup", "z (mm)\nto the toe"], rows
+
+
 def front_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     """Return the clubs between two objectives."""
     judges = [found.study.objective(name) for name in found.study.objectives]
@@ -87,21 +98,11 @@ def notes(found: Optimum) -> list[str]:
     ]
     if found.missed:
         said.append(f"{found.missed} shots miss the face of the club and are left out.")
-    robust, nominal = (found.fresh.value(club, name) for club in ("optimum", "nominal"))
-    gain, error = judge.sign * (nominal - robust), found.fresh.error("nominal", name)
-    if gain > CERTAIN * error:
-        said.append("On fresh shots the optimum is better than the club that is best for the mean delivery.")
-    elif gain < -CERTAIN * error:
-        said.append(
-            "On fresh shots the club that is best for the mean delivery is better: it keeps no limit of the shots, or"
-            " the shots are too few."
-        )
-    else:
-        said.append("On fresh shots the optimum and the club that is best for the mean delivery do not differ clearly.")
+    said.append(_against_nominal(found))
     stopping = [each.limit for each in found.verdicts() if each.state == "kept, at the limit"]
     if stopping:
         said.append(f"What stops the optimum: {', '.join(stopping)}.")
-    if "mass" in found.club:
+    if "mass" in found.study.bounds:
         said.append(
             f"Clubhead speed is taken to fall as mass to the power {study.setting.speed_exponent:g}"
             " (MacKenzie, Ryan and Rice, 2015)."
@@ -109,6 +110,23 @@ def notes(found: Optimum) -> list[str]:
     if "loft" in found.club:
         said.append("One degree more static loft is taken to be one degree more at impact.")
     return said
+
+
+def _against_nominal(found: Optimum) -> str:
+    """Say whether the optimum is better than the club that is best for the mean delivery alone."""
+    name = found.study.objectives[0]
+    robust, nominal = (found.fresh.value(club, name) for club in ("optimum", "nominal"))
+    gain, error = found.study.objective(name).sign * (nominal - robust), found.fresh.error("nominal", name)
+    if any(each not in FREE for each in found.study.limits):
+        return (
+            "The club that is best for the mean delivery does not know the limits of the shots; the optimum keeps them on"
+            " the shots it was solved on."
+        )
+    if gain > CERTAIN * error:
+        return "On fresh shots the optimum is better than the club that is best for the mean delivery."
+    if gain < -CERTAIN * error:
+        return "On fresh shots the club that is best for the mean delivery is better; the shots are too few."
+    return "On fresh shots the optimum and the club that is best for the mean delivery do not differ clearly."
 
 
 def document(found: Optimum) -> dict[str, Any]:
@@ -131,6 +149,7 @@ def document(found: Optimum) -> dict[str, Any]:
             "error_of_difference_from_optimum": _by_club(fresh.clubs, fresh.objectives, fresh.errors),
         },
         "limits": [{**asdict(each), "verdict": each.state} for each in found.verdicts()],
+        "placement": [each._asdict() for each in found.placed()],
         "front": [{"club": dict(each.club), "values": dict(each.values)} for each in found.front],
         "notes": notes(found),
     }
