@@ -67,7 +67,9 @@ def test_the_json_has_the_optimum_in_si_units_and_every_verdict(clubface_, study
 
 
 def test_a_front_is_a_table_of_clubs(clubface_, study):
-    study.write_text(STUDY.replace('"carry"', '["carry", "side_spread"]').replace("starts = 2", "starts = 2\npoints = 3"))
+    study.write_text(
+        STUDY.replace('"carry"', '["carry", "side_spread"]').replace("starts = 2", "starts = 2\npoints = 3")
+    )
     ran = clubface_("optimise", str(study))
     assert ran.status == 0
     assert "Clubs than which none is better in both" in ran.out
@@ -77,7 +79,8 @@ def test_a_fitting_ranks_the_parts(clubface_, study):
     study.write_text(FIT)
     ran = clubface_("optimise", str(study))
     assert ran.status == 0
-    assert "distance" in ran.out and "2 combinations" in ran.out
+    assert "distance" in ran.out
+    assert "2 combinations" in ran.out
     values = [each["value"] for each in clubface_("optimise", str(study), "--json").json["combinations"]]
     assert values == sorted(values, reverse=True)
 

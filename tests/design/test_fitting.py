@@ -30,6 +30,16 @@ def test_a_combination_is_judged_as_its_shots_are_one_by_one():
     assert (one.club, one.ball, one.setting) == ("driver", "distance", "back")
 
 
+def test_a_head_of_more_loft_is_delivered_with_as_much_more_of_it():
+    """The golfer delivers as with the first head; the second's shots one by one, with the difference of the lofts."""
+    found = fit(from_text(BEGIN + '[fit]\nclubs = ["driver", "3-wood"]\n'))
+    (wood,) = [each for each in found if each.club == "3-wood"]
+    shots = golfer("bogey-driver").sample(64, seed=1)
+    shots["loft"] = shots["loft"] + club("3-wood").loft - club("driver").loft
+    carry = fly(impact("3-wood", shots, on_error="nan"), on_error="nan").carry
+    assert wood.value == pytest.approx(np.nanmean(carry), rel=1e-12)
+
+
 def test_all_combinations_are_ordered_from_the_best():
     text = BEGIN + '[fit]\nclubs = ["driver", "3-wood"]\nballs = ["modern", "distance"]\n'
     text += '[[fit.setting]]\nname = "up"\nloft = "1 deg"\n[[fit.setting]]\nname = "down"\nloft = "-1 deg"\n'

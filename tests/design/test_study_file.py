@@ -81,7 +81,8 @@ def test_mass_properties_need_a_head():
 @pytest.mark.parametrize(
     ("line", "told"),
     [('clubs = "driver"', "list of names"), ('clubs = ["driver"]\nballs = []', "list of names"),
-     ('clubs = ["driver"]\nfoo = 1', "foo"), ('clubs = ["driver"]\n[[fit.setting]]\nname = "a"\nbulge = "1 mm"', "change"),
+     ('clubs = ["driver"]\nfoo = 1', "foo"),
+     ('clubs = ["driver"]\n[[fit.setting]]\nname = "a"\nbulge = "1 mm"', "change"),
      ('clubs = ["driver"]\n[[fit.setting]]\nloft = "1 deg"', "name")],
 )  # fmt: skip
 def test_a_mistake_in_a_fitting_is_told(line, told):

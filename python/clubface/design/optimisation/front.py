@@ -22,7 +22,7 @@ from clubface.errors import InputError
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from clubface.design.optimisation.study import Study
+    from clubface.design.optimisation.study import DesignStudy
 
 STARTS = 6
 """Starts of every point, beside its neighbours: a front may jump from one kind of club to another."""
@@ -32,7 +32,7 @@ MARGIN = 1e-9
 Solve = Callable[[str, str, Problem, "NDArray[Any]"], Solution]
 
 
-def front(study: Study, golfers: list[tuple[Landings, float]], solved: Solve) -> tuple[FrontPoint, ...]:
+def front(study: DesignStudy, golfers: list[tuple[Landings, float]], solved: Solve) -> tuple[FrontPoint, ...]:
     """Return points of the front, from the best of the first objective to the best of the second.
 
     Parameters
@@ -77,12 +77,12 @@ def front(study: Study, golfers: list[tuple[Landings, float]], solved: Solve) ->
     return tuple(_not_dominated([*found_points, points[1]], one.sign, other.sign, study.objectives))
 
 
-def front_solutions(study: Study) -> int:
+def front_solutions(study: DesignStudy) -> int:
     """Return how many problems a front takes to solve."""
     return 2 * STARTS + (study.points - 2) * (3 + STARTS)
 
 
-def _point(problem: Problem, point: NDArray[Any], study: Study) -> FrontPoint:
+def _point(problem: Problem, point: NDArray[Any], study: DesignStudy) -> FrontPoint:
     judged = problem.values(point).judged
     return FrontPoint(
         club=problem.variables.club(point), values={name: float(judged[name]) for name in study.objectives}

@@ -74,6 +74,8 @@ def placement(envelope: Envelope, pseudo: NDArray[Any]) -> list[PointMass]:
     masses = found.x[: len(grid)]
     order = [place for place in np.argsort(-masses, kind="stable") if masses[place] > NEGLIGIBLE]
     return [
-        PointMass(float(masses[each] * placed[3, 3]), (float(places[each][0]), float(places[each][1]), float(places[each][2])))
+        PointMass(
+            float(masses[each] * placed[3, 3]), (float(places[each][0]), float(places[each][1]), float(places[each][2]))
+        )
         for each in order
     ]

@@ -14,7 +14,7 @@ from clubface import units
 from clubface.design import feasibility
 from clubface.design.optimisation.landings import FREE
 from clubface.design.optimisation.placement import PointMass, placement
-from clubface.design.optimisation.study import DIMENSIONS, UNITS, Study
+from clubface.design.optimisation.study import DIMENSIONS, UNITS, DesignStudy
 from clubface.equipment.clubs import Club
 from clubface.errors import RuleWarning
 from clubface.support.warning import without_warnings
@@ -132,7 +132,7 @@ class Optimum:
         What the solver said at its end.
     """
 
-    study: Study
+    study: DesignStudy
     club: Mapping[str, float]
     nominal: Mapping[str, float]
     starts: int
@@ -178,7 +178,7 @@ class Optimum:
         return found
 
 
-def club_of(study: Study, changes: Mapping[str, float], name: str | None = None) -> Club:
+def club_of(study: DesignStudy, changes: Mapping[str, float], name: str | None = None) -> Club:
     """Return the club of a study with fields changed; its lie, which no club file has, is left out."""
     own = {field: value for field, value in changes.items() if field in DIMENSIONS and field != "lie"}
     called = name or f"{study.club.name}-optimum"

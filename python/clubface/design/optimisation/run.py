@@ -17,7 +17,7 @@ from clubface.design.optimisation.landings import Landings
 from clubface.design.optimisation.problem import Problem
 from clubface.design.optimisation.result import Fresh, FrontPoint, Optimum
 from clubface.design.optimisation.solve import Solution, agreeing, best, solve, starts
-from clubface.design.optimisation.study import Study
+from clubface.design.optimisation.study import DesignStudy
 from clubface.errors import InputError, RangeWarning, RuleWarning
 from clubface.support.resuming import Store, unfinished
 from clubface.support.warning import without_warnings
@@ -42,7 +42,7 @@ Progress = Callable[[int, int, str], object]
 
 
 def optimise(
-    study: Study, *, output: str | Path | None = None, resume: bool = False, progress: Progress | None = None
+    study: DesignStudy, *, output: str | Path | None = None, resume: bool = False, progress: Progress | None = None
 ) -> Optimum:
     """Find the best club of a study.
 
@@ -77,13 +77,13 @@ def optimise(
         return found
 
 
-def _store(study: Study, output: str | Path | None, resume: bool) -> AbstractContextManager[Any]:
+def _store(study: DesignStudy, output: str | Path | None, resume: bool) -> AbstractContextManager[Any]:
     if output is None:
         return nullcontext(None)
     return Store(unfinished(Path(output)), {"study": _content(study)}, of=Path(output), resume=resume)
 
 
-def _content(study: Study) -> Any:
+def _content(study: DesignStudy) -> Any:
     """Return all that a result depends on."""
     found = {name: getattr(study, name) for name in study.__dataclass_fields__ if name != "golfers"}
     found["golfers"] = [
@@ -94,7 +94,7 @@ def _content(study: Study) -> Any:
 
 
 class _Run:
-    def __init__(self, study: Study, kept: Any, progress: Progress | None) -> None:
+    def __init__(self, study: DesignStudy, kept: Any, progress: Progress | None) -> None:
         self.study, self._kept, self._progress = study, kept, progress
         two = len(study.objectives) == 2
         self._whole = (
@@ -195,7 +195,7 @@ class _Run:
         return front(study, golfers, self._solved)
 
 
-def judged(study: Study, golfers: list[tuple[Landings, float]], club: Mapping[str, float]) -> list[float]:
+def judged(study: DesignStudy, golfers: list[tuple[Landings, float]], club: Mapping[str, float]) -> list[float]:
     """Return what every objective of a study says of a club, the mean over golfers."""
     landed = [(each.of(club), weight) for each, weight in golfers]
     total = sum(weight for _, weight in golfers)

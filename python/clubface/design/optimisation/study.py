@@ -70,7 +70,7 @@ class Head:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Study:
+class DesignStudy:
     """What may change, what is best, for whom, and within which limits.
 
     Attributes

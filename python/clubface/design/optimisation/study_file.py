@@ -37,7 +37,7 @@ from clubface.design.feasibility import MASS_PROPERTIES, SHAPES, Volume
 from clubface.design.optimisation.fitting import SETTINGS, Fitting
 from clubface.design.optimisation.landings import FREE, SPEED_EXPONENT, Setting
 from clubface.design.optimisation.objectives import OBJECTIVES
-from clubface.design.optimisation.study import DIMENSIONS, DISTRIBUTION, MOST_SHOTS, Head, Study, golfers_of
+from clubface.design.optimisation.study import DIMENSIONS, DISTRIBUTION, MOST_SHOTS, DesignStudy, Head, golfers_of
 from clubface.design.strokes import Hole
 from clubface.equipment.balls import ball as ball_of
 from clubface.equipment.clubs import club as club_of
@@ -55,17 +55,17 @@ _STUDY = (*_COMMON, "club", "ball", "starts", "points", "variables", "head", "li
 _FIT = (*_COMMON, "fit")
 
 
-def read(path: str | os.PathLike[str]) -> Study | Fitting:
+def read(path: str | os.PathLike[str]) -> DesignStudy | Fitting:
     """Read a study, or a fitting if the file has a table ``[fit]``."""
     return from_document(Document.read(path))
 
 
-def from_text(text: str) -> Study | Fitting:
+def from_text(text: str) -> DesignStudy | Fitting:
     """Read the same from text."""
     return from_document(Document(text))
 
 
-def from_document(document: Document) -> Study | Fitting:
+def from_document(document: Document) -> DesignStudy | Fitting:
     """Read the same from a document."""
     data = document.data
     fits = "fit" in data
@@ -121,7 +121,7 @@ def _golfers(document: Document) -> Any:
     return given
 
 
-def _study(document: Document, common: dict[str, Any]) -> Study:
+def _study(document: Document, common: dict[str, Any]) -> DesignStudy:
     data = document.data
     given = data["objective"]
     objectives = tuple(given) if isinstance(given, list) else (given,)
@@ -148,7 +148,7 @@ def _study(document: Document, common: dict[str, Any]) -> Study:
     for name, each in rules.items():
         if not isinstance(each, bool):
             raise InputError(f"rules.{name}", each, "true or false")
-    return Study(
+    return DesignStudy(
         **common, club=club_of(data["club"]), objectives=objectives, bounds=bounds, distributed=distributed,
         head=_head(document) if "head" in data else None, limits=limits, **rules,
     )  # fmt: skip

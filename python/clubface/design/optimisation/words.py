@@ -65,8 +65,13 @@ def limits_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
 def placement_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     """Return point masses that are one way to place the discretionary mass."""
     rows = [
-        [str(number), *(units.fixed(value, unit, 1).split()[0] for value, unit in zip(
-            (each.mass, *each.place), ("g", "mm", "mm", "mm"), strict=True))]
+        [
+            str(number),
+            *(
+                units.fixed(value, unit, 1).split()[0]
+                for value, unit in zip((each.mass, *each.place), ("g", "mm", "mm", "mm"), strict=True)
+            ),
+        ]
         for number, each in enumerate(found.placed(), 1)
     ]
     return ["mass", "g", "x (mm)\nto the target", "y (mm)\nup", "z (mm)\nto the toe"], rows
@@ -119,8 +124,8 @@ def _against_nominal(found: Optimum) -> str:
     gain, error = found.study.objective(name).sign * (nominal - robust), found.fresh.error("nominal", name)
     if any(each not in FREE for each in found.study.limits):
         return (
-            "The club that is best for the mean delivery does not know the limits of the shots; the optimum keeps them on"
-            " the shots it was solved on."
+            "The club that is best for the mean delivery does not know the limits of the shots; the optimum keeps them"
+            " on the shots it was solved on."
         )
     if gain > CERTAIN * error:
         return "On fresh shots the optimum is better than the club that is best for the mean delivery."
