@@ -55,6 +55,8 @@ def _table() -> dict[str, Unit]:
     add("area", "m2")
     add("area", "cm2", 1.0, 1e4)
     add("area", "mm2", 1.0, 1e6)
+    add("volume", "m3")
+    add("volume", "cm3,cc,ml", 1.0, 1e6)
     add("mass", "kg")
     add("mass", "g,grams,gram", 1.0, 1e3)
     add("mass", "oz", 28349523125.0, 1e12)

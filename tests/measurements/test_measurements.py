@@ -77,6 +77,8 @@ FIGURES = [  # Typed again by hand from the sources as quoted: table, row, colum
     ("heads-irons-2022-2026", 0, "cg_height", "in", 0.72),  # ... 0.779 less 0.059 inches
     ("ball-limits", 0, "mass_most", "g", 45.93),
     ("head-inertia-limit", 0, "inertia_most", "g cm2", 5900),
+    ("head-volume-limit", 0, "volume_most", "cm3", 460),
+    ("head-dimension-limits", 0, "sole_to_crown_most", "in", 2.8),
     ("spring-effect-limit", 0, "characteristic_time_most", "us", 239),
     ("strokes-to-hole-out", 9, "tee", "1", 2.92),  # 100 yards
     ("putts-to-hole-out", 6, "putts", "1", 1.50),  # 8 feet

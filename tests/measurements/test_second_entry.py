@@ -32,7 +32,7 @@ DIGESTS = {
     "measurements/pga-2023.csv": "7bcfc8a0",
     "measurements/robot-7-irons-2026.csv": "cd650c15",
     "measurements/robots.toml": "1f382243",
-    "measurements/rules.toml": "92b3ce58",
+    "measurements/rules.toml": "190723cf",
     "measurements/strikes.toml": "149b5d3d",
     "measurements/strokes-gained.toml": "3b1afdee",
     "measurements/strokes-to-hole-out.csv": "6729e1a6",

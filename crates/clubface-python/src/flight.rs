@@ -4,7 +4,7 @@ use crate::columns::{columns, run_in_pieces, value_error, Computed, Derivatives,
 use clubface_impact::batch::CHUNK;
 use clubface_impact::columns::Column;
 use clubface_impact::error::all_inputs;
-use clubface_impact::flight::{self, FlightBatch, OUTPUT_COUNT};
+use clubface_impact::flight::{self, FlightBatch, FlightSensitivities, DIFFERENTIATED, OUTPUT_COUNT};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -27,6 +27,30 @@ pub fn fly<'py>(
     let batch = FlightBatch { inputs: &inputs };
     batch.validate(n).map_err(|e| value_error(&e))?;
     run_in_pieces(py, OUTPUT_COUNT, n, CHUNK, threads, progress.as_ref(), |rows, out| batch.run(rows, out))
+}
+
+/// Chosen outputs of `n` flights with their derivatives by chosen inputs: (array, [(row, input, message), ...]).
+///
+/// The array has n columns and, for each output, a row of its values and one of derivatives a variable. `outputs` and
+/// `variables` are indices into `flight_outputs()` and `flight_inputs()`. The rest as for `fly`.
+#[pyfunction]
+#[pyo3(signature = (inputs, n, outputs, variables, threads=0, progress=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fly_sensitivities<'py>(
+    py: Python<'py>,
+    inputs: Vec<Values<'py>>,
+    n: usize,
+    outputs: Vec<usize>,
+    variables: Vec<usize>,
+    threads: usize,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<Computed<'py>> {
+    let inputs: Vec<Column> = columns(&inputs)?;
+    let batch = FlightBatch { inputs: &inputs };
+    let wanted = FlightSensitivities { batch, outputs: &outputs, variables: &variables };
+    wanted.validate(n).map_err(|e| value_error(&e))?;
+    let count = wanted.columns();
+    run_in_pieces(py, count, n, DIFFERENTIATED, threads, progress.as_ref(), |rows, out| wanted.run(rows, out))
 }
 
 /// Path of one flight: arrays time, position, velocity and spin over its points.

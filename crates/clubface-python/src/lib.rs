@@ -21,7 +21,7 @@ mod _core {
         fem_yield_stress,
     };
     #[pymodule_export]
-    use crate::flight::{fly, fly_sensitivity, trajectory};
+    use crate::flight::{fly, fly_sensitivities, fly_sensitivity, trajectory};
     #[pymodule_export]
     use crate::impact::{check, history, impact, sensitivities, sensitivity};
 }

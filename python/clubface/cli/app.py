@@ -37,6 +37,7 @@ COMMANDS = {
     "infer": "infer",
     "fem": "fem",
     "capture": "capture",
+    "optimise": "optimise",
     "study": "study",
 }
 """The module of each command, in the order of the help."""

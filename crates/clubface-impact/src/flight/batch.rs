@@ -92,7 +92,7 @@ impl Kernel for Flights<'_, '_, '_> {
 }
 
 /// A ball struck down into the ground, whose flight is over at once.
-const HARMLESS: [f64; INPUT_COUNT] = {
+pub(super) const HARMLESS: [f64; INPUT_COUNT] = {
     let mut shot = [0.0; INPUT_COUNT];
     let mut i = 0;
     while i < INPUT_COUNT {

@@ -11,6 +11,7 @@ mod check;
 pub mod event;
 pub mod ground;
 mod record;
+mod sensitivities;
 mod sensitivity;
 mod shot;
 pub mod trajectory;
@@ -18,6 +19,7 @@ pub mod trajectory;
 pub use batch::FlightBatch;
 pub use check::check;
 pub use record::{trajectory, Track};
+pub use sensitivities::{FlightSensitivities, CHUNK as DIFFERENTIATED};
 pub use sensitivity::{sensitivity, FlightSensitivity};
 pub use shot::{
     default_inputs, fly, Bounds, FlightInput, FlightOutput, FlightShot, Flown, INPUTS, INPUT_COUNT, OUTPUTS,

@@ -5,7 +5,9 @@ use clubface_impact::ball::Ball;
 use clubface_impact::columns::Column;
 use clubface_impact::flight::event::Step;
 use clubface_impact::flight::trajectory::{Air, Flight, HEIGHT};
-use clubface_impact::flight::{fly, sensitivity, FlightBatch, FlightShot, INPUTS, OUTPUTS};
+use clubface_impact::flight::{
+    fly, sensitivity, FlightBatch, FlightSensitivities, FlightShot, INPUTS, OUTPUTS,
+};
 use clubface_math::ode::{Method, System, DORMAND_PRINCE};
 use clubface_math::{with_lanes, Vec3};
 
@@ -92,6 +94,41 @@ fn derivatives_are_those_of_finite_differences() {
         }
     }
     assert_eq!(exact.values, flown(&shot).outputs());
+}
+
+/// A lane carries the derivatives of its own shot, so neighbours with other numbers of steps must not change a bit. One
+/// shot cannot be flown: its columns are NaN, and its neighbours are as before. Eight variables take two passes.
+#[test]
+fn derivatives_of_many_flights_are_those_of_each_alone() {
+    let mut shots: Vec<_> = (0..11).map(|row| mixed()[row % 5]).collect();
+    shots[6][3] = f64::NAN;
+    let columns: Vec<Vec<f64>> =
+        (0..INPUT_COUNT).map(|i| shots.iter().map(|shot| shot[i]).collect()).collect();
+    let columns: Vec<Column> = columns.iter().map(|values| Column::Values(values)).collect();
+    let (outputs, variables) = ([0, 1, 7], [3, 4, 5, 6, 7, 8, 12, 0]);
+    let batch = FlightBatch { inputs: &columns };
+    let wanted = FlightSensitivities { batch, outputs: &outputs, variables: &variables };
+    wanted.validate(shots.len()).unwrap();
+    for width in [1, 4, 8] {
+        let mut found = vec![vec![0.0; shots.len()]; wanted.columns()];
+        let slices = found.iter_mut().map(Vec::as_mut_slice).collect();
+        let rejects = with_lanes(width, || wanted.run(0..shots.len(), slices));
+        assert_eq!(rejects.iter().map(|reject| reject.row).collect::<Vec<_>>(), [6]);
+        for (row, shot) in shots.iter().enumerate() {
+            let Ok(alone) = sensitivity(shot) else {
+                assert!(found.iter().all(|column| column[row].is_nan()));
+                continue;
+            };
+            for (place, &output) in outputs.iter().enumerate() {
+                let first = place * (1 + variables.len());
+                assert_eq!(found[first][row].to_bits(), alone.values[output].to_bits());
+                for (i, &variable) in variables.iter().enumerate() {
+                    let (one, other) = (found[first + 1 + i][row], alone.jacobian[output][variable]);
+                    assert_eq!(one.to_bits(), other.to_bits(), "row {row}, {} by {}", output, variable);
+                }
+            }
+        }
+    }
 }
 
 /// In a vacuum, and derivatives too, everything is known: carry 2 vx vy / g, apex vy^2 / 2g. The air of the thinnest

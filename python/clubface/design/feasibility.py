@@ -1,0 +1,263 @@
+"""Whether a clubhead can exist: its mass, CG and inertia must be those of mass that is nowhere negative in its volume.
+
+The moments of a body up to the second order are one symmetric matrix of four rows, its pseudo-inertia: the integral of
+(x, y, z, 1)(x, y, z, 1)' over its mass. It belongs to a body if and only if it is positive semidefinite, which is more
+than that no principal moment of inertia exceeds the sum of the others. It belongs to a body within the region where a
+quadratic form (x, y, z, 1) Q (x, y, z, 1)' is not negative only if trace(J Q) is not negative, and for an ellipsoid
+these two conditions are enough (Wensing, Kim and Slotine, 2018). Moments add up, so what a designer may place freely
+in a head has the moments of the head less those of the shell, and the same holds of them.
+
+The origin is the face centre, the axes are those of the club: x to the target, y up, z to the toe.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from clubface import units
+from clubface.errors import InputError
+from clubface.support.checks import check_choice
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from clubface.equipment.clubs import Club
+
+MASS_PROPERTIES = ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+"""The fields of a club that its distribution of mass determines."""
+SHAPES = ("ellipsoid", "box")
+ROUNDING = 1e-9
+"""What a margin may miss, as a part of its natural size."""
+_PAIRS = ((0, 1), (0, 2), (1, 2))
+
+
+def pseudo_inertia(values: NDArray[Any]) -> NDArray[Any]:
+    """Return the pseudo-inertia about the face centre [kg m2, kg m and kg], shape (4, 4).
+
+    Parameters
+    ----------
+    values
+        Mass properties [SI] in the order of ``MASS_PROPERTIES``; the inertia is about the CG.
+    """
+    mass, to_face, inertia = values[0], values[1:4], _tensor(values[4:])
+    place = -to_face  # the club gives the way from its CG to the face centre
+    found = np.empty((4, 4))
+    found[:3, :3] = 0.5 * np.trace(inertia) * np.eye(3) - inertia + mass * np.outer(place, place)
+    found[:3, 3] = found[3, :3] = mass * place
+    found[3, 3] = mass
+    return found
+
+
+def pseudo_inertia_derivatives(values: NDArray[Any]) -> NDArray[Any]:
+    """Return the derivatives of the pseudo-inertia by the mass properties, shape (10, 4, 4)."""
+    mass, place = values[0], -values[1:4]
+    found = np.zeros((10, 4, 4))
+    found[0] = np.outer([*place, 1.0], [*place, 1.0])
+    for axis in range(3):
+        along = np.zeros(3)
+        along[axis] = -1.0
+        found[1 + axis, :3, :3] = mass * (np.outer(along, place) + np.outer(place, along))
+        found[1 + axis, :3, 3] = found[1 + axis, 3, :3] = mass * along
+    for entry in range(6):
+        tensor = _tensor(np.eye(6)[entry])
+        found[4 + entry, :3, :3] = 0.5 * np.trace(tensor) * np.eye(3) - tensor
+    return found
+
+
+def mass_properties(pseudo: NDArray[Any]) -> NDArray[Any]:
+    """Return the mass properties of a pseudo-inertia, in the order of ``MASS_PROPERTIES``."""
+    mass = pseudo[3, 3]
+    place = pseudo[:3, 3] / mass
+    spread = pseudo[:3, :3] - mass * np.outer(place, place)
+    inertia = np.trace(spread) * np.eye(3) - spread
+    return np.array([mass, *-place, *np.diag(inertia), *(inertia[i, j] for i, j in _PAIRS)])
+
+
+def of_club(head: Club) -> NDArray[Any]:
+    """Return the mass properties of a club in the order of ``MASS_PROPERTIES`` [SI], shape (10,)."""
+    return np.array([getattr(head, name) for name in MASS_PROPERTIES])
+
+
+def _tensor(entries: NDArray[Any]) -> NDArray[Any]:
+    xx, yy, zz, xy, xz, yz = entries
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
+class Form(NamedTuple):
+    """A condition trace(J Q) >= 0 that mass in a volume meets.
+
+    Attributes
+    ----------
+    words
+        What is wrong where it is not met.
+    matrix
+        Q, shape (4, 4); without a unit.
+    """
+
+    words: str
+    matrix: NDArray[Any]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Volume:
+    """The space that the mass of a head lies in.
+
+    Attributes
+    ----------
+    shape
+        "ellipsoid", for which the conditions are exact, or "box", for which they are necessary: they refuse no body
+        that is in it.
+    centre
+        Its centre, seen from the face centre: along x, y and z [m].
+    size
+        From face to back, from sole to crown, from heel to toe [m].
+    """
+
+    shape: str
+    centre: tuple[float, float, float]
+    size: tuple[float, float, float]
+
+    def __post_init__(self) -> None:
+        check_choice("shape", self.shape, SHAPES)
+        for axis, each in zip("xyz", self.size, strict=True):
+            if not each > 0.0:
+                raise InputError("size", units.show(each, "mm"), f"above 0 along {axis}")
+
+    def forms(self) -> tuple[Form, ...]:
+        """Return the conditions that mass within it meets."""
+        half, centre = 0.5 * np.array(self.size), np.array(self.centre)
+        # Rows that give (x - centre) / half, the place as a part of the way from the centre to the surface.
+        part = np.hstack([np.diag(1.0 / half), (-centre / half)[:, None]])
+        one = np.zeros(4)
+        one[3] = 1.0
+        whole = np.outer(one, one)
+        if self.shape == "ellipsoid":
+            return (Form("it would have to lie outside the ellipsoid", whole - part.T @ part),)
+        found = []
+        for axis, name in enumerate(("face and back", "sole and crown", "heel and toe")):
+            slab = whole - np.outer(part[axis], part[axis])
+            found.append(Form(f"it would have to lie beyond {name} of the box", slab))
+        for i, j in _PAIRS:
+            for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+                corner = np.outer(one - signs[0] * part[i], one - signs[1] * part[j])
+                found.append(Form("it would have to lie beyond an edge of the box", 0.5 * (corner + corner.T)))
+        return tuple(found)
+
+    @property
+    def cubic(self) -> float:
+        """Its volume [m3]."""
+        return float(np.prod(self.size)) * (np.pi / 6.0 if self.shape == "ellipsoid" else 1.0)
+
+
+class Margin(NamedTuple):
+    """One condition that a head meets or misses.
+
+    Attributes
+    ----------
+    name
+        What must be positive: of the head or of the discretionary mass.
+    value
+        How much it is, without a unit; below 0 no such body exists.
+    reason
+        What is wrong where it is below 0.
+    """
+
+    name: str
+    value: float
+    reason: str
+
+    @property
+    def met(self) -> bool:
+        """Whether it is met, but for rounding."""
+        return self.value >= -ROUNDING
+
+
+@dataclass(frozen=True, kw_only=True)
+class Envelope:
+    """What a head may be: a volume, a fixed shell in it, and mass that may be placed in it.
+
+    Attributes
+    ----------
+    volume
+        Where mass may be.
+    shell
+        Pseudo-inertia of what cannot be moved, shape (4, 4).
+    budget
+        The most mass that may be placed freely [kg].
+    """
+
+    volume: Volume
+    shell: NDArray[Any]
+    budget: float
+
+    def placed(self, pseudo: NDArray[Any]) -> NDArray[Any]:
+        """Return the pseudo-inertia of the mass that is placed freely in a head."""
+        return pseudo - self.shell
+
+    @property
+    def scale(self) -> NDArray[Any]:
+        """Factors of rows and columns that make the moments of the discretionary mass numbers near 1, shape (4,)."""
+        return np.array([*(2.0 / np.array(self.volume.size)), 1.0]) / np.sqrt(self.budget)
+
+    def margins(self, pseudo: NDArray[Any]) -> list[Margin]:
+        """Return all conditions on a head with this pseudo-inertia, beside the whole head's."""
+        placed = self.placed(pseudo)
+        found = [_positive("the mass of the head", pseudo, self._whole_scale(pseudo))]
+        found += _inside("the head", pseudo, self.volume, pseudo[3, 3])
+        found.append(_positive("the discretionary mass", placed, self.scale))
+        found += _inside("the discretionary mass", placed, self.volume, self.budget)
+        over = float(1.0 - placed[3, 3] / self.budget)
+        told = (
+            f"it would need {units.fixed(placed[3, 3], 'g', 1)} of discretionary mass, and the budget is"
+            f" {units.fixed(self.budget, 'g', 1)}"
+        )
+        return [*found, Margin("the budget of discretionary mass", over, told)]
+
+    def _whole_scale(self, pseudo: NDArray[Any]) -> NDArray[Any]:
+        return np.array([*(2.0 / np.array(self.volume.size)), 1.0]) / np.sqrt(max(pseudo[3, 3], 1e-6))
+
+
+def _positive(of: str, pseudo: NDArray[Any], scale: NDArray[Any]) -> Margin:
+    """Return whether moments are those of mass that is nowhere negative."""
+    least, vectors = np.linalg.eigh(pseudo * np.outer(scale, scale))
+    vector = vectors[:, 0] * scale
+    return Margin(
+        f"{of} is nowhere negative",
+        float(least[0]),
+        f"no distribution of mass has these moments of {of}: {_told(pseudo, vector)}",
+    )
+
+
+def _told(pseudo: NDArray[Any], vector: NDArray[Any]) -> str:
+    """Say which plane has a negative mean squared distance, or that the mass itself is negative."""
+    if pseudo[3, 3] <= 0.0:
+        return f"its mass would be {units.fixed(pseudo[3, 3], 'g', 1)}"
+    length = float(np.linalg.norm(vector[:3]))
+    if length < 1e-12:
+        return "its mass would not be positive"
+    normal = vector[:3] / length
+    second = float(vector @ pseudo @ vector) / length**2
+    along = ", ".join(f"{each:.2f}" for each in normal)
+    return (
+        f"the second moment of its mass along the direction ({along}) would be {units.fixed(second, 'g cm2', 1)}, and"
+        " mass times a squared distance is never negative"
+    )
+
+
+def _inside(of: str, pseudo: NDArray[Any], volume: Volume, mass: float) -> list[Margin]:
+    """Return whether moments are those of mass within a volume, in parts of a ``mass`` [kg]."""
+    name, told = f"{of} fits into the {volume.shape}", f"{of} does not fit into the {volume.shape}"
+    return [
+        Margin(name, float(np.sum(pseudo * form.matrix) / mass), f"{told}: {form.words}") for form in volume.forms()
+    ]
+
+
+def refuse_impossible(name: str, envelope: Envelope, values: NDArray[Any]) -> None:
+    """Refuse mass properties (in the order of ``MASS_PROPERTIES``) that no body in an envelope has, with the reason."""
+    missed = [each for each in envelope.margins(pseudo_inertia(values)) if not each.met]
+    if missed:
+        advice = "give other mass properties or another volume, shell or budget"
+        raise InputError("club", name, f"a head that can be built: {missed[0].reason}; {advice}")

@@ -1,0 +1,96 @@
+"""The picture of an optimum: where the shots land before and after, and the front or the place within the bounds."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from clubface import units
+from clubface.design.optimisation.objectives import SHARE
+from clubface.plots.style import COLOURS, WIDTH, styled
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+    from clubface.design.optimisation.result import Optimum
+
+POINTS = 400
+"""Shots of a golfer that are drawn."""
+UNIT = "yd"
+
+
+@styled
+def optimum_figure(of: Optimum) -> Figure:
+    """Draw the landings with the start and with the optimum; beside them the front, or every field in its bounds."""
+    figure = Figure(figsize=(WIDTH, 3.4), layout="constrained")
+    left, right = figure.subplots(1, 2, width_ratios=(1.0, 1.2))
+    _draw_landings(left, of)
+    if of.front:
+        _draw_front(right, of)
+    else:
+        _draw_bounds(right, of)
+    return figure
+
+
+def _draw_landings(axes: Axes, of: Optimum) -> None:
+    golfers = of.study.landings(of.study.shots, seed=of.study.seed + 1)
+    for place, (name, club) in enumerate((("start", {}), ("optimum", of.club))):
+        landed = np.concatenate([each.of(club) for each, _ in golfers], axis=1)
+        side = units.from_si(landed[1], UNIT)
+        down = units.from_si(np.sqrt(np.maximum(landed[0] ** 2 - landed[1] ** 2, 0.0)), UNIT)
+        colour = COLOURS[place]
+        axes.plot(
+            side[:POINTS], down[:POINTS], ".", color=colour, markersize=2.0, alpha=0.35, markeredgewidth=0.0
+        )  # fmt: skip
+        axes.plot(*_ellipse(side, down), color=colour, label=name, linestyle="--" if place == 0 else "-")
+    edges = np.array([line.get_ydata() for line in axes.lines if line.get_label() in ("start", "optimum")])
+    axes.set_ylim(edges.min() - 15.0, edges.max() + 15.0)  # a topped ball far behind would make all others small
+    axes.set_aspect("equal", adjustable="box")
+    axes.set_xlim(-0.5 * np.ptp(axes.get_ylim()), 0.5 * np.ptp(axes.get_ylim()))
+    axes.set_xlabel(f"side ({UNIT}), right is positive")
+    axes.set_ylabel(f"distance down the line ({UNIT})")
+    axes.set_title(f"Landings, with the ellipses of {SHARE:.0%}")
+    axes.legend(loc="lower left")
+
+
+def _ellipse(side: NDArray[Any], down: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+    values, vectors = np.linalg.eigh(np.cov(np.array([side, down])))
+    angle = np.linspace(0.0, 2.0 * math.pi, 200)
+    circle = np.array([np.cos(angle), np.sin(angle)]) * math.sqrt(-2.0 * math.log1p(-SHARE))
+    around = vectors @ (np.sqrt(np.maximum(values, 0.0))[:, None] * circle)
+    return side.mean() + around[0], down.mean() + around[1]
+
+
+def _draw_front(axes: Axes, of: Optimum) -> None:
+    one, other = (of.study.objective(name) for name in of.study.objectives)
+    values = [[units.from_si(point.values[each.name], each.unit) for point in of.front] for each in (one, other)]
+    axes.plot(*values, "o-", color=COLOURS[1], label="front")
+    # The start is judged on the same shots as the front only nearly: on fresh ones.
+    start = [units.from_si(of.fresh.value("start", each.name), each.unit) for each in (one, other)]
+    axes.plot(*start, "s", color=COLOURS[0], label="start, on fresh shots")
+    for each, setter in ((one, axes.set_xlabel), (other, axes.set_ylabel)):
+        setter(each.meaning if each.unit == "1" else f"{each.meaning} ({each.unit})")
+    axes.set_title("Clubs than which none is better in both")
+    axes.legend()
+
+
+def _draw_bounds(axes: Axes, of: Optimum) -> None:
+    bounds = of.study.bounds
+    names = [name for name in of.club if name in bounds]
+    for row, name in enumerate(names):
+        low, high = bounds[name]
+        start = 0.0 if name == "lie" else getattr(of.study.club, name)
+        place = [(value - low) / (high - low) for value in (start, of.club[name])]
+        axes.plot([0.0, 1.0], [row, row], color="0.8", linewidth=3.0, solid_capstyle="round")
+        axes.plot(place[0], row, "s", color=COLOURS[0], label="start" if row == 0 else None)
+        axes.plot(place[1], row, "o", color=COLOURS[1], label="optimum" if row == 0 else None)
+    axes.set_yticks(range(len(names)), names)
+    axes.set_xticks([0.0, 1.0], ["least allowed", "most allowed"])
+    axes.set_ylim(len(names) - 0.5, -0.8)
+    axes.grid(visible=False)
+    axes.set_title("Place between the bounds")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2)

@@ -1,0 +1,164 @@
+"""What an optimum must not break: rules, bounds, what can be built, and what a study demands of the shots."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from clubface.design.feasibility import (
+    MASS_PROPERTIES,
+    Envelope,
+    of_club,
+    pseudo_inertia,
+    pseudo_inertia_derivatives,
+)
+from clubface.design.optimisation.objectives import Objective
+from clubface.design.optimisation.problem import State
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from clubface.equipment.clubs import Club
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldLimit:
+    """A field of the club that must stay within limits.
+
+    Attributes
+    ----------
+    name
+        What the limit is called in reports.
+    field
+        The field of the club.
+    least, most
+        [SI]; infinite where there is none.
+    scale
+        Size of the field, which makes margins numbers [SI].
+    fields
+        All fields that change, in the order of the slopes.
+    """
+
+    name: str
+    field: str
+    least: float
+    most: float
+    scale: float
+    fields: tuple[str, ...]
+
+    def margins(self, state: State) -> NDArray[Any]:
+        """Return the distance from each limit."""
+        value = state.club[self.field]
+        return np.array([side * (value - limit) / self.scale for side, limit in self._sides()])
+
+    def gradients(self, state: State) -> NDArray[Any]:
+        """Return their derivatives."""
+        slope = state.slopes[self.fields.index(self.field)]
+        return np.array([side * slope / self.scale for side, _ in self._sides()])
+
+    def _sides(self) -> list[tuple[float, float]]:
+        return [each for each in ((1.0, self.least), (-1.0, self.most)) if math.isfinite(each[1])]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShotLimit:
+    """A number of the shots, such as the mean carry, that must stay within limits.
+
+    Attributes
+    ----------
+    objective
+        The number.
+    least, most
+        [SI]; infinite where there is none.
+    """
+
+    objective: Objective
+    least: float
+    most: float
+
+    @property
+    def name(self) -> str:
+        """What the limit is called in reports."""
+        return self.objective.meaning
+
+    def margins(self, state: State) -> NDArray[Any]:
+        """Return the distance from each limit, as a part of it."""
+        value = state.judged[self.objective.name]
+        return np.array([side * (value - limit) / max(abs(limit), 1e-9) for side, limit in self._sides()])
+
+    def gradients(self, state: State) -> NDArray[Any]:
+        """Return their derivatives."""
+        slope = state.gradients[self.objective.name]
+        return np.array([side * slope / max(abs(limit), 1e-9) for side, limit in self._sides()])
+
+    def _sides(self) -> list[tuple[float, float]]:
+        return [each for each in ((1.0, self.least), (-1.0, self.most)) if math.isfinite(each[1])]
+
+
+class Buildable:
+    """The discretionary mass must be mass in the volume, and within its budget.
+
+    Parameters
+    ----------
+    base
+        The club whose mass properties hold where they do not change.
+    envelope
+        Volume, shell and budget.
+    fields
+        All fields that change, in the order of the slopes.
+    distributed
+        Whether the variables make the moments positive semidefinite by themselves.
+    mass_changes
+        Whether the mass does; otherwise the budget is no limit, and a solver would stumble over a margin that is 0.
+    """
+
+    name = "the head can be built"
+
+    def __init__(
+        self, base: Club, envelope: Envelope, fields: Sequence[str], *, distributed: bool, mass_changes: bool
+    ) -> None:
+        self.envelope, self._values, self._distributed = envelope, of_club(base), distributed
+        self._mass_changes = mass_changes
+        self._changing = [
+            (MASS_PROPERTIES.index(name), row) for row, name in enumerate(fields) if name in MASS_PROPERTIES
+        ]
+        self._fields = tuple(fields)
+        self._forms = np.array([each.matrix for each in envelope.volume.forms()])
+
+    def values(self, state: State) -> NDArray[Any]:
+        """Return the mass properties of a head, in the order of ``MASS_PROPERTIES``."""
+        found = self._values.copy()
+        for place, row in self._changing:
+            found[place] = state.club[self._fields[row]]
+        return found
+
+    def margins(self, state: State) -> NDArray[Any]:
+        """Return the traces, the rest of the budget and, where it may be negative, every principal moment."""
+        placed = self.envelope.placed(pseudo_inertia(self.values(state)))
+        found = [np.einsum("fij,ij->f", self._forms, placed) / self.envelope.budget]
+        if self._mass_changes:
+            found.append(np.array([1.0 - placed[3, 3] / self.envelope.budget]))
+        if not self._distributed:
+            scale = np.outer(self.envelope.scale, self.envelope.scale)
+            found.append(np.linalg.eigvalsh(placed * scale))
+        return np.concatenate(found)
+
+    def gradients(self, state: State) -> NDArray[Any]:
+        """Return their derivatives; that of an eigenvalue is its vector's change (Magnus, 1985)."""
+        values, budget = self.values(state), self.envelope.budget
+        by_values = pseudo_inertia_derivatives(values)
+        by_numbers = sum(by_values[place][..., None] * state.slopes[row] for place, row in self._changing)
+        assert isinstance(by_numbers, np.ndarray)  # there is at least one mass property that changes
+        found = [np.einsum("fij,ijn->fn", self._forms, by_numbers) / budget]
+        if self._mass_changes:
+            found.append(-by_numbers[3, 3][None] / budget)
+        if not self._distributed:
+            scale = self.envelope.scale
+            placed = self.envelope.placed(pseudo_inertia(values)) * np.outer(scale, scale)
+            vectors = np.linalg.eigh(placed)[1] * scale[:, None]
+            found.append(np.einsum("ik,ijn,jk->kn", vectors, by_numbers, vectors))
+        return np.concatenate(found)

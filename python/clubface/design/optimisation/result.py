@@ -1,0 +1,213 @@
+"""What an optimisation found: the club, what it is judged by on fresh shots, and the verdict of every limit."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from clubface import units
+from clubface.design import feasibility
+from clubface.design.optimisation.landings import FREE
+from clubface.design.optimisation.placement import PointMass, placement
+from clubface.design.optimisation.study import DIMENSIONS, UNITS, DesignStudy
+from clubface.equipment.clubs import Club
+from clubface.errors import RuleWarning
+from clubface.support.warning import without_warnings
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+ACTIVE = 1e-4
+"""A margin, as a part of the limit or of the range, below which a limit is what stops the optimum."""
+
+
+@dataclass(frozen=True)
+class Fresh:
+    """Clubs judged on shots that no solver has seen.
+
+    Attributes
+    ----------
+    shots
+        How many.
+    clubs
+        "start", "nominal" and "optimum".
+    objectives
+        Names of what they are judged by.
+    values
+        Shape (clubs, objectives) [SI].
+    errors
+        Standard errors of the differences from the optimum, of the same shape.
+    """
+
+    shots: int
+    clubs: tuple[str, ...]
+    objectives: tuple[str, ...]
+    values: NDArray[Any]
+    errors: NDArray[Any]
+
+    def value(self, club: str, objective: str) -> float:
+        """Return what a club is judged by."""
+        return float(self.values[self.clubs.index(club), self.objectives.index(objective)])
+
+    def error(self, club: str, objective: str) -> float:
+        """Return the standard error of its difference from the optimum."""
+        return float(self.errors[self.clubs.index(club), self.objectives.index(objective)])
+
+
+@dataclass(frozen=True)
+class FrontPoint:
+    """A club on the front between two objectives.
+
+    Attributes
+    ----------
+    club
+        The fields that change [SI].
+    values
+        The objectives [SI].
+    """
+
+    club: Mapping[str, float]
+    values: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What the optimum has of a limit.
+
+    Attributes
+    ----------
+    limit
+        The limit in words.
+    value, allowed
+        In words with units.
+    margin
+        What is left, as a part of the limit; below 0 it is broken; NaN where it is not known.
+    """
+
+    limit: str
+    value: str
+    allowed: str
+    margin: float
+
+    @property
+    def state(self) -> str:
+        """The verdict: "kept", "kept, at the limit", "broken" or "not known"."""
+        if math.isnan(self.margin):
+            return "not known"
+        if self.margin < -feasibility.ROUNDING:
+            return "broken"
+        return "kept, at the limit" if self.margin < ACTIVE else "kept"
+
+
+@dataclass(frozen=True)
+class Optimum:
+    """The best club of a study.
+
+    Attributes
+    ----------
+    study
+        What was asked.
+    club
+        The fields that changed [SI].
+    nominal
+        Those of the club that is best for the mean delivery.
+    starts, alike
+        Starts of the solver, and how many of them are as good as the best.
+    steps
+        Steps of the solver on all shots.
+    shots, missed
+        Shots that were computed, and those that missed the face.
+    judged
+        The objective, and others that limit it, on the shots that were solved on [SI].
+    fresh
+        What start, nominal optimum and optimum are judged by on fresh shots.
+    front
+        Clubs between two objectives; empty for one.
+    message
+        What the solver said at its end.
+    """
+
+    study: DesignStudy
+    club: Mapping[str, float]
+    nominal: Mapping[str, float]
+    starts: int
+    alike: int
+    steps: int
+    shots: int
+    missed: int
+    judged: Mapping[str, float]
+    fresh: Fresh
+    front: tuple[FrontPoint, ...] = ()
+    message: str = ""
+
+    @cached_property
+    def built(self) -> Club:
+        """The optimum as a club."""
+        return club_of(self.study, self.club)
+
+    def placed(self) -> list[PointMass]:
+        """Return point masses that are one way to place the discretionary mass; empty where no mass moves."""
+        envelope = self.study.variables.envelope
+        if envelope is None:
+            return []
+        return placement(envelope, feasibility.pseudo_inertia(feasibility.of_club(self.built)))
+
+    def verdicts(self) -> list[Verdict]:
+        """Return what the optimum has of every limit: rules, what can be built, bounds, and limits of the shots."""
+        study = self.study
+        with without_warnings(RuleWarning):
+            found = [_of_rule(each, study.tolerance) for each in study.rule_values(self.built)]
+        envelope = study.variables.envelope
+        if envelope is not None:
+            pseudo = feasibility.pseudo_inertia(feasibility.of_club(self.built))
+            margins = envelope.margins(pseudo)
+            if "mass" not in study.bounds:
+                margins.pop()  # the budget limits nothing where the mass is given
+            found += _of_margins(margins)
+        for name, (low, high) in (*study.bounds.items(), *study.limits.items()):
+            if name in FREE:
+                found.append(_of_range(name, self.club[name], low, high, UNITS[name]))
+            else:
+                judge = study.objective(name)
+                found.append(_of_range(judge.meaning, self.judged[name], low, high, judge.unit))
+        return found
+
+
+def club_of(study: DesignStudy, changes: Mapping[str, float], name: str | None = None) -> Club:
+    """Return the club of a study with fields changed; its lie, which no club file has, is left out."""
+    own = {field: value for field, value in changes.items() if field in DIMENSIONS and field != "lie"}
+    called = name or f"{study.club.name}-optimum"
+    source = f"optimised from {study.club.name}: {study.title}"
+    with without_warnings(RuleWarning):
+        made = study.club.replace(**own, name=called, description=f"{study.title}: the optimum")
+        return made.replace(sources={**made.sources, **dict.fromkeys(own, source)})
+
+
+def _of_rule(each: Any, tolerance: bool) -> Verdict:
+    limit = each.rule.limit if tolerance else each.rule.most
+    allowed = f"at most {units.show(limit, each.rule.unit, 4)}"
+    value = "not known" if math.isnan(each.value) else units.show(each.value, each.rule.unit, 4)
+    return Verdict(f"rules: {each.rule.title}", value, allowed, (limit - each.value) / limit)
+
+
+def _of_margins(margins: list[feasibility.Margin]) -> list[Verdict]:
+    """Return one verdict for each thing that must hold of a body, by its smallest margin."""
+    least: dict[str, float] = {}
+    for each in margins:
+        least[each.name] = min(least.get(each.name, math.inf), each.value)
+    return [Verdict(name, f"{value:.4f}", "at least 0", value) for name, value in least.items()]
+
+
+def _of_range(name: str, value: float, low: float, high: float, unit: str) -> Verdict:
+    sides = [abs(each) for each in (low, high) if math.isfinite(each)]
+    size = high - low if len(sides) == 2 else max([*sides, 1e-12])
+    margin = min(value - low, high - value) / size
+    parts = [words for each, words in ((low, "at least"), (high, "at most")) if math.isfinite(each)]
+    shown = [units.show(each, unit, 4) for each in (low, high) if math.isfinite(each)]
+    allowed = f"{shown[0]} to {shown[1]}" if len(shown) == 2 else " ".join([*parts, *shown])
+    return Verdict(name, units.show(value, unit, 5), allowed, float(np.round(margin, 12)))

@@ -1,0 +1,145 @@
+"""The best point of a problem: sequential quadratic programming (Kraft, 1988) from many starts, exact gradients."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from clubface.design.optimisation.problem import Problem
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+SLACK = 1e-6
+"""What every margin keeps above 0 while it is solved, so that rounding of the solver breaks no limit."""
+MOST_STEPS = 200
+PATIENCE = 12
+"""Steps without progress after which a solver stops: the number of bounces jumps from shot to shot, so that expected
+strokes are smooth only to some 1e-6."""
+PENALTIES = (0.03, 0.3, 3.0)
+"""Costs of a broken limit, in parts of the cost at the start, with which progress is looked for."""
+ALIKE = 1e-4
+"""Costs that differ by less than this part are the same optimum."""
+REFUSED = 10.0
+"""Cost, in sizes of the cost at the start, of a club whose shots cannot be computed: a line search turns back."""
+
+
+class Solution(NamedTuple):
+    """Where a solver ended.
+
+    Attributes
+    ----------
+    point
+        The numbers.
+    cost
+        What was made least.
+    least_margin
+        The smallest of all margins; negative where a limit is broken.
+    steps
+        How many steps were made.
+    message
+        What the solver says of its end.
+    """
+
+    point: NDArray[Any]
+    cost: float
+    least_margin: float
+    steps: int
+    message: str
+
+    @property
+    def allowed(self) -> bool:
+        """Whether no limit is broken."""
+        return self.least_margin >= 0.0
+
+
+def starts(problem: Problem, count: int, seed: int) -> list[NDArray[Any]]:
+    """Return points to start from: that of the base club, then points spread evenly over the bounds."""
+    from scipy.stats import qmc
+
+    uniform = qmc.Sobol(problem.variables.count + 1, scramble=True, rng=np.random.default_rng(seed))
+    spread = [problem.variables.random(each) for each in uniform.random_base2(max(count - 1, 1).bit_length())]
+    return [problem.variables.start(), *spread][:count]
+
+
+def solve(problem: Problem, start: NDArray[Any]) -> Solution:
+    """Return the optimum that is reached from a start."""
+    from scipy.optimize import minimize
+
+    best_yet = _Best()
+    scale = max(abs(problem.cost(start)), 1e-6) if np.isfinite(problem.cost(start)) else 1.0
+
+    def cost(point: NDArray[Any]) -> float:
+        found = problem.cost(point) / scale
+        return found if np.isfinite(found) else REFUSED
+
+    def slope(point: NDArray[Any]) -> NDArray[Any]:
+        broken = max(-float(margins(point).min()), 0.0) if limited else 0.0
+        best_yet.tell(point, cost(point), broken, problem.objective.precision)
+        return np.nan_to_num(problem.slope(point) / scale)
+
+    def margins(point: NDArray[Any]) -> NDArray[Any]:
+        return np.nan_to_num(problem.margins(point), nan=-REFUSED) - SLACK
+
+    def margin_slopes(point: NDArray[Any]) -> NDArray[Any]:
+        return np.nan_to_num(problem.margin_slopes(point))
+
+    limited = problem.margins(start).size > 0
+    box = problem.variables.box
+    try:
+        found = minimize(
+            cost, start, jac=slope, method="SLSQP", bounds=box,
+            constraints=[{"type": "ineq", "fun": margins, "jac": margin_slopes}] if limited else [],
+            options={"maxiter": MOST_STEPS, "ftol": problem.objective.precision},
+        )  # fmt: skip
+        point, steps, message = found.x, int(found.nit), str(found.message)
+    except _StalledError:
+        point, steps, message = best_yet.point, best_yet.steps, "no more progress"
+    point = np.clip(point, *box.T)
+    least = float(problem.margins(point).min()) if limited else np.inf
+    return Solution(point, problem.cost(point), least, steps, message)
+
+
+class _StalledError(Exception):
+    """No progress for some steps."""
+
+
+class _Best:
+    """Remembers the best point within all limits, and stops a solver that makes no progress from it."""
+
+    def __init__(self) -> None:
+        self.point, self.cost, self.steps, self._idle = np.empty(0), np.inf, 0, 0
+        self._merit = dict.fromkeys(PENALTIES, np.inf)
+
+    def tell(self, point: NDArray[Any], cost: float, broken: float, precision: float) -> None:
+        """Take note of a point at which the solver takes a step, and of how much a limit is broken there.
+
+        Steps along a curved limit break it a little while they make progress, so progress counts with penalties, too.
+        """
+        self.steps += 1
+        self._idle += 1
+        for penalty, merit in self._merit.items():
+            if cost + penalty * broken < merit - precision:
+                self._merit[penalty], self._idle = cost + penalty * broken, 0
+        if broken <= 0.5 * SLACK and cost < self.cost:
+            self._idle = 0 if cost < self.cost - precision else self._idle
+            self.point, self.cost = np.array(point), cost
+        found = np.isfinite(self.cost)
+        if not found:
+            self.point = np.array(point)  # where it looks for one within all limits
+        if self._idle > (PATIENCE if found else 4 * PATIENCE):
+            raise _StalledError
+
+
+def best(found: Sequence[Solution]) -> Solution | None:
+    """Return the best of those that break no limit."""
+    allowed = [each for each in found if each.allowed and np.isfinite(each.cost)]
+    return min(allowed, key=lambda each: each.cost) if allowed else None
+
+
+def agreeing(found: Sequence[Solution], chosen: Solution) -> int:
+    """Return how many solutions are as good as the chosen one."""
+    near = ALIKE * max(abs(chosen.cost), 1e-12)
+    return sum(each.allowed and each.cost <= chosen.cost + near for each in found)

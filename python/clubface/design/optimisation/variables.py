@@ -1,0 +1,215 @@
+"""What an optimiser turns, numbers of size 1, and the club that they make, with derivatives.
+
+A field of the club is one number, from 0 at its lower bound to 1 at its upper; of a radius it is the curvature, which a
+launch depends on almost linearly. Where the whole distribution of mass is free, nine numbers place the discretionary
+mass: in coordinates that start at the centre of the volume and end at its surface, its second moments about the centre
+are a product C C', and its first moments and the lower triangle of C fill the nine. So its pseudo-inertia is positive
+semidefinite whatever they are, and that of a body in an ellipsoid if the sum of their squares is at most 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from clubface.design.feasibility import (
+    MASS_PROPERTIES,
+    Envelope,
+    mass_properties,
+    of_club,
+    pseudo_inertia,
+    pseudo_inertia_derivatives,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from clubface.equipment.clubs import Club
+
+RADII = ("bulge", "roll")
+PLACED = 9
+"""Numbers that place a mass: its CG and the lower triangle of the root of its second moments about it."""
+_ROOT = [(row, column) for row in range(3) for column in range(row + 1)]
+_ENTRIES = [(i, j) for i in range(4) for j in range(i, 4)]
+"""The ten different entries of a pseudo-inertia."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Variables:
+    """The numbers that an optimiser turns.
+
+    Attributes
+    ----------
+    base
+        The club to start from.
+    bounds
+        Least and greatest value [SI] of every field that is a number of its own.
+    envelope
+        What the head may be; None where its distribution of mass does not change.
+    distributed
+        Whether the whole distribution of mass is free. The mass is then that of the base unless it has bounds.
+    """
+
+    base: Club
+    bounds: Mapping[str, tuple[float, float]]
+    envelope: Envelope | None = None
+    distributed: bool = False
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """The fields of the club that may change."""
+        if not self.distributed:
+            return tuple(self.bounds)
+        return (*MASS_PROPERTIES, *(name for name in self.bounds if name not in MASS_PROPERTIES))
+
+    @property
+    def count(self) -> int:
+        """How many numbers there are."""
+        return len(self.bounds) + (PLACED if self.distributed else 0)
+
+    @property
+    def box(self) -> NDArray[Any]:
+        """Bounds of the numbers, shape (count, 2)."""
+        found = np.tile([0.0, 1.0], (self.count, 1))
+        if self.distributed:
+            found[-PLACED:] = [-2.0, 2.0]
+        return found
+
+    def club(self, point: NDArray[Any]) -> dict[str, float]:
+        """Return the fields that may change, by name [SI]."""
+        found = {name: self._field(name, at) for name, at in zip(self.bounds, point, strict=False)}
+        if self.distributed:
+            mass = found.get("mass", self.base.mass)
+            values = mass_properties(self._shell() + self._placed(mass, point[-PLACED:]))
+            found |= dict(zip(MASS_PROPERTIES, map(float, values), strict=True))
+        return {name: found[name] for name in self.fields}
+
+    def slopes(self, point: NDArray[Any]) -> NDArray[Any]:
+        """Return the derivatives of the fields by the numbers, shape (fields, count)."""
+        found, fields = np.zeros((len(self.fields), self.count)), self.fields
+        own = {name: self._slope(name, at) for name, at in zip(self.bounds, point, strict=False)}
+        for column, (name, slope) in enumerate(own.items()):
+            if not self.distributed or name not in MASS_PROPERTIES:
+                found[fields.index(name), column] = slope
+        if self.distributed:
+            self._add_placed(found, point, own.get("mass"))
+        return found
+
+    def at(self, club: Mapping[str, float]) -> NDArray[Any]:
+        """Return the numbers of a club, held within their bounds; an undistributed one only."""
+        found = []
+        for name, (low, high) in self.bounds.items():
+            value = club[name]
+            if name in RADII:
+                low, high, value = 1.0 / high, 1.0 / low, 1.0 / value
+            found.append((value - low) / (high - low))
+        return np.clip(found, 0.0, 1.0)
+
+    def start(self) -> NDArray[Any]:
+        """Return the numbers of the base club, or the nearest within the bounds."""
+        fields = {name: 0.0 if name == "lie" else getattr(self.base, name) for name in self.bounds}
+        own = self.at(fields)
+        if not self.distributed:
+            return own
+        pseudo = pseudo_inertia(of_club(self.base))
+        return np.concatenate([own, self._numbers(self._envelope().placed(pseudo))])
+
+    def random(self, uniform: NDArray[Any]) -> NDArray[Any]:
+        """Return numbers spread over their bounds, from as many that are uniform from 0 to 1.
+
+        Those that place a mass lie in the ball of radius 1.
+        """
+        from scipy.special import ndtri
+
+        found = np.array(uniform[: self.count], dtype=float)
+        if self.distributed:
+            direction = ndtri(np.clip(found[-PLACED:], 1e-9, 1.0 - 1e-9))
+            radius = 0.9 * float(uniform[-1]) ** (1.0 / PLACED)
+            found[-PLACED:] = radius * direction / np.linalg.norm(direction)
+        return found
+
+    def _field(self, name: str, at: float) -> float:
+        low, high = self.bounds[name]
+        if name in RADII:
+            return float(1.0 / (1.0 / high + at * (1.0 / low - 1.0 / high)))
+        return float(low + at * (high - low))
+
+    def _slope(self, name: str, at: float) -> float:
+        low, high = self.bounds[name]
+        if name in RADII:
+            return -(self._field(name, at) ** 2) * (1.0 / low - 1.0 / high)
+        return high - low
+
+    def _envelope(self) -> Envelope:
+        assert self.envelope is not None  # a distribution has a volume to be in
+        return self.envelope
+
+    def _shell(self) -> NDArray[Any]:
+        return self._envelope().shell
+
+    def _frame(self) -> NDArray[Any]:
+        """From parts of the way to the surface to places seen from the face centre, shape (4, 4)."""
+        volume = self._envelope().volume
+        found = np.eye(4)
+        found[:3, :3] = np.diag(0.5 * np.array(volume.size))
+        found[:3, 3] = volume.centre
+        return found
+
+    def _placed(self, mass: float, numbers: NDArray[Any]) -> NDArray[Any]:
+        """Return the pseudo-inertia about the face centre of the discretionary mass of a head of some mass."""
+        rows = _rows(numbers)
+        frame = self._frame()
+        return (mass - self._shell()[3, 3]) * frame @ rows @ rows.T @ frame.T
+
+    def _numbers(self, placed: NDArray[Any]) -> NDArray[Any]:
+        """Return the nine numbers of a pseudo-inertia, which is moved into the possible where it is not."""
+        inverse = np.linalg.inv(self._frame())
+        own = inverse @ placed @ inverse.T / placed[3, 3]
+        first = own[:3, 3]
+        values, vectors = np.linalg.eigh(own[:3, :3] - np.outer(first, first))
+        spread = (vectors * np.maximum(values, 1e-6)) @ vectors.T
+        root = np.linalg.cholesky(spread)
+        return np.array([*first, *(root[place] for place in _ROOT)])
+
+    def _add_placed(self, found: NDArray[Any], point: NDArray[Any], by_mass: float | None) -> None:
+        """Add the derivatives of the mass properties to those of the fields."""
+        mass = self.club(point)["mass"]
+        numbers, frame = point[-PLACED:], self._frame()
+        rows, loose = _rows(numbers), mass - self._shell()[3, 3]
+        values = mass_properties(self._shell() + self._placed(mass, numbers))
+        by_values = pseudo_inertia_derivatives(values)
+        forward = np.array([[each[entry] for each in by_values] for entry in _ENTRIES])
+        changes = [loose * frame @ (each @ rows.T + rows @ each.T) @ frame.T for each in _row_slopes()]
+        columns = list(range(self.count - PLACED, self.count))
+        if by_mass is not None:
+            changes.append(by_mass * frame @ rows @ rows.T @ frame.T)
+            columns.append(list(self.bounds).index("mass"))
+        wanted = np.array([[each[entry] for each in changes] for entry in _ENTRIES])
+        places = [self.fields.index(name) for name in MASS_PROPERTIES]
+        found[np.ix_(places, columns)] = _solved(forward, wanted)
+
+
+def _solved(forward: NDArray[Any], wanted: NDArray[Any]) -> NDArray[Any]:
+    """Solve for mass properties of very different sizes, kilograms and kg m2: rows and columns are scaled first."""
+    rows = 1.0 / np.abs(forward).max(axis=1)
+    columns = 1.0 / np.abs(forward * rows[:, None]).max(axis=0)
+    return columns[:, None] * np.linalg.solve(forward * rows[:, None] * columns, wanted * rows[:, None])
+
+
+def _rows(numbers: NDArray[Any]) -> NDArray[Any]:
+    """Return a root of the pseudo-inertia of a mass of 1, shape (4, 4): its CG, and the root of moments about it."""
+    found = np.zeros((4, 4))
+    found[:3, 0] = numbers[:3]
+    for number, place in zip(numbers[3:], _ROOT, strict=True):
+        found[place[0], 1 + place[1]] = number
+    found[3, 0] = 1.0
+    return found
+
+
+def _row_slopes() -> list[NDArray[Any]]:
+    """Return the derivatives of the root by the nine numbers."""
+    empty = _rows(np.zeros(PLACED))
+    return [_rows(each) - empty for each in np.eye(PLACED)]

@@ -1,0 +1,224 @@
+"""An optimum and a fitting in tables and sentences."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict
+from typing import Any
+
+from clubface import units
+from clubface.design.optimisation.fitting import Combination, Fitting, told
+from clubface.design.optimisation.landings import FREE
+from clubface.design.optimisation.objectives import Objective
+from clubface.design.optimisation.result import Optimum
+from clubface.design.optimisation.study import UNITS
+
+SHOWN = 12
+"""Combinations of a fitting that are shown; the file of results has all."""
+CERTAIN = 2.0
+"""Standard errors beyond which a difference is called one."""
+
+
+def design_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
+    """Return every field that changed: at the start, for the mean delivery, at the optimum, and its bounds."""
+    study = found.study
+    rows = []
+    for name, value in found.club.items():
+        unit = UNITS[name]
+        start = 0.0 if name == "lie" else getattr(study.club, name)
+        nominal = found.nominal.get(name)
+        low_high = study.bounds.get(name)
+        allowed = "follows" if low_high is None else units.show_range(*low_high, unit)
+        rows.append([f"{name} ({unit})", *(_number(each, unit) for each in (start, nominal, value)), allowed])
+    return ["", "start", "best for the\nmean delivery", "optimum", "allowed"], rows
+
+
+def shots_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
+    """Return what the clubs are judged by on fresh shots, and what the optimum gains on either."""
+    rows = []
+    for judge in found.study.known():
+        values = [found.fresh.value(club, judge.name) for club in found.fresh.clubs]
+        cells = [_value(each, judge) for each in values]
+        gains = [
+            f"{_signed(values[2] - values[place], judge)} ± {_value(found.fresh.error(club, judge.name), judge)}"
+            for place, club in enumerate(found.fresh.clubs[:2])
+        ]
+        unit = "" if judge.unit == "1" else f" ({judge.unit})"
+        rows.append([f"{judge.name}{unit}", *cells, *gains])
+    heads = [
+        "",
+        "start",
+        "best for the\nmean delivery",
+        "optimum",
+        "optimum\nagainst start",
+        "optimum against\nthe latter",
+    ]
+    return heads, rows
+
+
+def limits_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
+    """Return the verdict of every limit."""
+    rows = [[each.limit, each.value, each.allowed, each.state] for each in found.verdicts()]
+    return ["limit", "optimum", "allowed", "verdict"], rows
+
+
+def placement_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
+    """Return point masses that are one way to place the discretionary mass."""
+    rows = [
+        [
+            str(number),
+            *(
+                units.fixed(value, unit, 1).split()[0]
+                for value, unit in zip((each.mass, *each.place), ("g", "mm", "mm", "mm"), strict=True)
+            ),
+        ]
+        for number, each in enumerate(found.placed(), 1)
+    ]
+    return ["mass", "g", "x (mm)\nto the target", "y (mm)\nup", "z (mm)\nto the toe"], rows
+
+
+def front_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
+    """Return the clubs between two objectives."""
+    judges = [found.study.objective(name) for name in found.study.objectives]
+    fields = list(found.club)
+    heads = [*(f"{each.name}\n({each.unit})" for each in judges), *(f"{name}\n({UNITS[name]})" for name in fields)]
+    rows = [
+        [
+            *(_value(point.values[each.name], each) for each in judges),
+            *(_number(point.club[f], UNITS[f]) for f in fields),
+        ]
+        for point in found.front
+    ]
+    return heads, rows
+
+
+def notes(found: Optimum) -> list[str]:
+    """Return what a reader should know about an optimum."""
+    study, name = found.study, found.study.objectives[0]
+    judge = study.objective(name)
+    said = [
+        f"{found.alike} of {found.starts} starts found this optimum of the {judge.meaning} (to 1 part in 10,000).",
+        f"Solved on {found.shots} shots; the table is of {found.fresh.shots} fresh ones, which no solver has seen."
+        " After ± stands the standard error of a difference.",
+    ]
+    if found.missed:
+        said.append(f"{found.missed} shots miss the face of the club and are left out.")
+    said.append(_against_nominal(found))
+    stopping = [each.limit for each in found.verdicts() if each.state == "kept, at the limit"]
+    if stopping:
+        said.append(f"What stops the optimum: {', '.join(stopping)}.")
+    if "mass" in found.study.bounds:
+        said.append(
+            f"Clubhead speed is taken to fall as mass to the power {study.setting.speed_exponent:g}"
+            " (MacKenzie, Ryan and Rice, 2015)."
+        )
+    if "loft" in found.club:
+        said.append("One degree more static loft is taken to be one degree more at impact.")
+    return said
+
+
+def _against_nominal(found: Optimum) -> str:
+    """Say whether the optimum is better than the club that is best for the mean delivery alone."""
+    name = found.study.objectives[0]
+    robust, nominal = (found.fresh.value(club, name) for club in ("optimum", "nominal"))
+    gain, error = found.study.objective(name).sign * (nominal - robust), found.fresh.error("nominal", name)
+    if any(each not in FREE for each in found.study.limits):
+        return (
+            "The club that is best for the mean delivery does not know the limits of the shots; the optimum keeps them"
+            " on the shots it was solved on."
+        )
+    if gain > CERTAIN * error:
+        return "On fresh shots the optimum is better than the club that is best for the mean delivery."
+    if gain < -CERTAIN * error:
+        return "On fresh shots the club that is best for the mean delivery is better; the shots are too few."
+    return "On fresh shots the optimum and the club that is best for the mean delivery do not differ clearly."
+
+
+def document(found: Optimum) -> dict[str, Any]:
+    """Return an optimum as JSON has it, in SI units."""
+    fresh = found.fresh
+    return {
+        "title": found.study.title,
+        "objectives": list(found.study.objectives),
+        "start": {name: 0.0 if name == "lie" else getattr(found.study.club, name) for name in found.club},
+        "nominal": dict(found.nominal),
+        "optimum": dict(found.club),
+        "starts": found.starts,
+        "starts_alike": found.alike,
+        "shots": found.shots,
+        "missed": found.missed,
+        "judged": dict(found.judged),
+        "fresh": {
+            "shots": fresh.shots,
+            "values": _by_club(fresh.clubs, fresh.objectives, fresh.values),
+            "error_of_difference_from_optimum": _by_club(fresh.clubs, fresh.objectives, fresh.errors),
+        },
+        "limits": [{**asdict(each), "verdict": each.state} for each in found.verdicts()],
+        "placement": [each._asdict() for each in found.placed()],
+        "front": [{"club": dict(each.club), "values": dict(each.values)} for each in found.front],
+        "notes": notes(found),
+    }
+
+
+def _by_club(clubs: tuple[str, ...], names: tuple[str, ...], table: Any) -> dict[str, dict[str, float]]:
+    return {
+        club: dict(zip(names, map(float, row), strict=True)) for club, row in zip(clubs, table, strict=True)
+    }  # fmt: skip
+
+
+def fit_table(of: Fitting, found: list[Combination]) -> tuple[list[str], list[list[str]]]:
+    """Return the best combinations of parts."""
+    judge = of.judge(of.objective)
+    others = list(found[0].others)
+    unit = {each: of.judge(each).unit for each in (of.objective, *others)}
+    heads = ["club", "ball", "setting", "changes", f"{judge.name}\n({judge.unit})", "behind the best"]
+    heads += [f"{name}\n({unit[name]})" for name in others]
+    rows = []
+    for each in found[:SHOWN]:
+        behind = (
+            "" if each is found[0] else f"{_signed(each.value - found[0].value, judge)} ± {_error(each.error, judge)}"
+        )
+        rows.append(
+            [each.club, each.ball, each.setting, told(each.changes), _value(each.value, judge), behind]
+            + [_value(each.others[name], of.judge(name)) for name in others]
+        )
+    return heads, rows
+
+
+def fit_document(of: Fitting, found: list[Combination]) -> dict[str, Any]:
+    """Return a fitting as JSON has it, in SI units, all combinations from the best to the worst."""
+    return {"title": of.title, "objective": of.objective, "combinations": [each._asdict() for each in found]}
+
+
+def fit_notes(of: Fitting, found: list[Combination]) -> list[str]:
+    """Return what a reader should know about a fitting."""
+    said = [
+        f"{len(found)} combinations, all judged on the same {of.shots} shots of a golfer. The golfer delivers as with"
+        f" {of.clubs[0].name}; with another loft he delivers as much more of it.",
+    ]
+    if any(math.isnan(each.error) for each in found):
+        said.append("After ± stands ? where other shots miss the face than with the best club.")
+    close = sum(abs(each.value - found[0].value) <= CERTAIN * each.error for each in found[1:])
+    if close:
+        said.append(f"{close} others are not clearly behind the best.")
+    if len(found) > SHOWN:
+        said.append(f"{len(found) - SHOWN} more are not shown; --json has all.")
+    return said
+
+
+def _number(value: float | None, unit: str) -> str:
+    return "" if value is None else f"{units.from_si(value, unit):.5g}"
+
+
+def _value(value: float, judge: Objective) -> str:
+    digits = 4 if judge.unit == "1" else 0 if judge.unit == "m2" else 2
+    return f"{units.from_si(value, judge.unit):.{digits}f}"
+
+
+def _error(value: float, judge: Objective) -> str:
+    return "?" if math.isnan(value) else _value(value, judge)
+
+
+def _signed(value: float, judge: Objective) -> str:
+    text = _value(value, judge)
+    return text if text.startswith("-") else f"+{text}"

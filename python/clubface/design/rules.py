@@ -1,0 +1,146 @@
+"""The rules of golf for a clubhead: the published limits, and what a club has of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from functools import cache
+from typing import Any, NamedTuple
+
+from clubface import measurements, units
+from clubface.equipment.clubs import Club, club as club_of
+
+STEEPEST_PENDULUM_LOFT = units.to_si(35.0, "deg")
+"""The spring effect is tested by pendulum up to this loft; R&A (2016), Spring effect and dynamic properties."""
+
+
+class Rule(NamedTuple):
+    """One limit of the rules.
+
+    Attributes
+    ----------
+    name
+        What is limited: ``moment_of_inertia``, ``characteristic_time``, ``volume``, ``heel_to_toe`` or
+        ``sole_to_crown``.
+    title
+        The limit in words.
+    most
+        The limit [SI].
+    tolerance
+        What a measurement may exceed it by [SI].
+    unit
+        The unit it was printed in.
+    source
+        Who published it, when and where.
+    """
+
+    name: str
+    title: str
+    most: float
+    tolerance: float
+    unit: str
+    source: str
+
+    @property
+    def limit(self) -> float:
+        """The limit with its tolerance [SI]."""
+        return self.most + self.tolerance
+
+
+class RuleVerdict(NamedTuple):
+    """What a club has of a limit.
+
+    Attributes
+    ----------
+    rule
+        The limit.
+    value
+        Of the club [SI], or NaN where it is not known.
+    """
+
+    rule: Rule
+    value: float
+
+    @property
+    def conforms(self) -> bool | None:
+        """Whether it is within the limit and its tolerance, but for rounding; None where the value is not known."""
+        return None if math.isnan(self.value) else self.value <= self.rule.limit * (1.0 + 1e-9)
+
+    @property
+    def words(self) -> str:
+        """The verdict: "conforms", "conforms within the tolerance", "does not conform" or "not known"."""
+        if self.conforms is None:
+            return "not known"
+        if not self.conforms:
+            return "does not conform"
+        return "conforms" if self.value <= self.rule.most else "conforms within the tolerance"
+
+
+_PLACES = {
+    "moment_of_inertia": ("head-inertia-limit", "inertia_most", "tolerance"),
+    "characteristic_time": ("spring-effect-limit", "characteristic_time_most", "tolerance"),
+    "volume": ("head-volume-limit", "volume_most", "tolerance"),
+    "heel_to_toe": ("head-dimension-limits", "heel_to_toe_most", None),
+    "sole_to_crown": ("head-dimension-limits", "sole_to_crown_most", None),
+}
+"""Table, column and column of the tolerance of each limit among the published measurements."""
+
+_TITLES = {
+    "moment_of_inertia": "moment of inertia about the vertical axis through the CG",
+    "characteristic_time": "characteristic time of the face",
+    "volume": "volume of the head",
+    "heel_to_toe": "distance from heel to toe",
+    "sole_to_crown": "distance from sole to crown",
+}
+
+
+@cache
+def rules() -> Mapping[str, Rule]:
+    """Return the limits by name."""
+    found = {}
+    for name, (table, column, tolerance) in _PLACES.items():
+        published = measurements.table(table)
+        margin = 0.0 if tolerance is None else float(published[tolerance][0])
+        found[name] = Rule(
+            name, _TITLES[name], float(published[column][0]), margin, published.units[column], published.source
+        )
+    return found
+
+
+def rules_of(which: str | Club) -> tuple[Rule, ...]:
+    """Return the limits that hold for a club: size and inertia are limited for woods, and the face up to 35 degrees."""
+    head = club_of(which)
+    wood = ("moment_of_inertia", "volume", "heel_to_toe", "sole_to_crown") if head.kind != "iron" else ()
+    face = ("characteristic_time",) if head.loft <= STEEPEST_PENDULUM_LOFT else ()
+    return tuple(rules()[name] for name in (*wood, *face))
+
+
+def check_rules(
+    which: str | Club, *, volume: Any = None, size: tuple[Any, Any, Any] | None = None
+) -> list[RuleVerdict]:
+    """Return what a club has of every limit that holds for it.
+
+    Parameters
+    ----------
+    which
+        The club, by name, file or as a :class:`Club`.
+    volume
+        Of the head: text with a unit, or m3.
+    size
+        Of the head from face to back, from sole to crown and from heel to toe: texts with units, or m.
+    """
+    head = club_of(which)
+    depth, height, length = (units.parse(each, "length", name="size") for each in size) if size else (math.nan,) * 3
+    values = {
+        "moment_of_inertia": head.iyy,
+        "characteristic_time": head.characteristic_time,
+        "volume": math.nan if volume is None else units.parse(volume, "volume", name="volume"),
+        "heel_to_toe": length,
+        "sole_to_crown": height,
+    }
+    verdicts = [RuleVerdict(rule, values[rule.name]) for rule in rules_of(head)]
+    if head.kind != "iron" and size:
+        source = rules()["heel_to_toe"].source
+        longer = Rule("face_to_back", "distance from face to back, beside heel to toe", length, 0.0, "in", source)
+        verdicts.append(RuleVerdict(longer, depth))
+    return verdicts

@@ -1,0 +1,112 @@
+"""``clubface optimise``: a club within limits that `clubface shot` reads, a picture, and mistakes in one line."""
+
+import pytest
+
+from clubface import Club
+from command_line import assert_mistake
+
+pytest.importorskip("typer")
+pytest.importorskip("scipy")
+
+STUDY = """title = "A short study"
+club = "driver"
+golfer = "bogey-driver"
+objective = "carry"
+shots = 32
+starts = 2
+
+[variables]
+loft = ["8 deg", "16 deg"]
+cg_x = ["38 mm", "44 mm"]
+
+[head]
+size = ["115 mm", "62 mm", "124 mm"]
+centre = ["-55 mm", "2 mm", "3 mm"]
+volume = "460 cm3"
+discretionary_mass = "30 g"
+"""
+FIT = """title = "Which ball"
+golfer = "bogey-driver"
+objective = "carry"
+shots = 32
+
+[fit]
+clubs = ["driver"]
+balls = ["modern", "distance"]
+"""
+
+
+@pytest.fixture
+def study(tmp_path):
+    path = tmp_path / "study.toml"
+    path.write_text(STUDY)
+    return path
+
+
+def test_the_optimum_is_a_club_that_can_be_hit(clubface_, study, tmp_path):
+    target, picture = tmp_path / "best.toml", tmp_path / "best.svg"
+    ran = clubface_("optimise", str(study), "-o", str(target), "--plot", str(picture))
+    assert ran.status == 0
+    for words in ("A short study", "On fresh shots", "Limits", "kept", "2 of 2 starts", "seen from the face centre"):
+        assert words in ran.out
+    assert picture.read_text().startswith("<?xml")
+    best = Club.from_toml(target)
+    assert best.sources["loft"] == "optimised from driver: A short study"
+    assert clubface_("shot", str(target), "--speed", "100 mph").status == 0
+    assert not (tmp_path / "best.toml.unfinished").exists()
+
+
+def test_the_json_has_the_optimum_in_si_units_and_every_verdict(clubface_, study):
+    found = clubface_("optimise", str(study), "--json").json
+    assert 0.14 <= found["optimum"]["loft"] <= 0.28
+    assert found["starts_alike"] == 2
+    assert {each["verdict"] for each in found["limits"]} <= {"kept", "kept, at the limit"}
+    assert sum(each["mass"] for each in found["placement"]) == pytest.approx(0.03, rel=1e-3)
+    # Differences from itself are none.
+    assert set(found["fresh"]["error_of_difference_from_optimum"]["optimum"].values()) == {0.0}
+
+
+def test_a_front_is_a_table_of_clubs(clubface_, study):
+    study.write_text(
+        STUDY.replace('"carry"', '["carry", "side_spread"]').replace("starts = 2", "starts = 2\npoints = 3")
+    )
+    ran = clubface_("optimise", str(study))
+    assert ran.status == 0
+    assert "Clubs than which none is better in both" in ran.out
+
+
+def test_a_fitting_ranks_the_parts(clubface_, study):
+    study.write_text(FIT)
+    ran = clubface_("optimise", str(study))
+    assert ran.status == 0
+    assert "distance" in ran.out
+    assert "2 combinations" in ran.out
+    values = [each["value"] for each in clubface_("optimise", str(study), "--json").json["combinations"]]
+    assert values == sorted(values, reverse=True)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('"8 deg", "16 deg"', '"16 deg", "8 deg"', "study.toml:9"),
+        ("cg_x", "cg_xx", "did you mean cg_x"),
+        ('"30 g"', '"30 mm"', "discretionary_mass"),
+        ('golfer = "bogey-driver"', 'golfer = "bogey"', "bogey"),
+        ('"115 mm", "62 mm"', '"60 mm", "62 mm"', "does not fit into the box"),
+        ('"124 mm"]\n', '"128 mm"]\n', "heel to toe"),
+    ],
+)
+def test_a_mistake_in_a_study_is_one_line_and_leaves_no_file(clubface_, study, tmp_path, old, new, told):
+    assert old in STUDY
+    study.write_text(STUDY.replace(old, new))
+    assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.toml")), told)
+    assert [each.name for each in tmp_path.iterdir()] == ["study.toml"]
+
+
+def test_mistakes_on_the_command_line_are_told_before_any_work(clubface_, study, tmp_path):
+    assert_mistake(clubface_("optimise", str(study), "--resume"), "--output")
+    assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.csv")), ".toml")
+    assert_mistake(clubface_("optimise", str(study), "-o", str(study)), "another file")
+    assert_mistake(clubface_("optimise", str(tmp_path / "none.toml")), "none.toml")
+    study.write_text(FIT)
+    assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.toml")), "--output")

@@ -1,0 +1,46 @@
+"""Point masses that are printed for a designer have the moments of the head, and lie in it."""
+
+import numpy as np
+import pytest
+
+from clubface import club
+from clubface.design.feasibility import Envelope, Volume, of_club, pseudo_inertia
+from clubface.design.optimisation.placement import placement
+
+BOX = Volume(shape="box", centre=(-0.055, 0.002, 0.003), size=(0.115, 0.062, 0.124))
+AROUND = Volume(shape="ellipsoid", centre=(-0.055, -0.003, 0.003), size=(0.15, 0.09, 0.16))
+
+
+def moments(found):
+    rows = np.array([[*each.place, 1.0] for each in found])
+    return np.einsum("n,ni,nj->ij", [each.mass for each in found], rows, rows)
+
+
+@pytest.mark.parametrize("volume", [BOX, AROUND])
+def test_ten_masses_at_most_have_the_moments_of_the_discretionary_mass(volume):
+    base = pseudo_inertia(of_club(club("driver")))
+    envelope = Envelope(volume=volume, shell=base * (1.0 - 0.03 / 0.204), budget=0.03)
+    found = placement(envelope, base)
+    assert 1 <= len(found) <= 10
+    half = np.array([*(0.5 * np.array(volume.size)), 1.0])
+    # What is left out is below 1e-4 of the mass; moments are in parts of mass and half size.
+    assert np.abs((moments(found) - envelope.placed(base)) / np.outer(half, half)).max() < 3e-3 * 0.03
+    for each in found:
+        part = (np.array(each.place) - volume.centre) / half[:3]
+        assert np.abs(part).max() <= 1.0 + 1e-9 if volume.shape == "box" else np.linalg.norm(part) <= 1.0 + 1e-9
+
+
+def test_nothing_is_printed_where_no_masses_in_the_volume_come_near():
+    """All mass beyond the box, by a quarter of its length."""
+    place = np.array([*(np.array(BOX.centre) - [0.0625 * 1.5, 0.0, 0.0]), 1.0])
+    envelope = Envelope(volume=BOX, shell=np.zeros((4, 4)), budget=0.03)
+    assert placement(envelope, 0.03 * np.outer(place, place)) == []
+
+
+def test_a_point_mass_at_a_place_of_the_grid_is_found_there():
+    place = np.array(BOX.centre) + 0.5 * np.array(BOX.size) * [-1.0, 0.5, -0.5]
+    row = np.array([*place, 1.0])
+    envelope = Envelope(volume=BOX, shell=np.zeros((4, 4)), budget=0.03)
+    (one,) = placement(envelope, 0.02 * np.outer(row, row))
+    assert one.mass == pytest.approx(0.02)
+    assert one.place == pytest.approx(tuple(place), abs=1e-12)

@@ -1,0 +1,90 @@
+"""A study file is read strictly: what is wrong is told with file, line and what to write instead."""
+
+import math
+
+import pytest
+
+from clubface.design.optimisation.study_file import from_text
+from clubface.errors import ClubfaceError
+
+GOOD = """title = "t"
+club = "driver"
+golfer = "bogey-driver"
+objective = "strokes"
+
+[hole]
+length = "400 yd"
+
+[variables]
+loft = ["8 deg", "14 deg"]
+cg_x = ["38 mm", "44 mm"]
+
+[head]
+size = ["115 mm", "62 mm", "124 mm"]
+centre = ["-55 mm", "2 mm", "3 mm"]
+discretionary_mass = "30 g"
+
+[limits]
+carry = ["150 yd", "none"]
+"""
+
+
+def test_values_are_read_with_their_units():
+    of = from_text(GOOD + '[air]\naltitude = "1600 m"\n[mass]\nspeed_exponent = 0.2\n[rules]\nconform = false\n')
+    assert of.bounds["loft"] == pytest.approx((math.radians(8.0), math.radians(14.0)))
+    assert of.limits["carry"] == (pytest.approx(137.16), math.inf)
+    assert of.head.volume.size == pytest.approx((0.115, 0.062, 0.124))
+    assert of.setting.speed_exponent == 0.2
+    assert of.setting.air == {"altitude": "1600 m"}
+    assert not of.conform
+    assert of.hole.length == pytest.approx(365.76)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('golfer = "bogey-driver"\n', "", "golfer"),
+        ('"strokes"', '"distance"', "objective 'distance'"),
+        ('"strokes"', '["carry", "side_spread", "ellipse"]', "list of two"),
+        ('[hole]\nlength = "400 yd"\n', "", "hole"),
+        ('["8 deg", "14 deg"]', '"10 deg"', "least and greatest"),
+        ('["8 deg", "14 deg"]', '["14 deg", "8 deg"]', "least and greatest"),
+        ('["8 deg", "14 deg"]', '["8 mm", "14 mm"]', "loft"),
+        ("cg_x =", "cg_w =", "did you mean"),
+        ("carry =", "carrry =", "did you mean"),
+        ("carry =", "roll =", "does not change"),
+        ('"bogey-driver"', '"nobody"', "nobody"),
+        ('"driver"\n', '"no-driver"\n', "no-driver"),
+        ('"30 g"', '"300 g"', "discretionary_mass"),
+        ('"62 mm"', '"-62 mm"', "size"),
+        ('title = "t"', 'title = "t"\nshots = 0', "shots"),
+        ('title = "t"', 'title = "t"\nmodel = "fem"', "model"),
+        ('title = "t"', 'title = "t"\nwind = "5 mph"', "wind"),
+        ('["38 mm", "44 mm"]', '["38 mm", "44 mm"]\nmass_distribution = "free"', "under \\[limits\\]"),
+        ('["38 mm", "44 mm"]', '["38 mm", "44 mm"]\nmass_distribution = "fixed"', "free"),
+        ('["38 mm", "44 mm"]', '["38 mm", "44 mm"]\nbulge = ["0 mm", "300 mm"]', "above 0"),
+    ],
+)
+def test_a_mistake_is_told_with_what_to_write_instead(old, new, told):
+    assert old in GOOD
+    with pytest.raises(ClubfaceError, match=told) as error:
+        from_text(GOOD.replace(old, new))
+    assert "\n" not in str(error.value)
+
+
+def test_mass_properties_need_a_head():
+    text = GOOD[: GOOD.index("[head]")]
+    with pytest.raises(ClubfaceError, match="head"):
+        from_text(text)
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [('clubs = "driver"', "list of names"), ('clubs = ["driver"]\nballs = []', "list of names"),
+     ('clubs = ["driver"]\nfoo = 1', "foo"),
+     ('clubs = ["driver"]\n[[fit.setting]]\nname = "a"\nbulge = "1 mm"', "change"),
+     ('clubs = ["driver"]\n[[fit.setting]]\nloft = "1 deg"', "name")],
+)  # fmt: skip
+def test_a_mistake_in_a_fitting_is_told(line, told):
+    with pytest.raises(ClubfaceError, match=told):
+        from_text(f'title = "t"\ngolfer = "bogey-driver"\nobjective = "carry"\n[fit]\n{line}\n')
