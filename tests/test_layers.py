@@ -13,7 +13,7 @@ ROOT = Path(clubface.__file__).parent
 ROOMS = (
     "errors", "support", "units", "measurements", "equipment", "simulation", "plots", "tables", "recorded",
     "launch_monitor", "measured", "prediction", "tour", "validation", "benchmark_data", "evaluation", "identification",
-    "inference", "player_report", "fem", "motion_capture", "findings", "cli", "__main__",
+    "inference", "player_report", "fem", "design", "motion_capture", "findings", "cli", "__main__",
 )  # fmt: skip
 """From the ground up. The package itself, which names what is public in all of them, stands above."""
 

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface import fem, launch_monitor
+from clubface.design.comparison_rows import read_deliveries
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import read_sets
@@ -141,6 +142,10 @@ def _parquet() -> list[bytes]:
 
 def _predict(path: Path) -> None:
     predict(path, output=path.with_name("predicted.csv"), **PREDICT)
+
+
+def _deliveries(path: Path) -> None:
+    read_deliveries(path, 24)
 
 
 def _mapped(path: Path) -> None:
@@ -271,6 +276,7 @@ READERS = {
     "monitor": Reader("csv", launch_monitor.read, _files(MONITORS, "*.csv"), 8),
     "predict": Reader("csv", _predict, _tables, 2),
     "predict-parquet": Reader("parquet", _predict, _parquet),
+    "deliveries": Reader("csv", _deliveries, _tables),
     "mapping": Reader("toml", mapping_of, _files(MONITORS, "*.toml"), 2),
     "mapped": Reader("toml", _mapped, _files(MONITORS, "*.toml")),
     "club": Reader("toml", Club.from_toml, lambda: [*_toml("clubs")(), Club.template().encode()], 2),

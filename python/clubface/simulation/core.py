@@ -4,6 +4,7 @@ from clubface._core import (
     flight_inputs as flight_inputs,
     flight_outputs as flight_outputs,
     fly as fly,
+    fly_sensitivity as fly_sensitivity,
     history as history,
     impact as impact,
     inputs as inputs,
