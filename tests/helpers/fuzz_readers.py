@@ -17,6 +17,7 @@ import numpy as np
 
 from clubface import fem, launch_monitor
 from clubface.design.comparison_rows import read_deliveries
+from clubface.design.golfers import golfer
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import read_sets
@@ -50,6 +51,25 @@ loft = ["15 deg", "3 deg"]
 [[correlation]]
 of = ["speed", "loft"]
 value = 0.3
+"""
+GOLFER = b"""\
+title = "mine"
+hand = "left"
+[mean]
+speed = "95 mph"
+loft = "14 deg"
+[spread]
+speed = "1.2 mph"
+face = "2 deg"
+[[correlation]]
+of = ["face", "speed"]
+value = -0.3
+[mishit]
+share = 0.1
+scale = 2
+[sources]
+mishits = "guessed"
+mean.speed = "measured"
 """
 MESSAGE = {
     "DeviceID": "radar", "Units": "Yards", "ShotNumber": 13, "APIversion": "1",
@@ -283,6 +303,7 @@ READERS = {
     "ball": Reader("toml", Ball.from_toml, lambda: [*_toml("balls")(), Ball.template().encode()], 2),
     "parameters": Reader("toml", _parameters, _toml("parameters"), 2),
     "prior": Reader("toml", Prior.from_toml, lambda: [PRIOR]),
+    "golfer": Reader("toml", golfer, lambda: [GOLFER]),
     "fem-ball": Reader("toml", fem.Ball.from_toml, _toml("balls")),
     "fem-head": Reader("toml", _head, lambda: [*_toml("fem_heads")(), HEAD.encode()]),
     "fem-case": Reader("toml", Case.from_toml, _toml("fem_cases")),

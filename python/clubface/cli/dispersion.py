@@ -1,0 +1,302 @@
+"""``clubface dispersion``: where a golfer's shots go, by sampling and by derivatives, and what spreads them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from clubface.cli import given, options, output
+from clubface.cli.failures import say
+from clubface.cli.golfer import GolferArgument
+from clubface.cli.progress import progress_bar
+from clubface.cli.tables import print_numbers
+from clubface.errors import ClubfaceError
+
+if TYPE_CHECKING:
+    from clubface.design.dispersion import Dispersion
+    from clubface.design.dispersion_derivatives import ByDerivatives
+    from clubface.design.dispersion_indices import Indices
+    from clubface.design.golfer import Golfer
+    from clubface.design.strokes import Hole
+
+app = typer.Typer(add_completion=False)
+
+UNITS = {
+    "ball_speed": ("mph", 1), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
+    "sidespin": ("rpm", 0), "carry": ("yd", 1), "side": ("yd", 1), "total": ("yd", 1), "total_side": ("yd", 1),
+}  # fmt: skip
+SHOWN = (0.05, 0.25, 0.5, 0.75, 0.95)
+_HOLE = "Hole"
+_CLUB = options.option(
+    "--club", panel="Club and ball", metavar="CLUB", text="Name or TOML file; the golfer's unless given."
+)
+
+
+@app.command()
+@options.takes(options.EQUIPMENT, options.ONE_MODEL, options.AIR)
+def dispersion(
+    golfer: GolferArgument,
+    club: Annotated[str | None, _CLUB] = None,
+    count: Annotated[
+        int | None, typer.Option("--count", metavar="N", help="Number of shots; 16384 unless given.")
+    ] = None,
+    seed: options.Seed = 0,
+    no_flight: Annotated[bool, typer.Option("--no-flight", help="Count launches alone; no ball flies.")] = False,
+    hole: Annotated[
+        str | None,
+        options.option(
+            "--hole", panel=_HOLE, metavar='"430 yd"', text="Length of a hole on which strokes are counted."
+        ),
+    ] = None,
+    fairway: Annotated[
+        str | None, options.option("--fairway", panel=_HOLE, metavar='"32 yd"', text="Width of its fairway.")
+    ] = None,
+    rough: Annotated[
+        str | None,
+        options.option(
+            "--rough", panel=_HOLE, metavar='"20 yd"', text="Width of its rough on either side; beyond it are trees."
+        ),
+    ] = None,
+    lie: Annotated[
+        str | None,
+        options.option("--lie", panel=_HOLE, metavar="NAME", text="Where the shot is played from; tee unless given."),
+    ] = None,
+    no_shares: Annotated[bool, typer.Option("--no-shares", help="Leave out what spreads the shots.")] = False,
+    target: Annotated[str | None, options.output("FILE", "Write every shot to this file, CSV or Parquet.")] = None,
+    picture: Annotated[str | None, options.picture("where the balls land and what spreads them")] = None,
+    as_json: options.Json = False,
+    **texts: Any,
+) -> None:
+    """Hit many shots of a golfer and sum up where they go."""
+    from clubface.design.dispersion import COUNT, Hitting, dispersion as compute
+    from clubface.design.golfers import golfer as golfer_named
+    from clubface.tables.writer import KINDS
+
+    output.check_target("--output", target, KINDS)
+    output.check_picture(picture)
+    player = golfer_named(golfer)
+    head = given.club_of(club or player.club, texts["hand"])
+    _check(player, head, texts["model"], count)
+    conditions = given.conditions(texts)
+    hitting = {
+        "model": texts["model"], "parameters": given.one_set(head, texts), "ball": texts["ball"],
+        "air": conditions["air"], "wind": conditions["wind"], "flight": not no_flight, "accuracy": texts["accuracy"],
+    }  # fmt: skip
+    played = _hole(hole, fairway, rough, lie)
+    with progress_bar("shots") as progress, _file(target) as each:
+        found = compute(
+            player, head, count=COUNT if count is None else count, seed=seed, hole=played, each=each, progress=progress,
+            **hitting,
+        )  # fmt: skip
+    if target is not None:
+        say(f"wrote {target}")
+    hit = Hitting(head, **hitting)
+    slopes, shares = _by_derivatives(found, hit), None
+    if not (no_shares or no_flight):
+        from clubface.design.dispersion_indices import indices
+
+        shares = indices(found.golfer, hit, seed=seed)
+    if picture is not None:
+        from clubface import plots
+        from clubface.design.dispersion_figure import dispersion_figure
+
+        say(f"wrote {plots.save(dispersion_figure(found, shares), picture)}")
+    if as_json:
+        output.print_json(_document(found, slopes, shares))
+    else:
+        _print(found, slopes, shares)
+
+
+def _check(player: Golfer, head: Any, model: str, count: int | None) -> None:
+    """Ask for a number of shots where they take long, and say so where golfer and club do not go together."""
+    from clubface.equipment.clubs import CLUB_NAMES, club
+    from clubface.equipment.models import models
+
+    if count is None and model not in models():
+        raise ClubfaceError(f"--count is missing; give it, as in --count 64: each shot by {model} takes long")
+    if player.club in CLUB_NAMES and club(player.club).parameters != head.parameters:
+        say(f"note: the deliveries of {player.name} are those with a {player.club}, not with {head.name}")
+
+
+def _file(target: str | None) -> Any:
+    """Open the file of every shot, if one is wanted."""
+    if target is None:
+        from contextlib import nullcontext
+
+        return nullcontext()
+    from clubface.design.dispersion_file import shots_file
+
+    return shots_file(target)
+
+
+def _hole(length: str | None, fairway: str | None, rough: str | None, lie: str | None) -> Hole | None:
+    given_too = {"--fairway": fairway, "--rough": rough, "--lie": lie}
+    if length is None:
+        for option, value in given_too.items():
+            if value is not None:
+                raise ClubfaceError(f'{option} is of a hole; give its length as well, as in --hole "430 yd"')
+        return None
+    from clubface.design.strokes import Hole
+
+    told = {"fairway": fairway, "rough": rough}
+    lengths = {name: given.parsed(f"--{name}", text, "length") for name, text in told.items() if text is not None}
+    return Hole(length=given.parsed("--hole", length, "length"), **lengths, **({} if lie is None else {"lie": lie}))
+
+
+def _by_derivatives(of: Dispersion, hit: Any) -> ByDerivatives | None:
+    """Return the spread by derivatives, or None for a model that has none."""
+    from clubface.equipment.models import models
+
+    if of.model not in models():
+        return None
+    from clubface.design.dispersion_derivatives import by_derivatives
+
+    return by_derivatives(of.golfer, hit)
+
+
+def _print(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> None:
+    from clubface.units import from_si, size
+
+    heads = ["", "unit", "mean", "±", *(f"{share:.0%}" for share in SHOWN)]
+    if slopes is not None:
+        heads += ["by derivatives\nmean", "\n±"]
+    rows = []
+    for name in of.quantities:
+        unit, digits = UNITS[name]
+        values = [of.mean(name), of.spread(name), *(of.quantile(name, share) for share in SHOWN)]
+        row = [name.replace("_", " "), unit, *(output.number(from_si(each, unit), digits) for each in values)]
+        if slopes is not None:
+            known = name in slopes.value
+            both = (slopes.mean(name) / size(unit), slopes.spread(name) / size(unit)) if known else (None, None)
+            row += [output.number(each, digits) for each in both]
+        rows.append(row)
+    who = f"{of.golfer.title or of.golfer.name}, {of.club.name}, ball {of.ball.name}"
+    print_numbers(heads, rows, title=f"{who}: {output.counted(of.count, 'shot')} by {of.model}")
+    if of.points.size:
+        print()
+        _print_ellipses(of)
+    if of.hole is not None:
+        print()
+        _print_strokes(of)
+    if shares is not None:
+        print()
+        _print_shares(shares)
+    print()
+    output.print_notes(_notes(of, slopes, shares))
+
+
+def _print_ellipses(of: Dispersion) -> None:
+    from math import degrees
+
+    from clubface.design.dispersion import SHARES
+    from clubface.units import from_si
+
+    rows = []
+    for share in SHARES:
+        found = of.ellipse(share)
+        lengths = [*found.centre, *(2.0 * found.half_axes)]
+        cells = [output.number(float(from_si(each, "yd")), 1) for each in lengths]
+        rows.append([f"{share:.0%}", *cells, output.number(degrees(found.angle))])
+    heads = ("landings", "ahead\nyd", "right\nyd", "long axis\nyd", "short axis\nyd", "long axis\ndeg from line")
+    print_numbers(heads, rows, title="Ellipses that hold a share of the landings")
+
+
+def _print_strokes(of: Dispersion) -> None:
+    from clubface.units import from_si
+
+    assert of.hole is not None
+    told = ", ".join(f"{100.0 * share:.0f} % {name}" for name, share in of.lies.items() if share > 0.0)
+    before = of.hole.before()
+    length = output.number(from_si(of.hole.length, "yd"), 0)
+    print(
+        f"Strokes on a hole of {length} yd from the {of.hole.lie}: {of.strokes:.3f} expected after the shot,"
+        f" {before:.3f} before it; {of.gained:+.3f} gained."
+    )
+    print(f"At rest: {told}.")
+
+
+def _print_shares(of: Indices) -> None:
+    order = sorted(range(len(of.variables)), key=lambda place: -max(float(each[place]) for each in of.share.values()))
+    sobol = of.kind == "sobol"
+    heads = [""]
+    for name in of.share:
+        heads += [f"{name}\nalone", f"{name}\nin all"] if sobol else [f"{name}\n%"]
+    rows = []
+    for place in order:
+        row = [of.variables[place].replace("_", " ")]
+        for name in of.share:
+            parts = [of.share[name][place], of.total[name][place]] if sobol else [of.share[name][place]]
+            row += [output.number(100.0 * float(each), 1) for each in parts]
+        rows.append(row)
+    kind = "Sobol indices" if sobol else "Shapley effects"
+    print_numbers(heads, rows, title=f"What spreads the shots: {kind}, % of the variance")
+
+
+def _notes(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> list[str]:
+    found = ["± is the standard deviation; below the percentages stand the values that so many shots do not reach"]
+    if of.lost:
+        found.append(
+            f"{of.lost} shots ({100.0 * of.lost / of.count:.2g} %) have no result and count for nothing: "
+            f"{'; '.join(of.reasons.values())}"
+        )
+    if slopes is not None:
+        found.append("by derivatives: to the second order about the mean delivery")
+    if of.hole is not None:
+        found.append("strokes: averages of the PGA Tour by distance and lie (Broadie, 2011 and 2012)")
+    if shares is not None and shares.kind == "shapley":
+        found.append("the delivery's values are correlated, so that the variance is shared out by Shapley's rule")
+    return found
+
+
+def _document(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> dict[str, Any]:
+    from dataclasses import asdict
+
+    from clubface.design.dispersion import SHARES
+    from clubface.support.version import __version__
+
+    found: dict[str, Any] = {
+        "golfer": of.golfer.name, "club": of.club.name, "ball": of.ball.name, "model": of.model, "shots": of.count,
+        "lost": of.lost, "reasons": dict(of.reasons), "seed": of.seed, "clubface_version": __version__,
+        "quantities": {
+            name: {
+                "mean": of.mean(name), "spread": of.spread(name), "of_mean_delivery": of.mean_shot[name],
+                "quantiles": {f"{share:g}": of.quantile(name, share) for share in SHOWN},
+            }
+            for name in of.quantities
+        },
+    }  # fmt: skip
+    if of.points.size:
+        found["ellipses"] = [
+            {
+                "share": each.share,
+                "centre": each.centre.tolist(),
+                "half_axes": each.half_axes.tolist(),
+                "angle": each.angle,
+            }
+            for each in map(of.ellipse, SHARES)
+        ]
+    if slopes is not None:
+        found["by_derivatives"] = {
+            name: {
+                "mean": slopes.mean(name),
+                "spread": slopes.spread(name),
+                "spread_first_order": slopes.spread(name, order=1),
+            }
+            for name in slopes.value
+        }
+    if of.hole is not None:
+        found["hole"] = {
+            **asdict(of.hole),
+            "before": of.hole.before(),
+            "after": of.strokes,
+            "gained": of.gained,
+            "lies": dict(of.lies),
+        }
+    if shares is not None:
+        found["shares"] = {
+            "kind": shares.kind, "variables": shares.variables,
+            "share": {name: each.tolist() for name, each in shares.share.items()},
+            "total": {name: each.tolist() for name, each in shares.total.items()},
+        }  # fmt: skip
+    return found

@@ -1,0 +1,181 @@
+"""The dynamic loft of the longest carry, by club speed and attack angle, beside the charts that fitters use.
+
+Total distances have no such optimum here: on flat, hard ground a ball that is hardly lifted rolls farthest.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from clubface import measurements, units
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.errors import InputError, RangeWarning
+from clubface.simulation.flight import fly
+from clubface.simulation.impact import Parameters, impact
+from clubface.support.arrays import Floats
+from clubface.support.warning import without_warnings
+
+LEAST, MOST = np.radians(-2.0), np.radians(50.0)
+"""Between which lofts [rad] the best is looked for."""
+POINTS, ROUNDS = 27, 4
+"""Lofts tried at a time, and how often the steps about the best are made finer, 13 times each time."""
+CHART = "optimum-trackman-2010"
+SMASH = 1.46
+"""Ball speed over club speed to begin with, where the ball speed is wanted."""
+
+
+class BestLoft(NamedTuple):
+    """The shots of the longest carry, each value an array over the cases, SI and radians.
+
+    Attributes
+    ----------
+    speed, attack
+        Of the club.
+    loft
+        The best dynamic loft.
+    ball_speed, launch, spin, carry, total
+        What it gives; the spin is the total spin.
+    within
+        How far from the best a loft may be, below and above, before a yard of carry is lost, shape (cases, 2).
+    """
+
+    speed: Floats
+    attack: Floats
+    loft: Floats
+    ball_speed: Floats
+    launch: Floats
+    spin: Floats
+    carry: Floats
+    total: Floats
+    within: Floats
+
+
+def best_loft(
+    speed: Any,
+    attack: Any = 0.0,
+    *,
+    club: str | os.PathLike[str] | Club = "driver",
+    model: str = DEFAULT_MODEL,
+    parameters: Parameters | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    air: Any = None,
+    wind: Any = None,
+    **delivery: Any,
+) -> BestLoft:
+    """Find the dynamic loft with which the ball is carried farthest.
+
+    The lofts from -2 to 50 degrees are tried in steps that become finer about the best.
+
+    Parameters
+    ----------
+    speed, attack
+        Of the club: text with a unit, SI numbers or arrays, which broadcast.
+    club, model, parameters, ball, air, wind
+        As for :func:`impact` and :func:`fly`.
+    **delivery
+        Further values of the delivery, such as ``high``; single numbers.
+    """
+    speeds, attacks = np.broadcast_arrays(
+        np.atleast_1d(units.parse_values(speed, "speed", name="speed")),
+        np.atleast_1d(units.parse_values(attack, "angle", name="attack")),
+    )
+    speeds, attacks = (np.ascontiguousarray(each, dtype=np.float64).reshape(-1) for each in (speeds, attacks))
+    for name in ("loft", "speed", "attack"):
+        if name in delivery:
+            raise InputError(name, delivery[name], "left out: it is not among the further values of the delivery")
+
+    def hit(lofts: Floats) -> tuple[Any, Any]:
+        with without_warnings(RangeWarning):
+            launch = impact(
+                club, {**delivery, "speed": speeds[:, None], "attack": attacks[:, None], "loft": lofts}, model=model,
+                parameters=parameters, ball=ball, on_error="nan",
+            )  # fmt: skip
+            return launch, fly(launch, air=air, wind=wind, on_error="nan")
+
+    impact(club, {**delivery, "speed": float(speeds[0]), "attack": float(attacks[0])}, model=model, ball=ball)
+    low, high = np.full_like(speeds, LEAST), np.full_like(speeds, MOST)
+    best = 0.5 * (low + high)
+    for _ in range(ROUNDS):
+        lofts = np.linspace(low, high, POINTS, axis=1)
+        reached = _reached(hit(lofts)[1].carry)
+        place = np.argmax(reached, axis=1)
+        step = (high - low) / (POINTS - 1)
+        best = lofts[np.arange(len(best)), place]
+        low, high = best - step, best + step
+    launch, flight = hit(best[:, None])
+    ball_speed, launched, spin = (
+        np.asarray(each)[:, 0] for each in (launch.ball_speed, launch.launch, launch.total_spin)
+    )
+    return BestLoft(
+        speed=speeds,
+        attack=attacks,
+        loft=best,
+        ball_speed=ball_speed,
+        launch=launched,
+        spin=spin,
+        carry=flight.carry[:, 0],
+        total=flight.total[:, 0],
+        within=_within(lambda lofts: hit(lofts)[1].carry, best, flight.carry[:, 0]),
+    )
+
+
+def _reached(distance: Floats) -> Floats:
+    return np.where(np.isfinite(distance), distance, -np.inf)
+
+
+def _within(distance: Any, best: Floats, reached: Floats) -> Floats:
+    """Return how far below and above the best loft a yard is lost, by halving, up to 15 degrees."""
+    yard, wide = units.parse("1 yd", "length"), np.radians(15.0)
+    found = []
+    for side in (-1.0, 1.0):
+        near, far = np.zeros_like(best), np.full_like(best, wide)
+        for _ in range(14):
+            middle = 0.5 * (near + far)
+            lost = reached - _reached(distance((best + side * middle)[:, None])[:, 0]) > yard
+            near, far = np.where(lost, near, middle), np.where(lost, middle, far)
+        found.append(0.5 * (near + far))
+    return np.stack(found, axis=1)
+
+
+class Beside(NamedTuple):
+    """Best lofts and those of a published chart, in its order.
+
+    Attributes
+    ----------
+    found
+        What was found for the speeds and attack angles of the chart.
+    published
+        Columns of the chart [SI].
+    """
+
+    found: BestLoft
+    published: Mapping[str, Floats]
+
+
+def beside_trackman(**options: Any) -> Beside:
+    """Return the best lofts for the rows of TrackMan's chart of 2010; options as for :func:`best_loft`."""
+    table = measurements.table(CHART)
+    rows = table["optimum_of"] == "carry"
+    published = {name: table[name][rows] for name in table.columns if name != "optimum_of"}
+    return Beside(best_loft(published["club_speed"], published["attack"], **options), published)
+
+
+def beside_ping(**options: Any) -> Beside:
+    """Return the best launches for the rows of PING's chart of 2019, which gives ball speeds and no lofts.
+
+    Each club speed is that with which the longest drive has the published ball speed, after two corrections.
+    """
+    table = measurements.table("optimum-ping-2019")
+    published = {name: table[name] for name in table.columns}
+    speed = published["ball_speed"] / SMASH
+    found = best_loft(speed, published["attack"], **options)
+    for _ in range(2):
+        speed = speed * published["ball_speed"] / found.ball_speed
+        found = best_loft(speed, published["attack"], **options)
+    return Beside(found, published)

@@ -1,0 +1,308 @@
+"""Where a golfer's shots go: the distribution of deliveries carried through impact and flight by sampling."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from clubface.design.dispersion_tally import FLOWN, LAUNCHED, Tally, forward
+from clubface.design.golfer import Golfer
+from clubface.design.golfers import golfer as golfer_named
+from clubface.design.strokes import AT_REST, Hole
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club, club as club_named
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.errors import InputError, RangeWarning
+from clubface.simulation.flight import Flight, fly
+from clubface.simulation.impact import Parameters, impact
+from clubface.simulation.launch import Launch
+from clubface.simulation.outside import Tally as RangeTally
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_count
+from clubface.support.warning import warn_once, without_warnings
+
+CHUNK = 2**16
+"""Shots in memory at a time."""
+SHOWN = 2**11
+"""Shots whose landings are kept for pictures: the first."""
+MOST = 2**32
+COUNT = 2**14
+SHARES = (0.5, 0.9)
+"""What the landing ellipses hold of the shots unless told otherwise."""
+
+
+class Ellipse(NamedTuple):
+    """The ellipse, of the shape of the covariance of the landings, that holds a share of them.
+
+    Attributes
+    ----------
+    share
+        The share of the landings inside.
+    centre
+        Mean landing [m], ahead and to the right, shape (2,).
+    half_axes
+        Half the long and the short axis [m], shape (2,).
+    angle
+        From the target line to the long axis, to the right [rad].
+    """
+
+    share: float
+    centre: Floats
+    half_axes: Floats
+    angle: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Dispersion:
+    """Where the shots of a golfer go, SI and radians.
+
+    Attributes
+    ----------
+    golfer, club, ball, model
+        Who hits what, and what computed it.
+    seed
+        Of the quasi-random numbers.
+    tally
+        Means, spreads and quantiles of what launches and flights give, over the shots with a result.
+    mean_shot
+        What the mean delivery gives, by quantity [SI].
+    hole
+        The hole that strokes are counted on, or None.
+    strokes
+        Strokes expected after the shot, on average over the shots; NaN without a hole.
+    lies
+        Share of the shots that come to rest on green, fairway, rough and as recovery; empty without a hole.
+    points
+        The first landings [m], ahead and to the right, shape (n, 2), for pictures.
+    reasons
+        Why shots have no result, by the input at fault: one reason each, from the first shots that have none.
+    """
+
+    golfer: Golfer
+    club: Club
+    ball: Ball
+    model: str
+    seed: int
+    tally: Tally
+    mean_shot: Mapping[str, float]
+    hole: Hole | None
+    strokes: float
+    lies: Mapping[str, float]
+    points: Floats
+    reasons: Mapping[str, str]
+
+    @property
+    def quantities(self) -> tuple[str, ...]:
+        """The quantities counted."""
+        return tuple(self.tally.scales)
+
+    @property
+    def count(self) -> int:
+        """The number of shots, those without a result among them."""
+        return self.tally.shots
+
+    @property
+    def lost(self) -> int:
+        """The number of shots without a result, such as those that miss the face."""
+        return self.tally.lost
+
+    def mean(self, name: str) -> float:
+        """Return the mean of a quantity."""
+        return self.tally.mean(name)
+
+    def spread(self, name: str) -> float:
+        """Return the standard deviation of a quantity."""
+        return self.tally.spread(name)
+
+    def quantile(self, name: str, share: float) -> float:
+        """Return the value below which a share of the shots lies."""
+        return self.tally.quantile(name, share)
+
+    @property
+    def gained(self) -> float:
+        """Strokes gained by the shot on the PGA Tour's average: expected before, less expected after and the shot."""
+        return self.hole.before() - self.strokes - 1.0 if self.hole is not None else float("nan")
+
+    def ellipse(self, share: float) -> Ellipse:
+        """Return the ellipse of the landings that holds a share of them."""
+        if not 0.0 < share < 1.0:
+            raise InputError("share", share, "between 0 and 1")
+        if not self.points.size:
+            raise InputError("share", share, "asked of shots that fly and come down")
+        centre, covariance = self.tally.landing()
+        # The squares of the map spread evenly within themselves.
+        covariance = covariance + 1e-12 * np.eye(2)
+        middles, counts = self.tally.cells()
+        away = middles - centre
+        distance = np.sqrt(np.einsum("ni,ij,nj->n", away, np.linalg.inv(covariance), away))
+        order = np.argsort(distance, kind="stable")
+        reached = np.cumsum(counts[order]) - 0.5 * counts[order]
+        size = float(np.interp(share * counts.sum(), reached, distance[order]))
+        values, vectors = np.linalg.eigh(covariance)
+        long = vectors[:, 1] * (1.0 if vectors[0, 1] >= 0.0 else -1.0)
+        return Ellipse(share, centre, size * np.sqrt(values[::-1]), float(np.arctan2(long[1], long[0])))
+
+
+def dispersion(
+    golfer: str | os.PathLike[str] | Golfer,
+    club: str | os.PathLike[str] | Club | None = None,
+    *,
+    count: int = COUNT,
+    seed: int = 0,
+    model: str = DEFAULT_MODEL,
+    parameters: Parameters | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    air: Any = None,
+    wind: Any = None,
+    ground: Mapping[str, Any] | None = None,
+    flight: bool = True,
+    hole: Hole | None = None,
+    threads: int | None = None,
+    accuracy: float | None = None,
+    each: Callable[[Mapping[str, Floats], Mapping[str, Floats]], object] | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Dispersion:
+    """Hit a golfer's shots and sum up where they go.
+
+    Memory does not grow with the number of shots, and the same seed gives the same shots whatever their number.
+
+    Parameters
+    ----------
+    golfer
+        A shipped golfer's name, the path of a TOML file, or a :class:`Golfer`. For a club of the other hand the golfer
+        is mirrored.
+    club
+        As for :func:`impact`; left out, that of the golfer.
+    count
+        How many shots; powers of two cover the distribution most evenly.
+    seed
+        Another seed gives other shots.
+    model, parameters, ball, accuracy, threads
+        As for :func:`impact`.
+    air, wind, ground
+        As for :func:`fly`.
+    flight
+        Whether the balls fly; without, launches alone are counted.
+    hole
+        A :class:`Hole` on which strokes are counted, or None.
+    each
+        Called with the deliveries of some shots and what came of them, by name in SI units, chunk after chunk.
+    progress
+        Called with the number of shots done and that of all.
+    """
+    check_count("count", count, 1, MOST)
+    of_club = club_named(club if club is not None else golfer_named(golfer).club)
+    of_golfer = golfer_named(golfer).for_hand(of_club.hand)
+    if hole is not None and not flight:
+        raise InputError("hole", "given", "left out where the balls do not fly")
+    hit = Hitting(of_club, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
+    launch, mean_shot = hit.mean(of_golfer)
+    tally = Tally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot)
+    strokes, points, reasons = 0.0, [], {}
+    lies: dict[str, int] = dict.fromkeys(AT_REST, 0)
+    outside = RangeTally()
+    for start in range(0, count, CHUNK):
+        some = min(CHUNK, count - start)
+        deliveries = of_golfer.sample(some, seed=seed, start=start)
+        values = hit(deliveries, reasons, outside)
+        tally.add(values)
+        if each is not None:
+            each(deliveries, values)
+        if flight:
+            if start < SHOWN:
+                points.append(_landings({name: values[name][: SHOWN - start] for name in ("carry", "side")}))
+            if hole is not None:
+                strokes += _count_strokes(hole, values, lies)
+        if progress is not None:
+            progress(start + some, count)
+    if tally.counted == 0:
+        raise InputError("golfer", of_golfer.name, f"one whose shots have a result: {next(iter(reasons.values()))}")
+    if remark := outside.remark():
+        warn_once(remark, RangeWarning)
+    return Dispersion(
+        golfer=of_golfer, club=of_club, ball=launch.ball, model=model, seed=seed, tally=tally, mean_shot=mean_shot,
+        hole=hole, strokes=strokes / tally.counted if hole is not None else float("nan"),
+        lies={name: number / tally.counted for name, number in lies.items()} if hole is not None else {},
+        points=np.concatenate(points) if points else np.empty((0, 2)), reasons=reasons,
+    )  # fmt: skip
+
+
+class Hitting(NamedTuple):
+    """How shots are hit; called with deliveries it gives the quantities by name, shape (n,), NaN for a lost shot."""
+
+    club: Club
+    model: str
+    parameters: Any = None
+    ball: Any = None
+    air: Any = None
+    wind: Any = None
+    ground: Any = None
+    flight: bool = True
+    threads: int | None = None
+    accuracy: float | None = None
+
+    def launches(self, deliveries: Mapping[str, Floats]) -> Launch:
+        """Return the launches."""
+        return impact(
+            self.club, deliveries, model=self.model, parameters=self.parameters, ball=self.ball,
+            threads=self.threads, accuracy=self.accuracy, on_error="nan",
+        )  # fmt: skip
+
+    def flights(self, launch: Launch) -> Flight:
+        """Return the flights after them."""
+        return fly(
+            launch, air=self.air, wind=self.wind, ground=self.ground, threads=self.threads, on_error="nan"
+        )  # fmt: skip
+
+    def mean(self, of: Golfer) -> tuple[Launch, dict[str, float]]:
+        """Return what the mean delivery gives; if nothing, it is an error that says why."""
+        with without_warnings(RangeWarning):  # it is told of the shots
+            launch = impact(
+                self.club, of.delivery(), model=self.model, parameters=self.parameters, ball=self.ball,
+                threads=self.threads, accuracy=self.accuracy,
+            )  # fmt: skip
+        found = {name: float(getattr(launch, name)) for name in LAUNCHED}
+        if self.flight:
+            flight = fly(launch, air=self.air, wind=self.wind, ground=self.ground)
+            found |= {name: float(getattr(flight, name)) for name in FLOWN}
+        return launch, found
+
+    def __call__(
+        self,
+        deliveries: Mapping[str, Floats],
+        reasons: dict[str, str] | None = None,
+        outside: RangeTally | None = None,
+    ) -> dict[str, Floats]:
+        """Hit shots; ``reasons`` takes why some have no result, ``outside`` those outside the range of the model."""
+        with without_warnings(RangeWarning):
+            launch = self.launches(deliveries)
+        if outside is not None:
+            outside.add(launch)
+        found = {name: getattr(launch, name) for name in LAUNCHED}
+        last: Launch | Flight = launch
+        if self.flight:
+            last = flight = self.flights(launch)
+            found |= {name: getattr(flight, name) for name in FLOWN}
+        if reasons is not None and not reasons:
+            for problem in last.problems:
+                reasons.setdefault(problem.parameter, problem.reason)
+        return found
+
+
+def _landings(values: Mapping[str, Floats]) -> Floats:
+    found = np.stack([forward(values["carry"], values["side"]), values["side"]], axis=1)
+    return found[np.isfinite(found).all(axis=1)]
+
+
+def _count_strokes(hole: Hole, values: Mapping[str, Floats], lies: dict[str, int]) -> float:
+    """Return the sum of the strokes expected after the shots with a result, and count their lies."""
+    kept = np.isfinite(values["carry"])
+    ahead, aside = forward(values["total"][kept], values["total_side"][kept]), values["total_side"][kept]
+    names, counts = np.unique(hole.lies(ahead, aside), return_counts=True)
+    for name, number in zip(names, counts, strict=True):
+        lies[str(name)] += int(number)
+    return float(hole.after(ahead, aside).sum())

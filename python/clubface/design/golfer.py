@@ -1,0 +1,246 @@
+"""A golfer: the distribution of the deliveries with which the club arrives at the ball, shot by shot."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any, Self
+
+import numpy as np
+
+from clubface.errors import InputError, Told
+from clubface.simulation.delivery import OF_CLUB, Delivery
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice, check_count, check_name
+from clubface.support.frozen import Frozen
+
+ASSUMED = "assumed"
+"""The source of a figure that has none."""
+MIRRORED = ("path", "face")
+"""The variables whose sign a left-handed golfer changes."""
+MOST_SHOTS = 2**32
+MOST_SEED = 2**63 - 1
+BITS = 32
+"""Binary digits of the quasi-random numbers: as many as scipy can skip."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Golfer:
+    """The joint distribution of deliveries at the moment of impact, in SI units.
+
+    Shots are normally distributed. With the probability ``mishit_share`` a shot is a mishit, whose deviations from the
+    mean are ``mishit_scale`` times as wide. The impact point belongs to the delivery. ``loft`` and ``face`` are those
+    at the face centre, so that what the curved face adds at the impact point is not counted twice.
+
+    Attributes
+    ----------
+    name
+        Its name in reports.
+    title
+        Whom it describes, in a line.
+    club
+        The club the deliveries are of: a built-in name, or what its owner calls it.
+    hand
+        +1 for a right-handed golfer, -1 for a left-handed one; path and face angle are in world terms.
+    variables
+        The values of a delivery that vary, as :class:`clubface.Delivery` names them, shape (k,). What is not among them
+        keeps its default; the loft is then the static loft of the club.
+    mean
+        Their means [SI], shape (k,).
+    covariance
+        Covariance of shots that are no mishits [SI], shape (k, k).
+    mishit_share
+        Share of the shots that are mishits, from 0 to below 1.
+    mishit_scale
+        How many times as wide mishits spread, 1 or more.
+    sources
+        Where a figure comes from, by its name: ``mean of speed``, ``spread of face``, ``correlation of face and path``,
+        ``mishits``. A figure that is not listed is assumed.
+    """
+
+    name: str
+    title: str = ""
+    club: str = "driver"
+    hand: int = 1
+    variables: tuple[str, ...]
+    mean: Floats
+    covariance: Floats
+    mishit_share: float = 0.0
+    mishit_scale: float = 1.0
+    sources: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        check_name(self.name)
+        variables = tuple(self.variables)
+        for place, variable in enumerate(variables):
+            check_choice("variable of a golfer", variable, OF_CLUB)
+            if variable in variables[:place]:
+                raise InputError("variables", variables, "each once")
+        if "speed" not in variables:
+            raise InputError("variables", variables, "the speed among them")
+        object.__setattr__(self, "variables", variables)
+        object.__setattr__(self, "mean", _array("mean", self.mean, (len(variables),)))
+        object.__setattr__(self, "covariance", _array("covariance", self.covariance, (len(variables),) * 2))
+        _root(self.covariance)
+        if not 0.0 <= self.mishit_share < 1.0:
+            raise InputError("mishit_share", self.mishit_share, "from 0 to below 1")
+        if not 1.0 <= self.mishit_scale < float("inf"):
+            raise InputError("mishit_scale", self.mishit_scale, "1 or more")
+        object.__setattr__(self, "sources", Frozen(self.sources))
+
+    @property
+    def dimensions(self) -> int:
+        """The number of independent random numbers behind a shot."""
+        return len(self.variables) + (self.mishit_share > 0.0)
+
+    @cached_property
+    def spread(self) -> Floats:
+        """Standard deviation of each variable [SI], mishits left out, shape (k,)."""
+        return np.sqrt(np.diag(self.covariance))
+
+    @cached_property
+    def total_covariance(self) -> Floats:
+        """Covariance of all shots, mishits among them [SI], shape (k, k)."""
+        return self.covariance * (1.0 + self.mishit_share * (self.mishit_scale**2 - 1.0))
+
+    @cached_property
+    def correlation(self) -> Floats:
+        """Correlations of shots that are no mishits, shape (k, k); 0 with a variable that does not vary."""
+        scale = np.where(self.spread > 0.0, self.spread, 1.0)
+        return self.covariance / np.outer(scale, scale)
+
+    def source(self, figure: str) -> str:
+        """Return the source of a figure, such as "spread of face"; "assumed" if it has none."""
+        return self.sources.get(figure, ASSUMED)
+
+    def delivery(self) -> Delivery:
+        """Return the mean delivery."""
+        return Delivery(**dict(zip(self.variables, map(float, self.mean), strict=True)))
+
+    def sample(self, count: int, *, seed: int = 0, start: int = 0) -> dict[str, Floats]:
+        """Return deliveries that are spread evenly over the distribution.
+
+        Shot ``i`` is a function of the seed and of ``i`` alone, whatever ``start`` and ``count``: chunks joined are bit
+        for bit the shots made at once. They come from a scrambled Sobol sequence, so that powers of two are best.
+
+        Parameters
+        ----------
+        count
+            How many.
+        seed
+            Which of the random scramblings; two seeds give independent shots.
+        start
+            The index of the first.
+
+        Returns
+        -------
+        dict
+            Values [SI] by variable, each of shape (count,).
+        """
+        return self.deliveries(uniform(self.dimensions, count, seed=seed, start=start))
+
+    def deliveries(self, uniform: Floats) -> dict[str, Floats]:
+        """Return the deliveries that belong to numbers evenly distributed between 0 and 1.
+
+        Parameters
+        ----------
+        uniform
+            Shape (n, :attr:`dimensions`); with mishits the last column decides whether a shot is one.
+        """
+        from scipy.special import ndtri
+
+        given = np.asarray(uniform, dtype=np.float64)
+        if given.ndim != 2 or given.shape[1] != self.dimensions:
+            raise InputError("uniform", given.shape, f"of shape (n, {self.dimensions})")
+        standard = [ndtri(given[:, place]) for place in range(len(self.variables))]
+        if self.mishit_share > 0.0:
+            wider = np.where(given[:, -1] < self.mishit_share, self.mishit_scale, 1.0)
+            for each in standard:
+                each *= wider
+        found = _mixed(_root(self.covariance), standard)
+        for mean, values in zip(self.mean, found, strict=True):
+            values += mean
+        return dict(zip(self.variables, found, strict=True))
+
+    def for_hand(self, hand: float) -> Self:
+        """Return the golfer for a club of the given hand: mirrored where it is that of the other hand."""
+        if (hand > 0) == (self.hand > 0):
+            return self
+        sign = np.array([-1.0 if name in MIRRORED else 1.0 for name in self.variables])
+        both = np.outer(sign, sign)
+        return replace(self, hand=-self.hand, mean=self.mean * sign, covariance=self.covariance * both)
+
+    def replace(self, **changes: Any) -> Self:
+        """Return the golfer with some attributes changed."""
+        return replace(self, **changes)
+
+
+def uniform(dimensions: int, count: int, *, seed: int = 0, start: int = 0) -> Floats:
+    """Return points ``start`` to ``start + count`` of a scrambled Sobol sequence, shape (count, dimensions).
+
+    Numbers lie strictly between 0 and 1. Point i depends on seed, number of dimensions and i alone.
+    """
+    from scipy.stats import qmc
+
+    check_count("count", count, 1, MOST_SHOTS)
+    check_count("start", start, 0, MOST_SHOTS)
+    check_count("seed", seed, 0, MOST_SEED)
+    engine = qmc.Sobol(dimensions, scramble=True, bits=BITS, rng=np.random.default_rng(seed))
+    if start:
+        engine.fast_forward(start)
+    # The middle of the cell that a point names, since its corner may be 0, whose normal deviate is infinite.
+    return _points(engine, count) + 0.5 ** (BITS + 1)
+
+
+def _points(engine: Any, count: int) -> Floats:
+    import warnings
+
+    with warnings.catch_warnings():
+        # Its balance is that of a power of two; what is asked for here is any part of the sequence.
+        warnings.simplefilter("ignore", UserWarning)
+        return engine.random(count)
+
+
+def _array(name: str, given: Any, shape: tuple[int, ...]) -> Floats:
+    try:
+        found = np.array(given, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(name, given, f"numbers of shape {shape}") from None
+    if found.shape != shape or not np.isfinite(found).all():
+        raise InputError(name, f"numbers of shape {found.shape}", f"finite numbers of shape {shape}")
+    found.setflags(write=False)
+    return found
+
+
+def _root(covariance: Floats) -> Floats:
+    """Return the lower triangle whose square the covariance is; a variable may not vary at all."""
+    spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    varies = spread > 0.0
+    scale = np.where(varies, spread, 1.0)
+    correlation = covariance / np.outer(scale, scale)
+    found = np.zeros_like(covariance)
+    inner = np.ix_(varies, varies)
+    try:
+        if not np.allclose(correlation, correlation.T, atol=1e-12) or (np.diag(covariance) < 0.0).any():
+            raise np.linalg.LinAlgError
+        if np.any(covariance[~varies]) or np.any(covariance[:, ~varies]):
+            raise np.linalg.LinAlgError
+        found[inner] = np.linalg.cholesky(correlation[inner]) if varies.any() else 0.0
+    except np.linalg.LinAlgError:
+        raise InputError(
+            "covariance", Told("the matrix given"), "symmetric, of correlations that are possible together"
+        ) from None
+    return found * scale[:, None]
+
+
+def _mixed(root: Floats, standard: list[Floats]) -> list[Floats]:
+    """Return correlated deviates, summed in a fixed order, so that they do not depend on how many are made at once."""
+    found = []
+    for row in range(len(root)):
+        total = root[row, row] * standard[row]
+        for column in range(row):
+            if root[row, column] != 0.0:
+                total += root[row, column] * standard[column]
+        found.append(total)
+    return found

@@ -1,0 +1,264 @@
+"""One's own golfer from the shots of a launch monitor.
+
+What counts is how a golfer's shots differ from each other at the moment of impact. A session also drifts, as the golfer
+tires or works on something, and now and then comes a mishit. Therefore spreads and correlations come from the
+differences of successive shots, in which a drift is all but gone (von Neumann, 1941), and shots are taken as a mixture
+of two normal distributions, of which that of the mishits is c times as wide. A difference of two shots then has the
+covariance 2 C with the probability (1 - s)^2, (1 + c^2) C with 2 s (1 - s), and 2 c^2 C with s^2; share s, scale c and
+covariance C are those of the greatest likelihood. A mishit counts for little in C, as in other robust estimates.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from clubface.design.golfer import Golfer
+from clubface.design.golfers import golfer as golfer_named, golfers
+from clubface.equipment.described import HANDS
+from clubface.errors import InputError, Told
+from clubface.launch_monitor.formats import CG, FACE
+from clubface.measured.ready import ReadyShots
+from clubface.simulation.delivery import OF_CLUB
+from clubface.support.arrays import Floats
+
+FEWEST = 8
+"""Shots without which nothing is estimated; with k quantities at least k + 2 are needed."""
+ENOUGH = 40
+"""Shots from which on mishits are looked for; with fewer they are those of the golfer that fills the gaps."""
+SCALES = np.arange(1.5, 6.01, 0.25)
+"""The scales of mishits that are tried."""
+GAIN = 4.0
+"""Least gain in logarithmic likelihood by which mishits are taken to exist."""
+ROUNDS = 60
+STANDARD_ERROR = 0.75
+"""Variance of the estimated spread, in squared spreads over the number of shots: 3/4 from successive differences of
+normally distributed shots, where it is 1/2 about the mean."""
+BLOCKS = 20
+"""Parts of a longer session, of which each is left out once to see how sure the spreads are (jackknife)."""
+
+
+class Estimate(NamedTuple):
+    """A golfer estimated from shots.
+
+    Attributes
+    ----------
+    golfer
+        The golfer.
+    shots
+        The number of shots used.
+    measured
+        The variables that were measured; all others are those of ``like``.
+    error
+        Standard error of the spread of each measured variable [SI], shape (measured,). It holds in proportion: the
+        spread lies within a factor of exp(1.96 error / spread) either way in 19 of 20 sessions, if it is known
+        whether there are mishits.
+    drift
+        Standard deviation about the session's mean over that from successive differences, by variable: well above 1
+        where the session drifted, shape (measured,).
+    like
+        The shipped golfer that has what was not measured.
+    notes
+        What a reader should know.
+    """
+
+    golfer: Golfer
+    shots: int
+    measured: tuple[str, ...]
+    error: Floats
+    drift: Floats
+    like: str
+    notes: tuple[str, ...]
+
+
+def estimate(shots: ReadyShots, *, name: str = "my golfer", like: str | None = None) -> Estimate:
+    """Estimate a golfer from shots in the order in which they were hit.
+
+    Parameters
+    ----------
+    shots
+        Shots of one club and one player, as of :func:`clubface.measured.ready.ready_shots`, which brings face angles
+        measured at the point of contact back to the face centre.
+    name
+        What to call the golfer.
+    like
+        The golfer that gives what was not measured; left out, the shipped one with this kind of club whose mean speed
+        is nearest.
+
+    Raises
+    ------
+    InputError
+        There are too few shots, or shots of several players.
+    """
+    if shots.groups() is not None:
+        raise InputError(
+            "players", Told("several"), "one: take the shots of one player, as with where=\"player == 'A'\""
+        )
+    names, values = _complete(shots)
+    base = golfer_named(like if like is not None else _nearest(shots, names, values))
+    base = base.for_hand(shots.club.hand if shots.hand is None else HANDS[str(shots.hand[0])])
+    steps = np.diff(values, axis=0)
+    if len(values) < ENOUGH:
+        share, scale = base.mishit_share, base.mishit_scale
+        covariance = _covariance(steps, share, scale)
+    else:
+        covariance, share, scale = _mixture(steps)
+    mean = _mean(values, covariance, share, scale)
+    together = _together(base, names, mean, covariance, shots)
+    spread = np.sqrt(np.diag(covariance))
+    fitted = Golfer(
+        name=name, title=f"{name}, {shots.club.name}", club=shots.club.name, hand=base.hand, mishit_share=share,
+        mishit_scale=scale if share > 0.0 else 1.0, **together,
+    )  # fmt: skip
+    total = np.sqrt(np.diag(fitted.total_covariance))
+    drift = values.std(axis=0, ddof=1) / total[[fitted.variables.index(each) for each in names]]
+    error = _error(steps, spread, share, scale)
+    return Estimate(fitted, len(values), names, error, drift, base.name, _notes(shots, len(values), names, base, drift))
+
+
+def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats]:
+    """Return the measured variables and the shots that have all of them, shape (n, k)."""
+    given = {name: values for name, values in shots.deliveries.items() if name in OF_CLUB}
+    # What was measured in fewer than half of the shots would leave too few of them.
+    names = tuple(name for name in OF_CLUB if name in given and np.isfinite(given[name]).mean() > 0.5)
+    if "speed" not in names:
+        raise InputError(
+            "shots", Told("without club speed"), "shots with the club's speed, path, face angle and the like"
+        )
+    values = np.stack([given[name] for name in names], axis=1)
+    values = values[np.isfinite(values).all(axis=1)]
+    # What never changes was set, not measured.
+    varies = np.ptp(values, axis=0) > 0.0 if len(values) else np.zeros(len(names), dtype=bool)
+    names = tuple(name for name, does in zip(names, varies, strict=True) if does)
+    least = max(FEWEST, len(names) + 2)
+    if len(values) < least or "speed" not in names:
+        raise InputError("shots", Told(f"{len(values)} with all of {', '.join(names)}"), f"at least {least} such shots")
+    return names, values[:, varies]
+
+
+def _nearest(shots: ReadyShots, names: tuple[str, ...], values: Floats) -> str:
+    kind = "driver" if shots.club.parameters == "driver" else "7-iron"
+    speed = float(np.median(values[:, names.index("speed")]))
+    some = [each for each in map(golfer_named, golfers()) if each.club == kind]
+    return min(some, key=lambda each: abs(each.mean[each.variables.index("speed")] - speed)).name
+
+
+def _mixture(steps: Floats) -> tuple[Floats, float, float]:
+    """Return covariance, share and scale of mishits of the greatest likelihood; share 0 where they gain too little."""
+    covariance = _covariance(steps, 0.0, 1.0)
+    best = _weighed(steps, covariance, 0.0, 1.0).likelihood + GAIN
+    found = (covariance, 0.0, 1.0)
+    for scale in map(float, SCALES):
+        share = 0.1
+        for _ in range(ROUNDS):
+            covariance = _covariance(steps, share, scale)
+            before, share = share, _weighed(steps, covariance, share, scale).mishits
+            if abs(share - before) < 1e-5:
+                break
+        if (likelihood := _weighed(steps, covariance, share, scale).likelihood) > best:
+            best, found = likelihood, (covariance, share, scale)
+    return found
+
+
+def _covariance(steps: Floats, share: float, scale: float) -> Floats:
+    """Return the covariance of shots that are no mishits, of the greatest likelihood for a share and scale of these."""
+    covariance = steps.T @ steps / (2.0 * len(steps))
+    for _ in range(ROUNDS):
+        weights = _weighed(steps, covariance, share, scale).weights
+        before, covariance = covariance, (steps * weights[:, None]).T @ steps / len(steps)
+        if np.abs(covariance - before).max() <= 1e-9 * np.abs(covariance).max():
+            break
+    return covariance
+
+
+class _Weighed(NamedTuple):
+    """How differences of shots go with a covariance: expected 1 / width, log likelihood, share of mishits they tell."""
+
+    weights: Floats
+    likelihood: float
+    mishits: float
+
+
+def _weighed(steps: Floats, covariance: Floats, share: float, scale: float) -> _Weighed:
+    widths = np.array([2.0, 1.0 + scale**2, 2.0 * scale**2])
+    chances = np.array([(1.0 - share) ** 2, 2.0 * share * (1.0 - share), share**2])
+    root = np.linalg.cholesky(covariance)
+    squares = (np.linalg.solve(root, steps.T) ** 2).sum(axis=0)[:, None]
+    with np.errstate(divide="ignore"):
+        logs = np.log(chances) - 0.5 * steps.shape[1] * np.log(widths) - 0.5 * squares / widths
+    most = logs.max(axis=1, keepdims=True)
+    each = np.exp(logs - most)
+    total = each.sum(axis=1, keepdims=True)
+    each /= total
+    likelihood = float((most + np.log(total)).sum()) - len(steps) * float(np.log(np.diag(root)).sum())
+    return _Weighed((each / widths).sum(axis=1), likelihood, float((each[:, 1] + 2.0 * each[:, 2]).mean() / 2.0))
+
+
+def _error(steps: Floats, spread: Floats, share: float, scale: float) -> Floats:
+    """Return the standard errors of the spreads, for the share and scale of mishits that were found."""
+    if len(steps) + 1 < ENOUGH:
+        return spread * np.sqrt(STANDARD_ERROR / (len(steps) + 1))
+    parts = np.array_split(np.arange(len(steps)), BLOCKS)
+    without = [np.delete(steps, part, axis=0) for part in parts]
+    spreads = np.sqrt([np.diag(_covariance(each, share, scale)) for each in without])
+    return np.sqrt((BLOCKS - 1) * spreads.var(axis=0))
+
+
+def _mean(values: Floats, covariance: Floats, share: float, scale: float) -> Floats:
+    """Return the mean in which a shot counts the less, the more likely it is a mishit."""
+    mean, size = np.median(values, axis=0), values.shape[1]
+    if share == 0.0:
+        return values.mean(axis=0)
+    widths, chances = np.array([1.0, scale**2]), np.array([1.0 - share, share])
+    for _ in range(ROUNDS):
+        away = values - mean
+        squares = np.einsum("ni,ij,nj->n", away, np.linalg.inv(covariance), away)[:, None]
+        logs = np.log(chances) - 0.5 * size * np.log(widths) - 0.5 * squares / widths
+        weights = np.exp(logs - logs.max(axis=1, keepdims=True))
+        weights = (weights / widths).sum(axis=1) / weights.sum(axis=1)
+        mean = (values * weights[:, None]).sum(axis=0) / weights.sum()
+    return mean
+
+
+def _together(
+    base: Golfer, names: tuple[str, ...], mean: Floats, covariance: Floats, shots: ReadyShots
+) -> dict[str, Any]:
+    """Return variables, moments and sources: those measured, and of the base what was not."""
+    variables = tuple(name for name in OF_CLUB if name in names or name in base.variables)
+    centre, matrix = np.zeros(len(variables)), np.zeros((len(variables),) * 2)
+    sources = {}
+    for place, name in enumerate(variables):
+        if name in names:
+            centre[place] = mean[names.index(name)]
+        else:
+            at = base.variables.index(name)
+            centre[place], matrix[place, place] = base.mean[at], base.covariance[at, at]
+        told = f"measured: {shots.source}" if name in names else f"assumed: as of {base.name}"
+        sources |= {f"mean of {name}": told, f"spread of {name}": told}
+    own = [variables.index(name) for name in names]
+    matrix[np.ix_(own, own)] = covariance
+    return {"variables": variables, "mean": centre, "covariance": matrix, "sources": sources}
+
+
+def _notes(shots: ReadyShots, count: int, names: tuple[str, ...], base: Golfer, drift: Floats) -> tuple[str, ...]:
+    found = list(shots.notes)
+    if left := len(shots) - count:
+        found.append(f"{left} of {len(shots)} shots lack some of the club data and were left out")
+    missing = [name for name in base.variables if name not in names]
+    if missing:
+        found.append(f"not measured, and therefore as of {base.name}: {', '.join(missing)}")
+    if count < ENOUGH:
+        found.append(f"{count} shots tell nothing of mishits: they are taken as of {base.name}")
+    if {"loft", "face"} & set(names) and shots.face_at != FACE:
+        found.append(
+            "where on the face loft and face angle were taken is not known, or not in all shots: what the curved face"
+            " adds off its centre may count twice"
+        )
+    if shots.speed_at != CG:
+        found.append("speed, attack angle and path are not all known to be those of the head's centre of gravity")
+    drifted = [name for name, ratio in zip(names, drift, strict=True) if ratio > 1.0 + 3.0 / np.sqrt(count)]
+    if drifted:
+        found.append(f"the session drifted in {', '.join(drifted)}; the drift is not in the spreads")
+    found.append("the errors of the monitor are in the spreads")
+    return tuple(found)

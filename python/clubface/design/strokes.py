@@ -1,0 +1,117 @@
+"""Expected strokes: how many a ball at rest still takes, by Broadie's averages of the PGA Tour.
+
+M. Broadie (2012) gives averages by distance and lie; M. Broadie (2011) those of putts. Between two distances of a table
+the number is taken on a straight line, nearer than the first as at the first, and farther than the last on the line
+through the last two.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from clubface import measurements, units
+from clubface.errors import InputError
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice
+
+LIES = ("tee", "fairway", "rough", "sand", "recovery")
+GREEN = "green"
+AT_REST = (GREEN, "fairway", "rough", "recovery")
+"""Where a ball comes to rest; a hole has no bunkers here."""
+FAIRWAY_WIDTH = units.parse("32 yd", "length")
+"""Width of a fairway unless given; assumed, about that of tour courses."""
+ROUGH_WIDTH = units.parse("20 yd", "length")
+"""Width of the rough on either side of it unless given; assumed. Beyond it a ball lies among trees: "recovery"."""
+GREEN_RADIUS = units.parse("12 yd", "length")
+"""Radius of a green unless given, about the hole; assumed: a circle of about 420 m2."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hole:
+    """A straight, level hole; values are text with a unit or SI numbers.
+
+    Attributes
+    ----------
+    length
+        From the tee to the hole [m].
+    fairway
+        Width of the fairway [m].
+    rough
+        Width of the rough on either side of the fairway [m]; a ball beyond it is a recovery shot.
+    green
+        Radius of the green about the hole [m].
+    lie
+        What the shot is played from: one of ``LIES``.
+    """
+
+    length: Any
+    fairway: Any = FAIRWAY_WIDTH
+    rough: Any = ROUGH_WIDTH
+    green: Any = GREEN_RADIUS
+    lie: str = "tee"
+
+    def __post_init__(self) -> None:
+        for name in ("length", "fairway", "rough", "green"):
+            value = units.parse(getattr(self, name), "length", name=name)
+            if not 0.0 <= value <= 2000.0 or (name == "length" and value == 0.0):
+                raise InputError(name, getattr(self, name), "a length of up to 2000 m")
+            object.__setattr__(self, name, value)
+        check_choice("lie", self.lie, LIES)
+
+    def before(self) -> float:
+        """Return the strokes expected before the shot."""
+        return float(expected(self.lie, np.array([self.length]))[0])
+
+    def after(self, ahead: Floats, aside: Floats) -> Floats:
+        """Return the strokes expected after balls have come to rest.
+
+        Parameters
+        ----------
+        ahead, aside
+            Where, towards the hole from the tee and to the right of the line [m], shape (n,).
+        """
+        left = np.hypot(self.length - ahead, aside)
+        lies = self.lies(ahead, aside)
+        found = np.empty_like(left)
+        for name in np.unique(lies):
+            where = lies == name
+            found[where] = expected(str(name), left[where])
+        return found
+
+    def lies(self, ahead: Floats, aside: Floats) -> Any:
+        """Return the lie of balls at rest: "green", "fairway", "rough" or "recovery", shape (n,)."""
+        off = np.abs(aside)
+        lies = np.where(off <= 0.5 * self.fairway, "fairway", "rough")
+        lies = np.where(off > 0.5 * self.fairway + self.rough, "recovery", lies)
+        return np.where(np.hypot(self.length - ahead, aside) <= self.green, GREEN, lies)
+
+
+def expected(lie: str, distance: Floats) -> Floats:
+    """Return the strokes that the PGA Tour's players take to hole out.
+
+    Parameters
+    ----------
+    lie
+        One of ``LIES``, or "green".
+    distance
+        From the hole [m].
+    """
+    places, strokes = _table(lie)
+    beyond = (strokes[-1] - strokes[-2]) / (places[-1] - places[-2])
+    found = np.interp(distance, places, strokes)
+    return found + np.maximum(distance - places[-1], 0.0) * beyond
+
+
+@cache
+def _table(lie: str) -> tuple[Floats, Floats]:
+    check_choice("lie", lie, (*LIES, GREEN))
+    if lie == GREEN:
+        table = measurements.table("putts-to-hole-out")
+        return table["distance"], table["putts"]
+    table = measurements.table("strokes-to-hole-out")
+    printed = np.isfinite(table[lie])
+    return table["distance"][printed], table[lie][printed]

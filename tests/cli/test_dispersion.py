@@ -1,0 +1,109 @@
+"""``clubface golfer``, ``dispersion`` and ``best-loft``: their tables, their JSON, their files and their mistakes."""
+
+import numpy as np
+import pytest
+
+from clubface.design.dispersion import dispersion
+from clubface.design.golfers import golfer, golfers
+from command_line import assert_mistake
+
+FEW = ("--count", "256", "--no-shares")
+
+
+def test_the_golfers_are_listed_and_shown_with_their_sources(clubface_):
+    assert [each["name"] for each in clubface_("golfer", "list", "--json").json] == list(golfers())
+    assert "bogey-driver" in clubface_("golfer", "list").out
+    shown = " ".join(clubface_("golfer", "show", "bogey-driver").out.split())
+    for words in ("face deg -0.50 2.90", "Broadie and Ko (2009)", "TrackMan (2024)", "15 % of the shots are mishits"):
+        assert words in shown
+    assert clubface_("golfer", "show", "bogey-driver", "--json").json["mean"][0] == pytest.approx(92 * 0.44704)
+
+
+def test_a_golfer_that_was_written_is_one_to_start_from(clubface_, tmp_path):
+    file = tmp_path / "mine.toml"
+    assert clubface_("golfer", "show", "tour-driver", "-o", str(file)).status == 0
+    one, other = (clubface_("dispersion", each, *FEW, "--json").json for each in (str(file), "tour-driver"))
+    assert one["quantities"]["carry"]["mean"] == pytest.approx(other["quantities"]["carry"]["mean"], rel=1e-9)
+    assert_mistake(clubface_("golfer", "show", "tour-driver", "-o", str(file)), "exists already")
+
+
+def test_a_dispersion_is_that_of_python(clubface_):
+    found = clubface_("dispersion", "tour-driver", *FEW, "--seed", "3", "--hole", "430 yd", "--json").json
+    known = dispersion("tour-driver", count=256, seed=3)
+    assert found["quantities"]["carry"]["mean"] == known.mean("carry")
+    assert found["quantities"]["side"]["quantiles"]["0.5"] == known.quantile("side", 0.5)
+    assert found["ellipses"][1]["half_axes"] == known.ellipse(0.9).half_axes.tolist()
+    assert found["by_derivatives"]["carry"]["mean"] == pytest.approx(known.mean("carry"), abs=0.5)
+    assert found["hole"]["gained"] == pytest.approx(found["hole"]["before"] - found["hole"]["after"] - 1.0)
+
+
+def test_the_table_tells_percentiles_ellipses_strokes_and_shares(clubface_):
+    out = clubface_("dispersion", "handicap-10-driver", "--count", "1024", "--hole", "400 yd").out
+    for words in ("by derivatives", "Ellipses", "gained", "Shapley effects", "face", "have no result"):
+        assert words in out
+    assert "carry" not in clubface_("dispersion", "tour-driver", "--count", "64", "--no-flight").out
+
+
+def test_a_club_of_another_kind_and_a_range_that_is_left_are_told_once(clubface_):
+    ran = clubface_("dispersion", "women-15-driver", "--club", "7-iron", *FEW)
+    assert ran.err.count("those with a driver, not with 7-iron") == 1
+    assert clubface_("dispersion", "women-15-driver", "--model", "adjusted", *FEW).err.count("outside the range") == 1
+
+
+def test_shots_and_pictures_are_written(clubface_, tmp_path):
+    table, picture = tmp_path / "shots.csv", tmp_path / "spread.svg"
+    ran = clubface_("dispersion", "tour-driver", *FEW, "-o", str(table), "--plot", str(picture))
+    assert ran.status == 0
+    assert len(table.read_text().splitlines()) == 257
+    assert picture.stat().st_size > 10_000
+
+
+def test_a_golfer_is_estimated_from_a_file_and_can_be_hit_with(clubface_, tmp_path):
+    drawn = golfer("handicap-5-driver").deliveries(np.random.default_rng(1).random((60, 12)))
+    columns = {
+        "club_speed_mph": ("speed", 0.44704),
+        "face_deg": ("face", np.pi / 180),
+        "path_deg": ("path", np.pi / 180),
+    }
+    rows = zip(*(drawn[name] / size for name, size in columns.values()), strict=True)
+    file, mine = tmp_path / "session.csv", tmp_path / "mine.toml"
+    file.write_text(",".join(columns) + "\n" + "\n".join(",".join(f"{each:.4f}" for each in row) for row in rows))
+    ran = clubface_("golfer", "estimate", str(file), "--club", "driver", "-o", str(mine))
+    assert ran.status == 0
+    assert "60 shots" in ran.out
+    found = golfer(mine)
+    face = found.variables.index("face")
+    assert found.spread[face] == pytest.approx(golfer("handicap-5-driver").spread[face], rel=0.4)
+    assert clubface_("dispersion", str(mine), *FEW).status == 0
+
+
+def test_the_best_loft_is_told_by_speed_and_beside_a_chart(clubface_):
+    rows = clubface_("best-loft", "--speed", "100 mph", "--attack", "0 deg", "--json").json["rows"]
+    assert np.degrees(rows[0]["loft"]) == pytest.approx(14.3, abs=1.5)
+    assert "on average" in clubface_("best-loft", "--chart", "trackman").out
+    assert len(clubface_("best-loft", "--chart", "ping", "--json").json["rows"]) == 121
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("dispersion", "tour-drver"), ("tour-driver",)),
+        (("dispersion", "nowhere.toml"), ("nowhere.toml",)),
+        (("dispersion", "tour-driver", "--count", "0"), ("count", "from 1")),
+        (("dispersion", "tour-driver", "--seed", "-1"), ("seed",)),
+        (("dispersion", "tour-driver", "--fairway", "30 yd"), ("--hole",)),
+        (("dispersion", "tour-driver", "--hole", "30 deg"), ("--hole", "deg")),
+        (("dispersion", "tour-driver", "--hole", "400 yd", "--lie", "grass"), ("lie", "fairway")),
+        (("dispersion", "tour-driver", "--hole", "400 yd", "--no-flight"), ("hole",)),
+        (("dispersion", "tour-driver", "-o", "x.txt"), ("--output", ".csv")),
+        (("dispersion", "tour-driver", "--plot", "x.txt"), ("--plot", ".png")),
+        (("dispersion", "tour-driver", "--model", "fem"), ("--count", "fem")),
+        (("best-loft",), ("--speed",)),
+        (("best-loft", "--chart", "ping", "--speed", "100 mph"), ("--chart",)),
+        (("best-loft", "--chart", "pong"), ("ping",)),
+        (("golfer", "show", "nobody"), ("nobody",)),
+        (("golfer", "estimate", "nowhere.csv", "--club", "driver"), ("nowhere.csv",)),
+    ],
+)
+def test_a_mistake_is_told_in_one_line(clubface_, arguments, words):
+    assert_mistake(clubface_(*arguments), *words)

@@ -1,0 +1,112 @@
+"""A golfer estimated from shots that a known one hit: drift, mishits, the curved face, intervals."""
+
+import numpy as np
+import pytest
+
+from clubface.design.golfer import Golfer
+from clubface.design.golfer_estimate import estimate
+from clubface.errors import InputError
+from clubface.launch_monitor.reference_points import _normal, _tilted, _turned
+from clubface.measured.ready import ready_shots
+from clubface.recorded.shots import RecordedShots
+
+DEG = np.pi / 180.0
+NAMES = ("speed", "path", "loft", "face", "toe", "high")
+SPREAD = np.array([0.5, 1.5 * DEG, 1.2 * DEG, 2.0 * DEG, 8e-3, 6e-3])
+
+
+def known(**changes):
+    correlation = np.eye(6)
+    correlation[1, 3] = correlation[3, 1] = 0.5
+    mean = np.array([45.0, DEG, 14 * DEG, -DEG, 2e-3, 1e-3])
+    covariance = correlation * np.outer(SPREAD, SPREAD)
+    return Golfer(**{"name": "known", "variables": NAMES, "mean": mean, "covariance": covariance, **changes})
+
+
+def hit(of, count, seed, drift=0.0, **more):
+    drawn = of.deliveries(np.random.default_rng(seed).random((count, of.dimensions)))
+    way = drift * np.linspace(-1.0, 1.0, count)
+    deliveries = {name: drawn[name] + way * SPREAD[place] for place, name in enumerate(NAMES)}
+    shots = RecordedShots(
+        deliveries=deliveries, launches={}, rows=np.arange(count), source="shots.csv", format="clubface", **more
+    )
+    return ready_shots(shots, club="driver")
+
+
+def spreads(found):
+    return found.golfer.spread[[found.golfer.variables.index(name) for name in NAMES]]
+
+
+def test_drift_does_not_count():
+    """A drift of three spreads from the first shot to the last; 200 shots tell a spread to 6 %."""
+    found = estimate(hit(known(), 200, 1, drift=1.5))
+    assert spreads(found) / SPREAD == pytest.approx(1.0, abs=0.2)
+    assert found.drift.min() > 1.15
+    assert any("drifted" in note for note in found.notes)
+    still = estimate(hit(known(), 200, 1))
+    assert spreads(still) == pytest.approx(spreads(found), rel=0.03)
+    place = [found.golfer.variables.index(name) for name in ("path", "face")]
+    assert found.golfer.correlation[place[0], place[1]] == pytest.approx(0.5, abs=0.2)
+
+
+def test_mishits_are_found_and_do_not_widen_the_rest():
+    found = estimate(hit(known(mishit_share=0.1, mishit_scale=3.0), 400, 2))
+    assert found.golfer.mishit_share == pytest.approx(0.1, abs=0.05)
+    assert found.golfer.mishit_scale == pytest.approx(3.0, abs=0.75)
+    assert spreads(found) / SPREAD == pytest.approx(1.0, abs=0.15)
+
+
+def test_without_mishits_none_are_found():
+    assert [estimate(hit(known(), 120, seed)).golfer.mishit_share for seed in range(3)] == [0.0] * 3
+
+
+def test_the_stated_errors_cover_the_truth():
+    """Of 40 sessions of 30 shots, 6 spreads each, 95 % lie within 1.96 relative errors, give or take 5 %.
+
+    Taken in proportion, since a spread that comes out too small comes with an error that is too small.
+    """
+    inside = []
+    for seed in range(40):
+        found = estimate(hit(known(), 30, 100 + seed), like="tour-driver")
+        inside.append(np.abs(np.log(spreads(found) / SPREAD)) < 1.96 * found.error / spreads(found))
+    assert np.mean(inside) == pytest.approx(0.95, abs=0.05)
+
+
+def test_bulge_and_roll_are_not_counted_twice():
+    """Measured at the contact point the face angle spreads wider by what the curved face adds; brought back, it does
+    not."""
+    from clubface.equipment.clubs import club
+
+    head = club("driver")
+    of = known()
+    true = hit(of, 300, 5)
+    values = {name: true.deliveries[name].copy() for name in NAMES}
+    lie = np.zeros(300)
+    normal = _normal(values["toe"], values["high"], head)
+    turned = _turned(values["loft"], values["face"], lie, head.loft) @ _tilted(head.loft, lie)
+    x, y, z = np.einsum("nij,nj->ni", turned, normal).T
+    measured = {**values, "loft": np.arcsin(y), "face": np.arctan2(z, x)}
+    shots = RecordedShots(
+        deliveries=measured, launches={}, rows=np.arange(300), source="shots.csv", format="x", face_at="contact"
+    )
+    raw = np.std(measured["face"]) / DEG
+    found = estimate(ready_shots(shots, club="driver"))
+    place = found.golfer.variables.index("face")
+    assert found.golfer.spread[place] / DEG == pytest.approx(spreads(estimate(true))[3] / DEG, rel=1e-6)
+    assert found.golfer.spread[place] / DEG < raw - 0.1
+
+
+def test_what_was_not_measured_comes_from_the_nearest_golfer_and_says_so():
+    found = estimate(hit(known(), 60, 3))
+    assert found.like == "handicap-5-driver"
+    assert found.golfer.source("spread of closure") == "assumed: as of handicap-5-driver"
+    assert found.golfer.source("spread of face") == "measured: shots.csv"
+    assert any("not measured" in note for note in found.notes)
+
+
+def test_too_few_shots_and_several_players_are_refused():
+    with pytest.raises(InputError, match="at least 8"):
+        estimate(hit(known(), 7, 1))
+    players = np.array(["A", "B"] * 10, dtype=object)
+    with pytest.raises(InputError, match="one player"):
+        estimate(hit(known(), 20, 1, players=players))
