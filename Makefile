@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -63,6 +63,9 @@ check: dev ## formatting, lints, types, documentation
 docs: dev ## the documentation as web pages in docs/_build
 	$(BIN)/sphinx-build -W --keep-going -q docs docs/_build
 	@echo "docs/_build/index.html"
+
+notebooks: dev ## run the notebooks again and store what they print and draw
+	$(PYTHON) notebooks/run.py --update
 
 wasm-check: build ## the core in WebAssembly: built, run in Node, compared with the package
 	@command -v node >/dev/null || { echo "wasm-check needs Node 20 or newer" >&2; exit 1; }

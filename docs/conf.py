@@ -24,6 +24,7 @@ extensions = [
     "errata_tables",
     "findings_tables",
     "findings_tour",
+    "notebook_pages",
     "published_tables",
     "validation_tables",
 ]

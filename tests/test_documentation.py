@@ -7,6 +7,7 @@ import pytest
 
 import clubface
 from clubface import units
+from clubface.equipment.backends import OWN
 from clubface.tour import averages as tour
 
 ROOT = Path(__file__).parent.parent
@@ -23,8 +24,11 @@ def blocks(page):
 def test_the_code_of_a_page_runs(page, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # pages may write files
     names = {}
-    for block in blocks(page):
-        exec(compile(block, str(page), "exec"), names)
+    try:
+        for block in blocks(page):
+            exec(compile(block, str(page), "exec"), names)
+    finally:
+        OWN.clear()  # a page may register a law of contact
 
 
 def test_the_interface_page_lists_every_public_name():

@@ -50,6 +50,7 @@ _HOME = {
     "PredictReport": "prediction.predict",
     "RecordedShots": "recorded.shots",
     "Sensitivity": "simulation.sensitivity",
+    "Touch": "simulation.contact_motion",
     "Trajectory": "simulation.trajectory",
     "Evaluation": "evaluation.evaluation",
     "Posterior": "inference.posterior",
@@ -71,6 +72,7 @@ _HOME = {
     "models": "equipment.models",
     "predict": "prediction.predict",
     "read_shots": "recorded.file",
+    "register_law": "simulation.own_law",
     "sensitivity": "simulation.sensitivity",
     "trajectory": "simulation.trajectory",
 }

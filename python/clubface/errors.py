@@ -173,7 +173,7 @@ class LinkError(ClubfaceError, ConnectionError):
 
 
 class RunError(ClubfaceError, RuntimeError):
-    """A run of finite elements that did not come to its end; what it had until then is kept."""
+    """A run of finite elements that did not come to its end, of which what it had is kept; or a law of contact that fails."""
 
 
 class RuleWarning(UserWarning):

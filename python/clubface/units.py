@@ -196,6 +196,18 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
     return number
 
 
+def dimension_of(value: object, *, name: str = "value") -> str:
+    """Return the dimension of text with a unit: "force" of ``"12 kN"``; a bare number is dimensionless.
+
+    Raises
+    ------
+    UnitError
+        An unknown unit.
+    """
+    symbol = _split(value)[1] if isinstance(value, str) else ""
+    return _unit(symbol, None, name, str(value)).dimension
+
+
 def _wanted(dimension: str) -> str:
     return f"a finite number, in {' or '.join(symbols(dimension))}"
 

@@ -5,8 +5,13 @@ Such a module declares its model as ``MODEL`` and what computes it, a :class:`cl
 It is imported when its model is named; here are names alone, so that a registration costs nothing.
 """
 
+from types import SimpleNamespace
+
 MODULES: dict[str, str] = {}
 """The module of each further model, by the name of the model."""
+
+OWN: dict[str, SimpleNamespace] = {}
+"""``MODEL`` and ``BACKEND`` of each model that a user registered in this process, by the name of the model."""
 
 CLUB_FILES: dict[str, str] = {}
 """The module that reads club files of another form than that of :class:`clubface.Club`, by a key that only they have.

@@ -8,7 +8,7 @@ from functools import cache
 from importlib import import_module
 
 from clubface.equipment import core
-from clubface.equipment.backends import MODULES
+from clubface.equipment.backends import MODULES, OWN
 from clubface.errors import InputError, UnknownNameError
 
 PARAMETER_KEYS = ("name", "unit", "meaning", "default", "lower", "upper", "source")
@@ -140,13 +140,15 @@ def model(name: str) -> Model:
         raise InputError("model", name, "one of " + ", ".join(models()))
     if name in models():
         return models()[name]
+    if name in OWN:
+        return OWN[name].MODEL
     if name not in MODULES:
-        raise UnknownNameError("model", name, [*models(), *MODULES])
+        raise UnknownNameError("model", name, [*models(), *MODULES, *OWN])
     return further_models()[name]
 
 
 def reduced_model(name: str, wanted: str) -> Model:
     """Return the reduced model called ``name``; for a model of another backend the error says what was ``wanted``."""
-    if isinstance(name, str) and name in MODULES:
+    if isinstance(name, str) and (name in MODULES or name in OWN):
         raise InputError("model", name, f"{wanted}: {', '.join(models())}")
     return model(name)

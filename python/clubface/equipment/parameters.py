@@ -27,7 +27,7 @@ from functools import cache
 from typing import Any, Self, TypeVar
 
 from clubface import units
-from clubface.equipment.backends import MODULES
+from clubface.equipment.backends import MODULES, OWN
 from clubface.equipment.models import Model, Parameter, model
 from clubface.equipment.ranges import OF_THE_RANGE, QUANTITIES, RANGES, Range, checked_range
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
@@ -183,7 +183,7 @@ class ParameterSet:
         """Return the defaults of the registry, with the face of the published set for a driver if they include it."""
         declared = model(model_name)
         values = {each.name: each.default for each in declared.parameters}
-        includes_face = declared.face_in is not None
+        includes_face = declared.face_in is not None or model_name in OWN
         return cls(
             model=model_name,
             club=club,
@@ -191,7 +191,7 @@ class ParameterSet:
             values=values,
             source="defaults of the registry",
             includes_face=includes_face,
-            characteristic_time=cls.builtin(model_name, "driver").characteristic_time if includes_face else None,
+            characteristic_time=cls.builtin(model_name, "driver").characteristic_time if declared.face_in else None,
             unchosen=frozenset(values),
         )
 

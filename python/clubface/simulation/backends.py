@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
-from clubface.equipment.backends import MODULES
+from clubface.equipment.backends import MODULES, OWN
 from clubface.simulation import core
 
 if TYPE_CHECKING:
@@ -68,6 +68,10 @@ class Backend(Protocol):
         """Return the forces of one shot over time as :class:`clubface.History` names them, None without a contact."""
         ...
 
+    def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:
+        """Return what :class:`clubface.History` holds, and the "launch"; asked of contact models alone."""
+        ...
+
 
 class ReducedCore:
     """The reduced models."""
@@ -84,10 +88,18 @@ class ReducedCore:
         """Return None: :func:`clubface.history` tells more."""
         return None
 
+    def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:
+        """Compute one contact and keep every step."""
+        return core.history(model, inputs, parameters, accuracy)
+
 
 REDUCED = ReducedCore()
 
 
 def backend_of(model: str) -> Backend:
     """Return what computes a model; of an unknown one, its parameters say that there is none."""
-    return import_module(MODULES[model]).BACKEND if isinstance(model, str) and model in MODULES else REDUCED
+    if not isinstance(model, str):
+        return REDUCED
+    if model in OWN:
+        return OWN[model].BACKEND
+    return import_module(MODULES[model]).BACKEND if model in MODULES else REDUCED

@@ -11,7 +11,7 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import model as model_named, models
 from clubface.errors import InputError
-from clubface.simulation import core
+from clubface.simulation.backends import backend_of
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import as_values, equipped, shot_error, shots, single
@@ -188,7 +188,7 @@ def history(
     hit = shots(with_, as_values(delivery, values), hand=hand)
     columns, parameter_columns = single(hit, chosen, "a history")
     try:
-        arrays = core.history(model, columns, parameter_columns, accuracy)
+        arrays = backend_of(model).history(model, columns, parameter_columns, accuracy)
     except ValueError as error:
         raise shot_error(error, columns, chosen) from None
     outcome = arrays.pop("launch").reshape(-1, 1)

@@ -219,6 +219,12 @@ def parameter_set(model_name: str, of_club: Club, given: Any, of_ball: Ball | No
     return chosen if of_ball is None else chosen.of_ball(of_ball.name, _values_of(of_ball, chosen))
 
 
+def forget_parameters() -> None:
+    """Forget what is kept of parameters, since those of a model have changed."""
+    _published.cache_clear()
+    _usual.cache_clear()
+
+
 def _values_of(ball: Ball, chosen: ParameterSet) -> dict[str, float]:
     """Return the values that belong to a ball: its own for the model, and its friction where no shots told another."""
     takes_friction = "friction" in chosen.values and not chosen.includes_face and ball.friction is not None
