@@ -248,3 +248,14 @@ def test_the_striker_of_the_characteristic_time_meets_no_friction_and_flies_alon
     # The pendulum of the rules has no grip on the face; the face normal at the centre is level.
     assert (how["friction"], how["loft"]) == (0.0, 0.0)
     assert (how["toe"], how["high"]) == ("10 mm", "3 mm")
+
+
+@pytest.mark.filterwarnings("ignore")  # that the mass is missed
+def test_walls_become_half_as_thick_or_twice_unless_more_is_allowed():
+    """Without trims the walls alone carry the mass; the face keeps its thickness."""
+    design = replace(from_toml(builtin_path("head", "paper", "fem_heads")), elements=(14, 8, 10), trims={})
+    for mass, scale in ((0.5, 2.0), (0.051, 0.5)):
+        made = replace(design, target={"mass": mass}).mesh()
+        assert made.report["scale"] == pytest.approx(scale, rel=1e-6)
+    heavier = replace(design, target={"mass": 0.5}, scales=(0.5, 3.0)).mesh()
+    assert heavier.report["scale"] == pytest.approx(3.0, rel=1e-6)
