@@ -68,3 +68,25 @@ def test_json_and_report_go_together(clubface_, tmp_path):
     ran = clubface_(*COMMANDS["compare"], "--json", "--report", str(tmp_path / "report.md"))
     assert ran.out.startswith("{")
     assert "| remainder |" in (tmp_path / "report.md").read_text()
+
+
+def test_an_optimum_and_a_study_are_reported_as_they_are_printed(clubface_, tmp_path):
+    (tmp_path / "best.toml").write_text(
+        'title = "A short study"\nclub = "driver"\ngolfer = "bogey-driver"\nobjective = "carry"\n'
+        'shots = 32\nstarts = 2\n[variables]\nloft = ["8 deg", "16 deg"]\n'
+    )
+    (tmp_path / "sweep.toml").write_text(
+        '[study]\nname = "speeds"\nmodel = "slip"\nclub = "driver"\n[sweep]\nspeed = ["100 mph", "110 mph"]\n'
+    )
+    assert clubface_("study", "run", str(tmp_path / "sweep.toml"), "--workers", "1").status == 0
+    for command in (("optimise", "best.toml"), ("study", "summary", "sweep.toml")):
+        target = tmp_path / "report.html"
+        ran = clubface_(*command[:-1], str(tmp_path / command[-1]), "--report", str(target))
+        assert ran.status == 0, ran.err
+        page = target.read_text()
+        text = html.unescape(re.sub(r"<[^>]+>", " ", page))
+        numbers = re.findall(r"(?<![\w.])-?\d+\.\d+(?![\w.])", ran.out)
+        assert len(numbers) > 10
+        assert not {each for each in numbers if each not in text}
+        assert "Computed by clubface" in text
+        assert page.count("<img") == 1

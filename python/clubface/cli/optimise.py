@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import options, output
+from clubface.cli import options, output, reporting
 from clubface.cli.failures import say
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
@@ -24,12 +25,14 @@ def optimise(
     ],
     target: Annotated[str | None, _OUTPUT] = None,
     picture: Annotated[str | None, options.picture("the landings, and the front or the bounds")] = None,
+    report: options.Report = None,
     resume: options.Resume = False,
     as_json: options.Json = False,
 ) -> None:
     """Find the club that is best for golfers within limits, or the parts that fit them."""
     output.check_target("--output", target, (".toml",), (study,))
     output.check_picture(picture, (study,))
+    output.check_report(report, (study,))
     if resume and target is None:
         raise ClubfaceError("--output is missing; what is finished is kept beside it, so --resume needs it")
     from clubface.design.optimisation.fitting import Fitting
@@ -37,12 +40,22 @@ def optimise(
 
     asked = read(study)
     if isinstance(asked, Fitting):
-        _fit(asked, target, picture, as_json)
+        _refuse({"--output": target, "--plot": picture, "--report": report})
+        _fit(asked, as_json)
     else:
-        _optimise(asked, target, picture, resume, as_json)
+        _optimise(asked, target, picture, report, resume, as_json)
 
 
-def _optimise(asked: Any, target: str | None, picture: str | None, resume: bool, as_json: bool) -> None:
+def _refuse(given: Mapping[str, str | None]) -> None:
+    """Refuse files that a fitting does not write."""
+    for option, value in given.items():
+        if value is not None:
+            raise ClubfaceError(f"{option} is for a club that is designed; leave it out, since the study chooses parts")
+
+
+def _optimise(
+    asked: Any, target: str | None, picture: str | None, report: str | None, resume: bool, as_json: bool
+) -> None:
     from clubface.design.optimisation import words
     from clubface.design.optimisation.run import optimise as find
 
@@ -50,14 +63,53 @@ def _optimise(asked: Any, target: str | None, picture: str | None, resume: bool,
         found = find(asked, output=target, resume=resume, progress=progress)
     if target is not None:
         say(f"wrote {target}")
-    if picture is not None:
-        from clubface import plots
+    if picture is not None or report is not None:
         from clubface.design.optimisation.figures import optimum_figure
 
-        say(f"wrote {plots.save(optimum_figure(found), picture)}")
+        figure = optimum_figure(found)
+        if picture is not None:
+            from clubface import plots
+
+            say(f"wrote {plots.save(figure, picture)}")
+        if report is not None:
+            _report(found, figure, report)
+            say(f"wrote {report}")
     if as_json:
         output.print_json(words.document(found))
-        return
+    else:
+        _print(found)
+
+
+def _report(found: Any, figure: Any, target: str) -> None:
+    from clubface.design.optimisation import words
+    from clubface.simulation.impact import impact
+
+    heads, rows = words.design_table(found)
+    study, setting = found.study, found.study.setting
+    launches = [
+        impact(
+            found.built,
+            golfer.for_hand(found.built.hand).delivery(),
+            model=setting.model,
+            ball=setting.ball,
+            parameters=setting.parameters,
+        )
+        for golfer, _ in study.golfers
+    ]
+    reporting.write(
+        target, title=study.title, words=words.notes(found),
+        picture=("Landings with the club at the start and with the optimum, and what changed", figure),
+        columns={head.replace("\n", " ") or "field": [row[place] for row in rows] for place, head in enumerate(heads)},
+        show=lambda: _print(found), launches=launches,
+        given={"golfers": ", ".join(golfer.title or golfer.name for golfer, _ in study.golfers),
+               "shots": str(found.shots), "seed": str(study.seed)},
+    )  # fmt: skip
+
+
+def _print(found: Any) -> None:
+    from clubface.design.optimisation import words
+
+    asked = found.study
     print_numbers(*words.design_table(found), title=asked.title)
     print()
     print_numbers(*words.shots_table(found), title="On fresh shots")
@@ -74,10 +126,7 @@ def _optimise(asked: Any, target: str | None, picture: str | None, resume: bool,
     output.print_notes(words.notes(found))
 
 
-def _fit(asked: Any, target: str | None, picture: str | None, as_json: bool) -> None:
-    if target is not None or picture is not None:
-        option = "--output" if target is not None else "--plot"
-        raise ClubfaceError(f"{option} is for a club that is designed; leave it out, since the study chooses parts")
+def _fit(asked: Any, as_json: bool) -> None:
     from clubface.design.optimisation import words
     from clubface.design.optimisation.fitting import fit
 

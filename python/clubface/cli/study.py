@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import asdict
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import given, options, output, reporting
 from clubface.cli.failures import say, say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
@@ -133,6 +135,7 @@ def summary(
         options.option("--output", metavar="NAMES", text="Quantities with commas or repeated; all unless given."),
     ] = None,
     plot: Annotated[str | None, options.picture("means, spreads and extremes along every input")] = None,
+    report: options.Report = None,
     store: StoreOption = None,
     as_json: options.Json = False,
 ) -> None:
@@ -140,6 +143,7 @@ def summary(
     from clubface.studies.summing import summary as sum_up
 
     output.check_picture(plot, [study])
+    output.check_report(report, [study])
     names = given.names(quantities) if quantities else None
     if names == []:
         raise InputError("--output", quantities, "names of quantities, as in carry,backspin")
@@ -155,7 +159,44 @@ def summary(
         from clubface.studies.picture import draw
 
         save(draw(found), plot)
-        say_written([plot])
+    if report is not None:
+        _report(found, study, report)
+    say_written([each for each in (plot, report) if each is not None])
+
+
+def _report(found: Summary, study: str, target: str) -> None:
+    from clubface.studies.picture import draw
+
+    reporting.write(
+        target, title=f"The study {found.name}", words=_words(found),
+        picture=("Means, spreads and extremes along every input", draw(found)), columns=_columns(found),
+        show=lambda: _print(found), launches=(), given={"study": Path(study).name, "tasks": str(found.tasks)},
+    )  # fmt: skip
+
+
+def _words(found: Summary) -> Iterator[str]:
+    """Say how much was computed, and over what the quantities range, in sentences."""
+    along = " and ".join(each.name.replace("_", " ") for each in found.along)
+    yield f"{found.tasks} tasks were computed, which differ in {along}."
+    for place, (name, si) in enumerate(list(found.quantities.items())[:MOST_SHOWN]):
+        unit = heading_of(name, si)[1]
+        _, _, least, most = map(_number, _shown(found.overall, place, unit))
+        yield f"{name.replace('_', ' ').capitalize()} ranges from {least} to {most}{'' if unit == '1' else f' {unit}'}."
+
+
+def _columns(found: Summary) -> dict[str, list[Any]]:
+    """Return the figures as a long table: along which input, at which level, of which quantity."""
+    rows = []
+    for along in (None, *found.along):
+        every = [found.overall] if along is None else along.figures
+        labels = [""] if along is None else level_texts(along)
+        for label, figures in zip(labels, every, strict=True):
+            for place, (name, si) in enumerate(found.quantities.items()):
+                heading, unit = heading_of(name, si)
+                told = (float(each) for each in _shown(figures, place, unit))
+                rows.append(("all" if along is None else along.name, label, heading, *told))
+    heads = ("along", "level", "quantity", "mean", "deviation", "least", "most")
+    return {head: [row[place] for row in rows] for place, head in enumerate(heads)}
 
 
 def _tell(failed: tuple[int, str], remark: str) -> None:
