@@ -72,6 +72,29 @@ friction = [0.1, 0.4]
     assert len(set(found.columns["ball_speed"].tolist())) > 1
 
 
+def test_parameters_are_a_table_of_values_or_one_for_each_model(tmp_path):
+    text = """
+[impact]
+club = "driver"
+outputs = ["backspin"]
+[impact.parameters]
+volumetric = { friction = 0.1, stiffness = "6e9 N/m3" }
+[sweep]
+model = ["area", "volumetric"]
+speed = ["110 mph"]
+"""
+    _, found = computed(shots(tmp_path, text=text.replace("{", "{{").replace("}", "}}")))
+    changed = {"friction": 0.1, "stiffness": "6e9 N/m3"}
+    one = clubface.impact("driver", model="area", speed="110 mph").backspin
+    other = clubface.impact("driver", model="volumetric", speed="110 mph", parameters=changed).backspin
+    assert found.columns["backspin"].tolist() == [one, other]
+    text = text.replace("volumetric = { ", "").replace(' }\n[sweep]\nmodel = ["area", "volumetric"]', "\n[sweep]")
+    text = text.replace(", stiffness", "\nstiffness").replace("[impact]", '[impact]\nmodel = "volumetric"')
+    path = shots(tmp_path, text=text)
+    assert computed(path)[1].columns["backspin"].tolist() == [other]
+    assert read_study(path).content()["file that it names"] == []
+
+
 def test_conditions_of_the_flight_count(tmp_path):
     text = """
 [impact]

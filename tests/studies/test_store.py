@@ -184,6 +184,17 @@ def test_a_study_without_any_result_ends_before_it_begins(tmp_path):
     assert not (tmp_path / "shots.store").exists()
 
 
+def test_pandas_reads_all_parts_as_one_table(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    path = shots(tmp_path)
+    path.write_text(path.read_text() + 'hand = ["right", "left"]\n')
+    studies.run(path)
+    table = pandas.read_parquet(tmp_path / "shots.store" / "parts")
+    assert len(table) == 48
+    assert table["hand"].tolist() == ["right", "left"] * 24
+    assert table["side"][8:10].sum() == pytest.approx(0.0, abs=1e-9)  # mirror images, to rounding
+
+
 def test_parts_are_found_by_what_checks_them(tmp_path):
     path = squares(tmp_path)
     studies.run(path, workers=1)

@@ -101,8 +101,10 @@ def test_a_command_that_is_killed_is_gone_on_with(tmp_path, undisturbed, kill):
 
 
 def test_a_chunk_that_kills_its_workers_is_given_up(tmp_path):
+    worker = f"read n; echo $n >> {tmp_path}/begun; kill -9 $$"
     with pytest.raises(RunError, match="3 workers died over chunk 5; the last was ended by SIGKILL"):
-        work(["sh", "-c", "read n; kill -9 $$"], iter([5]), workers=1, done=print)
+        work(["sh", "-c", worker], iter([5]), workers=1, done=print)
+    assert (tmp_path / "begun").read_text() == "5\n" * 3
 
 
 def test_a_worker_that_cannot_start_is_told(tmp_path):

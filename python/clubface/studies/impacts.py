@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 from clubface.equipment.backends import MODULES
 from clubface.equipment.balls import ball as ball_of
@@ -132,7 +132,7 @@ class ImpactKind:
         texts = [
             *(study.table.get(name) for name in ("club", "ball")),
             *(each for name in ("club", "ball") for each in study.sweep.get(name, ())),
-            *(given.values() if isinstance(given, Mapping) else [given]),
+            *([given] if isinstance(given, str) else given.values() if _is_by_model(given) else ()),
         ]
         return [study.folder / each for each in texts if isinstance(each, str) and is_path(each)]
 
@@ -177,10 +177,15 @@ def _resolved(which: Any, folder: Path) -> Any:
     return folder / which if isinstance(which, str) and is_path(which) else which
 
 
+def _is_by_model(given: Any) -> TypeGuard[Mapping[str, Any]]:
+    """Tell a table of parameters for each of several models from one of values."""
+    return isinstance(given, Mapping) and given.keys() <= set(models())
+
+
 def _given(table: Mapping[str, Any], model: str, folder: Path) -> Any:
     """Return the parameters that are given for a model: of several models, those under its name."""
     given = table.get("parameters")
-    if isinstance(given, Mapping) and given.keys() <= set(models()):
+    if _is_by_model(given):
         given = given.get(model)
     return _resolved(given, folder)
 

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
-import selectors
+import queue
 import signal
 import subprocess
 import sys
 import tempfile
+import threading
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
@@ -18,8 +20,6 @@ from clubface.errors import ClubfaceError, RunError
 
 Done = Callable[[int, Mapping[str, Any]], object]
 """Called with the number of a chunk that is done, and what its worker tells of it."""
-AHEAD = 2
-"""Chunks that a worker is given at a time, so that it never waits for the next."""
 TRIES = 3
 """Workers that may die over a chunk before it is given up."""
 MISTAKES = 4000
@@ -33,9 +33,11 @@ class Worker:
     ----------
     command
         Its command line.
+    heard
+        Where it puts itself with each of its answers, and with None at its end.
     """
 
-    def __init__(self, command: Sequence[str]) -> None:
+    def __init__(self, command: Sequence[str], heard: queue.SimpleQueue[Any]) -> None:
         self._said = tempfile.TemporaryFile()  # noqa: SIM115 - for as long as the process lives
         threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
         path = os.pathsep.join(each for each in sys.path if each)
@@ -50,30 +52,32 @@ class Worker:
         )
         assert self.process.stdin is not None
         assert self.process.stdout is not None
-        self._stdin, self.stdout = self.process.stdin, self.process.stdout
-        self.given: deque[int] = deque()
-        self._rest = b""
+        self._stdin = self.process.stdin
+        self.given: int | None = None
+        self._reader = threading.Thread(target=self._listen, args=(self.process.stdout, heard), daemon=True)
+        self._reader.start()
+
+    def _listen(self, stdout: Any, heard: queue.SimpleQueue[Any]) -> None:
+        """Pass on what it answers, and None when it has ended."""
+        with stdout, io.BufferedReader(stdout) as lines:
+            for line in lines:
+                heard.put((self, json.loads(line) if line.endswith(b"\n") else None))
+        heard.put((self, None))
 
     def give(self, chunk: int) -> None:
-        """Give it a chunk; one that has died is noticed when it is read."""
-        self.given.append(chunk)
-        with suppress(BrokenPipeError):
+        """Give it a chunk; one that has died is noticed when its output ends."""
+        self.given = chunk
+        with suppress(OSError):
             self._stdin.write(b"%d\n" % chunk)
-
-    def answers(self) -> list[dict[str, Any]] | None:
-        """Return what it has answered, or None where it has ended."""
-        read = os.read(self.stdout.fileno(), 65536)
-        *lines, self._rest = (self._rest + read).split(b"\n")
-        return [json.loads(line) for line in lines] if read else None
 
     def end(self) -> str:
         """End it; return how it had ended by itself, and the last that it said."""
         before = self.process.poll()
         self.process.kill()
-        for stream in (self._stdin, self.stdout):
-            with suppress(OSError):
-                stream.close()
+        with suppress(OSError):
+            self._stdin.close()
         status = self.process.wait() if before is None else before
+        self._reader.join()
         self._said.seek(0)
         said = self._said.read().decode(errors="replace")[-MISTAKES:].strip()
         self._said.close()
@@ -108,75 +112,64 @@ def work(command: Sequence[str], chunks: Iterable[int], *, workers: int, done: D
 
 
 class _Pool:
-    def __init__(self, command: Sequence[str], chunks: Any, done: Done) -> None:
+    def __init__(self, command: Sequence[str], chunks: Iterator[int], done: Done) -> None:
         self._command, self._chunks, self._done = command, chunks, done
         self._again: deque[int] = deque()
         self._deaths: dict[int, int] = {}
         self._all: set[Worker] = set()
-        self._selector = selectors.DefaultSelector()
+        self._heard: queue.SimpleQueue[Any] = queue.SimpleQueue()
 
     def run(self, workers: int) -> None:
         try:
             for _ in range(workers):
-                if not self._start():
-                    break
+                self._start()
             while self._all:
-                for key, _ in self._selector.select(0.1):
-                    self._hear(key.data)
+                with suppress(queue.Empty):
+                    self._hear(*self._heard.get(timeout=0.1))
         finally:
             for worker in self._all:
                 worker.process.kill()
             for worker in self._all:
                 worker.end()
-            self._selector.close()
 
     def _next(self) -> int | None:
         return self._again.popleft() if self._again else next(self._chunks, None)
 
-    def _start(self) -> bool:
+    def _start(self) -> None:
         """Start a worker if there is work for it."""
-        if (chunk := self._next()) is None:
-            return False
-        worker = Worker(self._command)
-        self._all.add(worker)
-        self._selector.register(worker.stdout, selectors.EVENT_READ, worker)
-        worker.give(chunk)
-        self._fill(worker)
-        return True
-
-    def _fill(self, worker: Worker) -> None:
-        while len(worker.given) < AHEAD and (chunk := self._next()) is not None:
+        if (chunk := self._next()) is not None:
+            worker = Worker(self._command, self._heard)
+            self._all.add(worker)
             worker.give(chunk)
 
-    def _hear(self, worker: Worker) -> None:
-        answers = worker.answers()
-        if answers is None:
+    def _hear(self, worker: Worker, answer: dict[str, Any] | None) -> None:
+        if worker not in self._all:
+            return  # the end of one that was ended
+        if answer is None:
             self._bury(worker)
             return
-        for answer in answers:
-            if "mistake" in answer:
-                raise ClubfaceError(answer["mistake"])
-            if "error" in answer:
-                raise RuntimeError(f"chunk {answer['chunk']}: {answer['error']}")
-            worker.given.remove(answer["chunk"])
-            self._deaths.pop(answer["chunk"], None)
-            self._done(answer["chunk"], answer)
-        self._fill(worker)
-        if not worker.given:
-            self._drop(worker)
-
-    def _drop(self, worker: Worker) -> str:
-        self._selector.unregister(worker.stdout)
-        self._all.discard(worker)
-        return worker.end()
+        if "mistake" in answer:
+            raise ClubfaceError(answer["mistake"])
+        if "error" in answer:
+            raise RuntimeError(f"chunk {answer['chunk']}: {answer['error']}")
+        worker.given = None
+        self._deaths.pop(answer["chunk"], None)
+        self._done(answer["chunk"], answer)
+        if (chunk := self._next()) is not None:
+            worker.give(chunk)
+        else:
+            self._all.discard(worker)
+            worker.end()
 
     def _bury(self, worker: Worker) -> None:
-        """Give the chunks of a worker that has died to others; the first of them is the one it died over."""
-        how = self._drop(worker)
-        if worker.given:
-            first = worker.given[0]
-            self._deaths[first] = self._deaths.get(first, 0) + 1
-            if self._deaths[first] >= TRIES:
-                raise RunError(f"{TRIES} workers died over chunk {first}; the last {how}")
-        self._again.extend(worker.given)
+        """Give the chunk of a worker that has died to another."""
+        self._all.discard(worker)
+        with suppress(subprocess.TimeoutExpired):
+            worker.process.wait(1.0)  # its output ends a little before it does
+        how, chunk = worker.end(), worker.given
+        if chunk is not None:
+            self._deaths[chunk] = self._deaths.get(chunk, 0) + 1
+            if self._deaths[chunk] >= TRIES:
+                raise RunError(f"{TRIES} workers died over chunk {chunk}; the last {how}")
+            self._again.append(chunk)
         self._start()
