@@ -1,6 +1,7 @@
 """The benchmark shots: made again from their recipe, true to it, and with the means of the shots they stand for."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -187,3 +188,11 @@ def test_the_monitor_errs_by_fifty_rpm_and_a_fifth_of_a_degree(club, shots):
 def test_an_unknown_club_is_told_with_those_there_are():
     with pytest.raises(UnknownNameError, match="driver, 7-iron"):
         benchmark_data.load("putter")
+
+
+def test_sets_of_shots_are_compared_as_themselves_and_not_by_their_arrays():
+    one = benchmark_data.load("driver")
+    same = one
+    assert one == same
+    assert (one == replace(one)) is False
+    assert len({one, replace(one)}) == 2

@@ -131,3 +131,9 @@ def test_points_through_the_thickness_are_for_shells(write):
     path = write(f"{IRON.read_text()}\n[metal]\npoints = 5\n", "iron.toml")
     with pytest.raises(ClubfaceError, match="unknown key 'points'"):
         from_toml(path)
+
+
+@pytest.mark.parametrize("point", ["05", [0], [0, "800 MPa", 1], 3.0, None])
+def test_a_point_of_a_hardening_curve_is_a_strain_and_a_stress(point):
+    with pytest.raises(InputError, match=r"hardening is .*points of plastic strain and yield stress"):
+        fem.Metal(hardening=[point, ["1 %", "900 MPa"]])
