@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import clubface
+import clubface._core
 
 DRIVE = {"speed": "108 mph", "attack": "2 deg", "loft": "13 deg"}
 MODELS = [model["name"] for model in clubface._core.models()]
@@ -47,6 +48,12 @@ def test_a_million_impulse_shots(benchmark, threads):
         warmup_rounds=1,
     )
     print(f"\nball speed {launch.ball_speed[0]:.3f} to {launch.ball_speed[-1]:.3f} m/s")
+
+
+def test_a_map_of_a_face(benchmark):
+    """A driver struck at 101 by 101 points by the default model, flights and all."""
+    found = benchmark.pedantic(clubface.map_face, args=("driver", DRIVE), rounds=10, warmup_rounds=1)
+    print(f"\n{found}")
 
 
 @pytest.mark.parametrize(

@@ -44,6 +44,12 @@ def test_the_table_tells_percentiles_ellipses_strokes_and_shares(clubface_):
     assert "carry" not in clubface_("dispersion", "tour-driver", "--count", "64", "--no-flight").out
 
 
+def test_a_club_of_another_kind_and_a_range_that_is_left_are_told_once(clubface_):
+    ran = clubface_("dispersion", "women-15-driver", "--club", "7-iron", *FEW)
+    assert ran.err.count("those with a driver, not with 7-iron") == 1
+    assert clubface_("dispersion", "women-15-driver", "--model", "adjusted", *FEW).err.count("outside the range") == 1
+
+
 def test_shots_and_pictures_are_written(clubface_, tmp_path):
     table, picture = tmp_path / "shots.csv", tmp_path / "spread.svg"
     ran = clubface_("dispersion", "tour-driver", *FEW, "-o", str(table), "--plot", str(picture))
@@ -91,6 +97,7 @@ def test_the_best_loft_is_told_by_speed_and_beside_a_chart(clubface_):
         (("dispersion", "tour-driver", "--hole", "400 yd", "--no-flight"), ("hole",)),
         (("dispersion", "tour-driver", "-o", "x.txt"), ("--output", ".csv")),
         (("dispersion", "tour-driver", "--plot", "x.txt"), ("--plot", ".png")),
+        (("dispersion", "tour-driver", "--model", "fem"), ("--count", "fem")),
         (("best-loft",), ("--speed",)),
         (("best-loft", "--chart", "ping", "--speed", "100 mph"), ("--chart",)),
         (("best-loft", "--chart", "pong"), ("ping",)),

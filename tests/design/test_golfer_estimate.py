@@ -104,6 +104,18 @@ def test_what_was_not_measured_comes_from_the_nearest_golfer_and_says_so():
     assert any("not measured" in note for note in found.notes)
 
 
+def test_a_left_handers_shots_make_a_left_hander_who_hits_a_left_handed_club():
+    from clubface.design.dispersion import dispersion
+
+    found = estimate(hit(known(), 60, 3, hand=np.array(["left"] * 60, dtype=object))).golfer
+    assert found.hand == -1
+    assert found.mean[found.variables.index("path")] == pytest.approx(DEG, abs=0.6 * DEG)
+    # What was not measured is of a right-hander, mirrored; it does not vary across the target line.
+    assert dispersion(found, count=64).club.hand == -1
+    with pytest.raises(InputError, match="one hand"):
+        estimate(hit(known(), 60, 3, hand=np.array(["left", "right"] * 30, dtype=object)))
+
+
 def test_too_few_shots_and_several_players_are_refused():
     with pytest.raises(InputError, match="at least 8"):
         estimate(hit(known(), 7, 1))

@@ -16,6 +16,8 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface import fem, launch_monitor
+from clubface.design.comparison_rows import read_deliveries
+from clubface.design.golfers import golfer
 from clubface.design.optimisation import study_file
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
@@ -82,6 +84,25 @@ loft = ["-1 deg", "1 deg"]
 [[fit.setting]]
 name = "back"
 cg_x = "2 mm"
+"""
+GOLFER = b"""\
+title = "mine"
+hand = "left"
+[mean]
+speed = "95 mph"
+loft = "14 deg"
+[spread]
+speed = "1.2 mph"
+face = "2 deg"
+[[correlation]]
+of = ["face", "speed"]
+value = -0.3
+[mishit]
+share = 0.1
+scale = 2
+[sources]
+mishits = "guessed"
+mean.speed = "measured"
 """
 MESSAGE = {
     "DeviceID": "radar", "Units": "Yards", "ShotNumber": 13, "APIversion": "1",
@@ -174,6 +195,10 @@ def _parquet() -> list[bytes]:
 
 def _predict(path: Path) -> None:
     predict(path, output=path.with_name("predicted.csv"), **PREDICT)
+
+
+def _deliveries(path: Path) -> None:
+    read_deliveries(path, 24)
 
 
 def _mapped(path: Path) -> None:
@@ -304,6 +329,7 @@ READERS = {
     "monitor": Reader("csv", launch_monitor.read, _files(MONITORS, "*.csv"), 8),
     "predict": Reader("csv", _predict, _tables, 2),
     "predict-parquet": Reader("parquet", _predict, _parquet),
+    "deliveries": Reader("csv", _deliveries, _tables),
     "mapping": Reader("toml", mapping_of, _files(MONITORS, "*.toml"), 2),
     "mapped": Reader("toml", _mapped, _files(MONITORS, "*.toml")),
     "club": Reader("toml", Club.from_toml, lambda: [*_toml("clubs")(), Club.template().encode()], 2),
@@ -311,6 +337,7 @@ READERS = {
     "parameters": Reader("toml", _parameters, _toml("parameters"), 2),
     "prior": Reader("toml", Prior.from_toml, lambda: [PRIOR]),
     "study": Reader("toml", study_file.read, lambda: [STUDY, FITTING]),
+    "golfer": Reader("toml", golfer, lambda: [GOLFER]),
     "fem-ball": Reader("toml", fem.Ball.from_toml, _toml("balls")),
     "fem-head": Reader("toml", _head, lambda: [*_toml("fem_heads")(), HEAD.encode()]),
     "fem-case": Reader("toml", Case.from_toml, _toml("fem_cases")),

@@ -22,6 +22,8 @@ COMMANDS = {
     "identify": "identify",
     "flight": "flight",
     "sensitivity": "sensitivity",
+    "compare": "compare",
+    "map": "map",
     "models": "models",
     "clubs": "clubs",
     "club": "club",

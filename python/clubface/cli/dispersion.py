@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from clubface.design.dispersion import Dispersion
     from clubface.design.dispersion_derivatives import ByDerivatives
     from clubface.design.dispersion_indices import Indices
+    from clubface.design.golfer import Golfer
     from clubface.design.strokes import Hole
 
 app = typer.Typer(add_completion=False)
@@ -75,7 +76,9 @@ def dispersion(
     output.check_target("--output", target, KINDS)
     output.check_picture(picture)
     player = golfer_named(golfer)
-    head = given.club_of(club or player.club, texts["hand"])
+    own = None if club else "right" if player.hand > 0 else "left"
+    head = given.club_of(club or player.club, texts["hand"] or own)
+    _check(player, head, texts["model"], count)
     conditions = given.conditions(texts)
     hitting = {
         "model": texts["model"], "parameters": given.one_set(head, texts), "ball": texts["ball"],
@@ -104,6 +107,17 @@ def dispersion(
         output.print_json(_document(found, slopes, shares))
     else:
         _print(found, slopes, shares)
+
+
+def _check(player: Golfer, head: Any, model: str, count: int | None) -> None:
+    """Ask for a number of shots where they take long, and say so where golfer and club do not go together."""
+    from clubface.equipment.clubs import CLUB_NAMES, club
+    from clubface.equipment.models import models
+
+    if count is None and model not in models():
+        raise ClubfaceError(f"--count is missing; give it, as in --count 64: each shot by {model} takes long")
+    if player.club in CLUB_NAMES and club(player.club).parameters != head.parameters:
+        say(f"note: the deliveries of {player.name} are those with a {player.club}, not with {head.name}")
 
 
 def _file(target: str | None) -> Any:

@@ -6,22 +6,18 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any
 
-import numpy as np
-
 from clubface import units
-from clubface.design.comparison_contributions import QUANTITIES, Contributions, Stage, contributions, values
+from clubface.design.comparison_contributions import Contributions, Stage, contributions, values
+from clubface.design.comparison_quantities import QUANTITIES, quantities
 from clubface.equipment.backends import MODULES
-from clubface.equipment.balls import ball as ball_of
-from clubface.equipment.clubs import Club, club as club_of
+from clubface.equipment.clubs import club as club_of
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning, Told
-from clubface.fem.heads.meshed import mesh_of
 from clubface.simulation.flight import Flight, fly
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import as_values
 from clubface.simulation.launch import Launch
 from clubface.simulation.outside import warn_if_outside
-from clubface.simulation.quantities import Quantity, flight_outputs, outputs
 from clubface.support.checks import check_choice, check_count, check_names
 from clubface.support.warning import without_warnings
 
@@ -80,12 +76,6 @@ class Compared:
         self.launches, self.flights, self.contributions = dict(launches), dict(flights), dict(found)
         self._levels = levels
 
-    @staticmethod
-    def quantities() -> dict[str, Quantity]:
-        """Return what is compared, by name."""
-        known = {**flight_outputs(), **outputs()}
-        return {name: known[name] for name in QUANTITIES}
-
     def value(self, name: str, quantity: str, unit: str | None = None) -> float:
         """Return a quantity of one alternative: in SI, or in ``unit``."""
         check_choice("alternative", name, self.names)
@@ -122,7 +112,7 @@ class Compared:
 
         frame = pandas.DataFrame(self.rows())
         frame.attrs = {
-            "units": {name: each.unit for name, each in self.quantities().items()},
+            "units": {name: each.unit for name, each in quantities().items()},
             "provenance": {name: each.provenance for name, each in self.launches.items()},
         }
         return frame
@@ -136,7 +126,7 @@ class Compared:
         return "\n".join(lines)
 
     def _unit(self, quantity: str, unit: str) -> str:
-        return units.unit(unit, name=quantity, dimension=self.quantities()[quantity].dimension).symbol
+        return units.unit(unit, name=quantity, dimension=quantities()[quantity].dimension).symbol
 
 
 def compare(
@@ -226,8 +216,8 @@ def _alternative(given: Alternative | Mapping[str, Any]) -> Alternative:
 def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch) -> list[Stage]:
     """Return the first shot, and the shots after each change as a whole that has no derivatives."""
     taken: dict[str, Any] = {
-        "club": first.club, "delivery": launch.delivery, "model": first.model, "parameters": first.parameters,
-        "ball": first.ball, "accuracy": other.accuracy,
+        "club": first.club, "delivery": {**first.delivery, **launch.delivery}, "model": first.model,
+        "parameters": first.parameters, "ball": first.ball, "accuracy": other.accuracy,
     }  # fmt: skip
     stages = [Stage("", launch)]
 
@@ -237,9 +227,11 @@ def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch
 
     if first.model != other.model:
         change("model", model=other.model, parameters=other.parameters)
-    if first.club.hand != other.club.hand:
-        change("hand", club=taken["club"].replace(hand=other.club.hand))
+    if launch.input("hand") != last.input("hand"):
+        change("hand", delivery={**taken["delivery"], "hand": last.input("hand")})
     if other.model in MODULES:
+        from clubface.fem.heads.meshed import mesh_of
+
         if _meshed(first.ball) != _meshed(other.ball):
             change("ball", ball=other.ball)
         if mesh_of(first.club) is not mesh_of(other.club):
@@ -250,5 +242,15 @@ def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch
 def _meshed(which: Any) -> Any:
     """Return what tells one ball of finite elements from another."""
     from clubface.fem.balls import ball
+    from clubface.support.resuming import fingerprint
 
-    return ball(which).values() if not isinstance(which, str) else which
+    return fingerprint(ball(which).values())
+
+
+def _row(name: str, part: str, change: str, numbers: Any) -> dict[str, Any]:
+    return {
+        "alternative": name,
+        "part": part,
+        "change": change,
+        **dict(zip(QUANTITIES, map(float, numbers), strict=True)),
+    }

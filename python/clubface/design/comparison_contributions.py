@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from clubface.design.comparison_line import FACE, Line, Point
+from clubface.design.comparison_quantities import FLOWN, LAUNCHED, QUANTITIES
 from clubface.design.comparison_slopes import flown, slopes
 from clubface.equipment.backends import MODULES
 from clubface.errors import ClubfaceError
@@ -19,12 +21,6 @@ from clubface.simulation.quantities import flight_outputs, outputs
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-LAUNCHED = (
-    "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis",
-)  # fmt: skip
-FLOWN = ("carry", "side", "total", "total_side", "apex", "landing_angle")
-QUANTITIES = (*LAUNCHED, *FLOWN)
-"""What is compared, and split into contributions."""
 NODES = {False: 8, True: 1}
 """Points of the line at which a launch is differentiated, unless given: of a model that takes long the middle alone."""
 
@@ -130,7 +126,7 @@ def contributions(
     levels = [values(each.launch, conditions) for each in stages]
     end = values(last, conditions)
     changes = [Change(each.name, None, None, False) for each in stages[1:]]
-    parts = [after - before for before, after in zip(levels, levels[1:], strict=False)]
+    parts = [after - before for before, after in pairwise(levels)]
     line = Line.between(Point.of(stages[-1].launch), Point.of(last))
     count = nodes or NODES[last.model in MODULES]
     if line.names:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.comparison_line import FACE, Line, Point
 from clubface.equipment.backends import MODULES
@@ -14,17 +15,14 @@ from clubface.simulation import core
 from clubface.simulation.flight_derivatives import differentiated
 from clubface.simulation.flight_inputs import BALL, SPIN, VELOCITY
 from clubface.simulation.launch import Launch
-from clubface.simulation.quantities import flight_inputs, flight_outputs, inputs, outputs
+from clubface.simulation.quantities import flight_inputs, inputs, outputs
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-Array = NDArray[Any] if TYPE_CHECKING else Any
+Array = NDArray[Any]
 STEP = 1e-8
 """s by which the time of the face in the parameters is moved to find the slope by it, which models do not give."""
 
 
-class NoDerivatives(ClubfaceError):
+class DerivativesError(ClubfaceError):
     """Why a launch cannot be differentiated along a line."""
 
 
@@ -75,7 +73,6 @@ def flown(found: tuple[Array, Array], point: Point, names: Sequence[str], base: 
     for place, name in enumerate(names):
         if name in BALL:
             chain[:, place] += jacobian[:, at.index(name)]
-    assert chain.shape[0] == len(flight_outputs())
     return chain
 
 
@@ -91,7 +88,7 @@ def _reduced(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tu
         launch.model, columns, parameters, len(points), rows, variables, launch.accuracy, 1
     )
     if problems:
-        raise NoDerivatives(f"{launch.model} has no launch between the two: {problems[0][2]}")
+        raise DerivativesError(f"{launch.model} has no launch between the two: {problems[0][2]}")
     table = found.reshape(len(rows), 1 + len(variables), len(points))
     by_names = np.zeros((len(rows), len(line.names), len(points)))
     for place, name in enumerate(line.names):
@@ -123,11 +120,11 @@ def _of_elements(line: Line, launch: Launch, share: float, ball: Any) -> tuple[A
 
     point, head = line.at(share), mesh_of(launch.club)
     if head is not None and not isinstance(head, ShellHead):
-        raise NoDerivatives("finite elements give derivatives for rigid heads and for heads of shells, not of solids")
+        raise DerivativesError("finite elements give derivatives for rigid heads and heads of shells, not of solids")
     club = launch.club if head is None else head
     known = variables(club, which=ball)
     if unknown := [name for name in line.names if name not in known]:
-        raise NoDerivatives(f"finite elements of this head give no derivatives by {', '.join(unknown)}")
+        raise DerivativesError(f"finite elements of this head give no derivatives by {', '.join(unknown)}")
     delivered = {name: value for name, value in point.inputs.items() if inputs()[name].group == "delivery"}
     moved = {name: point.inputs[name] for name in line.names if name in point.inputs}
     found = sensitivity(

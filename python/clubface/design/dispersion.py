@@ -176,7 +176,7 @@ def dispersion(
         A shipped golfer's name, the path of a TOML file, or a :class:`Golfer`. For a club of the other hand the golfer
         is mirrored.
     club
-        As for :func:`impact`; left out, that of the golfer.
+        As for :func:`impact`; left out, that of the golfer, of the golfer's hand.
     count
         How many shots; powers of two cover the distribution most evenly.
     seed
@@ -195,8 +195,9 @@ def dispersion(
         Called with the number of shots done and that of all.
     """
     check_count("count", count, 1, MOST)
-    of_club = club_named(club if club is not None else golfer_named(golfer).club)
-    of_golfer = golfer_named(golfer).for_hand(of_club.hand)
+    of_golfer = golfer_named(golfer)
+    of_club = club_named(of_golfer.club).replace(hand=of_golfer.hand) if club is None else club_named(club)
+    of_golfer = of_golfer.for_hand(of_club.hand)
     if hole is not None and not flight:
         raise InputError("hole", "given", "left out where the balls do not fly")
     hit = Hitting(of_club, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
@@ -260,10 +261,11 @@ class Hitting(NamedTuple):
 
     def mean(self, of: Golfer) -> tuple[Launch, dict[str, float]]:
         """Return what the mean delivery gives; if nothing, it is an error that says why."""
-        launch = impact(
-            self.club, of.delivery(), model=self.model, parameters=self.parameters, ball=self.ball,
-            threads=self.threads, accuracy=self.accuracy,
-        )  # fmt: skip
+        with without_warnings(RangeWarning):  # it is told of the shots
+            launch = impact(
+                self.club, of.delivery(), model=self.model, parameters=self.parameters, ball=self.ball,
+                threads=self.threads, accuracy=self.accuracy,
+            )  # fmt: skip
         found = {name: float(getattr(launch, name)) for name in LAUNCHED}
         if self.flight:
             flight = fly(launch, air=self.air, wind=self.wind, ground=self.ground)

@@ -25,11 +25,13 @@ import numpy as np
 from clubface.design.dispersion import Hitting
 from clubface.design.dispersion_tally import LAUNCHED
 from clubface.design.golfer import Golfer
+from clubface.errors import RangeWarning
 from clubface.simulation.flight_derivatives import flight_derivatives
 from clubface.simulation.flight_inputs import SPIN, VELOCITY
 from clubface.simulation.quantities import flight_inputs, flight_outputs
 from clubface.simulation.sensitivity import sensitivity
 from clubface.support.arrays import Floats
+from clubface.support.warning import without_warnings
 
 FLOWN = ("carry", "side")
 """What is differentiated of flights."""
@@ -112,10 +114,11 @@ def _gradients(at: Floats, of: Golfer, hit: Hitting) -> tuple[dict[str, float], 
     """Return quantities at a delivery and their derivatives by the variables."""
     values = dict(zip(of.variables, map(float, at), strict=True))
     launched = (*VELOCITY, *SPIN)
-    found = sensitivity(
-        hit.club, values, model=hit.model, parameters=hit.parameters, ball=getattr(hit.ball, "rigid", hit.ball),
-        accuracy=hit.accuracy, outputs=(*LAUNCHED, *launched), variables=of.variables,
-    )  # fmt: skip
+    with without_warnings(RangeWarning):  # it is told of the shots
+        found = sensitivity(
+            hit.club, values, model=hit.model, parameters=hit.parameters, ball=getattr(hit.ball, "rigid", hit.ball),
+            accuracy=hit.accuracy, outputs=(*LAUNCHED, *launched), variables=of.variables,
+        )  # fmt: skip
     rows: dict[str, Floats] = dict(zip(found.outputs, found.si, strict=True))
     value = {name: float(getattr(found.launch, name)) for name in LAUNCHED}
     slope = {name: rows[name] for name in LAUNCHED}

@@ -95,6 +95,8 @@ def estimate(shots: ReadyShots, *, name: str = "my golfer", like: str | None = N
         raise InputError(
             "players", Told("several"), "one: take the shots of one player, as with where=\"player == 'A'\""
         )
+    if shots.hand is not None and len(set(shots.hand)) > 1:
+        raise InputError("hand", Told("right and left"), "one hand: take the shots of one player")
     names, values = _complete(shots)
     base = golfer_named(like if like is not None else _nearest(shots, names, values))
     base = base.for_hand(shots.club.hand if shots.hand is None else HANDS[str(shots.hand[0])])

@@ -1,0 +1,223 @@
+"""``clubface compare``: clubs, balls, models, parameters or deliveries side by side, and what makes the difference."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from clubface.cli import given, options, output
+from clubface.cli.compare_alternatives import alternatives_of
+from clubface.cli.failures import say_written
+from clubface.cli.progress import progress_bar
+from clubface.cli.quantity_units import KEYS, Shown, Units, label, shown_units
+from clubface.cli.tables import print_numbers
+from clubface.errors import ClubfaceError
+
+app = typer.Typer(add_completion=False)
+
+SPLIT = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "carry", "side", "total")
+"""What is split into contributions in the table; --json and --output have all."""
+_SIDES = "Repeatable: what is given more than once is compared."
+COMPARED: options.Group = {
+    "hand": options.EQUIPMENT["hand"],
+    "ball": (
+        Annotated[
+            list[str] | None,
+            options.option(
+                "--ball", panel="Club and ball", metavar="NAME|FILE", text=f"A ball; modern unless given. {_SIDES}"
+            ),
+        ],
+        None,
+    ),
+    **options.MODELS,
+    "parameters": (
+        Annotated[
+            list[str] | None,
+            options.option(
+                "--parameters", panel="Model", metavar="NAME|FILE", text=f"A published set or a TOML file. {_SIDES}"
+            ),
+        ],
+        None,
+    ),
+}
+
+
+@app.command()
+@options.takes(options.DELIVERY, COMPARED, options.AIR)
+def compare(
+    clubs: Annotated[list[str], typer.Argument(metavar="CLUB...", help="Built-in clubs, or TOML files.")],
+    delivery: Annotated[
+        list[str] | None,
+        options.option("--delivery", metavar='"loft=12 deg, toe=8 mm"', text=f"What a delivery changes. {_SIDES}"),
+    ] = None,
+    deliveries: Annotated[
+        str | None,
+        options.option("--deliveries", metavar="FILE", text="CSV or Parquet file of deliveries, a row each."),
+    ] = None,
+    split: Annotated[bool, typer.Option("--split/--no-split", help="Tell what makes the differences.")] = True,
+    nodes: Annotated[
+        int | None, options.option("--nodes", metavar="N", text="Points at which derivatives are taken, 1 to 64.")
+    ] = None,
+    unit: Units = None,
+    target: Annotated[str | None, options.output("FILE", "Write all figures, CSV or Parquet by its ending.")] = None,
+    plot: Annotated[str | None, options.picture("flights and contributions")] = None,
+    as_json: options.Json = False,
+    **texts: Any,
+) -> None:
+    """Compare clubs, balls, models, parameters or deliveries, and tell what makes the difference."""
+    inputs = [*clubs, *(texts["ball"] or ()), *(texts["parameters"] or ()), deliveries]
+    output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
+    output.check_picture(plot, inputs)
+    conditions = given.conditions(texts)
+    shown = shown_units(unit)
+
+    from clubface.design.comparison import MOST, compare as computed
+
+    alternatives = alternatives_of(clubs, delivery, deliveries, texts)
+    if not 2 <= len(alternatives) <= MOST:
+        allowed = "give two clubs, or something else twice, as in --ball modern --ball distance"
+        raise ClubfaceError(
+            f"there is nothing to compare: {allowed}" if len(alternatives) < 2
+            else f"there are {len(alternatives)} combinations to compare; give at most {MOST}"
+        )  # fmt: skip
+    with progress_bar("points of derivatives") as update:
+        found = computed(alternatives, **conditions, split=split, nodes=nodes, progress=update)
+    if plot is not None:
+        from clubface import plots
+        from clubface.design.comparison_figures import comparison_figure
+
+        plots.save(comparison_figure(found, **conditions, units={key: told for key, (told, _) in shown.items()}), plot)
+    if target is not None:
+        _write(found, target)
+    if as_json:
+        output.print_json(_document(found, alternatives))
+    else:
+        _print(found, shown)
+    say_written([each for each in (target, plot) if each is not None])
+
+
+def _print(found: Any, shown: Shown) -> None:
+    first, *others = found.names
+    heads = ["", _head(first)]
+    for name in others:
+        heads += [_head(name), "difference"]
+    rows = []
+    for quantity, (unit, digits) in shown.items():
+        row = [label(quantity, unit), output.number(found.value(first, quantity, unit), digits)]
+        for name in others:
+            row += [
+                output.number(found.value(name, quantity, unit), digits),
+                output.number(found.difference(name, quantity, unit), digits + 1),
+            ]
+        rows.append(row)
+    print_numbers(heads, rows)
+    for name in others:
+        if name in found.contributions:
+            print()
+            _print_split(found, name, shown)
+
+
+def _print_split(found: Any, name: str, shown: Shown) -> None:
+    from clubface import units
+
+    made = found.contributions[name]
+    title = f"What makes {name} differ from {found.names[0]}"
+    if made.left_out:
+        output.print_notes([f"{title} cannot be told: {made.left_out}"])
+        return
+    heads = ["", "from", "to", *(f"{each.replace('_', chr(10))}\n{shown[each][0]}" for each in SPLIT)]
+
+    def cells(part: Any) -> list[str]:
+        by_name = _by_name(part)
+        return [output.number(by_name[each] / units.size(shown[each][0]), shown[each][1] + 1) for each in SPLIT]
+
+    rows = [[*told, *cells(part)] for told, part in _told(found.launches[name], made)]
+    rows.append(["remainder", "", "", *cells(made.remainder)])
+    total = [found.difference(name, each) for each in _by_name(made.remainder)]
+    print_numbers(heads, [*rows, ["difference", "", "", *cells(total)]], title=title, summary=True)
+
+
+def _told(launch: Any, made: Any) -> list[tuple[list[str], Any]]:
+    """Return name and values of each change with its contribution; the coefficients of a fit are taken together."""
+    from clubface import units
+    from clubface.equipment.models import model
+    from clubface.simulation.quantities import inputs
+    from clubface.simulation.sensitivity import FEW, OF_THE_BALL
+
+    parameters = {each.name: each.unit for each in model(launch.model).parameters}
+    fitted = {name for name in parameters if len(parameters) > FEW and name not in OF_THE_BALL}
+    rows, hidden = [], []
+    for change, part in zip(made.changes, made.si, strict=True):
+        if change.name in fitted:
+            hidden.append(part)
+        elif not change.derivative:
+            rows.append(([change.name, "", ""], part))
+        else:
+            name = change.name
+            si = inputs()[name].unit if name in inputs() else parameters[name]
+            unit = units.display_unit(name, "m/s" if name == "speed" else si)
+            unit = "mph" if name == "speed" else unit
+            values = [f"{units.from_si(each, unit):.6g}".replace("inf", "flat") for each in (change.start, change.end)]
+            rows.append(([label(name, unit), *values], part))
+    if hidden:
+        rows.append(([f"{output.counted(len(hidden), 'coefficient')} of {launch.model}", "", ""], sum(hidden)))
+    return rows
+
+
+def _head(name: str) -> str:
+    import textwrap
+
+    return "\n".join(textwrap.wrap(name, 18, break_long_words=False))
+
+
+def _by_name(part: Any) -> dict[str, float]:
+    """Return differences or contributions [SI] by quantity."""
+    from clubface.design.comparison_quantities import QUANTITIES
+
+    return dict(zip(QUANTITIES, map(float, part), strict=True))
+
+
+def _cells(part: Any) -> dict[str, float]:
+    """Return differences or contributions [SI] in the units of ``KEYS``."""
+    from clubface import units
+
+    by_name = _by_name(part)
+    return {key: by_name[name] / units.size(unit) for key, (name, unit) in KEYS.items()}
+
+
+def _document(found: Any, alternatives: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+    first = found.names[0]
+    told = []
+    for name in found.names:
+        launch = found.launches[name]
+        entry: dict[str, Any] = {
+            "name": name, "club": launch.club.name, "ball": launch.ball.name, "model": launch.model,
+            "parameters": launch.parameters.name, "delivery": alternatives[name]["delivery"],
+            **{key: found.value(name, *of) for key, of in KEYS.items()},
+        }  # fmt: skip
+        if name != first:
+            entry["difference"] = {key: found.difference(name, *of) for key, of in KEYS.items()}
+            if (made := found.contributions.get(name)) is not None:
+                entry["contributions"] = [
+                    {"change": change.name, "from": change.start, "to": change.end, "derivative": change.derivative,
+                     **_cells(part)}
+                    for change, part in zip(made.changes, made.si, strict=True)
+                ]  # fmt: skip
+                entry["remainder"] = _cells(made.remainder)
+                entry["left_out"] = made.left_out
+        told.append(entry)
+    return {"compared_with": first, "alternatives": told}
+
+
+def _write(found: Any, target: str) -> None:
+    from clubface import units
+    from clubface.tables.writer import write_columns
+
+    rows = found.rows()
+    columns: dict[str, list[Any]] = {key: [row[key] for row in rows] for key in ("alternative", "part", "change")}
+    parts = [{key: row[name] / units.size(unit) for key, (name, unit) in KEYS.items()} for row in rows]
+    columns |= {key: [part[key] for part in parts] for key in KEYS}
+    write_columns(columns, Path(target))

@@ -1,0 +1,144 @@
+"""``clubface compare``: its tables, its JSON, its file and its mistakes."""
+
+import csv
+
+import pytest
+
+import clubface
+from command_line import assert_mistake
+
+SHOT = ["--speed", "105 mph", "--attack", "3 deg", "--loft", "13 deg", "--toe", "20 mm"]
+DRIVE = {"speed": "105 mph", "attack": "3 deg", "loft": "13 deg", "toe": "20 mm"}
+
+
+@pytest.fixture
+def heavier(tmp_path):
+    path = tmp_path / "heavier.toml"
+    path.write_text(clubface.club("driver").replace(name="heavier", mass="212 g").to_toml())
+    return str(path)
+
+
+def numbers(out, start):
+    """The cells of the row that begins so, from the first table that has one."""
+    line = next(line for line in out.splitlines() if line.startswith(start))
+    return [float(each) for each in line[len(start) :].split()]
+
+
+def test_two_clubs_stand_side_by_side_with_what_makes_the_difference(clubface_, heavier):
+    ran = clubface_("compare", "driver", heavier, *SHOT)
+    assert ran.status == 0
+    shots = [clubface.fly(clubface.impact(each, DRIVE)).get("carry", "yd") for each in ("driver", heavier)]
+    first, second, difference = numbers(ran.out, "carry, yd")
+    assert [first, second] == [pytest.approx(each, abs=0.051) for each in shots]
+    assert difference == pytest.approx(shots[1] - shots[0], abs=0.0051)
+    split = ran.out.partition("What makes heavier differ from driver")[2]
+    row, rest, whole = (numbers(split, each) for each in ("club mass, g", "remainder", "difference"))
+    assert row[:2] == [204.0, 212.0]
+    assert row[7] == whole[5] == pytest.approx(difference, abs=0.011)
+    assert set(rest) == {0.0}
+
+
+def test_every_combination_of_what_is_given_twice_is_named_by_what_differs(clubface_, heavier):
+    ran = clubface_(
+        "compare", "driver", heavier, *SHOT, "--ball", "modern", "--ball", "distance", "--no-split", "--json"
+    )
+    assert [each["name"] for each in ran.json["alternatives"]] == [
+        "driver, modern", "driver, distance", "heavier, modern", "heavier, distance",
+    ]  # fmt: skip
+    assert ran.json["compared_with"] == "driver, modern"
+    models = clubface_("compare", "driver", *SHOT, "--model", "response,standard", "--json").json["alternatives"]
+    assert [each["name"] for each in models] == ["response", "standard"]
+    assert models[1]["contributions"][0]["change"] == "model"
+    assert models[1]["contributions"][0]["derivative"] is False
+
+
+def test_json_holds_values_differences_and_contributions_that_add_up(clubface_, heavier):
+    first, second = clubface_("compare", "driver", heavier, *SHOT, "--json").json["alternatives"]
+    assert "difference" not in first
+    for key in ("ball_speed_mps", "carry_m", "backspin_rpm"):
+        assert second["difference"][key] == pytest.approx(second[key] - first[key], rel=1e-9)
+        added = sum(each[key] for each in second["contributions"]) + second["remainder"][key]
+        assert added == pytest.approx(second["difference"][key], rel=1e-9)
+    assert second["contributions"][0]["from"] == pytest.approx(0.204)
+    assert second["left_out"] == ""
+
+
+def test_a_set_of_parameters_and_a_setting_are_compared_and_shared(clubface_):
+    sets = ["three-dimensional-impact-models", "penner"]
+    given = [each for name in sets for each in ("--parameters", name)]
+    ran = clubface_("compare", "driver", *SHOT, "--model", "standard", *given, "--json")
+    assert ran.status == 0, ran.err
+    assert [each["parameters"] for each in ran.json["alternatives"]] == sets
+    ran = clubface_("compare", "driver", "3-wood", *SHOT, "--set", "friction=0.3", "--json")
+    assert ran.status == 0, ran.err
+    changed = [each["change"] for each in ran.json["alternatives"][1]["contributions"]]
+    assert "club_mass" in changed
+    assert "friction" not in changed
+
+
+def test_deliveries_come_from_options_or_from_rows(clubface_, write):
+    common = ["compare", "driver", "--speed", "105 mph"]
+    ran = clubface_(*common, "--delivery", "loft=10 deg", "--delivery", "loft=14 deg", "--json")
+    low, high = ran.json["alternatives"]
+    assert (low["name"], high["name"]) == ("loft=10 deg", "loft=14 deg")
+    assert [each["change"] for each in high["contributions"]] == ["loft"]
+    path = write("name,loft_deg\nlow,10\nhigh,14\n", "d.csv")
+    rows = clubface_(*common, "--deliveries", str(path), "--json").json["alternatives"]
+    assert [each["name"] for each in rows] == ["low", "high"]
+    assert rows[1]["carry_m"] == pytest.approx(high["carry_m"], rel=1e-12)
+
+
+def test_the_table_is_in_the_units_asked_for(clubface_, heavier):
+    yards = clubface_("compare", "driver", heavier, *SHOT)
+    metres = clubface_("compare", "driver", heavier, *SHOT, "--unit", "carry=m", "--unit", "ball_speed=m/s")
+    assert numbers(metres.out, "carry, m")[0] == pytest.approx(0.9144 * numbers(yards.out, "carry, yd")[0], abs=0.1)
+    assert numbers(metres.out, "ball speed, m/s")[0] == pytest.approx(67.0, abs=0.1)
+
+
+def test_file_and_picture_are_written(clubface_, heavier, tmp_path):
+    pytest.importorskip("matplotlib")
+    table, picture = tmp_path / "all.csv", tmp_path / "all.svg"
+    ran = clubface_("compare", "driver", heavier, "3-wood", *SHOT, "-o", str(table), "--plot", str(picture))
+    assert ran.status == 0, ran.err
+    with table.open() as file:
+        rows = list(csv.DictReader(file))
+    assert rows[0]["alternative"] == "driver"
+    assert {row["part"] for row in rows} == {"value", "difference", "contribution", "remainder"}
+    mine = [row for row in rows if row["alternative"] == "3-wood"]
+    added = sum(float(row["carry_m"]) for row in mine if row["part"] in ("contribution", "remainder"))
+    assert added == pytest.approx(float(next(row for row in mine if row["part"] == "difference")["carry_m"]))
+    assert picture.read_text().startswith("<?xml")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["driver"], ["nothing to compare", "--ball modern --ball distance"]),
+        (["driver", "driver"], ["driver", "given once"]),
+        (["driver", "drivr"], ["did you mean driver"]),
+        (["driver", "3-wood", "--unit", "carry=kg"], ["--unit", "kg", "yd"]),
+        (["driver", "3-wood", "--unit", "cary=m"], ["did you mean carry"]),
+        (["driver", "3-wood", "--nodes", "0"], ["--nodes", "1 to 64"]),
+        (["driver", "--delivery", "lofft=3 deg", "--delivery", "loft=4 deg"], ["did you mean loft"]),
+        (["driver", "--delivery", "loft=4 deg", "--delivery", "loft=4 deg"], ["--delivery", "given once"]),
+        (["driver", "--delivery", "loft=4 deg", "--deliveries", "none.csv"], ["give one of them"]),
+        (["driver", "--deliveries", "none.csv"], ["none.csv"]),
+        (["driver", "3-wood", "-o", "a.txt"], ["--output", ".csv"]),
+        (["driver", "3-wood", "--set", "frictoin=1"], ["did you mean friction"]),
+        (["driver", "3-wood", "--parameters", "penner"], ["penner", "--model standard"]),
+        (["driver", "3-wood", "--toe", "90 mm"], ["--toe", "90"]),
+        (["driver", "3-wood", "--ball", "x"], ["ball"]),
+    ],
+)
+def test_a_mistake_is_one_message(clubface_, arguments, words):
+    assert_mistake(clubface_("compare", *arguments, "--speed", "105 mph"), *words)
+
+
+def test_the_speed_must_be_given(clubface_):
+    assert_mistake(clubface_("compare", "driver", "3-wood"), "--speed is missing")
+
+
+def test_too_many_combinations_are_refused(clubface_):
+    arguments = ["--model", "all", "--ball", "modern", "--ball", "distance"]
+    clubs = ["driver", "3-wood", "5-wood"]
+    assert_mistake(clubface_("compare", *clubs, "--speed", "105 mph", *arguments), "at most 24")

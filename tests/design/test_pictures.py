@@ -1,0 +1,95 @@
+"""Pictures of comparisons and face maps: what they show, in which units, and that their labels are apart."""
+
+import numpy as np
+import pytest
+
+import clubface
+
+pytest.importorskip("matplotlib")
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from clubface.design.comparison_figures import BARS, comparison_figure
+from clubface.design.face_map_figures import SHOWN, face_map_figure
+
+pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+
+DRIVE = {"speed": "105 mph", "attack": "3 deg", "loft": "13 deg"}
+
+
+def panels(figure):
+    FigureCanvasAgg(figure).draw()
+    return [axes for axes in figure.axes if axes.get_title(loc="left")]
+
+
+def assert_apart(figure):
+    boxes = [axes.get_tightbbox() for axes in panels(figure)]
+    for place, box in enumerate(boxes):
+        assert figure.bbox.padded(2.0).contains(box.x0, box.y0)
+        assert figure.bbox.padded(2.0).contains(box.x1, box.y1)
+        assert not any(box.overlaps(other) for other in boxes[place + 1 :])
+
+
+def test_a_comparison_shows_flights_and_the_largest_contributions():
+    swing = {**DRIVE, "toe": "12 mm"}
+    clubs = ("driver", "3-wood")
+    found = clubface.compare({name: {"club": name, "delivery": swing} for name in clubs})
+    figure = comparison_figure(found, units={"carry": "m"})
+    assert_apart(figure)
+    side, above, *bars = panels(figure)
+    assert side.get_xlabel() == "distance along the target line (m)"
+    for line, name in zip(side.lines, clubs, strict=True):
+        assert line.get_xdata()[-1] == pytest.approx(found.value(name, "carry"), rel=0.01)
+    assert len(above.lines) == len(clubs) + 1  # and the target line
+    labels = [each.get_text() for each in bars[0].get_yticklabels()]
+    assert len(labels) == BARS + 2
+    assert labels[-1] == "remainder"
+    carry = next(axes for axes in bars if axes.get_title(loc="left").startswith("carry"))
+    difference = found.difference("3-wood", "carry")
+    assert carry.get_title(loc="left") == f"carry {difference:+.1f} m"
+    # All bars together are the difference.
+    assert sum(bar.get_width() for bar in carry.patches) == pytest.approx(difference, rel=1e-9)
+
+
+def test_a_comparison_without_contributions_shows_the_flights_alone():
+    found = clubface.compare({name: {"club": name, "delivery": DRIVE} for name in ("driver", "3-wood")}, split=False)
+    assert len(panels(comparison_figure(found))) == 2
+
+
+@pytest.fixture(scope="module")
+def driver():
+    return clubface.map_face("driver", DRIVE, grid=(31, 17))
+
+
+def test_a_map_has_a_panel_for_each_quantity_with_centre_and_sweet_spot(driver):
+    figure = face_map_figure(driver)
+    assert_apart(figure)
+    shown = panels(figure)
+    assert len(shown) == len(SHOWN)
+    assert [axes.get_title(loc="left") for axes in shown[:2]] == ["ball speed (mph)", "launch (deg)"]
+    assert "start line (deg)" in [axes.get_title(loc="left") for axes in shown]
+    levels, speeds = shown[0].collections[0].levels, driver.get("ball_speed", "mph")
+    assert levels[0] <= np.nanmin(speeds) < levels[1]
+    assert levels[-2] < np.nanmax(speeds) <= levels[-1]
+    best = driver.best()
+    for axes in shown:
+        centre, spot = (line.get_xydata()[0] for line in axes.lines[-2:])
+        np.testing.assert_allclose(centre, 0.0)
+        np.testing.assert_allclose(spot, [1e3 * best.toe, 1e3 * best.high])
+        (outline,) = axes.patches
+        np.testing.assert_allclose(np.ptp(outline.get_path().vertices, axis=0), [105.0, 55.0], rtol=1e-6)
+    assert "assumed: an ellipse" in figure.get_suptitle()
+
+
+def test_a_difference_of_two_faces_is_drawn_with_zero_in_the_middle_of_its_colours(driver):
+    other = clubface.map_face(clubface.club("driver").replace(mass="210 g"), DRIVE, points=(driver.toe, driver.high))
+    figure = face_map_figure(clubface.FaceMapDifference(other, driver), units={"carry": "m"})
+    (axes,) = panels(figure)
+    filled = axes.collections[0]
+    assert filled.norm.vmin == -filled.norm.vmax
+    assert "less driver" in figure.get_suptitle()
+
+
+def test_a_map_that_is_the_same_everywhere_can_be_drawn(driver):
+    change = clubface.FaceMapDifference(driver, driver)
+    assert len(panels(face_map_figure(change, units={"carry": "m", "side": "m", "smash": "1"}))) == 3
