@@ -88,3 +88,13 @@ def test_the_captured_swing__is_as_sure_of_the_launch_as_of_what_made_it(capsys)
     # The ball leaves with about 1.45 times the speed of the head, and so does its uncertainty; loft and impact point,
     # which are uncertain as well, add to it or, hanging together with the speed, take from it.
     assert 0.8 * 1.45 * stated < np.std(launches.ball_speed) < 1.6 * 1.45 * stated
+
+
+def test_a_study_of_a_better_driver_is_that_of_its_page():
+    from clubface.design.optimisation.study_file import read
+
+    study = read(EXAMPLES / "better_driver.toml")
+    assert study.distributed
+    page = (EXAMPLES.parent / "docs" / "optimisation.md").read_text(encoding="utf-8")
+    # The page shows the file, all but its first two lines.
+    assert "".join((EXAMPLES / "better_driver.toml").read_text(encoding="utf-8").splitlines(keepends=True)[2:]) in page

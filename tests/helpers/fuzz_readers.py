@@ -18,6 +18,7 @@ import numpy as np
 from clubface import fem, launch_monitor
 from clubface.design.comparison_rows import read_deliveries
 from clubface.design.golfers import golfer
+from clubface.design.optimisation import study_file
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import read_sets
@@ -51,6 +52,38 @@ loft = ["15 deg", "3 deg"]
 [[correlation]]
 of = ["speed", "loft"]
 value = 0.3
+"""
+STUDY = b"""\
+title = "mine"
+club = "driver"
+objective = ["carry", "side_spread"]
+[[golfer]]
+name = "bogey-driver"
+weight = 2
+[variables]
+loft = ["8 deg", "14 deg"]
+mass_distribution = "free"
+[head]
+size = ["115 mm", "62 mm", "124 mm"]
+centre = ["-55 mm", "2 mm", "3 mm"]
+discretionary_mass = "30 g"
+[limits]
+cg_y = ["9 mm", "none"]
+[rules]
+tolerance = true
+"""
+FITTING = b"""\
+title = "mine"
+golfer = "bogey-driver"
+objective = "strokes"
+[hole]
+length = "400 yd"
+[fit]
+clubs = ["driver", "3-wood"]
+loft = ["-1 deg", "1 deg"]
+[[fit.setting]]
+name = "back"
+cg_x = "2 mm"
 """
 GOLFER = b"""\
 title = "mine"
@@ -303,6 +336,7 @@ READERS = {
     "ball": Reader("toml", Ball.from_toml, lambda: [*_toml("balls")(), Ball.template().encode()], 2),
     "parameters": Reader("toml", _parameters, _toml("parameters"), 2),
     "prior": Reader("toml", Prior.from_toml, lambda: [PRIOR]),
+    "study": Reader("toml", study_file.read, lambda: [STUDY, FITTING]),
     "golfer": Reader("toml", golfer, lambda: [GOLFER]),
     "fem-ball": Reader("toml", fem.Ball.from_toml, _toml("balls")),
     "fem-head": Reader("toml", _head, lambda: [*_toml("fem_heads")(), HEAD.encode()]),

@@ -38,6 +38,7 @@ def optimum_figure(of: Optimum) -> Figure:
 
 def _draw_landings(axes: Axes, of: Optimum) -> None:
     golfers = of.study.landings(of.study.shots, seed=of.study.seed + 1)
+    ellipses: list[NDArray[Any]] = []
     for place, (name, club) in enumerate((("start", {}), ("optimum", of.club))):
         landed = np.concatenate([each.of(club) for each, _ in golfers], axis=1)
         side = units.from_si(landed[1], UNIT)
@@ -46,23 +47,27 @@ def _draw_landings(axes: Axes, of: Optimum) -> None:
         axes.plot(
             side[:POINTS], down[:POINTS], ".", color=colour, markersize=2.0, alpha=0.35, markeredgewidth=0.0
         )  # fmt: skip
-        axes.plot(*_ellipse(side, down), color=colour, label=name, linestyle="--" if place == 0 else "-")
-    edges = np.array([line.get_ydata() for line in axes.lines if line.get_label() in ("start", "optimum")])
-    axes.set_ylim(edges.min() - 15.0, edges.max() + 15.0)  # a topped ball far behind would make all others small
+        ellipses.append(_ellipse(side, down))
+        axes.plot(*ellipses[-1], color=colour, label=name, linestyle="--" if place == 0 else "-")
+    # The ellipses set the frame: a topped ball far behind would make all others small.
+    drawn = np.hstack(ellipses)
+    middle, half = 0.5 * (drawn.min(axis=1) + drawn.max(axis=1)), 0.55 * np.ptp(drawn, axis=1).max()
+    axes.set_xlim(middle[0] - half, middle[0] + half)
+    axes.set_ylim(middle[1] - half, middle[1] + half)
     axes.set_aspect("equal", adjustable="box")
-    axes.set_xlim(-0.5 * np.ptp(axes.get_ylim()), 0.5 * np.ptp(axes.get_ylim()))
     axes.set_xlabel(f"side ({UNIT}), right is positive")
     axes.set_ylabel(f"distance down the line ({UNIT})")
     axes.set_title(f"Landings, with the ellipses of {SHARE:.0%}")
-    axes.legend(loc="lower left")
+    axes.legend(loc="upper left", ncols=2)
 
 
-def _ellipse(side: NDArray[Any], down: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+def _ellipse(side: NDArray[Any], down: NDArray[Any]) -> NDArray[Any]:
+    """Return points of the ellipse that holds ``SHARE`` of normal shots with this covariance, shape (2, points)."""
     values, vectors = np.linalg.eigh(np.cov(np.array([side, down])))
     angle = np.linspace(0.0, 2.0 * math.pi, 200)
     circle = np.array([np.cos(angle), np.sin(angle)]) * math.sqrt(-2.0 * math.log1p(-SHARE))
     around = vectors @ (np.sqrt(np.maximum(values, 0.0))[:, None] * circle)
-    return side.mean() + around[0], down.mean() + around[1]
+    return np.array([[side.mean()], [down.mean()]]) + around
 
 
 def _draw_front(axes: Axes, of: Optimum) -> None:
