@@ -12,13 +12,14 @@ from clubface.errors import ClubfaceError, InputError, RunError, ShotError
 
 pytest.importorskip("scipy")
 
-SHOT = dict(
-    speed="108 mph", attack="2 deg", path="-2 deg", loft="13 deg", face="1 deg", lie="3 deg", toe="12 mm", high="-6 mm",
-    closure="1500 deg/s", pitch_rate=3.0, lie_rate=5.0, ball_backspin=10.0, ball_sidespin=20.0, ball_riflespin=5.0,
-)  # fmt: skip
+SHOT = {
+    "speed": "108 mph", "attack": "2 deg", "path": "-2 deg", "loft": "13 deg", "face": "1 deg", "lie": "3 deg",
+    "toe": "12 mm", "high": "-6 mm", "closure": "1500 deg/s", "pitch_rate": 3.0, "lie_rate": 5.0,
+    "ball_backspin": 10.0, "ball_sidespin": 20.0, "ball_riflespin": 5.0,
+}  # fmt: skip
 """Everything at once, so that no sign hides behind a zero."""
 
-AREA = dict(shear_modulus="54 MPa", poisson=0.398, damping="6.35e-3 s/m", friction=0.0486)
+AREA = {"shear_modulus": "54 MPa", "poisson": 0.398, "damping": "6.35e-3 s/m", "friction": 0.0486}
 """Caldwell and McPhee's driver, which the built-in model area has too."""
 
 
@@ -51,7 +52,7 @@ def built_in():
 @pytest.mark.parametrize("club", ["driver", "7-iron"])
 def test_a_law_in_python_launches_the_ball_as_the_same_law_in_the_core(club, hand):
     registered()
-    given = SHOT | dict(loft="28 deg", accuracy=1e-11, hand=hand)
+    given = SHOT | {"loft": "28 deg", "accuracy": 1e-11, "hand": hand}
     mine = clubface.impact(club, **given, model="mine")
     core = clubface.impact(club, **given, model="area", parameters=built_in())
     for name in core.quantities():
