@@ -171,6 +171,18 @@ def test_what_is_no_law_or_parameter_is_refused():
         registered(stiffness=math.nan)
 
 
+def test_what_design_asks_of_a_model_a_law_answers():
+    registered()
+    swing = {"speed": "110 mph", "loft": "13 deg"}
+    compared = clubface.compare(
+        {name: {"club": "driver", "delivery": swing | {"loft": name}, "model": "mine"} for name in ("13 deg", "14 deg")}
+    )
+    assert compared.difference("14 deg", "backspin") > 0.0
+    found = clubface.map_face("driver", **swing, model="mine", grid=(5, 3))
+    middle = clubface.impact("driver", **swing, model="mine")
+    assert found.at(0.0, 0.0)["ball_speed"] == pytest.approx(middle.ball_speed, rel=1e-3)
+
+
 def test_what_needs_derivatives_says_what_it_takes_and_unknown_names_list_the_law():
     registered()
     with pytest.raises(InputError, match="one with derivatives"):
