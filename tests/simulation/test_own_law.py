@@ -9,6 +9,16 @@ import pytest
 import clubface
 from clubface.equipment.backends import OWN
 from clubface.errors import ClubfaceError, InputError, RunError, ShotError
+from clubface.simulation.contact_motion import (
+    BALL,
+    BALL_SPIN,
+    BALL_VELOCITY,
+    CLUB,
+    CLUB_MOMENTUM,
+    CLUB_VELOCITY,
+    TwoBodies,
+)  # fmt: skip
+from clubface.simulation.quantities import inputs
 
 pytest.importorskip("scipy")
 
@@ -67,7 +77,7 @@ def test_the_usual_tolerance_gives_the_launch_to_1e_5():
     assert usual._values == pytest.approx(fine._values, rel=1e-5)
 
 
-def test_energy_momentum_and_angular_momentum_are_kept():
+def test_energy_and_momentum_are_kept():
     registered()
     course = clubface.history("driver", **SHOT, model="mine", accuracy=1e-10)
     energy = course.kinetic_energy + course.normal_work + course.friction_work
@@ -78,6 +88,18 @@ def test_energy_momentum_and_angular_momentum_are_kept():
     mass, of_ball = club.mass, launch.ball
     momentum = mass * course.club_velocity + of_ball.mass * course.ball_velocity
     assert momentum == pytest.approx(np.tile(momentum[0], (len(course), 1)), rel=1e-9, abs=1e-9)
+
+
+def test_angular_momentum_of_both_bodies_is_kept():
+    registered()
+    launch = clubface.impact("driver", **SHOT, model="mine")
+    given = {name: float(launch.input(name)) for name in inputs()}
+    bodies = TwoBodies(given, hertz, launch.parameters.values)
+    states = bodies.run(1e-10).y.T
+    total = states[:, CLUB_MOMENTUM] + bodies.ball_inertia * states[:, BALL_SPIN]
+    total += bodies.ball_mass * np.cross(states[:, BALL], states[:, BALL_VELOCITY])
+    total += bodies.club_mass * np.cross(states[:, CLUB], states[:, CLUB_VELOCITY])
+    assert np.abs(total - total[0]).max() < 1e-9 * np.linalg.norm(total[0])
 
 
 def test_friction_and_normal_force_of_a_history_make_the_momentum_of_the_ball():
