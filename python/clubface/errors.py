@@ -173,7 +173,10 @@ class LinkError(ClubfaceError, ConnectionError):
 
 
 class RunError(ClubfaceError, RuntimeError):
-    """A run of finite elements that did not come to its end, of which what it had is kept; or a law of contact that fails."""
+    """A run that did not come to its end.
+
+    Of finite elements, what there was until then is kept; or a law of contact of one's own failed.
+    """
 
 
 class RuleWarning(UserWarning):

@@ -9,16 +9,27 @@ import pytest
 import clubface
 from clubface.equipment.backends import OWN
 from clubface.errors import ClubfaceError, InputError, RunError, ShotError
+from clubface.simulation.contact_motion import (
+    BALL,
+    BALL_SPIN,
+    BALL_VELOCITY,
+    CLUB,
+    CLUB_MOMENTUM,
+    CLUB_VELOCITY,
+    TwoBodies,
+)  # fmt: skip
+from clubface.simulation.quantities import inputs
 
 pytest.importorskip("scipy")
 
-SHOT = dict(
-    speed="108 mph", attack="2 deg", path="-2 deg", loft="13 deg", face="1 deg", lie="3 deg", toe="12 mm", high="-6 mm",
-    closure="1500 deg/s", pitch_rate=3.0, lie_rate=5.0, ball_backspin=10.0, ball_sidespin=20.0, ball_riflespin=5.0,
-)  # fmt: skip
+SHOT = {
+    "speed": "108 mph", "attack": "2 deg", "path": "-2 deg", "loft": "13 deg", "face": "1 deg", "lie": "3 deg",
+    "toe": "12 mm", "high": "-6 mm", "closure": "1500 deg/s", "pitch_rate": 3.0, "lie_rate": 5.0,
+    "ball_backspin": 10.0, "ball_sidespin": 20.0, "ball_riflespin": 5.0,
+}  # fmt: skip
 """Everything at once, so that no sign hides behind a zero."""
 
-AREA = dict(shear_modulus="54 MPa", poisson=0.398, damping="6.35e-3 s/m", friction=0.0486)
+AREA = {"shear_modulus": "54 MPa", "poisson": 0.398, "damping": "6.35e-3 s/m", "friction": 0.0486}
 """Caldwell and McPhee's driver, which the built-in model area has too."""
 
 
@@ -51,7 +62,7 @@ def built_in():
 @pytest.mark.parametrize("club", ["driver", "7-iron"])
 def test_a_law_in_python_launches_the_ball_as_the_same_law_in_the_core(club, hand):
     registered()
-    given = SHOT | dict(loft="28 deg", accuracy=1e-11, hand=hand)
+    given = SHOT | {"loft": "28 deg", "accuracy": 1e-11, "hand": hand}
     mine = clubface.impact(club, **given, model="mine")
     core = clubface.impact(club, **given, model="area", parameters=built_in())
     for name in core.quantities():
@@ -66,7 +77,7 @@ def test_the_usual_tolerance_gives_the_launch_to_1e_5():
     assert usual._values == pytest.approx(fine._values, rel=1e-5)
 
 
-def test_energy_momentum_and_angular_momentum_are_kept():
+def test_energy_and_momentum_are_kept():
     registered()
     course = clubface.history("driver", **SHOT, model="mine", accuracy=1e-10)
     energy = course.kinetic_energy + course.normal_work + course.friction_work
@@ -77,6 +88,18 @@ def test_energy_momentum_and_angular_momentum_are_kept():
     mass, of_ball = club.mass, launch.ball
     momentum = mass * course.club_velocity + of_ball.mass * course.ball_velocity
     assert momentum == pytest.approx(np.tile(momentum[0], (len(course), 1)), rel=1e-9, abs=1e-9)
+
+
+def test_angular_momentum_of_both_bodies_is_kept():
+    registered()
+    launch = clubface.impact("driver", **SHOT, model="mine")
+    given = {name: float(launch.input(name)) for name in inputs()}
+    bodies = TwoBodies(given, hertz, launch.parameters.values)
+    states = bodies.run(1e-10).y.T
+    total = states[:, CLUB_MOMENTUM] + bodies.ball_inertia * states[:, BALL_SPIN]
+    total += bodies.ball_mass * np.cross(states[:, BALL], states[:, BALL_VELOCITY])
+    total += bodies.club_mass * np.cross(states[:, CLUB], states[:, CLUB_VELOCITY])
+    assert np.abs(total - total[0]).max() < 1e-9 * np.linalg.norm(total[0])
 
 
 def test_friction_and_normal_force_of_a_history_make_the_momentum_of_the_ball():
@@ -168,6 +191,18 @@ def test_what_is_no_law_or_parameter_is_refused():
         registered(stiffness="3 bananas")
     with pytest.raises(InputError, match="stiffness"):
         registered(stiffness=math.nan)
+
+
+def test_what_design_asks_of_a_model_a_law_answers():
+    registered()
+    swing = {"speed": "110 mph", "loft": "13 deg"}
+    compared = clubface.compare(
+        {name: {"club": "driver", "delivery": swing | {"loft": name}, "model": "mine"} for name in ("13 deg", "14 deg")}
+    )
+    assert compared.difference("14 deg", "backspin") > 0.0
+    found = clubface.map_face("driver", **swing, model="mine", grid=(5, 3))
+    middle = clubface.impact("driver", **swing, model="mine")
+    assert found.at(0.0, 0.0)["ball_speed"] == pytest.approx(middle.ball_speed, rel=1e-3)
 
 
 def test_what_needs_derivatives_says_what_it_takes_and_unknown_names_list_the_law():

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from clubface.design.comparison_line import FACE, Line, Point
 from clubface.equipment.backends import MODULES
+from clubface.equipment.models import reduced_model
 from clubface.errors import ClubfaceError
 from clubface.simulation import core
 from clubface.simulation.flight_derivatives import differentiated
@@ -42,6 +43,7 @@ def slopes(line: Line, launch: Launch, shares: Sequence[float], ball: Any) -> It
     """
     if launch.model in MODULES:
         return (_of_elements(line, launch, share, ball) for share in shares)
+    reduced_model(launch.model, "one with derivatives")
     return _reduced(line, launch, shares)
 
 

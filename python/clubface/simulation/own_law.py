@@ -199,7 +199,13 @@ def _history(bodies: Any, solution: Any) -> dict[str, NDArray[Any]]:
     import numpy as np
 
     from clubface.simulation.contact_motion import (
-        ATTITUDE, BALL, BALL_SPIN, BALL_VELOCITY, CLUB, CLUB_VELOCITY, WORK,
+        ATTITUDE,
+        BALL,
+        BALL_SPIN,
+        BALL_VELOCITY,
+        CLUB,
+        CLUB_VELOCITY,
+        WORK,
     )  # fmt: skip
 
     time = np.linspace(0.0, solution.t[-1], HISTORY_POINTS)
