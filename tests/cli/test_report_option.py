@@ -8,6 +8,8 @@ import re
 
 import pytest
 
+from study_files import shots
+
 pytest.importorskip("matplotlib")
 
 SPEED = ("--speed", "105 mph")
@@ -75,9 +77,7 @@ def test_an_optimum_and_a_study_are_reported_as_they_are_printed(clubface_, tmp_
         'title = "A short study"\nclub = "driver"\ngolfer = "bogey-driver"\nobjective = "carry"\n'
         'shots = 32\nstarts = 2\n[variables]\nloft = ["8 deg", "16 deg"]\n'
     )
-    (tmp_path / "sweep.toml").write_text(
-        '[study]\nname = "speeds"\nmodel = "slip"\nclub = "driver"\n[sweep]\nspeed = ["100 mph", "110 mph"]\n'
-    )
+    shots(tmp_path, name="sweep.toml")
     assert clubface_("study", "run", str(tmp_path / "sweep.toml"), "--workers", "1").status == 0
     for command in (("optimise", "best.toml"), ("study", "summary", "sweep.toml")):
         target = tmp_path / "report.html"
