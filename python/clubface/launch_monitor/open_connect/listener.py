@@ -46,6 +46,8 @@ class _Client:
         self.stream = ObjectStream()
         self.heard = self.spoke = time.monotonic()
         self.has_spoken = False
+        self.told: set[tuple[str, float]] = set()
+        """Values that no shot can have and that were told: a monitor without spin sends its zero with every shot."""
 
     def is_idle(self, now: float) -> bool:
         """Whether it has been silent for too long."""
@@ -189,8 +191,10 @@ class Listener:
                 self._tell(f"{client.name}: {error}")
                 self._answer(client, reply(FAILED, str(error)))
                 continue
-            if message.impossible:
-                values = ", ".join(f"{name} of {shown(name, value)}" for name, value in message.impossible.items())
+            new = {each: shown(*each) for each in message.impossible.items() if each not in client.told}
+            client.told |= set(new)
+            if new:
+                values = ", ".join(f"{name} of {text}" for (name, _), text in new.items())
                 self._tell(f"shot {message.shot_number}: no shot can have {values}: taken as not measured")
             if message.kind == "shot":
                 try:
