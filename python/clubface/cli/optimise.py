@@ -97,7 +97,7 @@ def _report(found: Any, figure: Any, target: str) -> None:
         for golfer, _ in study.golfers
     ]
     reporting.write(
-        target, title=study.title, words=words.notes(found),
+        target, title=study.title, words=words.gains(found),
         picture=("Landings with the club at the start and with the optimum, and what changed", figure),
         columns={head.replace("\n", " ") or "field": [row[place] for row in rows] for place, head in enumerate(heads)},
         show=lambda: _print(found), launches=launches,

@@ -117,6 +117,20 @@ def notes(found: Optimum) -> list[str]:
     return said
 
 
+def gains(found: Optimum) -> list[str]:
+    """Return what the optimum is worth beside the start, in sentences for a reader who knows no solver."""
+    said = ["This is what the best club does on shots that no solver has seen."]
+    for judge in found.study.known():
+        before, after = (found.fresh.value(club, judge.name) for club in ("start", "optimum"))
+        unit = "" if judge.unit == "1" else f" {judge.unit}"
+        said.append(f"The {judge.meaning} is {_value(after, judge)}{unit} instead of "
+                    f"{_value(before, judge)}{unit}.")  # fmt: skip
+    if lie_or_loft := [name for name in ("loft", "lie") if name in found.club and name in found.study.bounds]:
+        angles = [f"a {name} of {units.fixed(found.club[name], 'deg', 1)}" for name in lie_or_loft]
+        said.append(f"The club has {' and '.join(angles)}.")
+    return said
+
+
 def _against_nominal(found: Optimum) -> str:
     """Say whether the optimum is better than the club that is best for the mean delivery alone."""
     name = found.study.objectives[0]
