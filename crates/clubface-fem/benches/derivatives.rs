@@ -25,9 +25,41 @@ const MARCH: usize = 8;
 const FRICTION: f64 = 0.2;
 /// Speed 45 m/s, loft 0.2 rad, the club called "driver", the ball called "modern".
 const INPUTS: [f64; INPUT_COUNT] = [
-    45.0, 0.0, 0.0, 0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.204, 0.0408, 0.0114, 0.001,
-    0.000_284_3, 0.000_567_9, 0.000_408_5, -7.33e-5, 5.302e-5, 5e-8, 0.171_042_266_7, 0.305, 0.305, 0.105,
-    0.055, 0.000_25, 1.0, 0.0456, 0.02135, 8.105_4e-6, 0.0,
+    45.0,
+    0.0,
+    0.0,
+    0.2,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.204,
+    0.0408,
+    0.0114,
+    0.001,
+    0.000_284_3,
+    0.000_567_9,
+    0.000_408_5,
+    -7.33e-5,
+    5.302e-5,
+    5e-8,
+    0.171_042_266_7,
+    0.305,
+    0.305,
+    0.105,
+    0.055,
+    0.000_25,
+    1.0,
+    0.0456,
+    0.02135,
+    8.105_4e-6,
+    0.0,
 ];
 /// What is differentiated by: the delivery, constants of materials, and the shape of the mesh.
 const VARIABLES: [[&str; 4]; 3] = [
@@ -38,15 +70,20 @@ const VARIABLES: [[&str; 4]; 3] = [
 
 /// The ball called "modern".
 fn ball() -> BallConstruction<f64> {
-    let law = |name: &str, constants: &[f64]| law_from_name(name, constants).expect("the constants are allowed");
+    let law =
+        |name: &str, constants: &[f64]| law_from_name(name, constants).expect("the constants are allowed");
     let core = Material {
         law: law("mooney-rivlin", &[9.53e6, 0.5e6]),
         bulk: 996.313_333e6,
         maxwell: vec![Maxwell { modulus: 0.45, time: 86e-6 }],
         density: 0.0,
     };
-    let cover =
-        Material { law: law("linear", &[113.636_363e6]), bulk: 773.809_523e6, maxwell: vec![], density: 950.0 };
+    let cover = Material {
+        law: law("linear", &[113.636_363e6]),
+        bulk: 773.809_523e6,
+        maxwell: vec![],
+        density: 950.0,
+    };
     let piece =
         |name: &str, radius, layers, material| BallPiece { name: name.into(), radius, layers, material };
     let pieces = vec![piece("core", 0.01955, 6, core), piece("cover", 0.02135, 3, cover)];
@@ -72,9 +109,14 @@ fn lifted<R: Kernels>(number: impl Fn(f64) -> R) -> BallConstruction<R> {
 
 /// The least time of a step of an impact with a plane, us.
 fn least_step<R: Kernels>(number: impl Fn(f64) -> R, speed: R) -> f64 {
-    let Simulation { mut structure, mut contact, .. } =
-        ball_against_plane(&lifted(number), speed, R::from_f64(0.2), R::from_f64(FRICTION), &Environment::single_threaded())
-            .expect("the ball can be thrown");
+    let Simulation { mut structure, mut contact, .. } = ball_against_plane(
+        &lifted(number),
+        speed,
+        R::from_f64(0.2),
+        R::from_f64(FRICTION),
+        &Environment::single_threaded(),
+    )
+    .expect("the ball can be thrown");
     let step = 0.75 * structure.stable_step(40);
     let mut least = Duration::MAX;
     for _ in 0..(0.3e-3 / step) as usize / MARCH {
@@ -102,7 +144,8 @@ fn main() {
     let environment = Environment::single_threaded();
     let plain_run = || {
         let touch = FirstTouch::of(&Shot::from_inputs(&INPUTS));
-        let mut simulation = ball_against_rigid_head(&ball(), &touch, FRICTION, &environment).expect("a shot");
+        let mut simulation =
+            ball_against_rigid_head(&ball(), &touch, FRICTION, &environment).expect("a shot");
         let found = simulation.run(&options, &mut |_| true).expect("the options are valid");
         touch.launch(found.ball, found.head).outputs()[0]
     };
@@ -123,12 +166,18 @@ fn main() {
             let (time, launch) = timed(run);
             let launch = launch.expect("the variables are known");
             derived[which] = derived[which].min(time);
-            found[which] = format!("{speed:.12} {:.12} m/s, by them {:.8?}", launch.values[0], launch.jacobian[0]);
+            found[which] =
+                format!("{speed:.12} {:.12} m/s, by them {:.8?}", launch.values[0], launch.jacobian[0]);
         }
     }
     println!("a launch: {plain:.3} s");
     for (which, names) in VARIABLES.iter().enumerate() {
-        println!("by {names:?}: {:.3} s, {:.2} launches; {}", derived[which], derived[which] / plain, found[which]);
+        println!(
+            "by {names:?}: {:.3} s, {:.2} launches; {}",
+            derived[which],
+            derived[which] / plain,
+            found[which]
+        );
     }
     let plain = least_step(|value| value, 45.0);
     let derived = least_step(Dual::<f64, 4>::constant, Dual::variable(45.0, 0));

@@ -50,7 +50,13 @@ impl<S: Scalar> Kinematics<S> {
     pub fn of(deformation: Deformation<S>) -> Self {
         let shape = deformation.root.product(deformation.root);
         let c = deformation.right.scale(shape);
-        Self { deformation, inverse_volume: shape.product(deformation.root), shape, c, inverse: c.cofactors() }
+        Self {
+            deformation,
+            inverse_volume: shape.product(deformation.root),
+            shape,
+            c,
+            inverse: c.cofactors(),
+        }
     }
     /// First Piola-Kirchhoff stress, from `2 dW/dC̄` and `dW/dJ`, for the gradient.
     #[inline(always)]

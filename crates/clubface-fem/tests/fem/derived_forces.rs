@@ -88,7 +88,10 @@ fn derivatives_of_forces_are_their_differences() {
                             let [x, y, z] = force.array().map(|number| number.tangent[which]);
                             // Rounding of forces, 1e-15 of 1e4 of what cancels in them, over 1e-6, and the third
                             // derivative.
-                            assert!((Vec3::new(x, y, z) - *expected).norm() < 1e-5 * size, "{what}, by {which}");
+                            assert!(
+                                (Vec3::new(x, y, z) - *expected).norm() < 1e-5 * size,
+                                "{what}, by {which}"
+                            );
                         }
                     }
                 }

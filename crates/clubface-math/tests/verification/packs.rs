@@ -129,7 +129,11 @@ impl PackKernel<Number> for InPasses {
         fn mapped<P: Pack, G: Pack + Coefficient<P>>(of: P, factor: G) -> P {
             let mut sum = P::zero();
             for pass in 0..<G as Coefficient<P>>::PASSES {
-                <G as Coefficient<P>>::set_part(&mut sum, pass, <G as Coefficient<P>>::part(&of, pass) * factor);
+                <G as Coefficient<P>>::set_part(
+                    &mut sum,
+                    pass,
+                    <G as Coefficient<P>>::part(&of, pass) * factor,
+                );
             }
             sum
         }

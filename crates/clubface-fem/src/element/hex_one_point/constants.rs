@@ -174,7 +174,8 @@ impl<R: Real> Shapes<R> {
     /// Reference volumes of all lanes, m3.
     pub fn volumes(&self) -> Vec<f64> {
         fn of<G: Real, R: Real>(blocks: &[Block<G, R>]) -> Vec<f64> {
-            let lanes = |block: &Block<G, R>| [0, 1, 2, 3, 4, 5, 6, 7].map(|lane| block.shape[VOLUME].get(lane).re());
+            let lanes =
+                |block: &Block<G, R>| [0, 1, 2, 3, 4, 5, 6, 7].map(|lane| block.shape[VOLUME].get(lane).re());
             blocks.iter().flat_map(lanes).collect()
         }
         match self {

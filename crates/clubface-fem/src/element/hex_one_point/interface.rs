@@ -23,7 +23,8 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     }
     fn set_bulk_viscosity(&mut self, coefficient: f64) {
         let volumes = self.constants.volumes();
-        let (sum, count) = volumes.into_iter().filter(|v| *v > 0.0).fold((0.0, 0.0), |(sum, n), v| (sum + v, n + 1.0));
+        let (sum, count) =
+            volumes.into_iter().filter(|v| *v > 0.0).fold((0.0, 0.0), |(sum, n), v| (sum + v, n + 1.0));
         let size = f64::cbrt(sum / count);
         self.viscosity = Some(BulkViscosity::new(coefficient, &self.material, size, self.constants.len()));
     }

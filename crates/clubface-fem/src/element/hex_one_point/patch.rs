@@ -108,7 +108,9 @@ impl<R: Real> Arrangement<R> {
         // SAFETY: the caller's promise.
         unsafe {
             match constants {
-                Shapes::Fixed(blocks) => self.visit_in::<P, P::Value>(positions, nodes, blocks, loaded, visitor),
+                Shapes::Fixed(blocks) => {
+                    self.visit_in::<P, P::Value>(positions, nodes, blocks, loaded, visitor)
+                }
                 Shapes::Varying(blocks) => self.visit_in::<P, P>(positions, nodes, blocks, loaded, visitor),
             }
         }
@@ -156,8 +158,7 @@ impl<R: Real> SolidPatch<R> {
         nodes.extend([nodes[0]; BLOCK]);
         let blocks = lanes.len() / BLOCK;
         let filled = lanes.iter().enumerate().filter_map(|(slot, &element)| Some((slot, element?)));
-        let shapes: Vec<_> =
-            filled.map(|(slot, element)| (slot, mesh.corners(elements[element]))).collect();
+        let shapes: Vec<_> = filled.map(|(slot, element)| (slot, mesh.corners(elements[element]))).collect();
         let constants = Shapes::new(&shapes, blocks, material.shear());
         let state = material.state(blocks);
         let last = nodes.iter().copied().max().unwrap_or(0);
