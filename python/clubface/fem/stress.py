@@ -115,19 +115,19 @@ def peak_stress(
     # The larger of the two sides of a shell.
     stress = stress if stress.ndim == 2 else stress.max(axis=2)
     parts = []
-    for name, metal, elements, corners in _parts(made):
+    for name, metal, elements, places in _parts(made):
         of_part = stress[:, elements]
         frame, element = np.unravel_index(int(of_part.argmax()), of_part.shape)
-        x, y, z = (float(place) for place in made.nodes[corners[element]].mean(axis=0))
+        x, y, z = (float(place) for place in places[element])
         time, most = float(found.frame_times[frame]), float(of_part[frame, element])
         parts.append(PartStress(name, most, time, (x, y, z), metal.yield_stress))
     return parts
 
 
 def _parts(head: MeshedHead) -> list[tuple[str, Metal, slice, NDArray[Any]]]:
-    """Return name, metal, elements and their corners of each part that has elements."""
+    """Return name, metal, elements and the places of their centres [m] of each part that has elements."""
     if isinstance(head, SolidHead):
-        return [("head", head.metal, slice(None), head.hexahedra)]
+        return [("head", head.metal, slice(None), head.nodes[head.hexahedra].mean(axis=1))]
     if not isinstance(head, ShellHead):
         raise InputError("head", head.name, "a head of shells or of hexahedra")
     parts, start = [], 0
@@ -135,7 +135,7 @@ def _parts(head: MeshedHead) -> list[tuple[str, Metal, slice, NDArray[Any]]]:
         of_part = slice(start, start + part.elements)
         start += part.elements
         if part.elements:
-            parts.append((part.name, part.metal, of_part, head.quads[of_part]))
+            parts.append((part.name, part.metal, of_part, head.nodes[head.quads[of_part]].mean(axis=1)))
     return parts
 
 
