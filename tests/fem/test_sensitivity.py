@@ -90,6 +90,26 @@ def test_derivatives_by_the_constants_in_the_file_of_a_ball(name, piece):
         check(found, full, differences(lambda value, key=key: changed(key, value), at, 1e-6 * at))
 
 
+def test_derivatives_by_the_size_of_a_piece():
+    """Where the shapes of elements are variables too, whatever else is differentiated by stays as it is."""
+    found = fem.sensitivity(
+        "driver", speed=45.0, loft=0.2, by=("speed", "core.radius"), which=BALL, friction=0.2, settings=SETTINGS
+    )
+    alone = fem.sensitivity("driver", speed=45.0, loft=0.2, by="speed", which=BALL, friction=0.2, settings=SETTINGS)
+    for output in OUTPUTS:
+        # The same operations in another order, some fused.
+        assert found.by(output, "speed") == pytest.approx(alone.by(output, "speed"), rel=1e-8, abs=1e-12)
+
+    core, cover = BALL.pieces
+
+    def with_core(radius):
+        outer = BALL.diameter / 2.0
+        return launch(ball=replace(BALL, pieces=(core, replace(cover, thickness=outer - radius))))
+
+    at = BALL.diameter / 2.0 - cover.thickness
+    check(found, "core.radius", differences(with_core, at, 1e-6 * at))
+
+
 def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
     hit = {"speed": 100.0, "loft": 0.2, "which": BALL, "friction": 0.2, "settings": SETTINGS}
     rigid = club("driver").replace(characteristic_time=0.0)

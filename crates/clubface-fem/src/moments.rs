@@ -101,7 +101,7 @@ impl<P: Pack> Moments<P> {
 
 /// All nodes: positions (m), velocities (m/s) and masses (kg).
 #[derive(Clone, Copy)]
-pub struct Nodes<'a, R> {
+pub struct Nodes<'a, R: Real> {
     /// Positions, m.
     pub positions: &'a [Row<R>],
     /// Velocities, m/s.
@@ -120,7 +120,7 @@ impl<R: Real> Nodes<'_, R> {
     }
 }
 
-struct Sum<'a, R> {
+struct Sum<'a, R: Real> {
     nodes: Nodes<'a, R>,
     of: &'a [u32],
     origin: Origin<R>,

@@ -6,8 +6,9 @@
 use crate::scalar::{operators, Computation, Scalar};
 use core::ops::Neg;
 
-/// A value and its derivatives in `N` directions.
+/// A value and its derivatives in `N` directions: `N + 1` of the same, one after the other.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 pub struct Dual<S, const N: usize> {
     /// Value.
     pub value: S,
@@ -147,6 +148,20 @@ impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
                 self.tangent[i].mul_add(factor.value, factor.tangent[i].mul_add(self.value, tangent[i]));
         }
         Self { value: self.value.mul_add(factor.value, term.value), tangent }
+    }
+    #[inline(always)]
+    fn product(self, factor: Self) -> Self {
+        let mut tangent = self.tangent;
+        for i in 0..N {
+            tangent[i] = tangent[i].mul_add(factor.value, factor.tangent[i] * self.value);
+        }
+        Self { value: self.value * factor.value, tangent }
+    }
+    #[inline(always)]
+    fn inverse_cube_root(self) -> Self {
+        let root = self.value.inverse_cube_root();
+        let square = root * root;
+        self.chain(root, square * square * (-1.0 / 3.0))
     }
     #[inline(always)]
     fn sqrt(self) -> Self {

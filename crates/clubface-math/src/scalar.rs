@@ -110,6 +110,9 @@ pub trait Scalar:
     /// Natural logarithm.
     #[must_use]
     fn ln(self) -> Self;
+    /// `self^(-1/3)` for a number between 0.3 and 2.5.
+    #[must_use]
+    fn inverse_cube_root(self) -> Self;
     /// Sine and cosine of an angle in radians (accurate for |x| below 1e5).
     fn sin_cos(self) -> (Self, Self);
     /// Angle of the point (x, self) in (-pi, pi], 0 for the origin.
@@ -173,6 +176,13 @@ pub trait Scalar:
     #[must_use]
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
+    }
+    /// `self * factor`, its derivatives fused where the CPU can: their bits may differ between packs of different
+    /// widths.
+    #[inline(always)]
+    #[must_use]
+    fn product(self, factor: Self) -> Self {
+        self * factor
     }
     /// Square.
     #[inline(always)]

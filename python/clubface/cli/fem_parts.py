@@ -65,24 +65,28 @@ def head(
     measure: Annotated[
         bool, typer.Option("--measure", help="Also simulate restitution and characteristic time; takes seconds.")
     ] = False,
+    blow: Annotated[
+        str | None,
+        options.option("--blow", metavar='"125 mph"', text="Also simulate a blow: stress beside where it yields."),
+    ] = None,
     toe: Annotated[
-        str | None, options.option("--toe", metavar='"8 mm"', text="With --measure: where, to the toe.")
+        str | None, options.option("--toe", metavar='"8 mm"', text="With these two: where, to the toe.")
     ] = None,
     high: Annotated[
-        str | None, options.option("--high", metavar='"3 mm"', text="With --measure: where, above the face centre.")
+        str | None, options.option("--high", metavar='"3 mm"', text="With these two: where, above the face centre.")
     ] = None,
     ball: Annotated[
-        str | None, options.option("--ball", metavar="NAME|FILE", text="With --measure: the ball; modern unless given.")
+        str | None, options.option("--ball", metavar="NAME|FILE", text="With these two: the ball; modern unless given.")
     ] = None,
     safety: Annotated[
         float | None,
-        options.option("--safety", metavar="SHARE", text="With --measure: the time step over the stable one."),
+        options.option("--safety", metavar="SHARE", text="With these two: the time step over the stable one."),
     ] = None,
     as_json: options.Json = False,
 ) -> None:
-    """Mesh a head and report mass, CG and inertia, how it was tuned and, if wanted, how it rebounds."""
+    """Mesh a head and report mass, CG, inertia, how it was tuned and, if wanted, how it rebounds and what it bears."""
     from clubface import fem
-    from clubface.fem import head_tests
+    from clubface.fem import head_tests, stress
 
     made = fem.head(name)
     club = made.club
@@ -100,8 +104,10 @@ def head(
     place: dict[str, Any] = {
         name[2:]: given.parsed(name, text, "length") for name, text in lengths.items() if text is not None
     }
-    if not measure and (place or safety is not None or ball is not None):
-        raise ClubfaceError("--toe, --high, --ball and --safety say how to measure; add --measure")
+    if not measure and blow is None and (place or safety is not None or ball is not None):
+        raise ClubfaceError("--toe, --high, --ball and --safety say how to measure; add --measure or --blow")
+    parts: list[stress.PartStress] = []
+    speed = None if blow is None else given.parsed("blow", blow, "speed")
     if measure:
         document |= run_with_progress(
             lambda progress: {
@@ -111,6 +117,20 @@ def head(
                 ),
             }
         )
+    if speed is not None:
+        how: dict[str, Any] = {"which": ball, "speed": speed, **place, "safety": safety}
+        parts = run_with_progress(lambda progress: stress.peak_stress(made, **how, progress=progress))
+        document["stress"] = [
+            {
+                "part": part.part,
+                "stress_pa": part.stress,
+                "time_s": part.time,
+                "place_m": list(part.place),
+                "yield_pa": part.yield_stress,
+                "margin": part.margin,
+            }
+            for part in parts
+        ]
     if as_json:
         output.print_json(document)
         return
@@ -134,8 +154,32 @@ def head(
         rows.append(["characteristic time, us", output.number(from_si(document["characteristic_time_s"], "us"), 0), ""])
     header = ("", "", "asked for") if asked else ("", "")
     print_numbers(header, [each[: len(header)] for each in rows], title=made.description or made.name)
+    if parts:
+        print_numbers(
+            (
+                "",
+                "largest stress\nMPa",
+                "yields at\nMPa",
+                "margin\n%",
+                "after\nus",
+                "above centre\nmm",
+                "to the toe\nmm",
+            ),
+            [_strength(part) for part in parts],
+            title=f"a blow at {blow}",
+        )
     if any(target.startswith("cg_") for target in asked):
         output.print_notes([output.HELD])
+
+
+def _strength(part: Any) -> list[str]:
+    """Return a row of the table of stresses."""
+    bears = ["not told", ""]
+    if part.margin is not None:
+        bears = [output.number(from_si(part.yield_stress, "MPa"), 0), output.number(100.0 * part.margin, 0)]
+    up, toe = (output.number(from_si(place, "mm"), 1) for place in part.place[1:])
+    stress, time = output.number(from_si(part.stress, "MPa"), 0), output.number(from_si(part.time, "us"), 0)
+    return [part.part, stress, *bears, time, up, toe]
 
 
 def face(

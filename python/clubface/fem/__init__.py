@@ -31,7 +31,7 @@ from clubface.fem.result import Impact as Impact
 from clubface.fem.run import strike as strike, throw as throw
 from clubface.fem.settings import Settings as Settings
 
-_MODULES = ("case", "face_map", "files", "head_tests", "keyword", "paper", "reduced", "sweep", "vtu")
+_MODULES = ("case", "face_map", "files", "head_tests", "keyword", "paper", "reduced", "stress", "sweep", "vtu")
 
 
 def __getattr__(name: str) -> Any:

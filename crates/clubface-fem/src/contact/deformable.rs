@@ -54,7 +54,7 @@ pub struct FaceSide<'a, R> {
 }
 
 /// Contact of ball nodes with a deformable face.
-pub struct DeformableContact<R> {
+pub struct DeformableContact<R: Real> {
     penalty: PenaltyContact<R>,
     /// Ball nodes, face positions, face rotations.
     nodes: Vec<u32>,

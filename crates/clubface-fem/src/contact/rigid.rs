@@ -52,7 +52,7 @@ struct Candidate<R> {
 }
 
 /// Contact of some nodes with a rigid surface.
-pub struct RigidContact<R, T> {
+pub struct RigidContact<R: Real, T> {
     /// The surface.
     pub surface: T,
     penalty: PenaltyContact<R>,

@@ -2,8 +2,10 @@
 
 use crate::block::{Aligned, BLOCK};
 use clubface_math::{Pack, Real, Row, Vec3};
+use std::marker::PhantomData;
 
-/// Layout of a field: in every plane of nodes three components, one after the other, each in the order of the nodes.
+/// Layout of a field: in every plane of nodes three components, one after the other. Each has the values in the order
+/// of the nodes, then each derivative likewise.
 #[derive(Clone, Copy, Debug)]
 pub struct Layout {
     /// Nodes a row.
@@ -12,43 +14,46 @@ pub struct Layout {
     pub plane: usize,
     /// Planes.
     pub planes: usize,
-    /// Numbers a component takes in each plane.
+    /// Numbers that a part of a component takes in each plane.
     pub stride: usize,
 }
 
 impl Layout {
     /// Blocks of numbers that a field takes.
-    pub fn blocks(&self) -> usize {
-        self.stride / BLOCK * 3 * self.planes
+    fn blocks<R: Real>(&self) -> usize {
+        self.stride / BLOCK * R::PARTS * 3 * self.planes
     }
     /// Place of a component of a node.
-    pub fn place(&self, node: usize, axis: usize) -> usize {
-        (3 * (node / self.plane) + axis) * self.stride + node % self.plane
+    pub fn place<R: Real>(&self, node: usize, axis: usize) -> usize {
+        (3 * (node / self.plane) + axis) * R::PARTS * self.stride + node % self.plane
     }
 }
 
 /// Storage of fields, which grows to what is asked for.
 #[derive(Clone, Debug)]
-pub struct Storage<R>(Vec<Aligned<[R; BLOCK]>>);
+pub struct Storage<R> {
+    numbers: Vec<Aligned<[f64; BLOCK]>>,
+    number: PhantomData<R>,
+}
 
 impl<R: Real> Storage<R> {
     /// None yet.
     pub fn new() -> Self {
-        Self(Vec::new())
+        Self { numbers: Vec::new(), number: PhantomData }
     }
     /// A field in it, as the last one left it.
     pub fn field(&mut self, layout: Layout) -> Field<'_, R> {
-        let blocks = layout.blocks();
-        if self.0.len() < blocks {
-            self.0.resize(blocks, Aligned([R::zero(); BLOCK]));
+        let blocks = layout.blocks::<R>();
+        if self.numbers.len() < blocks {
+            self.numbers.resize(blocks, Aligned([0.0; BLOCK]));
         }
-        Field { storage: &mut self.0[..blocks], layout }
+        Field { storage: &mut self.numbers[..blocks], layout, number: PhantomData }
     }
 }
 
 /// Storage that a thread works in; it serves one patch after the other.
 #[derive(Clone, Debug)]
-pub struct Scratch<R> {
+pub struct Scratch<R: Real> {
     pub(super) positions: Storage<R>,
     pub(super) forces: Storage<R>,
 }
@@ -69,8 +74,9 @@ impl<R: Real> Default for Scratch<R> {
 
 /// A field.
 pub struct Field<'a, R> {
-    storage: &'a mut [Aligned<[R; BLOCK]>],
+    storage: &'a mut [Aligned<[f64; BLOCK]>],
     layout: Layout,
+    number: PhantomData<R>,
 }
 
 impl<R: Real> Field<'_, R> {
@@ -80,15 +86,21 @@ impl<R: Real> Field<'_, R> {
         self.layout.row
     }
 
+    /// How far the parts of a number stand apart.
+    #[inline(always)]
+    pub fn stride(&self) -> usize {
+        self.layout.stride
+    }
+
     /// Where a component starts in plane `k`.
     ///
     /// # Safety
     /// `k` is a plane.
     #[inline(always)]
-    pub unsafe fn at(&mut self, k: usize, axis: usize) -> *mut R {
+    pub unsafe fn at(&mut self, k: usize, axis: usize) -> *mut f64 {
         debug_assert!(k < self.layout.planes);
         // SAFETY: there is room for three components a plane.
-        unsafe { self.storage.as_mut_ptr().cast::<R>().add((3 * k + axis) * self.layout.stride) }
+        unsafe { self.storage.as_mut_ptr().cast::<f64>().add((3 * k + axis) * R::PARTS * self.layout.stride) }
     }
 
     /// The vectors of a pack of nodes from place `at` of plane `k` on.
@@ -97,12 +109,13 @@ impl<R: Real> Field<'_, R> {
     /// They are within the stride of a plane.
     #[inline(always)]
     pub unsafe fn vector<P: Pack<Real = R>>(&mut self, k: usize, at: usize) -> Vec3<P> {
+        let stride = self.layout.stride;
         // SAFETY: the caller's promise.
         unsafe {
             Vec3::new(
-                P::read(self.at(k, 0).add(at)),
-                P::read(self.at(k, 1).add(at)),
-                P::read(self.at(k, 2).add(at)),
+                P::read_parts(self.at(k, 0).add(at), stride),
+                P::read_parts(self.at(k, 1).add(at), stride),
+                P::read_parts(self.at(k, 2).add(at), stride),
             )
         }
     }
@@ -114,10 +127,15 @@ impl<R: Real> Field<'_, R> {
     #[inline(always)]
     pub unsafe fn get_at(&self, place: usize) -> Row<R> {
         let stride = self.layout.stride;
+        let component = R::PARTS * stride;
         // SAFETY: the caller's promise.
         unsafe {
-            let from = self.storage.as_ptr().cast::<R>().add(place);
-            Row([*from, *from.add(stride), *from.add(2 * stride), R::zero()])
+            let from = self.storage.as_ptr().cast::<f64>().add(place);
+            Row::from_vec(Vec3::new(
+                R::from_parts(from, stride),
+                R::from_parts(from.add(component), stride),
+                R::from_parts(from.add(2 * component), stride),
+            ))
         }
     }
 
@@ -130,10 +148,10 @@ impl<R: Real> Field<'_, R> {
         let stride = self.layout.stride;
         // SAFETY: the caller's promise.
         unsafe {
-            let to = self.storage.as_mut_ptr().cast::<R>().add(place);
-            *to = row.0[0];
-            *to.add(stride) = row.0[1];
-            *to.add(2 * stride) = row.0[2];
+            let to = self.storage.as_mut_ptr().cast::<f64>().add(place);
+            for axis in 0..3 {
+                row.get(axis).put_parts(to.add(axis * R::PARTS * stride), stride);
+            }
         }
     }
 
@@ -152,12 +170,12 @@ impl<R: Real> Field<'_, R> {
             for at in (0..plane).step_by(P::LANES) {
                 let x = P::gather(rows, nodes.get_unchecked(k * plane + at..)).array();
                 for axis in 0..3 {
-                    x[axis].write(to[axis].add(at));
+                    x[axis].write_parts(to[axis].add(at), stride);
                 }
             }
             for at in (plane.next_multiple_of(P::LANES)..stride).step_by(P::LANES) {
                 for axis in 0..3 {
-                    P::zero().write(to[axis].add(at));
+                    P::zero().write_parts(to[axis].add(at), stride);
                 }
             }
         }

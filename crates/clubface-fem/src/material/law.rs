@@ -48,17 +48,17 @@ impl<S: Scalar, L: OfInvariants<S>> Isochoric<S> for Invariants<L> {
     #[inline(always)]
     fn second_piola(&self, at: &Deformation<S>, pressure: S, weight: S) -> Symmetric<S> {
         let cofactors = at.right.cofactors();
-        let shape = at.root * at.root;
-        let inverse_volume = shape * at.root;
-        let first = at.right.trace() * shape;
-        let second = cofactors.trace() * (shape * shape);
+        let shape = at.root.product(at.root);
+        let inverse_volume = shape.product(at.root);
+        let first = at.right.trace().product(shape);
+        let second = cofactors.trace().product(shape.product(shape));
         let [one, along] = self.0.factors(first, second);
         // S : C̄ = one tr C̄ + along tr C̄^2, and J C^-1 = cof C / J.
         let square = first.mul_add(first, -(second + second));
-        let mean = along.mul_add(square, one * first) * (inverse_volume * (1.0 / 3.0));
-        let weighted = shape * weight;
-        let sum = cofactors.scale((pressure - mean) * (inverse_volume * weight));
-        sum.plus(along * (shape * weighted), &at.right).plus_diagonal(one * weighted)
+        let mean = along.mul_add(square, one.product(first)).product(inverse_volume * (1.0 / 3.0));
+        let weighted = shape.product(weight);
+        let sum = cofactors.scale((pressure - mean).product(inverse_volume.product(weight)));
+        sum.plus(along.product(shape.product(weighted)), &at.right).plus_diagonal(one.product(weighted))
     }
 }
 

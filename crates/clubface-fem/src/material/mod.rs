@@ -40,7 +40,7 @@ pub use ogden::{Ogden, OGDEN_TERMS};
 pub use plane_stress::{PlaneState, PlaneStress};
 pub use point::MaterialPoint;
 pub use stage::{EnergyPoints, PointEnergy, Points, StressStage};
-pub use state_variables::{eight_alike, Eight, Numbers, StateVariables, Update, Updates};
+pub use state_variables::{eight_alike, Numbers, StateVariables, Update, Updates};
 pub(crate) use symmetric::{cross, dot};
 pub use symmetric::{times, Symmetric};
 pub use table::{build, entry, entry_from_name, from_table, map_law, Number};

@@ -7,10 +7,10 @@ use super::stage::{EnergyPoints, PointEnergy, Points};
 use super::state_variables::{StateVariables, Update};
 use super::symmetric::{times, Symmetric};
 use super::table::Number;
-use clubface_math::Mat3;
+use clubface_math::{Mat3, Real};
 
 /// A point of a material.
-pub struct MaterialPoint<R> {
+pub struct MaterialPoint<R: Real> {
     material: Material<R>,
     state: StateVariables<R>,
 }

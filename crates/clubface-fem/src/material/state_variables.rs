@@ -1,23 +1,20 @@
 //! State variables of points, and when they are updated.
 
-use crate::block::{Aligned, BLOCK};
+use crate::block::{Eight, BLOCK};
 use clubface_math::{Pack, Real};
-
-/// One number of eight points.
-pub type Eight<R> = Aligned<[R; BLOCK]>;
 
 /// Eight points each with these numbers.
 pub fn eight_alike<R: Real>(numbers: &[R]) -> Vec<Eight<R>> {
-    numbers.iter().map(|number| Aligned([*number; BLOCK])).collect()
+    numbers.iter().map(|number| Eight::alike(*number)).collect()
 }
 
 /// Numbers of the points of a pack, which begins with the point `first` of eight.
-pub struct Numbers<'a, R> {
+pub struct Numbers<'a, R: Real> {
     all: &'a mut [Eight<R>],
     first: usize,
 }
 
-impl<'a, R> Numbers<'a, R> {
+impl<'a, R: Real> Numbers<'a, R> {
     /// Of some of eight points.
     #[inline(always)]
     pub fn new(all: &'a mut [Eight<R>], first: usize) -> Self {
@@ -28,7 +25,7 @@ impl<'a, R> Numbers<'a, R> {
     pub fn load<P: Pack<Real = R>, const N: usize>(&self, from: usize) -> [P; N] {
         let mut values = [P::zero(); N];
         for i in 0..N {
-            values[i] = P::load(&self.all[from + i].0[self.first..]);
+            values[i] = self.all[from + i].load(self.first);
         }
         values
     }
@@ -36,7 +33,7 @@ impl<'a, R> Numbers<'a, R> {
     #[inline(always)]
     pub fn store<P: Pack<Real = R>, const N: usize>(&mut self, from: usize, values: [P; N]) {
         for i in 0..N {
-            values[i].store(&mut self.all[from + i].0[self.first..]);
+            self.all[from + i].store(self.first, values[i]);
         }
     }
 }
@@ -44,7 +41,7 @@ impl<'a, R> Numbers<'a, R> {
 /// State variables of blocks of eight points. What few steps need stands apart, so that the caches are full of what
 /// all steps do.
 #[derive(Clone, Debug)]
-pub struct StateVariables<R> {
+pub struct StateVariables<R: Real> {
     every_step: Vec<Eight<R>>,
     energy_only: Vec<Eight<R>>,
     /// Numbers a point.

@@ -29,8 +29,8 @@ impl<S: Scalar> Symmetric<S> {
     #[inline(always)]
     pub fn contract(&self, o: &Self) -> S {
         let (a, b) = (&self.0, &o.0);
-        let diagonal = a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]));
-        let shear = a[5].mul_add(b[5], a[4].mul_add(b[4], a[3] * b[3]));
+        let diagonal = a[2].mul_add(b[2], a[1].mul_add(b[1], a[0].product(b[0])));
+        let shear = a[5].mul_add(b[5], a[4].mul_add(b[4], a[3].product(b[3])));
         diagonal + (shear + shear)
     }
     /// `A + s B`.
@@ -56,7 +56,7 @@ impl<S: Scalar> Symmetric<S> {
     pub fn scale(&self, s: S) -> Self {
         let mut product = self.0;
         for i in 0..6 {
-            product[i] = product[i] * s;
+            product[i] = product[i].product(s);
         }
         Self(product)
     }
@@ -87,19 +87,19 @@ impl<S: Scalar> Symmetric<S> {
     pub fn cofactors(&self) -> Self {
         let [xx, yy, zz, xy, xz, yz] = self.0;
         Self([
-            yy.mul_add(zz, -(yz * yz)),
-            xx.mul_add(zz, -(xz * xz)),
-            xx.mul_add(yy, -(xy * xy)),
-            xz.mul_add(yz, -(xy * zz)),
-            xy.mul_add(yz, -(xz * yy)),
-            xy.mul_add(xz, -(xx * yz)),
+            yy.mul_add(zz, -yz.product(yz)),
+            xx.mul_add(zz, -xz.product(xz)),
+            xx.mul_add(yy, -xy.product(xy)),
+            xz.mul_add(yz, -xy.product(zz)),
+            xy.mul_add(yz, -xz.product(yy)),
+            xy.mul_add(xz, -xx.product(yz)),
         ])
     }
     /// Sum of the minors of the diagonal: the second invariant.
     #[inline(always)]
     pub fn second(&self) -> S {
         let [xx, yy, zz, xy, xz, yz] = self.0;
-        let shear = yz.mul_add(yz, xz.mul_add(xz, xy * xy));
+        let shear = yz.mul_add(yz, xz.mul_add(xz, xy.product(xy)));
         xx.mul_add(yy + zz, yy.mul_add(zz, -shear))
     }
 }
@@ -118,9 +118,13 @@ pub fn times<S: Scalar>(a: &Mat3<S>, b: &Symmetric<S>) -> Mat3<S> {
 
 #[inline(always)]
 pub(crate) fn cross<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
-    Vec3::new(a.y.mul_add(b.z, -(a.z * b.y)), a.z.mul_add(b.x, -(a.x * b.z)), a.x.mul_add(b.y, -(a.y * b.x)))
+    Vec3::new(
+        a.y.mul_add(b.z, -a.z.product(b.y)),
+        a.z.mul_add(b.x, -a.x.product(b.z)),
+        a.x.mul_add(b.y, -a.y.product(b.x)),
+    )
 }
 #[inline(always)]
 pub(crate) fn dot<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> S {
-    a.z.mul_add(b.z, a.y.mul_add(b.y, a.x * b.x))
+    a.z.mul_add(b.z, a.y.mul_add(b.y, a.x.product(b.x)))
 }

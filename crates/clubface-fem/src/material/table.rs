@@ -184,5 +184,7 @@ number!(
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
     Dual<F64x2, DERIVATIVES>,
     #[cfg(target_arch = "x86_64")]
-    Dual<F64x4, DERIVATIVES>
+    Dual<F64x4, DERIVATIVES>,
+    #[cfg(target_arch = "x86_64")]
+    Dual<F64x8, DERIVATIVES>
 );

@@ -67,11 +67,11 @@ impl<R: Real> Structure<R> {
         let forces: Vec<_> =
             rows.zip(&self.force_counts).map(|(rows, &count)| Forces::new(rows, count)).collect();
         let fields = Fields::new(&mut self.positions, &mut self.velocities, &self.inverse_masses);
-        let (step, full, lists) = (R::from_f64(dt), !self.skip_subcycled, &self.all_nodes);
+        let (full, lists) = (!self.skip_subcycled, &self.all_nodes);
         // The lists were made for these forces, and no node is in two of them.
         let forces = &forces;
         run(&*self.executor, &chunks, &|chunk, _| unsafe {
-            lists[chunk].advance(fields, forces.as_ptr(), step, full);
+            lists[chunk].advance(fields, forces.as_ptr(), dt, full);
         });
         self.skip_subcycled = !self.skip_subcycled && self.subcycled.contains(&true);
     }

@@ -1,7 +1,7 @@
 //! The second stage of a step: every node sums the forces on it, in an order that does not depend on threads, and
 //! moves.
 
-use clubface_math::{Pack, PackKernel, Real, Row, Scalar};
+use clubface_math::{Pack, PackKernel, Real, Row};
 
 /// Most nodes of a gather list.
 const CHUNK: usize = 512;
@@ -122,7 +122,7 @@ impl GatherList {
         &self,
         fields: Fields<R>,
         forces: *const Forces<R>,
-        step: R,
+        step: f64,
         full: bool,
     ) {
         R::dispatch(Advance { list: self, fields, forces, step, full });
@@ -131,13 +131,13 @@ impl GatherList {
 
 /// Forces of a patch or of the contact, in the order of its nodes.
 #[derive(Clone, Copy)]
-pub(super) struct Forces<R>(*const Row<R>);
+pub(super) struct Forces<R: Real>(*const Row<R>);
 
 // SAFETY: read by all threads while none writes.
-unsafe impl<R: Sync> Sync for Forces<R> {}
-unsafe impl<R: Sync> Send for Forces<R> {}
+unsafe impl<R: Real> Sync for Forces<R> {}
+unsafe impl<R: Real> Send for Forces<R> {}
 
-impl<R> Forces<R> {
+impl<R: Real> Forces<R> {
     /// Not known yet.
     pub(super) fn none() -> Self {
         Self(std::ptr::null())
@@ -151,7 +151,7 @@ impl<R> Forces<R> {
 
 /// Positions, velocities and inverse masses of all nodes, of which different threads move different nodes.
 #[derive(Clone, Copy)]
-pub(super) struct Fields<R> {
+pub(super) struct Fields<R: Real> {
     positions: *mut Row<R>,
     velocities: *mut Row<R>,
     inverse_masses: *const R,
@@ -159,8 +159,8 @@ pub(super) struct Fields<R> {
 }
 
 // SAFETY: every node is in one list.
-unsafe impl<R: Send> Sync for Fields<R> {}
-unsafe impl<R: Send> Send for Fields<R> {}
+unsafe impl<R: Real> Sync for Fields<R> {}
+unsafe impl<R: Real> Send for Fields<R> {}
 
 impl<R: Real> Fields<R> {
     pub(super) fn new(positions: &mut [Row<R>], velocities: &mut [Row<R>], inverse_masses: &[R]) -> Self {
@@ -200,11 +200,11 @@ impl<R: Real> Fields<R> {
     }
 }
 
-struct Advance<'a, R> {
+struct Advance<'a, R: Real> {
     list: &'a GatherList,
     fields: Fields<R>,
     forces: *const Forces<R>,
-    step: R,
+    step: f64,
     full: bool,
 }
 
@@ -230,31 +230,25 @@ impl<R: Real> PackKernel<R> for Advance<'_, R> {
                     let gather = |from: usize, to: usize, sum: &mut Row<R>| {
                         for i in from..to {
                             let (patch, index) = *list.slots.get_unchecked(i);
-                            add(sum, &*(*forces.add(patch as usize)).0.add(index as usize), R::one());
+                            sum.add_times(&*(*forces.add(patch as usize)).0.add(index as usize), 1.0);
                         }
                     };
                     if slow > 0 && full {
                         gather(slot, slot + slow, &mut sum);
                         if fast > 0 {
-                            sum = Row(sum.0.map(|force| force * PERIOD));
+                            let once = sum;
+                            sum = Row::zero();
+                            sum.add_times(&once, PERIOD);
                         }
                     }
                     gather(slot + slow, slot + slow + fast, &mut sum);
                     let (x, v) = (&mut *fields.positions.add(n), &mut *fields.velocities.add(n));
-                    add(v, &sum, *fields.inverse_masses.add(n) * step);
-                    add(x, v, step);
+                    v.add_scaled(&sum, *fields.inverse_masses.add(n) * step);
+                    x.add_times(v, step);
                 }
                 node += 1;
                 slot += slow + fast;
             }
         }
-    }
-}
-
-/// `sum += s v` for all four numbers of a row, so that one instruction does it.
-#[inline(always)]
-fn add<R: Scalar>(sum: &mut Row<R>, v: &Row<R>, s: R) {
-    for c in 0..4 {
-        sum.0[c] += v.0[c] * s;
     }
 }

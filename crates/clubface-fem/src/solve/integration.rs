@@ -93,7 +93,6 @@ impl<R: Real> Structure<R> {
         let moments = SharedSlice::new(&mut self.tracked_moments);
         let (boundary_nodes, masses) = (&self.boundary_nodes, &self.masses[..]);
         let (force_counts, outputs) = (&self.force_counts, outputs.map(SharedSlice::new));
-        let step = R::from_f64(dt);
         // SAFETY of all stages: each patch, the contact and each chunk of nodes is one task, and each worker has a
         // scratch memory of its own. Stages of one kind read the fields and write forces, those of the other kind the
         // other way round. Only nodes of one patch alone, which no other task reads, move as soon as the patch has
@@ -112,11 +111,11 @@ impl<R: Real> Structure<R> {
             };
             *shared_forces.get(task) = Forces::new(rows, force_counts[task]);
             if let Some(nodes) = patch_nodes.get(task) {
-                nodes.advance(fields, shared_forces.as_ptr(), step, true);
+                nodes.advance(fields, shared_forces.as_ptr(), dt, true);
             }
         };
         let advance = |chunk: usize, full: bool| unsafe {
-            shared_nodes[chunk].advance(fields, shared_forces.as_ptr(), step, full);
+            shared_nodes[chunk].advance(fields, shared_forces.as_ptr(), dt, full);
         };
         let advance_all = |chunk: usize, _: usize| advance(chunk, true);
         let advance_fast = |chunk: usize, _: usize| advance(chunk, false);

@@ -8,7 +8,7 @@ use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Vec3};
 
 /// A ball about to meet a face.
-pub struct Simulation<R> {
+pub struct Simulation<R: Real> {
     /// Ball and, if it deforms, head.
     pub structure: Structure<R>,
     /// The contact between them.

@@ -26,7 +26,7 @@ pub struct NodeForce<R> {
 }
 
 /// A running simulation at the time of a motion record.
-pub struct Snapshot<'a, R> {
+pub struct Snapshot<'a, R: Real> {
     /// How far it has come.
     pub progress: Progress,
     /// Mass centre of the ball, m.

@@ -62,8 +62,8 @@ impl<R: Real> Structure<R> {
                 self.positions.iter_mut().zip(&mut displacements).zip(&initial).zip(&current)
             {
                 for c in 0..4 {
-                    u.0[c] = R::from_f64(v.0[c] * scale);
-                    x.0[c] = r.0[c] + u.0[c];
+                    u.set(c, R::from_f64(v.0[c] * scale));
+                    x.set(c, r.get(c) + u.get(c));
                 }
             }
             let (positions, patches) = (&self.positions, SharedSlice::new(&mut self.patches));
@@ -76,12 +76,12 @@ impl<R: Real> Structure<R> {
             pool.run(&Stage { task: &perturb, schedule: &schedule });
             // The next vector: accelerations, without what lies along the last two.
             let last = beside.last().copied().unwrap_or(0.0);
-            before.iter_mut().for_each(|v| v.0 = v.0.map(|v| -last * v));
+            before.iter_mut().for_each(|v: &mut Row<f64>| v.0 = v.0.map(|v| -last * v));
             for (patch, _) in self.patches.iter().zip(chosen).filter(|(_, chosen)| **chosen) {
                 for (&node, force) in patch.nodes().iter().zip(patch.forces()) {
                     let factor = inverse[node as usize] / scale;
                     for c in 0..3 {
-                        before[node as usize].0[c] -= force.0[c].re() * factor;
+                        before[node as usize].0[c] -= force.get(c).re() * factor;
                     }
                 }
             }

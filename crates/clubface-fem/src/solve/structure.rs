@@ -12,7 +12,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 /// Nodes with mass, and patches of elements between them.
-pub struct Structure<R> {
+pub struct Structure<R: Real> {
     /// Positions, m. Those of interior nodes are up to date only after [`Structure::synchronise`].
     pub positions: Vec<Row<R>>,
     /// Velocities half a step before the positions, m/s; likewise.

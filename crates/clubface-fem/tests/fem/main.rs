@@ -2,6 +2,7 @@
 
 mod ball_on_plane;
 mod contact;
+mod derived_forces;
 mod first_touch;
 mod materials;
 mod meshes;

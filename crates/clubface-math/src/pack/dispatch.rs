@@ -9,6 +9,7 @@ use super::wasm::F64x2;
 #[cfg(target_arch = "x86_64")]
 use super::x86;
 use core::cell::Cell;
+use core::fmt::Debug;
 
 thread_local! {
     /// Most lanes that [`dispatch`] may choose on this thread.
@@ -24,9 +25,13 @@ pub fn with_lanes<T>(lanes: usize, computation: impl FnOnce() -> T) -> T {
     result
 }
 
-/// Runs a kernel with four lanes (AVX2), two (simd128) or one: for numbers with derivatives, which need several
-/// registers each.
-pub fn dispatch_narrow<K: Kernel>(kernel: K) -> K::Output {
+/// Runs a kernel with eight lanes (AVX-512), four (AVX2), two (WebAssembly's simd128) or one.
+pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
+    #[cfg(target_arch = "x86_64")]
+    if WIDEST.get() >= 8 && x86::has_eight() {
+        // SAFETY: the features the function enables were found on this CPU.
+        return unsafe { x86::run_eight(kernel) };
+    }
     #[cfg(target_arch = "x86_64")]
     if WIDEST.get() >= 4 && x86::has_four() {
         // SAFETY: the features the function enables were found on this CPU.
@@ -38,19 +43,39 @@ pub fn dispatch_narrow<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<f64>()
 }
 
-/// Runs a kernel with eight lanes (AVX-512), four (AVX2), two (WebAssembly's simd128) or one.
-pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    #[cfg(target_arch = "x86_64")]
-    if WIDEST.get() >= 8 && x86::has_eight() {
-        // SAFETY: the features the function enables were found on this CPU.
-        return unsafe { x86::run_eight(kernel) };
-    }
-    dispatch_narrow(kernel)
-}
-
 impl Real for f64 {
+    const PARTS: usize = 1;
+    type Parts<A: Copy + Debug + Send + Sync + 'static> = A;
     fn derivatives(&self) -> &[f64] {
         &[]
+    }
+    #[inline(always)]
+    unsafe fn from_parts(at: *const f64, _stride: usize) -> Self {
+        // SAFETY: the caller's promise.
+        unsafe { *at }
+    }
+    #[inline(always)]
+    unsafe fn put_parts(self, at: *mut f64, _stride: usize) {
+        // SAFETY: the caller's promise.
+        unsafe { *at = self };
+    }
+    #[inline(always)]
+    fn each_part<A: Copy + Debug + Send + Sync + 'static>(of: A) -> A {
+        of
+    }
+    #[inline(always)]
+    fn part_mut<A: Copy + Debug + Send + Sync + 'static>(of: &mut A, _part: usize) -> &mut A {
+        of
+    }
+    #[inline(always)]
+    fn add_times(sum: &mut [f64; 4], v: &[f64; 4], s: f64) {
+        Self::add_scaled(sum, v, s);
+    }
+    #[inline(always)]
+    fn add_scaled(sum: &mut [f64; 4], v: &[f64; 4], s: f64) {
+        for c in 0..4 {
+            sum[c] += v[c] * s;
+        }
     }
     #[inline(always)]
     fn dispatch<K: PackKernel<Self>>(kernel: K) -> K::Output {

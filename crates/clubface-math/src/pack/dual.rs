@@ -1,13 +1,66 @@
 //! Packs of numbers with derivatives: a pack of values, and one of each derivative.
 
-use super::dispatch::dispatch_narrow;
+use super::dispatch::dispatch;
 use super::row::Row;
-use super::traits::{single_quad, Kernel, Lanes, Pack, PackKernel, Real};
+use super::traits::{Coefficient, Kernel, Lanes, Pack, PackKernel, Real};
 use crate::{Dual, Scalar, Vec3};
+use core::fmt::Debug;
+
+/// Most lanes of a pack.
+const LANES: usize = 8;
 
 impl<const N: usize> Real for Dual<f64, N> {
+    const PARTS: usize = N + 1;
+    type Parts<A: Copy + Debug + Send + Sync + 'static> = Dual<A, N>;
     fn derivatives(&self) -> &[f64] {
         &self.tangent
+    }
+    #[inline(always)]
+    unsafe fn from_parts(at: *const f64, stride: usize) -> Self {
+        // SAFETY: the caller's promise.
+        unsafe {
+            let mut number = Self::constant(*at);
+            for i in 0..N {
+                number.tangent[i] = *at.add((i + 1) * stride);
+            }
+            number
+        }
+    }
+    #[inline(always)]
+    unsafe fn put_parts(self, at: *mut f64, stride: usize) {
+        // SAFETY: the caller's promise.
+        unsafe {
+            *at = self.value;
+            for i in 0..N {
+                *at.add((i + 1) * stride) = self.tangent[i];
+            }
+        }
+    }
+    #[inline(always)]
+    fn each_part<A: Copy + Debug + Send + Sync + 'static>(of: A) -> Dual<A, N> {
+        Dual { value: of, tangent: [of; N] }
+    }
+    #[inline(always)]
+    fn part_mut<A: Copy + Debug + Send + Sync + 'static>(of: &mut Dual<A, N>, part: usize) -> &mut A {
+        if part == 0 {
+            &mut of.value
+        } else {
+            &mut of.tangent[part - 1]
+        }
+    }
+    #[inline(always)]
+    fn add_times(sum: &mut Dual<[f64; 4], N>, v: &Dual<[f64; 4], N>, s: f64) {
+        f64::add_scaled(&mut sum.value, &v.value, s);
+        for i in 0..N {
+            f64::add_scaled(&mut sum.tangent[i], &v.tangent[i], s);
+        }
+    }
+    #[inline(always)]
+    fn add_scaled(sum: &mut Dual<[f64; 4], N>, v: &Dual<[f64; 4], N>, s: Self) {
+        Self::add_times(sum, v, s.value);
+        for i in 0..N {
+            f64::add_scaled(&mut sum.tangent[i], &v.value, s.tangent[i]);
+        }
     }
     // Large kernels are compiled once, however many places call them.
     #[inline(never)]
@@ -20,17 +73,99 @@ impl<const N: usize> Real for Dual<f64, N> {
                 self.0.run::<Dual<S, N>>()
             }
         }
-        dispatch_narrow(Derived(kernel))
+        dispatch(Derived(kernel))
     }
     fn singly<K: PackKernel<Self>>(kernel: K) -> K::Output {
         kernel.run::<Self>()
     }
 }
 
+impl<S: Lanes, const N: usize> Coefficient<Dual<S, N>> for Dual<S, N> {
+    const PASSES: usize = 1;
+    #[inline(always)]
+    fn part(of: &Self, _pass: usize) -> Self {
+        *of
+    }
+    #[inline(always)]
+    fn set_part(of: &mut Self, _pass: usize, part: Self) {
+        *of = part;
+    }
+    #[inline(always)]
+    fn lift(self) -> Self {
+        self
+    }
+}
+
+impl<S: Lanes, const N: usize> Coefficient<Dual<S, N>> for S {
+    const PASSES: usize = N + 1;
+    #[inline(always)]
+    fn part(of: &Dual<S, N>, pass: usize) -> Self {
+        if pass == 0 {
+            of.value
+        } else {
+            of.tangent[pass - 1]
+        }
+    }
+    #[inline(always)]
+    fn set_part(of: &mut Dual<S, N>, pass: usize, part: Self) {
+        if pass == 0 {
+            of.value = part;
+        } else {
+            of.tangent[pass - 1] = part;
+        }
+    }
+    #[inline(always)]
+    fn lift(self) -> Dual<S, N> {
+        Dual::constant(self)
+    }
+}
+
 /// A number with derivatives in each lane: a pack of values and one of every derivative.
 impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
     type Real = Dual<f64, N>;
-    single_quad!();
+    type Value = S;
+    type Quad = Dual<S::Four, N>;
+    #[inline(always)]
+    fn quad(self, which: usize) -> Self::Quad {
+        let mut quad = Dual::constant(self.value.four(which));
+        for i in 0..N {
+            quad.tangent[i] = self.tangent[i].four(which);
+        }
+        quad
+    }
+    #[inline(always)]
+    unsafe fn read_quads(at: [*const f64; 2], stride: usize) -> Self {
+        // SAFETY: the caller's promise.
+        unsafe {
+            let mut pack = Self::constant(S::read_quads(at, stride));
+            for i in 0..N {
+                let part = (i + 1) * stride;
+                pack.tangent[i] = S::read_quads([at[0].add(part), at[1].add(part)], stride);
+            }
+            pack
+        }
+    }
+    #[inline(always)]
+    unsafe fn read_parts(at: *const f64, stride: usize) -> Self {
+        // SAFETY: the caller's promise.
+        unsafe {
+            let mut pack = Self::constant(S::read(at));
+            for i in 0..N {
+                pack.tangent[i] = S::read(at.add((i + 1) * stride));
+            }
+            pack
+        }
+    }
+    #[inline(always)]
+    unsafe fn write_parts(self, at: *mut f64, stride: usize) {
+        // SAFETY: the caller's promise.
+        unsafe {
+            self.value.write(at);
+            for i in 0..N {
+                self.tangent[i].write(at.add((i + 1) * stride));
+            }
+        }
+    }
     #[inline(always)]
     fn splat(value: Self::Real) -> Self {
         let mut pack = Self::constant(S::splat(value.value));
@@ -41,8 +176,13 @@ impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
     }
     #[inline(always)]
     unsafe fn read(at: *const Self::Real) -> Self {
-        // SAFETY: the caller's promise.
-        unsafe { Self::each(|lane| at.add(lane)) }
+        let mut tangent = [S::zero(); N];
+        for i in 0..N {
+            // SAFETY: the caller's promise.
+            tangent[i] = S::from_fn(|lane| unsafe { (*at.add(lane)).tangent[i] });
+        }
+        // SAFETY: as above.
+        Self { value: S::from_fn(|lane| unsafe { (*at.add(lane)).value }), tangent }
     }
     #[inline(always)]
     unsafe fn write(self, at: *mut Self::Real) {
@@ -70,48 +210,64 @@ impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
     }
     #[inline(always)]
     unsafe fn gather(rows: &[Row<Self::Real>], index: &[u32]) -> Vec3<Self> {
-        // SAFETY: the caller's promise.
-        let row = |lane: usize| unsafe { rows.get_unchecked(*index.get_unchecked(lane) as usize) };
-        let component = |c: usize| unsafe { Self::each(|lane| &raw const row(lane).0[c]) };
-        Vec3::new(component(0), component(1), component(2))
+        // SAFETY of this and what follows: the caller's promise, and the parts of a row are rows of plain numbers.
+        unsafe {
+            let value = S::gather(parts(rows), &places::<S, N>(index, 0));
+            let mut v = Vec3::new(Self::constant(value.x), Self::constant(value.y), Self::constant(value.z));
+            for i in 0..N {
+                let slope = S::gather(parts(rows), &places::<S, N>(index, i + 1));
+                (v.x.tangent[i], v.y.tangent[i], v.z.tangent[i]) = (slope.x, slope.y, slope.z);
+            }
+            v
+        }
     }
     #[inline(always)]
     unsafe fn scatter_add(rows: &mut [Row<Self::Real>], index: &[u32], value: Vec3<Self>) {
-        for lane in 0..Self::LANES {
-            // SAFETY: the caller's promise.
-            unsafe { rows.get_unchecked_mut(*index.get_unchecked(lane) as usize) }.add(value.real(lane));
+        for part in 0..=N {
+            // SAFETY: as in `gather`.
+            unsafe { S::scatter_add(parts_mut(rows), &places::<S, N>(index, part), part_of(&value, part)) };
         }
     }
     #[inline(always)]
     fn put_rows(rows: &mut [Row<Self::Real>], value: Vec3<Self>) {
         let rows = &mut rows[..Self::LANES];
-        for lane in 0..Self::LANES {
-            rows[lane] = Row::from_vec(value.real(lane));
+        for part in 0..=N {
+            let mut plain = [Row::zero(); LANES];
+            S::put_rows(&mut plain, part_of(&value, part));
+            for lane in 0..Self::LANES {
+                // SAFETY: a row has as many parts.
+                unsafe { *rows.as_mut_ptr().add(lane).cast::<Row<f64>>().add(part) = plain[lane] };
+            }
         }
     }
 }
 
-impl<S: Lanes, const N: usize> Dual<S, N> {
-    /// From the numbers that stand where `at` says, lane by lane.
-    ///
-    /// # Safety
-    /// They can be read.
-    #[inline(always)]
-    unsafe fn each(at: impl Fn(usize) -> *const Dual<f64, N>) -> Self {
-        let mut tangent = [S::zero(); N];
-        for i in 0..N {
-            // SAFETY: the caller's promise.
-            tangent[i] = S::from_fn(|lane| unsafe { (*at(lane)).tangent[i] });
-        }
-        // SAFETY: as above.
-        Self { value: S::from_fn(|lane| unsafe { (*at(lane)).value }), tangent }
-    }
+/// One part of a vector.
+#[inline(always)]
+fn part_of<S: Lanes, const N: usize>(of: &Vec3<Dual<S, N>>, part: usize) -> Vec3<S> {
+    let one = |of: &Dual<S, N>| <S as Coefficient<Dual<S, N>>>::part(of, part);
+    Vec3::new(one(&of.x), one(&of.y), one(&of.z))
 }
 
-impl<P: Pack> Vec3<P> {
-    /// The vector of one lane.
-    #[inline(always)]
-    fn real(self, lane: usize) -> Vec3<P::Real> {
-        Vec3::new(self.x.real(lane), self.y.real(lane), self.z.real(lane))
+/// Places of one part of some rows among all parts.
+#[inline(always)]
+fn places<S: Lanes, const N: usize>(index: &[u32], part: usize) -> [u32; LANES] {
+    let index = &index[..S::LANES];
+    let mut places = [0; LANES];
+    for lane in 0..S::LANES {
+        places[lane] = index[lane] * (N as u32 + 1) + part as u32;
     }
+    places
+}
+
+/// Parts of rows, one after the other, each a row of plain numbers.
+#[inline(always)]
+fn parts<const N: usize>(rows: &[Row<Dual<f64, N>>]) -> &[Row<f64>] {
+    // SAFETY: a row of numbers with derivatives is as many rows of plain numbers as it has parts.
+    unsafe { core::slice::from_raw_parts(rows.as_ptr().cast(), rows.len() * (N + 1)) }
+}
+#[inline(always)]
+fn parts_mut<const N: usize>(rows: &mut [Row<Dual<f64, N>>]) -> &mut [Row<f64>] {
+    // SAFETY: as above.
+    unsafe { core::slice::from_raw_parts_mut(rows.as_mut_ptr().cast(), rows.len() * (N + 1)) }
 }

@@ -15,9 +15,9 @@ mod wasm;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use dispatch::{dispatch, dispatch_narrow, with_lanes};
+pub use dispatch::{dispatch, with_lanes};
 pub use row::{prefetch, Row};
-pub use traits::{Kernel, Lanes, Pack, PackKernel, Real};
+pub use traits::{Coefficient, Kernel, Lanes, Pack, PackKernel, Real};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use wasm::F64x2;
 #[cfg(target_arch = "x86_64")]

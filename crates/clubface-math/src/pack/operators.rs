@@ -26,6 +26,10 @@ macro_rules! primal_functions {
             $crate::elementary::exp(self)
         }
         #[inline(always)]
+        fn inverse_cube_root(self) -> Self {
+            $crate::elementary::inverse_cube_root(self)
+        }
+        #[inline(always)]
         fn sin_cos(self) -> (Self, Self) {
             $crate::elementary::sin_cos(self)
         }

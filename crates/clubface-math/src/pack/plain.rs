@@ -2,7 +2,7 @@
 
 use super::operators::primal_functions;
 use super::row::Row;
-use super::traits::{single_quad, Lanes, Pack};
+use super::traits::{single_four, single_part, single_quad, single_storage, Coefficient, Lanes, Pack};
 use crate::elementary::Primal;
 use crate::scalar::{Computation, Scalar};
 use crate::Vec3;
@@ -15,6 +15,7 @@ impl Primal for f64 {
 }
 
 impl Lanes for f64 {
+    single_four!();
     #[inline(always)]
     fn from_fn(mut value: impl FnMut(usize) -> f64) -> Self {
         value(0)
@@ -67,9 +68,11 @@ impl Scalar for f64 {
     }
 }
 
+single_part!(f64);
 impl Pack for f64 {
     type Real = Self;
     single_quad!();
+    single_storage!();
     #[inline(always)]
     fn splat(value: Self) -> Self {
         value

@@ -3,9 +3,14 @@
 use super::row::Row;
 use crate::elementary::Primal;
 use crate::{Scalar, Vec3};
+use core::fmt::Debug;
 
 /// A scalar without derivatives that can be filled and read lane by lane.
 pub trait Lanes: Primal + Pack<Real = f64> {
+    /// Packs of at most four lanes that it is made of: [`Pack::Quad`], known to be plain.
+    type Four: Lanes;
+    /// As of [`Pack::quad`].
+    fn four(self, which: usize) -> Self::Four;
     /// A pack whose lane `i` is `value(i)`.
     fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
 }
@@ -19,9 +24,34 @@ pub trait Kernel {
 }
 
 /// A number that is stored in arrays, with the packs that compute on it: `f64`, or `f64` with derivatives.
+///
+/// It is made of parts: its value, then each derivative. Arrays that packs read keep the parts of several numbers
+/// apart, values beside values, so that every part of a pack is one load.
 pub trait Real: Scalar + Send + Sync {
+    /// Number of parts.
+    const PARTS: usize;
+    /// Something for each part, one after the other in memory: `A` for `f64`.
+    type Parts<A: Copy + Debug + Send + Sync + 'static>: Copy + Debug + Send + Sync + 'static;
     /// Its derivatives.
     fn derivatives(&self) -> &[f64];
+    /// The number whose parts stand `stride` numbers apart, the value at an address.
+    ///
+    /// # Safety
+    /// All of them can be read.
+    unsafe fn from_parts(at: *const f64, stride: usize) -> Self;
+    /// Writes the parts likewise.
+    ///
+    /// # Safety
+    /// All of them can be written.
+    unsafe fn put_parts(self, at: *mut f64, stride: usize);
+    /// The same for each part.
+    fn each_part<A: Copy + Debug + Send + Sync + 'static>(of: A) -> Self::Parts<A>;
+    /// What there is for one part.
+    fn part_mut<A: Copy + Debug + Send + Sync + 'static>(of: &mut Self::Parts<A>, part: usize) -> &mut A;
+    /// `sum += s v` for four numbers at once, by a number that depends on no variable.
+    fn add_times(sum: &mut Self::Parts<[f64; 4]>, v: &Self::Parts<[f64; 4]>, s: f64);
+    /// `sum += s v` for four numbers at once.
+    fn add_scaled(sum: &mut Self::Parts<[f64; 4]>, v: &Self::Parts<[f64; 4]>, s: Self);
     /// Runs a kernel with the widest packs of this number that the CPU has.
     fn dispatch<K: PackKernel<Self>>(kernel: K) -> K::Output;
     /// Runs a kernel on single numbers: for what is seldom done and would take long to compile in every width.
@@ -36,10 +66,25 @@ pub trait PackKernel<R> {
     fn run<P: Pack<Real = R>>(self) -> Self::Output;
 }
 
+/// Numbers that are coefficients of linear maps of packs `P`: such packs themselves, or their values alone where the
+/// coefficients depend on no variable. Such a map acts on the value and on every derivative alike, on each in one pass.
+pub trait Coefficient<P>: Scalar {
+    /// Number of passes; 1 if one does for all parts.
+    const PASSES: usize;
+    /// What a pass acts on.
+    fn part(of: &P, pass: usize) -> Self;
+    /// Sets it.
+    fn set_part(of: &mut P, pass: usize, part: Self);
+    /// As a number that depends on no other variable.
+    fn lift(self) -> P;
+}
+
 /// A pack of [`Scalar::LANES`] stored numbers.
-pub trait Pack: Scalar {
+pub trait Pack: Scalar + Coefficient<Self> + Send + Sync {
     /// The number stored in arrays.
     type Real: Real;
+    /// A pack of their values.
+    type Value: Lanes + Coefficient<Self>;
     /// What a pack is made of: packs of at most four lanes.
     type Quad: Pack<Real = Self::Real>;
     /// One of the first lanes, the next, and so on.
@@ -47,8 +92,18 @@ pub trait Pack: Scalar {
     /// Each quad from an address of its own; those of quads that the pack does not have are not used.
     ///
     /// # Safety
-    /// As for [`Pack::read`].
-    unsafe fn read_quads(at: [*const Self::Real; 2]) -> Self;
+    /// As for [`Pack::read_parts`].
+    unsafe fn read_quads(at: [*const f64; 2], stride: usize) -> Self;
+    /// `LANES` consecutive numbers whose parts stand `stride` numbers apart, the first value at an address.
+    ///
+    /// # Safety
+    /// All of them can be read.
+    unsafe fn read_parts(at: *const f64, stride: usize) -> Self;
+    /// Writes `LANES` consecutive numbers likewise.
+    ///
+    /// # Safety
+    /// All of them can be written.
+    unsafe fn write_parts(self, at: *mut f64, stride: usize);
     /// The same number in every lane.
     fn splat(value: Self::Real) -> Self;
     /// `LANES` consecutive numbers.
@@ -103,10 +158,59 @@ macro_rules! single_quad {
             self
         }
         #[inline(always)]
-        unsafe fn read_quads(at: [*const Self::Real; 2]) -> Self {
+        unsafe fn read_quads(at: [*const f64; 2], stride: usize) -> Self {
             // SAFETY: the caller's promise.
-            unsafe { Self::read(at[0]) }
+            unsafe { Self::read_parts(at[0], stride) }
         }
     };
 }
-pub(super) use single_quad;
+
+/// Plain packs that are themselves a quad.
+macro_rules! single_four {
+    () => {
+        type Four = Self;
+        #[inline(always)]
+        fn four(self, _which: usize) -> Self {
+            self
+        }
+    };
+}
+
+/// Packs without derivatives: one part, one pass.
+macro_rules! single_part {
+    ($type:ty) => {
+        impl Coefficient<$type> for $type {
+            const PASSES: usize = 1;
+            #[inline(always)]
+            fn part(of: &Self, _pass: usize) -> Self {
+                *of
+            }
+            #[inline(always)]
+            fn set_part(of: &mut Self, _pass: usize, part: Self) {
+                *of = part;
+            }
+            #[inline(always)]
+            fn lift(self) -> Self {
+                self
+            }
+        }
+    };
+}
+
+/// What these store.
+macro_rules! single_storage {
+    () => {
+        type Value = Self;
+        #[inline(always)]
+        unsafe fn read_parts(at: *const f64, _stride: usize) -> Self {
+            // SAFETY: the caller's promise.
+            unsafe { Self::read(at) }
+        }
+        #[inline(always)]
+        unsafe fn write_parts(self, at: *mut f64, _stride: usize) {
+            // SAFETY: the caller's promise.
+            unsafe { self.write(at) };
+        }
+    };
+}
+pub(super) use {single_four, single_part, single_quad, single_storage};

@@ -2,7 +2,7 @@
 
 use super::operators::{primal_functions, primal_operators};
 use super::row::Row;
-use super::traits::{single_quad, Lanes, Pack};
+use super::traits::{single_four, single_part, single_quad, single_storage, Coefficient, Lanes, Pack};
 use crate::elementary::Primal;
 use crate::scalar::{operators, Computation, Mask, Scalar};
 use crate::Vec3;
@@ -72,6 +72,7 @@ impl Primal for F64x2 {
 }
 
 impl Lanes for F64x2 {
+    single_four!();
     #[inline(always)]
     fn from_fn(mut value: impl FnMut(usize) -> f64) -> Self {
         let first = value(0);
@@ -148,9 +149,11 @@ unsafe fn row(rows: &[Row<f64>], index: u32) -> (v128, *const u64) {
     }
 }
 
+single_part!(F64x2);
 impl Pack for F64x2 {
     type Real = f64;
     single_quad!();
+    single_storage!();
     #[inline(always)]
     fn splat(value: f64) -> Self {
         Self::from_f64(value)

@@ -1,6 +1,6 @@
 //! Numbers in and out of packs.
 
-use clubface_math::{with_lanes, Dual, Pack, PackKernel, Real, Row, Scalar};
+use clubface_math::{with_lanes, Coefficient, Dual, Pack, PackKernel, Real, Row, Scalar};
 
 type Number = Dual<f64, 2>;
 
@@ -20,7 +20,7 @@ impl PackKernel<Number> for Through {
     fn run<P: Pack<Real = Number>>(self) -> Self::Output {
         let given: Vec<Number> = (0..12).map(number).collect();
         let rows: Vec<Row<Number>> =
-            (0..12).map(|i| Row([number(i), number(20 + i), number(40 + i), number(60)])).collect();
+            (0..12).map(|i| Row::new([number(i), number(20 + i), number(40 + i), number(60)])).collect();
         let (mut copied, mut moved) = (vec![Number::zero(); 12], vec![Number::zero(); 12]);
         let (mut put, mut added) = (vec![Row::zero(); 12], vec![Row::zero(); 12]);
         let backwards: Vec<u32> = (0..12).rev().collect();
@@ -37,7 +37,7 @@ impl PackKernel<Number> for Through {
             }
             before = pack;
         }
-        let rows = put.iter().chain(&added).flat_map(|row| &row.0[..3]).copied();
+        let rows = put.iter().chain(&added).flat_map(|row| row.vec().array());
         let all: Vec<Number> = copied.into_iter().chain(moved).chain(rows).collect();
         (P::LANES, plain(&all))
     }
@@ -65,7 +65,7 @@ impl PackKernel<f64> for Apart {
         let values: Vec<f64> = (0..24).map(f64::from).collect();
         let quad = P::Quad::LANES;
         // SAFETY: each place is followed by as many numbers as a pack has.
-        let pack = unsafe { P::read_quads([&raw const values[3], &raw const values[13]]) };
+        let pack = unsafe { P::read_quads([&raw const values[3], &raw const values[13]], 0) };
         let lanes = (0..P::LANES).map(|lane| pack.real(lane)).collect();
         let quads = (0..P::LANES).map(|lane| pack.quad(lane / quad).real(lane % quad)).collect();
         (lanes, quads)
@@ -79,5 +79,76 @@ fn quads_of_a_pack_stand_where_they_are_read() {
         let places = [3.0, 4.0, 5.0, 6.0, 13.0, 14.0, 15.0, 16.0];
         assert_eq!(lanes, places[..lanes.len()]);
         assert_eq!(quads, lanes);
+    }
+}
+
+/// Numbers an array of parts has room for.
+const ROOM: usize = 24;
+
+/// Numbers in an array that keeps their parts apart, read whole and as quads that stand apart, and written one further.
+struct InParts;
+impl PackKernel<Number> for InParts {
+    type Output = Vec<[f64; 3]>;
+    fn run<P: Pack<Real = Number>>(self) -> Self::Output {
+        let (mut from, mut to) = (vec![0.0; 3 * ROOM], vec![0.0; 3 * ROOM]);
+        // SAFETY of all: there is room for as many numbers in three parts.
+        for i in 0..ROOM {
+            unsafe { number(i).put_parts(from.as_mut_ptr().add(i), ROOM) };
+        }
+        let quad = P::Quad::LANES;
+        let mut found = Vec::new();
+        for first in (0..8).step_by(P::LANES) {
+            let (pack, apart) = unsafe {
+                let at = from.as_ptr().add(first);
+                (P::read_parts(at, ROOM), P::read_quads([at.add(3), at.add(3 + quad)], ROOM))
+            };
+            unsafe { pack.write_parts(to.as_mut_ptr().add(first + 1), ROOM) };
+            found.extend((0..P::LANES).map(|lane| apart.quad(lane / quad).real(lane % quad)));
+        }
+        found.extend((0..9).map(|i| unsafe { Number::from_parts(to.as_ptr().add(i), ROOM) }));
+        plain(&found)
+    }
+}
+
+#[test]
+fn parts_of_numbers_stand_apart_in_their_places() {
+    for width in [1, 4, 8] {
+        let found = with_lanes(width, || Number::dispatch(InParts));
+        let apart: Vec<Number> = (3..11).map(number).collect();
+        assert_eq!(found[..8], plain(&apart), "{width} lanes");
+        let written: Vec<Number> = (0..8).map(number).collect();
+        assert_eq!((found[8], &found[9..]), ([0.0; 3], &plain(&written)[..]), "{width} lanes");
+    }
+}
+
+/// A linear map with plain coefficients, in passes; with those in numbers of its own; and by the rules of products.
+struct InPasses;
+impl PackKernel<Number> for InPasses {
+    type Output = [Vec<[f64; 3]>; 3];
+    fn run<P: Pack<Real = Number>>(self) -> Self::Output {
+        fn mapped<P: Pack, G: Pack + Coefficient<P>>(of: P, factor: G) -> P {
+            let mut sum = P::zero();
+            for pass in 0..<G as Coefficient<P>>::PASSES {
+                <G as Coefficient<P>>::set_part(
+                    &mut sum,
+                    pass,
+                    <G as Coefficient<P>>::part(&of, pass) * factor,
+                );
+            }
+            sum
+        }
+        let pack = P::load(&(0..8).map(number).collect::<Vec<_>>());
+        let factor = P::Value::from_f64(3.0);
+        let lifted = <P::Value as Coefficient<P>>::lift(factor);
+        let lanes = |pack: P| plain(&(0..P::LANES).map(|lane| pack.real(lane)).collect::<Vec<_>>());
+        [lanes(mapped(pack, factor)), lanes(mapped(pack, lifted)), lanes(pack * 3.0)]
+    }
+}
+
+#[test]
+fn linear_maps_act_on_every_part_alike() {
+    for width in [1, 4, 8] {
+        let [passes, whole, product] = with_lanes(width, || Number::dispatch(InPasses));
+        assert_eq!((&passes, &whole), (&product, &product), "{width} lanes");
     }
 }

@@ -65,7 +65,7 @@ impl<P: Pack> ElementPoints<P> {
 }
 
 /// Computes forces.
-pub struct AssembleForces<'a, R> {
+pub struct AssembleForces<'a, R: Real> {
     /// Whose elements they are, their positions loaded.
     pub patch: &'a mut FullPatch<R>,
     /// The step by which state variables move on, s.

@@ -45,7 +45,7 @@ impl<R: Real> Patch<R> for FullPatch<R> {
 }
 
 /// Adds up energies.
-pub struct Energies<'a, R> {
+pub struct Energies<'a, R: Real> {
     /// Whose elements they are, their positions loaded.
     pub patch: &'a mut FullPatch<R>,
 }
@@ -106,7 +106,7 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
 }
 
 /// Gives stress and strain of every element.
-pub struct Output<'a, 'b, R> {
+pub struct Output<'a, 'b, R: Real> {
     /// Whose elements they are, their positions loaded.
     pub patch: &'a mut FullPatch<R>,
     /// What takes them.

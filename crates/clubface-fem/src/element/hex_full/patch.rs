@@ -9,7 +9,7 @@ use clubface_math::{Pack, Real, Row, Vec3};
 use std::collections::HashMap;
 
 /// Some fully integrated hexahedra of one material, in blocks of eight.
-pub struct FullPatch<R> {
+pub struct FullPatch<R: Real> {
     pub(super) material: Material<R>,
     /// Nodes of the elements, then once more those of the copies that fill up the last block: nobody reads the forces
     /// on these.

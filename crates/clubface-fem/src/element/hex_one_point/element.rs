@@ -10,10 +10,13 @@
 //! The materials are isotropic, so each element may look at its undeformed shape from a frame of its own: one in
 //! which the first base vector lies along x and the second in the xy plane. Its Jacobian is then triangular (six
 //! numbers instead of nine), and elements that differ by a rotation share their constants.
+//!
+//! Where the shape depends on no variable, the maps between positions, modes, gradients and forces are linear with
+//! plain coefficients, and numbers with derivatives go through them part by part, in as many passes.
 
 use super::constants::Constants;
 use crate::material::Symmetric;
-use clubface_math::{Mat3, Pack, Scalar, Vec3};
+use clubface_math::{Coefficient, Mat3, Pack, Real, Scalar, Vec3};
 
 /// Four corners of one side along the third reference coordinate, a number each, as sums and differences: sum, along
 /// the first coordinate, along the second, along both.
@@ -48,10 +51,10 @@ pub fn spread<P: Scalar>(forces: Sums<P>) -> [P; 4] {
 /// Sum of three products.
 #[inline(always)]
 fn dot<P: Scalar>(a: [P; 3], b: [P; 3]) -> P {
-    a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
+    a[2].mul_add(b[2], a[1].mul_add(b[1], a[0].product(b[0])))
 }
 
-/// One component of the modes of a pack of elements.
+/// One component of the modes of a pack of elements, or of the forces on them.
 #[derive(Clone, Copy)]
 pub struct Component<P> {
     /// Eight times the base vectors: means over the element, as is the deformation gradient.
@@ -60,10 +63,10 @@ pub struct Component<P> {
     patterns: [P; 4],
 }
 
-impl<P: Pack> Component<P> {
+impl<G: Pack> Component<G> {
     /// From the positions of the sides.
     #[inline(always)]
-    pub fn new(constants: &Constants<P>, low: &Sums<P>, high: &Sums<P>) -> Self {
+    pub fn new<R: Real>(constants: &Constants<G, R>, low: &Sums<G>, high: &Sums<G>) -> Self {
         let mut bases = [low[1] + high[1], low[2] + high[2], high[0] - low[0]];
         let mut patterns = [high[2] - low[2], high[1] - low[1], low[3] + high[3], high[3] - low[3]];
         for which in 0..4 {
@@ -79,23 +82,11 @@ impl<P: Pack> Component<P> {
         Self { bases, patterns }
     }
 
-    /// Forces, N, on the sides below (added to those given) and above, of the hourglass patterns and of a stress as
-    /// of [`on_bases`].
+    /// Forces, N, on the sides below (added to those given) and above, from those on the modes.
     #[inline(always)]
-    pub fn forces(
-        &self,
-        constants: &Constants<P>,
-        stress: &Symmetric<P>,
-        below: &Sums<P>,
-    ) -> (Sums<P>, Sums<P>) {
-        let [aa, bb, cc, ab, ac, bc] = stress.0;
-        let bases = self.bases;
+    pub fn forces<R: Real>(&self, constants: &Constants<G, R>, below: &Sums<G>) -> (Sums<G>, Sums<G>) {
         // Below the next term of each sum in turn: what the CPU waits for is the longest chain of operations.
-        let mut on_bases = [dot(bases, [aa, ab, ac]), dot(bases, [ab, bb, bc]), dot(bases, [ac, bc, cc])];
-        let mut on_patterns = self.patterns;
-        for which in 0..4 {
-            on_patterns[which] = self.patterns[which] * constants.stiffness(which);
-        }
+        let (mut on_bases, mut on_patterns) = (self.bases, self.patterns);
         // What acts on base vectors acts on the patterns in their means, and what acts on patterns on the base
         // vectors they were freed of.
         for i in 0..3 {
@@ -115,6 +106,58 @@ impl<P: Pack> Component<P> {
     }
 }
 
+impl<P: Pack> Component<P> {
+    /// None.
+    #[inline(always)]
+    fn zero() -> Self {
+        Self { bases: [P::zero(); 3], patterns: [P::zero(); 4] }
+    }
+
+    /// What acts on the base vectors under a stress as of [`on_bases`], and on the hourglass patterns, N.
+    #[inline(always)]
+    pub fn loads<G: Pack>(&self, constants: &Constants<G, P::Real>, stress: &Symmetric<P>) -> Self {
+        let [aa, bb, cc, ab, ac, bc] = stress.0;
+        let bases = self.bases;
+        let mut patterns = self.patterns;
+        for which in 0..4 {
+            patterns[which] = self.patterns[which].product(constants.stiffness(which));
+        }
+        let bases = [dot(bases, [aa, ab, ac]), dot(bases, [ab, bb, bc]), dot(bases, [ac, bc, cc])];
+        Self { bases, patterns }
+    }
+
+    /// What a pass of a linear map acts on.
+    #[inline(always)]
+    pub fn part<G: Pack + Coefficient<P>>(&self, pass: usize) -> Component<G> {
+        Component { bases: part(&self.bases, pass), patterns: part(&self.patterns, pass) }
+    }
+
+    /// Sets it.
+    #[inline(always)]
+    pub fn set_part<G: Pack + Coefficient<P>>(&mut self, pass: usize, part: &Component<G>) {
+        set_part(&mut self.bases, pass, &part.bases);
+        set_part(&mut self.patterns, pass, &part.patterns);
+    }
+}
+
+/// What a pass of a linear map acts on.
+#[inline(always)]
+pub fn part<P, G: Coefficient<P>, const N: usize>(of: &[P; N], pass: usize) -> [G; N] {
+    let mut parts = [G::zero(); N];
+    for i in 0..N {
+        parts[i] = <G as Coefficient<P>>::part(&of[i], pass);
+    }
+    parts
+}
+
+/// Sets it.
+#[inline(always)]
+pub fn set_part<P, G: Coefficient<P>, const N: usize>(of: &mut [P; N], pass: usize, parts: &[G; N]) {
+    for i in 0..N {
+        <G as Coefficient<P>>::set_part(&mut of[i], pass, parts[i]);
+    }
+}
+
 /// One element a lane.
 #[derive(Clone, Copy)]
 pub struct Hexahedron<P> {
@@ -126,53 +169,76 @@ impl<P: Pack> Hexahedron<P> {
     /// With every corner at the origin.
     #[inline(always)]
     pub fn zero() -> Self {
-        Self { components: [Component { bases: [P::zero(); 3], patterns: [P::zero(); 4] }; 3] }
+        Self { components: [Component::zero(); 3] }
     }
 
     /// From the positions of its sides.
     #[inline(always)]
-    pub fn new(constants: &Constants<P>, low: &Face<P>, high: &Face<P>) -> Self {
+    pub fn new<G: Pack + Coefficient<P>>(
+        constants: &Constants<G, P::Real>,
+        low: &Face<P>,
+        high: &Face<P>,
+    ) -> Self {
         let mut element = Self::zero();
         for axis in 0..3 {
-            element.components[axis] = Component::new(constants, &low[axis], &high[axis]);
+            for pass in 0..<G as Coefficient<P>>::PASSES {
+                let (low, high) = (part(&low[axis], pass), part(&high[axis], pass));
+                element.components[axis].set_part(pass, &Component::<G>::new(constants, &low, &high));
+            }
         }
         element
     }
 
     /// Mean deformation gradient, seen from the element's own frame; the identity where there is no element.
     #[inline(always)]
-    pub fn gradient(&self, constants: &Constants<P>) -> Mat3<P> {
+    pub fn gradient<G: Pack + Coefficient<P>>(&self, constants: &Constants<G, P::Real>) -> Mat3<P> {
         // F = a r^T + b s^T + c t^T.
         let (r, s, t) = constants.inverse();
-        let unit = P::select(constants.volume().gt(P::zero()), P::zero(), P::one());
+        let unit = G::select(constants.volume().gt(G::zero()), G::zero(), G::one());
         let mut rows = [Vec3::zero(); 3];
         for i in 0..3 {
-            let [a, b, c] = self.components[i].bases;
-            let mut one = [a * r[0], a * r[1], a * r[2]];
-            one[i] = a.mul_add(r[i], unit);
-            rows[i] = Vec3::new(one[0], b.mul_add(s[0], one[1]), c.mul_add(t, b.mul_add(s[1], one[2])));
+            let mut row = [P::zero(); 3];
+            for pass in 0..<G as Coefficient<P>>::PASSES {
+                let [a, b, c] = part::<P, G, 3>(&self.components[i].bases, pass);
+                let mut one = [a * r[0], a * r[1], a * r[2]];
+                if pass == 0 {
+                    one[i] = a.mul_add(r[i], unit);
+                }
+                let along = [one[0], b.mul_add(s[0], one[1]), c.mul_add(t, b.mul_add(s[1], one[2]))];
+                set_part(&mut row, pass, &along);
+            }
+            let [x, y, z] = row;
+            rows[i] = Vec3::new(x, y, z);
         }
         Mat3 { rows }
     }
 
     /// Forces, N, on the sides below and above.
     #[inline(always)]
-    pub fn forces(&self, constants: &Constants<P>, stress: &Symmetric<P>) -> (Face<P>, Face<P>) {
+    pub fn forces<G: Pack + Coefficient<P>>(
+        &self,
+        constants: &Constants<G, P::Real>,
+        stress: &Symmetric<P>,
+    ) -> (Face<P>, Face<P>) {
         let (mut low, mut high) = (empty(), empty());
         for axis in 0..3 {
-            let force = self.components[axis].forces(constants, stress, &[P::zero(); 4]);
-            (low[axis], high[axis]) = force;
+            let loads = self.components[axis].loads(constants, stress);
+            for pass in 0..<G as Coefficient<P>>::PASSES {
+                let (below, above) = loads.part::<G>(pass).forces(constants, &[G::zero(); 4]);
+                set_part(&mut low[axis], pass, &below);
+                set_part(&mut high[axis], pass, &above);
+            }
         }
         (low, high)
     }
 
     /// Energy of the hourglass patterns, J.
     #[inline(always)]
-    pub fn hourglass_energy(&self, constants: &Constants<P>) -> P {
+    pub fn hourglass_energy<G: Pack>(&self, constants: &Constants<G, P::Real>) -> P {
         let mut sum = P::zero();
         for which in 0..4 {
             let pattern = self.components.map(|component| component.patterns[which]);
-            sum += constants.stiffness(which) * dot(pattern, pattern);
+            sum += constants.stiffness::<P>(which) * dot(pattern, pattern);
         }
         sum * -0.5
     }
@@ -181,29 +247,47 @@ impl<P: Pack> Hexahedron<P> {
 /// A second Piola-Kirchhoff stress (Pa, times minus the volume) seen from the base vectors, `G^T S G` where the
 /// gradient is their matrix times `G^T`: the force on each is the sum of all with these factors, N/m.
 #[inline(always)]
-pub fn on_bases<P: Pack>(constants: &Constants<P>, second: &Symmetric<P>) -> Symmetric<P> {
+pub fn on_bases<P: Pack, G: Pack + Coefficient<P>>(
+    constants: &Constants<G, P::Real>,
+    second: &Symmetric<P>,
+) -> Symmetric<P> {
+    let mut seen = *second;
+    for pass in 0..<G as Coefficient<P>>::PASSES {
+        set_part(&mut seen.0, pass, &part_on_bases(constants, part(&second.0, pass)));
+    }
+    seen
+}
+
+/// One pass of it.
+#[inline(always)]
+fn part_on_bases<G: Pack, R: Real>(constants: &Constants<G, R>, second: [G; 6]) -> [G; 6] {
     let ([rx, ry, rz], [sy, sz], tz) = constants.inverse();
-    let [xx, yy, zz, xy, xz, yz] = second.0;
+    let [xx, yy, zz, xy, xz, yz] = second;
     let [ax, ay, az] = [
         xz.mul_add(rz, xy.mul_add(ry, xx * rx)),
         yz.mul_add(rz, yy.mul_add(ry, xy * rx)),
         zz.mul_add(rz, yz.mul_add(ry, xz * rx)),
     ];
     let (by, bz) = (yz.mul_add(sz, yy * sy), zz.mul_add(sz, yz * sy));
-    Symmetric([
+    [
         az.mul_add(rz, ay.mul_add(ry, ax * rx)),
         bz.mul_add(sz, by * sy),
         zz * tz * tz,
         az.mul_add(sz, ay * sy),
         az * tz,
         bz * tz,
-    ])
+    ]
 }
 
 /// A visitor of elements.
 pub trait Visitor<P: Pack> {
     /// Visits a pack, which begins with a lane, counted over all blocks.
-    fn visit(&mut self, lane: usize, constants: &Constants<P>, element: &Hexahedron<P>);
+    fn visit<G: Pack + Coefficient<P>>(
+        &mut self,
+        lane: usize,
+        constants: &Constants<G, P::Real>,
+        element: &Hexahedron<P>,
+    );
     /// Ends a run of at most [`super::stress::RUN`] packs, each `step` lanes further than the one before.
     fn end_run(&mut self, _step: usize) {}
 }

@@ -1,6 +1,5 @@
 //! What the solver asks of patches of one-point hexahedra.
 
-use super::constants::VOLUME;
 use super::lattice::Lattice;
 use super::output::{Energies, Output};
 use super::patch::{Arrangement, SolidPatch};
@@ -23,8 +22,9 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
         self.volumes_valid = R::dispatch(Forces { patch: self, positions, dt, scratch, moving: false });
     }
     fn set_bulk_viscosity(&mut self, coefficient: f64) {
-        let volumes = self.constants.iter().flat_map(|block| &block.0[VOLUME * BLOCK..]).map(|v| v.re());
-        let (sum, count) = volumes.filter(|v| *v > 0.0).fold((0.0, 0.0), |(sum, n), v| (sum + v, n + 1.0));
+        let volumes = self.constants.volumes();
+        let (sum, count) =
+            volumes.into_iter().filter(|v| *v > 0.0).fold((0.0, 0.0), |(sum, n), v| (sum + v, n + 1.0));
         let size = f64::cbrt(sum / count);
         self.viscosity = Some(BulkViscosity::new(coefficient, &self.material, size, self.constants.len()));
     }
@@ -49,17 +49,16 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
     ) {
         self.check(positions);
         self.volumes_valid = R::dispatch(Forces { patch: self, positions, dt, scratch, moving: true });
-        let step = R::from_f64(dt);
         if let Some(output) = output {
             let (energy, ratios) = R::dispatch(Energies { patch: self, positions, loaded: true });
             let kinetic = match &mut self.arrangement {
-                Arrangement::Lattice(lattice) => lattice.kinetic(scratch, step).re(),
+                Arrangement::Lattice(lattice) => lattice.kinetic(scratch, dt).re(),
                 Arrangement::Indexed(_) => 0.0,
             };
             *output = StepOutput { energy, ratios, kinetic };
         }
         if let Arrangement::Lattice(lattice) = &mut self.arrangement {
-            lattice.advance(scratch, step);
+            lattice.advance(scratch, dt);
         }
     }
     fn volumes_valid(&self) -> bool {
@@ -97,7 +96,7 @@ impl<R: Real> Patch<R> for SolidPatch<R> {
 }
 
 /// Computes forces.
-pub struct Forces<'a, R> {
+pub struct Forces<'a, R: Real> {
     /// Whose elements they are; the caller has checked that its nodes exist.
     pub patch: &'a mut SolidPatch<R>,
     /// Positions of all nodes, m.

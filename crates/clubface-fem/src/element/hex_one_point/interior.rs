@@ -17,8 +17,8 @@ pub struct Interior<R> {
     positions: Storage<R>,
     /// Zero but inside.
     velocities: Storage<R>,
-    /// Plane by plane in the order of a field's component; zero but inside.
-    inverse_masses: Vec<R>,
+    /// Plane by plane in the order of a field's component, and as its parts; zero but inside.
+    inverse_masses: Vec<f64>,
 }
 
 impl<R: Real> Interior<R> {
@@ -32,11 +32,13 @@ impl<R: Real> Interior<R> {
         if inside.is_empty() || !inside.iter().all(|&node| alone[node]) {
             return None;
         }
-        let mut masses = vec![R::zero(); planes * stride];
+        let mut masses = vec![0.0; planes * R::PARTS * stride];
         for &node in &inside {
-            masses[node / plane * stride + node % plane] = inverse_masses[node];
+            let at = &mut masses[node / plane * R::PARTS * stride + node % plane..];
+            // SAFETY: there is as much room for each part.
+            unsafe { inverse_masses[node].put_parts(at.as_mut_ptr(), stride) };
         }
-        let place = |node: usize| (node as u32, layout.place(node, 0) as u32);
+        let place = |node: usize| (node as u32, layout.place::<R>(node, 0) as u32);
         Some(Self {
             layout,
             inside: inside.into_iter().map(place).collect(),
@@ -135,7 +137,7 @@ pub struct Advance<'a, R> {
     /// Forces, N.
     pub forces: Field<'a, R>,
     /// The step, s.
-    pub step: R,
+    pub step: f64,
 }
 
 impl<R: Real> PackKernel<R> for Advance<'_, R> {
@@ -145,21 +147,22 @@ impl<R: Real> PackKernel<R> for Advance<'_, R> {
         let Interior { layout, positions, velocities, inverse_masses, .. } = self.interior;
         let Layout { row, plane, planes, stride } = *layout;
         let (mut x, mut v) = (positions.field(*layout), velocities.field(*layout));
-        let step = P::splat(self.step);
+        let step = self.step;
         for k in 1..planes - 1 {
             // Whole rows, whose ends have neither velocity nor inverse mass; a pack may overrun into the last row,
             // which has none either.
             for at in (row..plane - row).step_by(P::LANES) {
                 // SAFETY: a whole block follows within the stride.
                 unsafe {
-                    let scale = P::read(inverse_masses.as_ptr().add(k * stride + at)) * step;
+                    let inverse = inverse_masses.as_ptr().add(k * P::Real::PARTS * stride + at);
+                    let scale = P::read_parts(inverse, stride) * step;
                     for axis in 0..3 {
                         let (f, v, x) =
                             (self.forces.at(k, axis).add(at), v.at(k, axis).add(at), x.at(k, axis).add(at));
                         // Product and sum apart, as where all nodes move: the same bits.
-                        let velocity = P::read(v) + P::read(f) * scale;
-                        velocity.write(v);
-                        (P::read(x) + velocity * step).write(x);
+                        let velocity = P::read_parts(v, stride) + P::read_parts(f, stride).product(scale);
+                        velocity.write_parts(v, stride);
+                        (P::read_parts(x, stride) + velocity * step).write_parts(x, stride);
                     }
                 }
             }
@@ -174,7 +177,7 @@ pub struct Kinetic<'a, R> {
     /// Forces, N.
     pub forces: Field<'a, R>,
     /// The step, s.
-    pub step: R,
+    pub step: f64,
 }
 
 impl<R: Real> PackKernel<R> for Kinetic<'_, R> {
@@ -183,12 +186,13 @@ impl<R: Real> PackKernel<R> for Kinetic<'_, R> {
     fn run<P: Pack<Real = R>>(mut self) -> R {
         let Interior { layout, velocities, inverse_masses, .. } = self.interior;
         let Layout { row, plane, planes, stride } = *layout;
-        let (mut v, step, mut sum) = (velocities.field(*layout), P::splat(self.step), P::zero());
+        let (mut v, step, mut sum) = (velocities.field(*layout), self.step, P::zero());
         for k in 1..planes - 1 {
             for at in (row..plane - row).step_by(P::LANES) {
                 // SAFETY: as in `Advance`.
                 unsafe {
-                    let inverse = P::read(inverse_masses.as_ptr().add(k * stride + at));
+                    let inverse = inverse_masses.as_ptr().add(k * R::PARTS * stride + at);
+                    let inverse = P::read_parts(inverse, stride);
                     let mass = P::select(inverse.gt(P::zero()), inverse.recip(), P::zero());
                     let before = v.vector(k, at);
                     let after = before + self.forces.vector(k, at) * (inverse * step);
@@ -218,7 +222,8 @@ impl<R: Real> PackKernel<R> for Sum<'_, R> {
             for at in (row..plane - row).step_by(P::LANES) {
                 // SAFETY: as in `Advance`.
                 unsafe {
-                    let inverse = P::read(inverse_masses.as_ptr().add(k * stride + at));
+                    let inverse = inverse_masses.as_ptr().add(k * R::PARTS * stride + at);
+                    let inverse = P::read_parts(inverse, stride);
                     let mass = P::select(inverse.gt(P::zero()), inverse.recip(), P::zero());
                     sum.add(&origin, mass, x.vector(k, at), v.vector(k, at));
                 }

@@ -6,8 +6,8 @@
 //! through the layers and carries the side it shares with the next one along.
 
 use super::arrangement::order;
-use super::constants::{Block, Constants};
-use super::element::{empty, on_bases, Component, Hexahedron, Visitor};
+use super::constants::{Block, Constants, Shapes};
+use super::element::{empty, on_bases, part, set_part, Component, Hexahedron, Visitor};
 use super::interior::{Advance, Interior, Kinetic};
 use super::places::{add, face, side, Places};
 use super::stress::{Run, Stress, RUN};
@@ -15,12 +15,12 @@ use crate::block::BLOCK;
 use crate::element::field::{Field, Layout, Scratch};
 use crate::mesh::CORNERS;
 use clubface_math::pack::prefetch;
-use clubface_math::{Pack, Real, Row, Scalar};
+use clubface_math::{Coefficient, Pack, Real, Row, Scalar};
 
 /// Most layers.
 pub const DEPTH: usize = 6;
 /// A lattice of elements.
-pub struct Lattice<R> {
+pub struct Lattice<R: Real> {
     /// Elements along the three directions.
     shape: [usize; 3],
     layout: Layout,
@@ -69,7 +69,7 @@ impl<R: Real> Lattice<R> {
         scratch: &mut Scratch<R>,
         positions: &[Row<R>],
         nodes: &[u32],
-        constants: &[Block<R>],
+        constants: &Shapes<R>,
         stress: Stress<P>,
         moving: bool,
     ) -> bool {
@@ -86,7 +86,12 @@ impl<R: Real> Lattice<R> {
             }
             field
         };
-        let valid = unsafe { walk(*shape, &mut field, &mut forces, constants, stress) };
+        let valid = unsafe {
+            match constants {
+                Shapes::Fixed(blocks) => walk::<P, P::Value>(*shape, &mut field, &mut forces, blocks, stress),
+                Shapes::Varying(blocks) => walk::<P, P>(*shape, &mut field, &mut forces, blocks, stress),
+            }
+        };
         if let Some(interior) = interior {
             interior.store_boundary::<P>(&mut forces, rows);
         } else {
@@ -98,7 +103,7 @@ impl<R: Real> Lattice<R> {
     }
 
     /// Moves the interior nodes on by a step, s.
-    pub fn advance(&mut self, scratch: &mut Scratch<R>, step: R) {
+    pub fn advance(&mut self, scratch: &mut Scratch<R>, step: f64) {
         let forces = scratch.forces.field(self.layout);
         if let Some(interior) = &mut self.interior {
             R::dispatch(Advance { interior, forces, step });
@@ -106,7 +111,7 @@ impl<R: Real> Lattice<R> {
     }
 
     /// Kinetic energy of the interior nodes between their velocities before and after such a step, J.
-    pub fn kinetic(&mut self, scratch: &mut Scratch<R>, step: R) -> R {
+    pub fn kinetic(&mut self, scratch: &mut Scratch<R>, step: f64) -> R {
         let forces = scratch.forces.field(self.layout);
         let kinetic = |interior| R::dispatch(Kinetic { interior, forces, step });
         self.interior.as_mut().map_or(R::zero(), kinetic)
@@ -117,11 +122,11 @@ impl<R: Real> Lattice<R> {
     /// # Safety
     /// As for [`Lattice::assemble`].
     #[inline(always)]
-    pub unsafe fn visit<P: Pack<Real = R>, W: Visitor<P>>(
+    pub unsafe fn visit<P: Pack<Real = R>, G: Pack + Coefficient<P>, W: Visitor<P>>(
         &mut self,
         positions: &[Row<R>],
         nodes: &[u32],
-        constants: &[Block<R>],
+        constants: &[Block<G::Real, R>],
         loaded: bool,
         visitor: &mut W,
     ) {
@@ -145,7 +150,7 @@ impl<R: Real> Lattice<R> {
                     // SAFETY: `at` is within the columns.
                     let (low, high) =
                         unsafe { (face::<P>(&mut field, k, &at), face::<P>(&mut field, k + 1, &at)) };
-                    let constants = Constants::new(&block.0, first);
+                    let constants = Constants::<G, R>::new(block, first);
                     let lane = (column * nk + k) * BLOCK + first;
                     visitor.visit(lane, &constants, &Hexahedron::new(&constants, &low, &high));
                     if (k + 1).is_multiple_of(RUN) || k + 1 == nk {
@@ -164,16 +169,19 @@ impl<R: Real> Lattice<R> {
 /// Patterns and forces go component by component, since the numbers of one fit the registers: constants are loaded
 /// thrice, but nothing else is put aside.
 ///
+/// Where constants are values alone, numbers with derivatives go through these two part by part, for the same reason.
+///
 /// # Safety
 /// The fields are those of the lattice.
 #[inline(always)]
-unsafe fn walk<P: Pack>(
+unsafe fn walk<P: Pack, G: Pack + Coefficient<P>>(
     shape: [usize; 3],
     positions: &mut Field<P::Real>,
     forces: &mut Field<P::Real>,
-    constants: &[Block<P::Real>],
+    constants: &[Block<G::Real, P::Real>],
     mut stress: Stress<P>,
 ) -> bool {
+    let passes = const { <G as Coefficient<P>>::PASSES };
     let [ni, _, nk] = shape;
     assert!(nk <= DEPTH);
     let (row, places) = (ni + 1, Places::new(shape));
@@ -181,12 +189,12 @@ unsafe fn walk<P: Pack>(
         for axis in 0..3 {
             for at in (0..row).step_by(P::LANES) {
                 // SAFETY: the stride has room for two rows.
-                unsafe { P::zero().write(forces.at(k, axis).add(at)) };
+                unsafe { P::zero().write_parts(forces.at(k, axis).add(at), forces.stride()) };
             }
         }
     }
-    let mut carry = [[[P::Quad::zero(); 2]; DEPTH + 1]; 3];
-    let mut below = [empty(); BLOCK];
+    let mut carry = P::Real::each_part([[[G::Quad::zero(); 2]; DEPTH + 1]; 3]);
+    let mut below = [empty::<P>(); BLOCK];
     let mut elements = [Hexahedron::<P>::zero(); RUN];
     let mut points = Run::new();
     for (column, blocks) in constants.chunks_exact(nk).enumerate() {
@@ -195,13 +203,16 @@ unsafe fn walk<P: Pack>(
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = places.quads::<P>(column * BLOCK + first);
                 for axis in 0..3 {
-                    // SAFETY of these: `at` is within the columns.
-                    let mut low = unsafe { side::<P>(positions, start, axis, &at) };
-                    for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
-                        let high = unsafe { side(positions, start + layer + 1, axis, &at) };
-                        let constants = Constants::new(&block.0, first);
-                        element.components[axis] = Component::new(&constants, &low, &high);
-                        low = high;
+                    for pass in 0..passes {
+                        // SAFETY of these: `at` is within the columns.
+                        let mut low = unsafe { side::<G, _>(positions, start, axis, pass, &at) };
+                        for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
+                            let high = unsafe { side(positions, start + layer + 1, axis, pass, &at) };
+                            let constants = Constants::<G, P::Real>::new(block, first);
+                            let component = Component::new(&constants, &low, &high);
+                            element.components[axis].set_part(pass, &component);
+                            low = high;
+                        }
                     }
                 }
                 let lane = (column * nk + start) * BLOCK + first;
@@ -211,27 +222,44 @@ unsafe fn walk<P: Pack>(
                     if first == 0 {
                         prefetch(block, RUN);
                     }
-                    let constants = Constants::new(&block.0, first);
+                    let constants = Constants::<G, P::Real>::new(block, first);
                     let gradient = element.gradient(&constants);
-                    stress.set(&mut points, layer, lane + layer * BLOCK, gradient, constants.volume());
+                    let volume = <G as Coefficient<P>>::lift(constants.volume());
+                    stress.set(&mut points, layer, lane + layer * BLOCK, gradient, volume);
                 }
                 stress.compute(&mut points, run.len(), lane, BLOCK);
                 for (block, stress) in run.iter().zip(&mut points.stresses) {
-                    *stress = on_bases(&Constants::new(&block.0, first), stress);
+                    *stress = on_bases(&Constants::<G, P::Real>::new(block, first), stress);
                 }
                 for axis in 0..3 {
-                    let mut under = if start == 0 { [P::zero(); 4] } else { below[first][axis] };
-                    for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
-                        let constants = Constants::new(&block.0, first);
-                        let (force, above) =
-                            element.components[axis].forces(&constants, &points.stresses[layer], &under);
-                        let k = start + layer;
-                        unsafe { add(forces, row, k, axis, &at, force, &mut carry[axis][k]) };
-                        under = above;
+                    if passes > 1 {
+                        for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
+                            let constants = Constants::<G, P::Real>::new(block, first);
+                            let component = &mut element.components[axis];
+                            *component = component.loads(&constants, &points.stresses[layer]);
+                        }
                     }
-                    below[first][axis] = under;
-                    if start + run.len() == nk {
-                        unsafe { add(forces, row, nk, axis, &at, under, &mut carry[axis][nk]) };
+                    for pass in 0..passes {
+                        let carry = &mut P::Real::part_mut(&mut carry, pass)[axis];
+                        let mut under =
+                            if start == 0 { [G::zero(); 4] } else { part(&below[first][axis], pass) };
+                        for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
+                            let constants = Constants::<G, P::Real>::new(block, first);
+                            let component = &element.components[axis];
+                            let loads = if passes == 1 {
+                                component.loads(&constants, &points.stresses[layer]).part::<G>(pass)
+                            } else {
+                                component.part(pass)
+                            };
+                            let (force, above) = loads.forces(&constants, &under);
+                            let k = start + layer;
+                            unsafe { add(forces, k, axis, pass, &at, force, &mut carry[k]) };
+                            under = above;
+                        }
+                        set_part(&mut below[first][axis], pass, &under);
+                        if start + run.len() == nk {
+                            unsafe { add(forces, nk, axis, pass, &at, under, &mut carry[nk]) };
+                        }
                     }
                 }
             }

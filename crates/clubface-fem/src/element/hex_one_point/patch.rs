@@ -1,18 +1,17 @@
 //! Patches of hexahedra of one material: their data.
 
 use super::arrangement::shape;
-use super::constants::{alike, constants, Block, CONSTANTS};
+use super::constants::{Block, Shapes};
 use super::element::Visitor;
 use super::indexed::Indexed;
 use super::lattice::{Lattice, DEPTH};
-use crate::block::{Aligned, BLOCK};
+use crate::block::BLOCK;
 use crate::element::bulk_viscosity::BulkViscosity;
 use crate::element::patch::parts;
 use crate::material::{Material, StateVariables, Updates};
 use crate::mesh::{SolidMesh, CORNERS};
-use clubface_math::{Pack, Real, Row};
+use clubface_math::{Coefficient, Pack, Real, Row};
 use std::ops::Range;
-use std::sync::Arc;
 
 /// Elements a patch: enough to hide the cost of starting on it, few enough that its nodes stay in the fast caches. It
 /// does not depend on the number of threads, so neither do the sums.
@@ -22,20 +21,20 @@ pub const PATCH: usize = 864;
 const LAYERS: usize = 6;
 
 /// How elements find their nodes.
-pub(super) enum Arrangement<R> {
+pub(super) enum Arrangement<R: Real> {
     Lattice(Lattice<R>),
     Indexed(Indexed<R>),
 }
 
 /// Some hexahedra of one material, in blocks of eight.
-pub struct SolidPatch<R> {
+pub struct SolidPatch<R: Real> {
     pub(super) material: Material<R>,
     pub(super) arrangement: Arrangement<R>,
     /// Longer than the list by a block, so that packs may overrun.
     pub(super) nodes: Vec<u32>,
     /// Largest of them.
     last: u32,
-    pub(super) constants: Arc<[Block<R>]>,
+    pub(super) constants: Shapes<R>,
     pub(super) state: StateVariables<R>,
     pub(super) updates: Updates,
     pub(super) viscosity: Option<BulkViscosity<R>>,
@@ -48,7 +47,7 @@ pub struct SolidPatch<R> {
 #[must_use]
 pub fn constant_sets(mesh: &SolidMesh<f64>, elements: Range<usize>, material: &Material<f64>) -> Vec<usize> {
     let patches = solid_patches(mesh, elements, material);
-    patches.iter().map(|patch| patch.constants.as_ptr() as usize).collect()
+    patches.iter().map(|patch| patch.constants.address()).collect()
 }
 
 /// Patches of some elements of a mesh, of one material, in their undeformed shape. Where elements follow each other
@@ -81,8 +80,8 @@ pub fn solid_patches<R: Real>(
                 }
                 let mut patch = SolidPatch::new(mesh, &list, Some([ni, rows.len(), layers.len()]), material);
                 let mut place = patches.len();
-                if let Some(last) = patches.iter().rposition(|p| alike(&p.constants, &patch.constants)) {
-                    patch.constants = Arc::clone(&patches[last].constants);
+                if let Some(last) = patches.iter().rposition(|p| p.constants.alike(&patch.constants)) {
+                    patch.constants = patches[last].constants.clone();
                     place = last + 1;
                 }
                 patches.insert(place, patch);
@@ -102,14 +101,40 @@ impl<R: Real> Arrangement<R> {
         &mut self,
         positions: &[Row<R>],
         nodes: &[u32],
-        constants: &[Block<R>],
+        constants: &Shapes<R>,
+        loaded: bool,
+        visitor: &mut impl Visitor<P>,
+    ) {
+        // SAFETY: the caller's promise.
+        unsafe {
+            match constants {
+                Shapes::Fixed(blocks) => {
+                    self.visit_in::<P, P::Value>(positions, nodes, blocks, loaded, visitor)
+                }
+                Shapes::Varying(blocks) => self.visit_in::<P, P>(positions, nodes, blocks, loaded, visitor),
+            }
+        }
+    }
+
+    /// The same with constants in packs `G`.
+    ///
+    /// # Safety
+    /// The nodes exist.
+    #[inline(always)]
+    unsafe fn visit_in<P: Pack<Real = R>, G: Pack + Coefficient<P>>(
+        &mut self,
+        positions: &[Row<R>],
+        nodes: &[u32],
+        blocks: &[Block<G::Real, R>],
         loaded: bool,
         visitor: &mut impl Visitor<P>,
     ) {
         match self {
             // SAFETY: the caller's promise.
-            Self::Lattice(lattice) => unsafe { lattice.visit(positions, nodes, constants, loaded, visitor) },
-            Self::Indexed(indexed) => indexed.visit(positions, nodes, constants, visitor),
+            Self::Lattice(lattice) => unsafe {
+                lattice.visit::<P, G, _>(positions, nodes, blocks, loaded, visitor);
+            },
+            Self::Indexed(indexed) => indexed.visit::<P, G, _>(positions, nodes, blocks, visitor),
         }
     }
 }
@@ -132,18 +157,12 @@ impl<R: Real> SolidPatch<R> {
         };
         nodes.extend([nodes[0]; BLOCK]);
         let blocks = lanes.len() / BLOCK;
-        let mut stored = vec![Aligned([R::zero(); CONSTANTS * BLOCK]); blocks];
-        for (slot, element) in lanes.iter().enumerate() {
-            let Some(element) = element else { continue };
-            for (which, value) in
-                constants(&mesh.corners(elements[*element]), material.shear()).into_iter().enumerate()
-            {
-                stored[slot / BLOCK].0[which * BLOCK + slot % BLOCK] = value;
-            }
-        }
+        let filled = lanes.iter().enumerate().filter_map(|(slot, &element)| Some((slot, element?)));
+        let shapes: Vec<_> = filled.map(|(slot, element)| (slot, mesh.corners(elements[element]))).collect();
+        let constants = Shapes::new(&shapes, blocks, material.shear());
         let state = material.state(blocks);
         let last = nodes.iter().copied().max().unwrap_or(0);
-        let (material, constants, updates) = (material.clone(), stored.into(), Updates::default());
+        let (material, updates) = (material.clone(), Updates::default());
         let numbers = lanes.iter().map(|lane| lane.map(|local| elements[local] as u32)).collect();
         Self {
             material,

@@ -5,7 +5,7 @@
 use super::arrangement::{unbroken, QUAD};
 use super::element::{spread, sums, Face, Sums};
 use crate::element::field::Field;
-use clubface_math::{Pack, Scalar};
+use clubface_math::{Pack, Real, Scalar};
 
 /// Where elements find their first corner in a field's component.
 #[derive(Clone, Copy)]
@@ -44,22 +44,29 @@ pub struct Quads {
     breaks: [bool; 2],
 }
 
-/// A component of one side of a pack of elements from the given places of plane `k` on.
+/// A component of one side of a pack of elements from the given places of plane `k` on: what a pass acts on, which is
+/// everything if there is one pass.
 ///
 /// # Safety
-/// The places are those of lanes within the columns, and `k` is a plane.
+/// The places are those of lanes within the columns, `k` is a plane, and `pass` is one of the passes of the packs.
 #[inline(always)]
-pub unsafe fn side<P: Pack>(positions: &mut Field<P::Real>, k: usize, axis: usize, at: &Quads) -> Sums<P> {
-    let row = positions.row();
+pub unsafe fn side<G: Pack, R: Real>(
+    positions: &mut Field<R>,
+    k: usize,
+    axis: usize,
+    pass: usize,
+    at: &Quads,
+) -> Sums<G> {
+    let (row, stride) = (positions.row(), positions.stride());
     // SAFETY: the stride has room for a pack of the next row.
     unsafe {
-        let from = positions.at(k, axis);
+        let from = positions.at(k, axis).add(pass * stride);
         let [a, b] = [from.add(at.places[0]), from.add(at.places[1])];
         sums([
-            P::read_quads([a, b]),
-            P::read_quads([a.add(1), b.add(1)]),
-            P::read_quads([a.add(row), b.add(row)]),
-            P::read_quads([a.add(row + 1), b.add(row + 1)]),
+            G::read_quads([a, b], stride),
+            G::read_quads([a.add(1), b.add(1)], stride),
+            G::read_quads([a.add(row), b.add(row)], stride),
+            G::read_quads([a.add(row + 1), b.add(row + 1)], stride),
         ])
     }
 }
@@ -71,7 +78,7 @@ pub unsafe fn side<P: Pack>(positions: &mut Field<P::Real>, k: usize, axis: usiz
 #[inline(always)]
 pub unsafe fn face<P: Pack>(positions: &mut Field<P::Real>, k: usize, at: &Quads) -> Face<P> {
     // SAFETY: the caller's promise.
-    unsafe { [side(positions, k, 0, at), side(positions, k, 1, at), side(positions, k, 2, at)] }
+    unsafe { [side(positions, k, 0, 0, at), side(positions, k, 1, 0, at), side(positions, k, 2, 0, at)] }
 }
 
 /// Adds a component of the forces to one side of a pack of elements. Every number is written first from the row
@@ -81,31 +88,32 @@ pub unsafe fn face<P: Pack>(positions: &mut Field<P::Real>, k: usize, at: &Quads
 /// # Safety
 /// As for [`side`].
 #[inline(always)]
-pub unsafe fn add<P: Pack>(
-    forces: &mut Field<P::Real>,
-    row: usize,
+pub unsafe fn add<G: Pack, R: Real>(
+    forces: &mut Field<R>,
     k: usize,
     axis: usize,
+    pass: usize,
     at: &Quads,
-    force: Sums<P>,
-    carry: &mut [P::Quad; 2],
+    force: Sums<G>,
+    carry: &mut [G::Quad; 2],
 ) {
     let corners = spread(force);
-    let lanes = P::Quad::LANES;
-    for quad in 0..P::LANES / lanes {
+    let (row, stride) = (forces.row(), forces.stride());
+    let lanes = G::Quad::LANES;
+    for quad in 0..G::LANES / lanes {
         let (c0, c1) = (corners[0].quad(quad), corners[1].quad(quad));
         let (c2, c3) = (corners[2].quad(quad), corners[3].quad(quad));
         // SAFETY: as in `side`.
         unsafe {
-            let to = forces.at(k, axis).add(at.places[quad]);
-            (c2 + c3.after(carry[1])).write(to.add(row));
-            (P::Quad::read(to) + (c0 + c1.after(carry[0]))).write(to);
+            let to = forces.at(k, axis).add(pass * stride + at.places[quad]);
+            (c2 + c3.after(carry[1])).write_parts(to.add(row), stride);
+            (G::Quad::read_parts(to, stride) + (c0 + c1.after(carry[0]))).write_parts(to, stride);
             *carry = [c1, c3];
             if at.breaks[quad] {
                 let end = to.add(lanes);
-                *end.add(row) = c3.real(lanes - 1);
-                *end += c1.real(lanes - 1);
-                *carry = [P::Quad::zero(); 2];
+                c3.real(lanes - 1).put_parts(end.add(row), stride);
+                (G::Real::from_parts(end, stride) + c1.real(lanes - 1)).put_parts(end, stride);
+                *carry = [G::Quad::zero(); 2];
             }
         }
     }

@@ -25,7 +25,7 @@ fn scatter<P: Pack>(
 }
 
 /// Computes forces.
-pub struct AssembleForces<'a, R> {
+pub struct AssembleForces<'a, R: Real> {
     /// Whose elements they are; the caller has checked that its rows exist.
     pub patch: &'a mut ShellPatch<R>,
     /// Positions of all nodes, m.

@@ -46,7 +46,7 @@ impl<R: Real> Patch<R> for ShellPatch<R> {
 pub type Found = (Energy, (f64, f64));
 
 /// Adds up energies.
-pub struct Energies<'a, R> {
+pub struct Energies<'a, R: Real> {
     /// Whose elements they are; the caller has checked that its rows exist.
     pub patch: &'a mut ShellPatch<R>,
     /// Positions of all nodes, m.
@@ -89,7 +89,7 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
 }
 
 /// Gives stress and strain of every element.
-pub struct Output<'a, 'b, R> {
+pub struct Output<'a, 'b, R: Real> {
     /// Whose elements they are; the caller has checked that its rows exist.
     pub patch: &'a mut ShellPatch<R>,
     /// Positions of all nodes, m.

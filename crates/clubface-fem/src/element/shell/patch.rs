@@ -9,8 +9,8 @@ use super::material::ShellMaterial;
 use super::modes::CORNERS;
 use super::quadrature::Rule;
 use super::section::ElasticSection;
-use crate::block::BLOCK;
-use crate::material::{eight_alike, Eight};
+use crate::block::{Eight, BLOCK};
+use crate::material::eight_alike;
 use crate::mesh::ShellMesh;
 use clubface_math::{Pack, Real, Row, Vec3};
 use std::collections::HashMap;
@@ -30,7 +30,7 @@ pub struct ShellRows {
 }
 
 /// Some shells of one material, in blocks of eight.
-pub struct ShellPatch<R> {
+pub struct ShellPatch<R: Real> {
     pub(super) material: ShellMaterial<R>,
     /// Rows of positions, then rows of rotations.
     pub(super) nodes: Vec<u32>,

@@ -3,8 +3,9 @@
 use super::masks::{Mask4, Mask8};
 use crate::elementary::Primal;
 use crate::pack::operators::{primal_functions, primal_operators};
-use crate::pack::traits::Lanes;
+use crate::pack::traits::{single_four, Lanes};
 use crate::scalar::{operators, Computation, Scalar};
+use crate::Pack;
 use core::arch::x86_64::*;
 use core::ops::Neg;
 
@@ -28,8 +29,18 @@ pub struct F64x8(pub(super) __m512d);
 
 // SAFETY of every block of this macro: packs exist only where the CPU has the feature (see the types).
 macro_rules! pack {
+    (@four itself) => {
+        single_four!();
+    };
+    (@four $four:ident) => {
+        type Four = $four;
+        #[inline(always)]
+        fn four(self, which: usize) -> $four {
+            self.quad(which)
+        }
+    };
     (
-        $type:ident $mask:ident $lanes:literal $outline:ident;
+        $type:ident $mask:ident $lanes:literal $outline:ident $four:tt;
         $load:ident $store:ident $set:ident;
         $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $fused:ident $min:ident $max:ident;
         neg |$n:ident| $neg:expr;
@@ -81,6 +92,7 @@ macro_rules! pack {
             }
         }
         impl Lanes for $type {
+            pack! { @four $four }
             #[inline(always)]
             fn from_fn(mut value: impl FnMut(usize) -> f64) -> Self {
                 let mut values = [0.0; $lanes];
@@ -151,7 +163,7 @@ macro_rules! pack {
 }
 
 pack! {
-    F64x4 Mask4 4 outline_four;
+    F64x4 Mask4 4 outline_four itself;
     _mm256_loadu_pd _mm256_storeu_pd _mm256_set1_pd;
     _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd
     _mm256_sqrt_pd _mm256_fmadd_pd _mm256_min_pd _mm256_max_pd;
@@ -165,7 +177,7 @@ pack! {
     };
 }
 pack! {
-    F64x8 Mask8 8 outline_eight;
+    F64x8 Mask8 8 outline_eight F64x4;
     _mm512_loadu_pd _mm512_storeu_pd _mm512_set1_pd;
     _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd
     _mm512_sqrt_pd _mm512_fmadd_pd _mm512_min_pd _mm512_max_pd;

@@ -2,7 +2,7 @@
 
 use super::arithmetic::{F64x4, F64x8};
 use crate::pack::row::Row;
-use crate::pack::traits::{single_quad, Pack};
+use crate::pack::traits::{single_part, single_quad, single_storage, Coefficient, Pack};
 use crate::{Scalar, Vec3};
 use core::arch::x86_64::*;
 
@@ -10,6 +10,7 @@ use core::arch::x86_64::*;
 macro_rules! storage {
     ($set:ident, $load:ident, $store:ident) => {
         type Real = f64;
+        single_storage!();
         #[inline(always)]
         fn splat(value: f64) -> Self {
             Self(unsafe { $set(value) })
@@ -79,6 +80,7 @@ unsafe fn pair(rows: &[Row<f64>], index: &[u32], i: usize, j: usize) -> __m512d 
     unsafe { _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(row(rows, index, i)), row(rows, index, j)) }
 }
 
+single_part!(F64x8);
 impl Pack for F64x8 {
     storage!(_mm512_set1_pd, _mm512_loadu_pd, _mm512_storeu_pd);
     type Quad = F64x4;
@@ -94,7 +96,7 @@ impl Pack for F64x8 {
         })
     }
     #[inline(always)]
-    unsafe fn read_quads(at: [*const f64; 2]) -> Self {
+    unsafe fn read_quads(at: [*const f64; 2], _stride: usize) -> Self {
         // SAFETY: the caller's promise.
         Self(unsafe {
             let (low, high) = (_mm256_loadu_pd(at[0]), _mm256_loadu_pd(at[1]));
@@ -156,6 +158,7 @@ impl F64x8 {
     }
 }
 
+single_part!(F64x4);
 impl Pack for F64x4 {
     storage!(_mm256_set1_pd, _mm256_loadu_pd, _mm256_storeu_pd);
     single_quad!();
