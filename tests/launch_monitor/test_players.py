@@ -12,6 +12,7 @@ from clubface.evaluation import evaluate
 from clubface.identification.prepared import prepared_shots
 from clubface.launch_monitor.summary import summarised
 from clubface.player_report.document import blocks, figures_by_club
+from clubface.reports.blocks import Heading
 
 DATA = Path(__file__).parents[1] / "data" / "launch_monitors"
 # TrackMan and Garmin: headings of public exports (j72jones/stochasticGolf, and the four languages of the Garmin Golf
@@ -125,7 +126,8 @@ def test_the_drives_of_two_players_are_no_club_of_one(clubface_, range_session, 
 def test_a_report_tells_the_players_apart(clubface_, range_session, tmp_path):
     pytest.importorskip("matplotlib")
     shots = launch_monitor.read(range_session)
-    told = [block.texts[0] for block in blocks(figures_by_club(shots), shots) if block.kind == "h2"]
+    headings = [each for each in blocks(figures_by_club(shots), shots) if isinstance(each, Heading)]
+    told = [each.text for each in headings if each.level == 2]
     assert told[:3] == ["Ann: Driver", "Ann: 7 Iron", "Ben: Driver"]
     target = tmp_path / "ben.md"
     ran = clubface_("monitor", "report", str(range_session), "-o", str(target), "--where", "player == 'Ben'")
