@@ -67,7 +67,7 @@ def fem_sensitivity(
     inputs: Sequence[float],
     friction: float,
     run: dict[str, Any],
-    variables: Sequence[str],
+    directions: Sequence[Sequence[tuple[str, float]]],
     progress: Callable[[int, float, float], object] | None = None,
 ) -> tuple[NDArray[float64], NDArray[float64]]: ...
 def fem_plane(

@@ -110,6 +110,24 @@ def test_derivatives_by_the_size_of_a_piece():
     check(found, "core.radius", differences(with_core, at, 1e-6 * at))
 
 
+def test_four_variables_take_one_run_whatever_they_change():
+    runs = set()
+
+    def watch(done, count):
+        runs.add(count)
+
+    names = ("core.c10", "core.poisson", "cover.shear", "speed")
+    found = fem.sensitivity(
+        "driver", speed=45.0, loft=0.2, by=names, which=BALL, friction=0.2, settings=SETTINGS, progress=watch
+    )
+    assert runs == {1}
+    # One at a time they are the same.
+    for name in names:
+        alone = fem.sensitivity("driver", speed=45.0, loft=0.2, by=name, which=BALL, friction=0.2, settings=SETTINGS)
+        for output in OUTPUTS:
+            assert found.by(output, name) == pytest.approx(alone.by(output, name), rel=1e-12), (name, output)
+
+
 def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
     hit = {"speed": 100.0, "loft": 0.2, "which": BALL, "friction": 0.2, "settings": SETTINGS}
     rigid = club("driver").replace(characteristic_time=0.0)

@@ -161,8 +161,8 @@ fn main() {
             }
             let (time, speed) = timed(plain_run);
             plain = plain.min(time);
-            let names = names.map(String::from);
-            let run = || setting.sensitivity(&names, &options, &environment, &mut |_, _| true);
+            let directions = names.map(|name| vec![(name.to_owned(), 1.0)]);
+            let run = || setting.sensitivity(&directions, &options, &environment, &mut |_, _| true);
             let (time, launch) = timed(run);
             let launch = launch.expect("the variables are known");
             derived[which] = derived[which].min(time);

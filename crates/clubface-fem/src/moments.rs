@@ -80,6 +80,7 @@ impl<P: Pack> Moments<P> {
     /// Of all lanes.
     #[inline(always)]
     pub fn total(&self) -> Moments<P::Real> {
+        #[inline(always)]
         fn sum<P: Pack>(of: P) -> P::Real {
             let mut sum = P::Real::zero();
             for lane in 0..P::LANES {
@@ -88,12 +89,16 @@ impl<P: Pack> Moments<P> {
             sum
         }
         let each = |v: Vec3<P>| Vec3::new(sum(v.x), sum(v.y), sum(v.z));
+        let mut second = [P::Real::zero(); 6];
+        for (total, of) in second.iter_mut().zip(self.second) {
+            *total = sum(of);
+        }
         Moments {
             mass: sum(self.mass),
             first: each(self.first),
             momentum: each(self.momentum),
             angular: each(self.angular),
-            second: self.second.map(sum),
+            second,
             square: sum(self.square),
         }
     }

@@ -31,12 +31,15 @@ pub struct Setting {
     pub friction: f64,
 }
 
+/// A direction in which a launch is differentiated: variables, and how much each changes.
+pub type Direction = Vec<(String, f64)>;
+
 /// Launch and its derivatives.
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
     /// Launch, in the order of [`clubface_impact::launch::OUTPUTS`].
     pub values: [f64; OUTPUT_COUNT],
-    /// Derivatives by outputs, then by the variables asked for.
+    /// Derivatives by outputs, then by the directions asked for.
     pub jacobian: Vec<Vec<f64>>,
 }
 
@@ -76,28 +79,33 @@ impl Setting {
         Lifted { ball, head, touch: FirstTouch::of(&Shot::from_inputs(&inputs)), friction }
     }
 
-    /// Launch and its derivatives by some of [`Setting::variables`]; a run of the impact for every four of them.
+    /// Launch and its derivatives in some directions of [`Setting::variables`]; a run of the impact for every four.
     /// `observer` is called with the number of the run and its progress, and stops everything by returning false.
     ///
     /// # Errors
     /// [`FemError`] of a setting that cannot run, of an unknown variable, or of a run that stopped early.
     pub fn sensitivity(
         &self,
-        variables: &[String],
+        directions: &[Direction],
         options: &Options,
         environment: &Environment,
         observer: &mut dyn FnMut(usize, &Progress) -> bool,
     ) -> Result<Sensitivity, FemError> {
         let known = self.variables();
-        if let Some(unknown) = variables.iter().find(|name| !known.contains(name)) {
+        let mut names = directions.iter().flatten().map(|(name, _)| name);
+        if let Some(unknown) = names.find(|name| !known.contains(name)) {
             return Err(FemError::unknown("variable", unknown, known.iter().map(String::as_str)));
         }
         let mut found =
             Sensitivity { values: [f64::NAN; OUTPUT_COUNT], jacobian: vec![Vec::new(); OUTPUT_COUNT] };
-        for (run, group) in variables.chunks(WIDTH).enumerate() {
+        for (run, group) in directions.chunks(WIDTH).enumerate() {
             let lifted = self.lift(&mut |name, value| {
-                let place = group.iter().position(|each| each == name);
-                place.map_or_else(|| Dual::<f64, WIDTH>::constant(value), |i| Dual::variable(value, i))
+                let mut number = Dual::<f64, WIDTH>::constant(value);
+                for (direction, tangent) in group.iter().zip(&mut number.tangent) {
+                    *tangent =
+                        direction.iter().filter(|(each, _)| each == name).map(|(_, change)| change).sum();
+                }
+                number
             });
             let mut simulation = lifted.simulation(environment)?;
             let result = simulation.run(options, &mut |snapshot| observer(run, &snapshot.progress))?;

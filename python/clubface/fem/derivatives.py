@@ -120,23 +120,22 @@ def sensitivity(
     head, rigid = _head_of(club)
     inputs = inputs_of(one_shot(rigid, dict(as_values(delivery, values)), made))
     slopes = [_slopes(made, name) for name in names]
-    own = list(dict.fromkeys(each for one in slopes for each in one))
-    runs = -(-len(own) // VARIABLES_A_RUN)
+    directions = [list(one.items()) for one in slopes]
+    runs = -(-len(directions) // VARIABLES_A_RUN)
     run = replace(how, frames=0).values()
 
     def all_runs(watch: Progress) -> Any:
         def step(which: int, time: float, whole: float) -> None:
             watch(which + time / whole, runs)
 
-        return core.fem_sensitivity(made.values(), head, inputs, mu, run, own, step)
+        return core.fem_sensitivity(made.values(), head, inputs, mu, run, directions, step)
 
     def at(safety: float | None) -> tuple[Any, Any]:
         run["safety"] = safety
         return cast("tuple[Any, Any]", core_call(all_runs, progress=progress))
 
     found, jacobian = _first_stable(at, how)
-    chain = [[one.get(each, 0.0) for one in slopes] for each in own]
-    return Derivatives(dict(zip(outputs(), map(float, found), strict=True)), names, jacobian @ chain)
+    return Derivatives(dict(zip(outputs(), map(float, found), strict=True)), names, jacobian)
 
 
 def _first_stable(run: Callable[[float | None], tuple[Any, Any]], how: Settings) -> tuple[Any, Any]:

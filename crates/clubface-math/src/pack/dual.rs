@@ -1,8 +1,7 @@
 //! Packs of numbers with derivatives: a pack of values, and one of each derivative.
 
 use super::dispatch::dispatch;
-use super::row::Row;
-use super::traits::{Coefficient, Kernel, Lanes, Pack, PackKernel, Real};
+use super::traits::{Coefficient, Kernel, Lanes, Pack, PackKernel, Real, Row};
 use crate::{Dual, Scalar, Vec3};
 use core::fmt::Debug;
 

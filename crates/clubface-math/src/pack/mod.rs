@@ -8,7 +8,7 @@ mod dispatch;
 mod dual;
 mod operators;
 mod plain;
-mod row;
+mod prefetch;
 mod traits;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod wasm;
@@ -16,8 +16,8 @@ mod wasm;
 mod x86;
 
 pub use dispatch::{dispatch, with_lanes};
-pub use row::{prefetch, Row};
-pub use traits::{Coefficient, Kernel, Lanes, Pack, PackKernel, Real};
+pub use prefetch::prefetch;
+pub use traits::{Coefficient, Kernel, Lanes, Pack, PackKernel, Real, Row};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use wasm::F64x2;
 #[cfg(target_arch = "x86_64")]

@@ -13,19 +13,19 @@ fn plain(numbers: &[Number]) -> Vec<[f64; 3]> {
     numbers.iter().map(|n| [n.value, n.tangent[0], n.tangent[1]]).collect()
 }
 
-/// Every way in and out of packs, over twelve numbers and as many rows.
+/// Every way in and out of packs, over sixteen numbers and as many rows.
 struct Through;
 impl PackKernel<Number> for Through {
     type Output = (usize, Vec<[f64; 3]>);
     fn run<P: Pack<Real = Number>>(self) -> Self::Output {
-        let given: Vec<Number> = (0..12).map(number).collect();
+        let given: Vec<Number> = (0..16).map(number).collect();
         let rows: Vec<Row<Number>> =
-            (0..12).map(|i| Row::new([number(i), number(20 + i), number(40 + i), number(60)])).collect();
-        let (mut copied, mut moved) = (vec![Number::zero(); 12], vec![Number::zero(); 12]);
-        let (mut put, mut added) = (vec![Row::zero(); 12], vec![Row::zero(); 12]);
-        let backwards: Vec<u32> = (0..12).rev().collect();
+            (0..16).map(|i| Row::new([number(i), number(20 + i), number(40 + i), number(60)])).collect();
+        let (mut copied, mut moved) = (vec![Number::zero(); 16], vec![Number::zero(); 16]);
+        let (mut put, mut added) = (vec![Row::zero(); 16], vec![Row::zero(); 16]);
+        let backwards: Vec<u32> = (0..16).rev().collect();
         let mut before = P::splat(number(99));
-        for first in (0..12).step_by(P::LANES) {
+        for first in (0..16).step_by(P::LANES) {
             let pack = P::load(&given[first..]);
             (pack + P::splat(number(7))).store(&mut copied[first..]);
             // SAFETY: there are as many numbers and rows, and every index is one of a row.
@@ -47,14 +47,14 @@ impl PackKernel<Number> for Through {
 fn packs_hold_the_numbers_and_their_derivatives_in_their_places() {
     let (wide, found) = Number::dispatch(Through);
     let (narrow, single) = with_lanes(1, || Number::dispatch(Through));
-    assert_eq!((narrow, found.len()), (1, 12 + 12 + 36 + 36));
+    assert_eq!((narrow, found.len()), (1, 16 + 16 + 48 + 48));
     // Sums and products of whole numbers are exact, fused or not.
     assert_eq!(found, single, "{wide} lanes");
-    let first: Vec<Number> = (0..12).map(|i| number(i) + number(7)).collect();
-    assert_eq!(single[..12], plain(&first));
-    let moved: Vec<Number> = (0..12).map(|i| number(if i == 0 { 99 } else { i - 1 })).collect();
-    assert_eq!(single[12..24], plain(&moved));
-    assert_eq!(single[24..27], plain(&[number(11), number(31), number(51)]));
+    let first: Vec<Number> = (0..16).map(|i| number(i) + number(7)).collect();
+    assert_eq!(single[..16], plain(&first));
+    let moved: Vec<Number> = (0..16).map(|i| number(if i == 0 { 99 } else { i - 1 })).collect();
+    assert_eq!(single[16..32], plain(&moved));
+    assert_eq!(single[32..35], plain(&[number(15), number(35), number(55)]));
 }
 
 /// Reads quads that stand apart, and returns the lanes of the whole and of each of its quads.

@@ -207,11 +207,11 @@ pub fn fem_variables(
     Ok(setting_of(&ball, head.as_ref(), &inputs, 0.0)?.variables())
 }
 
-/// Launch of a shot with a head of shells, or else the rigid one of the inputs, and its derivatives by some variables:
-/// (outputs, array of outputs by variables). `progress` is called with the run (one for every four variables),
-/// simulated time and duration.
+/// Launch of a shot with a head of shells, or else the rigid one of the inputs, and its derivatives in some directions,
+/// each a list of variables and how much they change: (outputs, array of outputs by directions). `progress` is called
+/// with the run (one for every four directions), simulated time and duration.
 #[pyfunction]
-#[pyo3(signature = (ball, head, inputs, friction, run, variables, progress=None))]
+#[pyo3(signature = (ball, head, inputs, friction, run, directions, progress=None))]
 #[allow(clippy::needless_pass_by_value, clippy::too_many_arguments)]
 pub fn fem_sensitivity<'py>(
     py: Python<'py>,
@@ -220,7 +220,7 @@ pub fn fem_sensitivity<'py>(
     inputs: Vec<f64>,
     friction: f64,
     run: RunValues,
-    variables: Vec<String>,
+    directions: Vec<Vec<(String, f64)>>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Derivatives<'py>> {
     let setting = setting_of(&ball, head.as_ref(), &inputs, friction)?;
@@ -237,7 +237,7 @@ pub fn fem_sensitivity<'py>(
             called.map_err(|error| raised = Some(error)).is_ok()
         };
         on_threads(&pool, || {
-            setting.sensitivity(&variables, &options, &Environment::of_pool(&pool), &mut observer)
+            setting.sensitivity(&directions, &options, &Environment::of_pool(&pool), &mut observer)
         })
     });
     if let Some(error) = raised {
