@@ -65,7 +65,8 @@ class Engine:
 
     def _get(self, key: str) -> Any:
         if self._kept is not None:
-            return self._kept[key] if key in self._kept else None
+            store = self._kept
+            return store[key] if key in store else None  # noqa: SIM401 -- a store has no get
         return self._known.get(key)
 
     def _keep(self, key: str, found: Any) -> None:
@@ -116,7 +117,7 @@ def _together(head: ShellHead, runs: list[tuple[str, dict[str, float]]]) -> dict
         for name, value in found.items():
             collected.setdefault(name, []).append(value)
     values = {name: how.get(name, _mean)(each) for name, each in collected.items()} | rigid_values(head)
-    return {name: math.nan for name in values} if failed else values
+    return dict.fromkeys(values, math.nan) if failed else values
 
 
 def _mean(values: list[float]) -> float:

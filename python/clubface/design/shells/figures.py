@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from clubface import units
 from clubface.design.shells.study import QUANTITIES
@@ -22,7 +23,7 @@ MARKS = {"start": "s", "neighbour": "^", "proposal": "o"}
 @styled
 def search_figure(found: Improved) -> Figure:
     """Draw the objective of every design, promised and found, and above or below the limits what it has of each."""
-    figure = Figure(figsize=(WIDTH, 3.4), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 4.2), layout="constrained")
     left, right = figure.subplots(1, 2)
     _draw_objective(left, found)
     _draw_limits(right, found)
@@ -51,9 +52,9 @@ def _draw_objective(axes: Axes, found: Improved) -> None:
         promised = [units.from_si(each[found.study.objective], unit) for _, each in told]
         axes.plot([n for n, _ in told], promised, "x", color=COLOURS[1], label="promised by the fast model")
     axes.set_xlabel("design")
-    axes.xaxis.get_major_locator().set_params(integer=True)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_ylabel(f"{words} ({'µs' if unit == 'us' else unit})")
-    axes.legend(loc="best")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2)
 
 
 def _draw_limits(axes: Axes, found: Improved) -> None:
@@ -66,7 +67,7 @@ def _draw_limits(axes: Axes, found: Improved) -> None:
         )
     axes.axhline(100.0, color="0.3", linewidth=1.0)
     axes.set_xlabel("design")
-    axes.xaxis.get_major_locator().set_params(integer=True)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_ylabel("share of the limit (%)")
     if found.chosen.goal.limits:
-        axes.legend(loc="best")
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2)

@@ -1,8 +1,8 @@
 """Trust-region management of two models: a fast one, corrected, proposes, and an exact one accepts or refuses.
 
-The framework is that of Alexandrov, Dennis, Lewis and Torczon (1998). The fast model is corrected so that it agrees with
-the exact one at the best design; the slopes of the correction come from exact neighbours of the start and are kept up
-to date after Broyden (1965). All quantities are positive, and everything is relative: corrections are factors.
+The framework is that of Alexandrov, Dennis, Lewis and Torczon (1998). The fast model is corrected so that it agrees
+with the exact one at the best design; the slopes of the correction come from exact neighbours of the start and are kept
+up to date after Broyden (1965). All quantities are positive, and everything is relative: corrections are factors.
 """
 
 from __future__ import annotations
@@ -22,15 +22,19 @@ Fast = Callable[["NDArray[Any]"], Values]
 Exact = Callable[[Sequence["NDArray[Any]"]], list[Values]]
 
 PENALTY = 10.0
-"""Weight of the largest relative violation beside the relative change of the objective. No limit of a head is worth more
-to its objective: 1% of characteristic time is worth 0.1% of ball speed, and 1% of stress some 0.3% of the walls' mass."""
+"""Weight of the largest relative violation beside the relative change of the objective. No limit of a head is worth
+more to its objective: 1% of characteristic time is worth 0.1% of ball speed."""
 INSIDE = 5e-4
-"""How far inside of a limit a proposal aims, relatively: one on the limit is refused for the error of the fast model."""
+"""How far inside of a limit a proposal aims, relatively: on the limit, the error of the fast model would break it."""
 LEAST_GAIN = 1e-4
 """A proposal that promises a smaller relative gain is not worth a run."""
 LEAST_RADIUS = 0.004
-NEIGHBOUR = 0.08
-"""How far the neighbours of the start are away, as a share of the range of each variable."""
+FAR, NEAR = 0.08, 0.03
+"""How far neighbours are away, as shares of the range of each variable: of the start, and of what may be the best."""
+AGAIN = 0.1
+"""Half the width of the region of trust, at least, once slopes are fresh."""
+GOOD, POOR = 0.75, 0.25
+"""Shares of a promised gain from which the region of trust grows, and below which it shrinks."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -174,7 +178,8 @@ def manage(
     most
         Number of designs that the exact model may judge.
     neighbours
-        Whether it judges a neighbour of the start along each variable, so that the first correction has its slopes.
+        Whether it judges a neighbour along each variable, of the start and of the design where the search would end, so
+        that the correction has their slopes. Without, a search may end where only its own way was known.
     told
         Called with the number of designs that were judged and the number of those allowed.
 
@@ -183,68 +188,106 @@ def manage(
     ValueError
         The design to start from fails.
     """
-    steps: list[Step] = []
+    return _Search(fast, exact, goal, radius, most, told).run(np.asarray(start, float), neighbours)
 
-    def note(*judged: Step) -> None:
-        steps.extend(judged)
-        if told is not None:
-            told(len(steps), most)
 
-    place = np.asarray(start, float)
-    values = exact([place])[0]
-    if goal.violation(values) == math.inf:
-        raise ValueError("the design to start from fails")
-    note(Step(place=tuple(place), kind="start", values=values, promised=None, accepted=True, radius=radius))
-    names = [goal.objective, *(name for name in goal.limits if name != goal.objective)]
+class _Search:
+    def __init__(self, fast: Fast, exact: Exact, goal: Goal, radius: float, most: int, told: Any) -> None:
+        self._fast, self._exact, self._goal, self._told = fast, exact, goal, told
+        self._radius, self._most = radius, most
+        self._steps: list[Step] = []
+        self._best = 0
+        self._names = [goal.objective, *(name for name in goal.limits if name != goal.objective)]
 
-    def ratio(at: NDArray[Any], judged: Values) -> NDArray[Any]:
-        guessed = fast(at)
-        return np.array([math.log(judged[name] / guessed[name]) for name in names])
+    @property
+    def _place(self) -> NDArray[Any]:
+        return np.array(self._steps[self._best].place)
 
-    correction, best = Correction(names, place, ratio(place, values)), 0
-    if neighbours:
-        others = _neighbours(place)
-        for variable, (at, judged) in enumerate(zip(others, exact(others), strict=True)):
-            accepted = goal.better(judged, steps[best].values)
-            note(
-                Step(place=tuple(at), kind="neighbour", values=judged, promised=None, accepted=accepted, radius=radius)
+    @property
+    def _values(self) -> Values:
+        return self._steps[self._best].values
+
+    def run(self, start: NDArray[Any], neighbours: bool) -> Managed:
+        """Search from a start."""
+        values = self._exact([start])[0]
+        if self._goal.violation(values) == math.inf:
+            raise ValueError("the design to start from fails")
+        self._note(start, "start", values, None)
+        self._correction = Correction(self._names, start, self._ratio(start, values))
+        if neighbours and self._can_look_round(start):
+            self._look_round(start, FAR)
+        looked = neighbours
+        while len(self._steps) < self._most:
+            place, values = self._place, self._values
+            proposed, promised = _propose(self._fast, self._correction, place, self._radius, self._goal)
+            gain = self._goal.merit(values) - self._goal.merit(promised)
+            if gain >= LEAST_GAIN and self._radius >= LEAST_RADIUS:
+                looked = self._judge(proposed, promised, gain) and looked
+                continue
+            # Slopes that were learnt on the way are true along it alone: look round before believing them.
+            if not neighbours or looked or not self._can_look_round(place):
+                ended = "no proposal promised a gain" if gain < LEAST_GAIN else "the region of trust became small"
+                return self._managed(ended)
+            self._look_round(place, NEAR)
+            self._radius, looked = max(self._radius, AGAIN), True
+        return self._managed(f"{self._most} designs were judged, as many as allowed")
+
+    def _managed(self, ended: str) -> Managed:
+        return Managed(steps=tuple(self._steps), best=self._best, ended=ended)
+
+    def _note(self, place: NDArray[Any], kind: str, values: Values, promised: Values | None) -> bool:
+        accepted = not self._steps or self._goal.better(values, self._values)
+        self._steps.append(
+            Step(
+                place=tuple(map(float, place)), kind=kind, values=values, promised=promised, accepted=accepted,
+                radius=self._radius,
             )
-            if goal.violation(judged) < math.inf:
-                correction.set_slope(at, ratio(at, judged), variable)
-            best = len(steps) - 1 if accepted else best
-        if best:
-            place, values = np.array(steps[best].place), steps[best].values
-            correction.learn(place, ratio(place, values), move=True)
-    while len(steps) < most:
-        proposed, promised = _propose(fast, correction, place, radius, goal)
-        gain = goal.merit(values) - goal.merit(promised)
-        if gain < LEAST_GAIN:
-            return Managed(steps=tuple(steps), best=best, ended="no proposal promised a gain")
-        judged = exact([proposed])[0]
-        accepted = goal.better(judged, values)
-        note(Step(place=tuple(proposed), kind="proposal", values=judged, promised=promised, accepted=accepted,
-                  radius=radius))  # fmt: skip
-        kept = (goal.merit(values) - goal.merit(judged)) / gain
+        )  # fmt: skip
+        if accepted:
+            self._best = len(self._steps) - 1
+        if self._told is not None:
+            self._told(len(self._steps), self._most)
+        return accepted
+
+    def _ratio(self, at: NDArray[Any], judged: Values) -> NDArray[Any]:
+        guessed = self._fast(at)
+        return np.array([math.log(judged[name] / guessed[name]) for name in self._names])
+
+    def _can_look_round(self, place: NDArray[Any]) -> bool:
+        return len(self._steps) + len(place) <= self._most
+
+    def _look_round(self, place: NDArray[Any], far: float) -> None:
+        """Let the exact model judge a neighbour along each variable, from which the slopes of the correction follow."""
+        others = _neighbours(place, far)
+        for variable, (at, judged) in enumerate(zip(others, self._exact(others), strict=True)):
+            self._note(at, "neighbour", judged, None)
+            if self._goal.violation(judged) < math.inf:
+                self._correction.set_slope(at, self._ratio(at, judged), variable)
+        if not np.array_equal(self._place, place):
+            self._correction.learn(self._place, self._ratio(self._place, self._values), move=True)
+
+    def _judge(self, proposed: NDArray[Any], promised: Values, gain: float) -> bool:
+        """Let the exact model judge a proposal, learn from it, and return whether it failed, so that slopes stay."""
+        place, merit = self._place, self._goal.merit(self._values)
+        judged = self._exact([proposed])[0]
+        accepted = self._note(proposed, "proposal", judged, promised)
+        kept = (merit - self._goal.merit(judged)) / gain
         far = float(np.abs(proposed - place).max())
         if math.isfinite(kept):
-            correction.learn(proposed, ratio(proposed, judged), move=accepted)
-        if accepted:
-            place, values, best = proposed, judged, len(steps) - 1
-        if kept > 0.75:
-            radius = min(max(radius, 2.0 * far), 1.0)
-        elif kept < 0.25 or not math.isfinite(kept):
-            radius = 0.5 * far
-        if radius < LEAST_RADIUS:
-            return Managed(steps=tuple(steps), best=best, ended="the region of trust became small")
-    return Managed(steps=tuple(steps), best=best, ended=f"{most} designs were judged, as many as allowed")
+            self._correction.learn(proposed, self._ratio(proposed, judged), move=accepted)
+        if kept > GOOD:
+            self._radius = min(max(self._radius, 2.0 * far), 1.0)
+        elif kept < POOR:
+            self._radius = 0.5 * far
+        return not math.isfinite(kept)
 
 
-def _neighbours(place: NDArray[Any]) -> list[NDArray[Any]]:
+def _neighbours(place: NDArray[Any], far: float) -> list[NDArray[Any]]:
     """Return a neighbour along each variable, on the side with more room."""
     found = []
     for variable, share in enumerate(place):
         other = place.copy()
-        other[variable] += NEIGHBOUR if share <= 0.5 else -NEIGHBOUR
+        other[variable] += far if share <= 0.5 else -far
         found.append(other)
     return found
 

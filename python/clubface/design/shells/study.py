@@ -72,8 +72,8 @@ class ShellStudy:
     head
         The driver to start from.
     bounds
-        The least and the greatest value [SI] of walls and dimensions, under the names of :class:`.DriverHead` with their
-        table, such as "thickness.face_centre". Crown, sole and skirt that vary are not scaled to meet the mass.
+        The least and the greatest value [SI] of walls and dimensions, under the names of :class:`.DriverHead` with
+        their table, such as "thickness.face_centre". Crown, sole and skirt that vary are not scaled to meet the mass.
     objective
         One of :data:`OBJECTIVES`.
     delivery

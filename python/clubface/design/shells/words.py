@@ -99,8 +99,8 @@ def notes(found: Improved) -> list[str]:
     ]
     if found.study.hardest is not None:
         told.append(
-            "The stress is that of von Mises on either side of the face, of a metal that stays elastic, on the mesh of the "
-            "head: a finer mesh finds more. It tells of yield under one blow and nothing of fatigue."
+            "The stress is that of von Mises on either side of the face, of a metal that stays elastic, on the mesh of "
+            "the head: a finer mesh finds more. It tells of yield under one blow and nothing of fatigue."
         )
     return told
 
@@ -143,7 +143,7 @@ def document(found: Improved) -> dict[str, Any]:
                         "verdict": verdict(each.best.values[name], least, most),
                     }
                     for name, (least, most) in each.goal.limits.items()
-                },  # fmt: skip
+                },
                 "designs": [_step(step) for step in each.found.steps],
             }
             for each in found.searches
