@@ -41,7 +41,7 @@ from typing import Any
 from clubface import units
 from clubface.design.golfers import golfer as golfer_of
 from clubface.design.shells.study import QUANTITIES, Blow, NamedMetal, ShellStudy
-from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
 from clubface.fem.balls import ball as ball_of
 from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
 from clubface.fem.heads.metal import Metal
@@ -111,7 +111,10 @@ def _head(document: Document, folder: Path) -> DriverHead:
 
 def _variables(document: Document) -> dict[str, tuple[float, float]]:
     given = document.data["variables"]
-    document.check_keys(given, ("thickness", "shape"), (), "variables")
+    for name in given:
+        if name not in ("thickness", "shape"):
+            told = UnknownNameError("table of variables", name, ("thickness", "shape"))
+            raise document.error(str(told), f"variables.{name}")
     found = {}
     for table, known in (("thickness", WALLS), ("shape", SHAPE)):
         values = given.get(table, {})
