@@ -98,3 +98,13 @@ def test_a_study_of_a_better_driver_is_that_of_its_page():
     page = (EXAMPLES.parent / "docs" / "optimisation.md").read_text(encoding="utf-8")
     # The page shows the file, all but its first two lines.
     assert "".join((EXAMPLES / "better_driver.toml").read_text(encoding="utf-8").splitlines(keepends=True)[2:]) in page
+
+
+def test_a_study_of_a_faster_face_is_that_of_its_page():
+    from clubface.design import shells
+
+    study = shells.read(EXAMPLES / "faster_face.toml")
+    assert [metal.name for metal in study.metals] == ["Ti-6Al-4V", "high-strength titanium"]
+    page = (EXAMPLES.parent / "docs" / "finite-elements" / "design.md").read_text(encoding="utf-8")
+    # The page shows the file, all but its first two lines.
+    assert "".join((EXAMPLES / "faster_face.toml").read_text(encoding="utf-8").splitlines(keepends=True)[2:]) in page

@@ -10,6 +10,7 @@ import typer
 
 from clubface.cli import options, output
 from clubface.cli.failures import Interrupted, say, say_written
+from clubface.cli.fem_design import design
 from clubface.cli.fem_parts import ball as report_ball, face as report_face, head as report_head
 from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REFERENCE_ROWS, RUN_ROWS, SWEEP_COLUMNS
 from clubface.cli.progress import progress_bar, run_with_progress
@@ -25,6 +26,7 @@ app = typer.Typer(add_completion=False, no_args_is_help=True, help="Finite eleme
 app.command("ball")(report_ball)
 app.command("head")(report_head)
 app.command("face")(report_face)
+app.command("design")(design)
 
 Friction = Annotated[float, typer.Option("--friction", metavar="NUMBER", help="Coefficient of friction.")]
 Refine = Annotated[

@@ -52,6 +52,11 @@ def from_toml(path: str | os.PathLike[str]) -> Design:
     return _design(Document.read(path), Path(os.fspath(path)).parent)
 
 
+def from_text(text: str) -> Design:
+    """Read the same from text; a mesh is looked for in the folder of work."""
+    return _design(Document(text), Path())
+
+
 def club_of(document: Document) -> MeshedClub:
     """Return the club of a file of a head: for finite elements its mesh, for every other model what that weighs.
 

@@ -1,0 +1,327 @@
+"""Trust-region management of two models: a fast one, corrected, proposes, and an exact one accepts or refuses.
+
+The framework is that of Alexandrov, Dennis, Lewis and Torczon (1998). The fast model is corrected so that it agrees
+with the exact one at the best design; the slopes of the correction come from exact neighbours of the start and are kept
+up to date after Broyden (1965). All quantities are positive, and everything is relative: corrections are factors.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+Values = dict[str, float]
+Fast = Callable[["NDArray[Any]"], Values]
+Exact = Callable[[Sequence["NDArray[Any]"]], list[Values]]
+
+PENALTY = 10.0
+"""Weight of the largest relative violation beside the relative change of the objective. No limit of a head is worth
+more to its objective: 1% of characteristic time is worth 0.1% of ball speed."""
+INSIDE = 5e-4
+"""How far inside of a limit a proposal aims, relatively: on the limit, the error of the fast model would break it."""
+LEAST_GAIN = 1e-4
+"""A proposal that promises a smaller relative gain is not worth a run."""
+LEAST_RADIUS = 0.004
+FAR, NEAR = 0.08, 0.03
+"""How far neighbours are away, as shares of the range of each variable: of the start, and of what may be the best."""
+AGAIN = 0.1
+"""Half the width of the region of trust, at least, once slopes are fresh."""
+GOOD, POOR = 0.75, 0.25
+"""Shares of a promised gain from which the region of trust grows, and below which it shrinks."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Goal:
+    """What is best, and within which limits.
+
+    Attributes
+    ----------
+    objective
+        Name of a quantity.
+    largest
+        Whether it shall be large; otherwise small.
+    limits
+        The least and the greatest value of quantities, by name; 0 and infinity where there is none.
+    """
+
+    objective: str
+    largest: bool
+    limits: Mapping[str, tuple[float, float]]
+
+    def cost(self, values: Values) -> float:
+        """Return the logarithm of the objective, or minus it if it shall be large: smaller is better."""
+        return (-1.0 if self.largest else 1.0) * math.log(values[self.objective])
+
+    def excess(self, values: Values) -> NDArray[Any]:
+        """Return by how much every limit is broken, relatively; negative where it is kept."""
+        found = []
+        for name, (least, most) in self.limits.items():
+            if least > 0.0:
+                found.append(math.log(least / values[name]))
+            if most < math.inf:
+                found.append(math.log(values[name] / most))
+        return np.array(found)
+
+    def violation(self, values: Values) -> float:
+        """Return the largest relative excess over a limit; 0 within all, infinity for a design that failed."""
+        if not all(math.isfinite(value) for value in values.values()):
+            return math.inf
+        return max(0.0, *self.excess(values)) if self.limits else 0.0
+
+    def merit(self, values: Values) -> float:
+        """Return cost and weighted violation."""
+        violation = self.violation(values)
+        return self.cost(values) + PENALTY * violation if violation < math.inf else math.inf
+
+    def better(self, one: Values, other: Values) -> bool:
+        """Tell whether ``one`` is the better design: first within limits, then by the objective."""
+        if self.violation(other) == 0.0:
+            return self.violation(one) == 0.0 and self.cost(one) < self.cost(other)
+        return self.violation(one) == 0.0 or self.merit(one) < self.merit(other)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Step:
+    """One design that the exact model judged.
+
+    Attributes
+    ----------
+    place
+        Its variables, as shares of their ranges.
+    kind
+        "start", "neighbour" or "proposal".
+    values, promised
+        The quantities by the exact model, and those that the corrected fast model promised (of a proposal).
+    accepted
+        Whether it became the best design.
+    radius
+        Half the width of the region in which it was sought.
+    """
+
+    place: tuple[float, ...]
+    kind: str
+    values: Values
+    promised: Values | None
+    accepted: bool
+    radius: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Managed:
+    """What a search found.
+
+    Attributes
+    ----------
+    steps
+        All designs that the exact model judged, in their order.
+    best
+        Index of the best one.
+    ended
+        Why the search ended.
+    """
+
+    steps: tuple[Step, ...]
+    best: int
+    ended: str
+
+
+class Correction:
+    """Factors by which the fast model is multiplied: exact at one place, with slopes."""
+
+    def __init__(self, names: Sequence[str], place: NDArray[Any], ratio: NDArray[Any]) -> None:
+        self.names, self._place, self._ratio = tuple(names), place, ratio
+        self._slope = np.zeros((len(ratio), len(place)))
+
+    def set_slope(self, place: NDArray[Any], ratio: NDArray[Any], variable: int) -> None:
+        """Take the slope along one variable from a neighbour."""
+        self._slope[:, variable] = (ratio - self._ratio) / (place - self._place)[variable]
+
+    def learn(self, place: NDArray[Any], ratio: NDArray[Any], *, move: bool) -> None:
+        """Make it exact at another place too, by the least change of slopes; ``move``: make that the place."""
+        away = place - self._place
+        missed = ratio - self._ratio - self._slope @ away
+        if away @ away > 0.0:
+            self._slope += np.outer(missed, away) / (away @ away)
+        if move:
+            self._place, self._ratio = place, ratio
+
+    def __call__(self, place: NDArray[Any], fast: Values) -> Values:
+        """Return the values of the fast model at a place, corrected."""
+        factors = np.exp(self._ratio + self._slope @ (place - self._place))
+        return {name: fast[name] * float(factor) for name, factor in zip(self.names, factors, strict=True)}
+
+
+def manage(
+    fast: Fast, exact: Exact, start: NDArray[Any], goal: Goal, *, radius: float = 0.3, most: int = 20,
+    neighbours: bool = True, told: Callable[[int, int], object] | None = None,
+) -> Managed:  # fmt: skip
+    """Search for the best design with few runs of an exact model.
+
+    Parameters
+    ----------
+    fast, exact
+        The models. Both take variables as shares of their ranges, 0 to 1, and return positive quantities by name. The
+        exact one takes several designs at once; one that fails has values that are NaN.
+    start
+        The design to start from.
+    goal
+        What is best.
+    radius
+        Half the width of the first region of trust.
+    most
+        Number of designs that the exact model may judge.
+    neighbours
+        Whether it judges a neighbour along each variable, of the start and of the design where the search would end, so
+        that the correction has their slopes. Without, a search may end where only its own way was known.
+    told
+        Called with the number of designs that were judged and the number of those allowed.
+
+    Raises
+    ------
+    ValueError
+        The design to start from fails.
+    """
+    return _Search(fast, exact, goal, radius, most, told).run(np.asarray(start, float), neighbours)
+
+
+class _Search:
+    def __init__(self, fast: Fast, exact: Exact, goal: Goal, radius: float, most: int, told: Any) -> None:
+        self._fast, self._exact, self._goal, self._told = fast, exact, goal, told
+        self._radius, self._most = radius, most
+        self._steps: list[Step] = []
+        self._best = 0
+        self._names = [goal.objective, *(name for name in goal.limits if name != goal.objective)]
+
+    @property
+    def _place(self) -> NDArray[Any]:
+        return np.array(self._steps[self._best].place)
+
+    @property
+    def _values(self) -> Values:
+        return self._steps[self._best].values
+
+    def run(self, start: NDArray[Any], neighbours: bool) -> Managed:
+        """Search from a start."""
+        values = self._exact([start])[0]
+        if self._goal.violation(values) == math.inf:
+            raise ValueError("the design to start from fails")
+        self._note(start, "start", values, None)
+        self._correction = Correction(self._names, start, self._ratio(start, values))
+        if neighbours and self._can_look_round(start):
+            self._look_round(start, FAR)
+        looked = neighbours
+        while len(self._steps) < self._most:
+            place, values = self._place, self._values
+            proposed, promised = _propose(self._fast, self._correction, place, self._radius, self._goal)
+            gain = self._goal.merit(values) - self._goal.merit(promised)
+            if gain >= LEAST_GAIN and self._radius >= LEAST_RADIUS:
+                looked = self._judge(proposed, promised, gain) and looked
+                continue
+            # Slopes that were learnt on the way are true along it alone: look round before believing them.
+            if not neighbours or looked or not self._can_look_round(place):
+                ended = "no proposal promised a gain" if gain < LEAST_GAIN else "the region of trust became small"
+                return self._managed(ended)
+            self._look_round(place, NEAR)
+            self._radius, looked = max(self._radius, AGAIN), True
+        return self._managed(f"{self._most} designs were judged, as many as allowed")
+
+    def _managed(self, ended: str) -> Managed:
+        return Managed(steps=tuple(self._steps), best=self._best, ended=ended)
+
+    def _note(self, place: NDArray[Any], kind: str, values: Values, promised: Values | None) -> bool:
+        accepted = not self._steps or self._goal.better(values, self._values)
+        self._steps.append(
+            Step(
+                place=tuple(map(float, place)), kind=kind, values=values, promised=promised, accepted=accepted,
+                radius=self._radius,
+            )
+        )  # fmt: skip
+        if accepted:
+            self._best = len(self._steps) - 1
+        if self._told is not None:
+            self._told(len(self._steps), self._most)
+        return accepted
+
+    def _ratio(self, at: NDArray[Any], judged: Values) -> NDArray[Any]:
+        guessed = self._fast(at)
+        return np.array([math.log(judged[name] / guessed[name]) for name in self._names])
+
+    def _can_look_round(self, place: NDArray[Any]) -> bool:
+        return len(self._steps) + len(place) <= self._most
+
+    def _look_round(self, place: NDArray[Any], far: float) -> None:
+        """Let the exact model judge a neighbour along each variable, from which the slopes of the correction follow."""
+        others = _neighbours(place, far)
+        for variable, (at, judged) in enumerate(zip(others, self._exact(others), strict=True)):
+            self._note(at, "neighbour", judged, None)
+            if self._goal.violation(judged) < math.inf:
+                self._correction.set_slope(at, self._ratio(at, judged), variable)
+        if not np.array_equal(self._place, place):
+            self._correction.learn(self._place, self._ratio(self._place, self._values), move=True)
+
+    def _judge(self, proposed: NDArray[Any], promised: Values, gain: float) -> bool:
+        """Let the exact model judge a proposal, learn from it, and return whether it failed, so that slopes stay."""
+        place, merit = self._place, self._goal.merit(self._values)
+        judged = self._exact([proposed])[0]
+        accepted = self._note(proposed, "proposal", judged, promised)
+        kept = (merit - self._goal.merit(judged)) / gain
+        far = float(np.abs(proposed - place).max())
+        if math.isfinite(kept):
+            self._correction.learn(proposed, self._ratio(proposed, judged), move=accepted)
+        if kept > GOOD:
+            self._radius = min(max(self._radius, 2.0 * far), 1.0)
+        elif kept < POOR:
+            self._radius = 0.5 * far
+        return not math.isfinite(kept)
+
+
+def _neighbours(place: NDArray[Any], far: float) -> list[NDArray[Any]]:
+    """Return a neighbour along each variable, on the side with more room."""
+    found = []
+    for variable, share in enumerate(place):
+        other = place.copy()
+        other[variable] += far if share <= 0.5 else -far
+        found.append(other)
+    return found
+
+
+def _propose(
+    fast: Fast, correction: Correction, place: NDArray[Any], radius: float, goal: Goal
+) -> tuple[NDArray[Any], Values]:
+    """Return the best design of the corrected fast model near a place, and what it promises.
+
+    A slack lets limits be broken at a price, so that a start outside them has a way back.
+    """
+    from scipy.optimize import minimize
+
+    count = len(place)
+    seen: dict[bytes, Values] = {}
+
+    def model(at: NDArray[Any]) -> Values:
+        key = at.tobytes()
+        if key not in seen:
+            seen[key] = correction(at, fast(at))
+        return seen[key]
+
+    def cost(both: NDArray[Any]) -> float:
+        return goal.cost(model(both[:count])) + PENALTY * both[count]
+
+    def room(both: NDArray[Any]) -> NDArray[Any]:
+        return both[count] - goal.excess(model(both[:count])) - INSIDE
+
+    low, high = np.maximum(place - radius, 0.0), np.minimum(place + radius, 1.0)
+    slack = goal.violation(model(place)) + 2.0 * INSIDE
+    found = minimize(
+        cost, np.append(place, slack), method="SLSQP", bounds=[*zip(low, high, strict=True), (0.0, 10.0)],
+        constraints=[{"type": "ineq", "fun": room}] if goal.limits else [],
+        options={"maxiter": 60, "ftol": 1e-7, "eps": 1e-5},
+    )  # fmt: skip
+    at = np.clip(found.x[:count], low, high)
+    return at, model(at)

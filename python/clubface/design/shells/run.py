@@ -1,0 +1,164 @@
+"""A study from start to end: for every metal a search, then the best head of all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from clubface.design.shells.engine import Engine
+from clubface.design.shells.fast import FastModel
+from clubface.design.shells.management import Goal, Managed, Step, manage
+from clubface.design.shells.study import NamedMetal, ShellStudy
+from clubface.errors import RangeWarning, RunError, TargetWarning
+from clubface.fem.heads import driver_file
+from clubface.fem.heads.driver import DriverHead
+from clubface.fem.heads.read import from_text
+from clubface.support.resuming import Store, unfinished
+from clubface.support.warning import without_warnings
+
+
+@dataclass(frozen=True, kw_only=True)
+class Search:
+    """The search for the best head of one metal: the metal, its goal, and what was found."""
+
+    metal: NamedMetal
+    goal: Goal
+    found: Managed
+
+    @property
+    def start(self) -> Step:
+        """The head to start from."""
+        return self.found.steps[0]
+
+    @property
+    def best(self) -> Step:
+        """The best head."""
+        return self.found.steps[self.found.best]
+
+    @property
+    def within(self) -> bool:
+        """Whether the best head is within all limits."""
+        return self.goal.violation(self.best.values) == 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Improved:
+    """What a study found.
+
+    Attributes
+    ----------
+    study
+        The study.
+    searches
+        One for every metal.
+    chosen
+        The search with the best head.
+    head
+        The best head, as in its file: of the metal with its yield stress.
+    runs
+        Number of finite element runs that judged the designs.
+    """
+
+    study: ShellStudy
+    searches: tuple[Search, ...]
+    chosen: Search
+    head: DriverHead
+    runs: int
+
+
+def improve(
+    study: ShellStudy, *, output: str | Path | None = None, resume: bool = False, workers: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Improved:  # fmt: skip
+    """Find the best head of a study: a fast model proposes heads, finite elements judge them.
+
+    Parameters
+    ----------
+    study
+        What may change, what is best, and within which limits.
+    output
+        The TOML file to which the best head is written. Beside it, in a folder, every run is kept that has finished,
+        until the study ends.
+    resume
+        Whether to go on with what an interrupted run of the same study has finished.
+    workers
+        Number of runs at a time; if left out, one for each core.
+    progress
+        Called with the number of designs that were judged and the most that will be.
+
+    Raises
+    ------
+    RunError
+        The head to start from cannot be run, or no head within the limits was found.
+    """
+    with without_warnings(TargetWarning), without_warnings(RangeWarning), _store(study, output, resume) as kept:
+        engine, fast = Engine(study, kept, workers), FastModel(study)
+        searches = tuple(
+            _search(study, metal, engine, fast, progress, number) for number, metal in enumerate(study.metals)
+        )
+        chosen = searches[0]
+        for each in searches[1:]:
+            if each.within and (not chosen.within or each.goal.better(each.best.values, chosen.best.values)):
+                chosen = each
+        if not chosen.within:
+            told = "give limits or bounds that some head can keep, or allow more designs"
+            raise RunError(f"no head within all limits was found; the best, of {_broken(chosen)}; {told}")
+        judged = design_of(study, chosen.best, chosen.metal)
+        head = replace(judged, metal=chosen.metal.metal)
+        if output is not None:
+            assert kept is not None
+            with kept.result(Path(output)) as file:
+                file.write(driver_file.text(head).encode())
+            kept.remove()
+        return Improved(study=study, searches=searches, chosen=chosen, head=head, runs=engine.runs)
+
+
+def design_of(study: ShellStudy, step: Step, metal: NamedMetal) -> DriverHead:
+    """Return the head that was judged in a step, of a metal that stays elastic."""
+    import numpy as np
+
+    return as_written(study.at(np.array(step.place), metal))
+
+
+def as_written(design: DriverHead) -> DriverHead:
+    """Return a head as its file has it, so that what is judged is what is written."""
+    made = from_text(driver_file.text(design))
+    assert isinstance(made, DriverHead)
+    return made
+
+
+def _search(
+    study: ShellStudy, metal: NamedMetal, engine: Engine, fast: FastModel, progress: Any, number: int
+) -> Search:
+    goal, whole = study.goal(metal), study.designs * len(study.metals)
+
+    def told(done: int, _: int) -> None:
+        if progress is not None:
+            progress(number * study.designs + done, whole)
+
+    try:
+        found = manage(
+            lambda place: fast(study.at(place, metal)),
+            lambda places: engine([as_written(study.at(place, metal)) for place in places]),
+            study.start(), goal, radius=study.radius, most=study.designs, neighbours=study.neighbours, told=told,
+        )  # fmt: skip
+    except ValueError as error:
+        raise RunError(
+            f"{study.head.name} of {metal.name}: {error}; try a thicker face, or a slower hardest blow"
+        ) from error
+    return Search(metal=metal, goal=goal, found=found)
+
+
+def _broken(search: Search) -> str:
+    from clubface.design.shells.words import broken_words
+
+    return broken_words(search)
+
+
+def _store(study: ShellStudy, output: str | Path | None, resume: bool) -> AbstractContextManager[Any]:
+    if output is None:
+        return nullcontext(None)
+    return Store(unfinished(Path(output)), {"study": study}, of=Path(output), resume=resume)

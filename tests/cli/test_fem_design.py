@@ -1,0 +1,89 @@
+"""``clubface fem design``: tables, a head that other commands read, a picture, and mistakes in one line."""
+
+import pytest
+
+from clubface import fem
+from command_line import assert_mistake
+from fem_runs import coarse
+
+pytest.importorskip("typer")
+pytest.importorskip("scipy")
+
+HEAD = """name = "few shells"
+kind = "driver"
+elements = [12, 6, 8]
+shape = {loft = "9.8 deg", bulge = "305 mm", roll = "305 mm", width = "116 mm", depth = "104 mm", crown = "29 mm", \
+sole = "27 mm", rounding = "6 mm"}
+thickness = {face_centre = "3.0 mm", face_edge = "2.4 mm", crown = "0.8 mm", sole = "1.0 mm", skirt = "0.8 mm"}
+target = {mass = "204 g"}
+
+[[trims]]
+name = "sole"
+x = "-60 mm"
+y = "-26 mm"
+z = "0 mm"
+most = "80 g"
+"""
+STUDY = """title = "A faster face"
+head = "./head.toml"
+objective = "ball_speed"
+designs = 3
+
+[variables.thickness]
+face_centre = ["2.4 mm", "3.6 mm"]
+
+[delivery]
+speed = "100 mph"
+loft = "12 deg"
+"""
+
+
+@pytest.fixture
+def files(tmp_path, monkeypatch):
+    (tmp_path / "head.toml").write_text(HEAD)
+    (tmp_path / "study.toml").write_text(STUDY)
+    # Tables and files are the matter here, not the ball.
+    monkeypatch.setattr("clubface.design.shells.study.ball_of", lambda *_: coarse("modern"))
+    return tmp_path
+
+
+def test_the_best_head_is_told_drawn_and_written(clubface_, files):
+    best, picture = files / "best.toml", files / "search.svg"
+    ran = clubface_("fem", "design", str(files / "study.toml"), "-o", str(best), "--plot", str(picture))
+    assert ran.status == 0
+    assert "A faster face" in ran.out
+    assert "face centre, mm" in ran.out
+    assert "3 designs were judged by 6 runs" in " ".join(ran.out.split())
+    assert f"wrote {best}" in ran.err
+    assert picture.read_text().startswith("<?xml")
+    shown = clubface_("fem", "head", str(best), "--json").json
+    assert shown["mass_kg"] == pytest.approx(0.204, abs=1e-6)
+    assert fem.head(str(best)).name == "few shells"
+
+
+def test_a_document_has_everything(clubface_, files):
+    told = clubface_("fem", "design", str(files / "study.toml"), "--json").json
+    assert told["objective"] == "ball_speed"
+    [search] = told["searches"]
+    assert [step["kind"] for step in search["designs"]] == ["start", "neighbour", "proposal"]
+    assert told["best"]["ball_speed"] > told["start"]["ball_speed"]
+    assert search["limits"]["characteristic_time"]["verdict"] in ("kept", "binds")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("[variables.thickness]", "[variables.wall]", "study.toml:6: "),
+        ('"2.4 mm", "3.6 mm"', '"2.4 mm", "2.6 mm"', "bounds that hold what the head has"),
+        ("head.toml", "study.toml", "head"),
+        ("designs = 3", "designs = 1", "designs is 1"),
+    ],
+)
+def test_mistakes_are_told_in_one_line(clubface_, files, old, new, told):
+    path = files / "study.toml"
+    path.write_text(STUDY.replace(old, new))
+    assert_mistake(clubface_("fem", "design", str(path)), told)
+
+
+def test_resume_needs_a_file(clubface_, files):
+    assert_mistake(clubface_("fem", "design", str(files / "study.toml"), "--resume"), "--output is missing")
