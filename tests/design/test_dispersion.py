@@ -156,3 +156,47 @@ def test_a_million_shots_need_no_more_memory_than_a_hundred_thousand():
         for count in ("131072", "1048576")
     ]
     assert used[1] < used[0] + 20_000  # kB
+
+
+DEGREE, RPM = np.pi / 180.0, np.pi / 30.0
+COUNTED = {
+    # From where, to where, the width of a bin: a fifteenth of what monitors tell of speed and angles, 1 rpm, 2 cm.
+    "ball_speed": (0.0, 125.0, 0.005), "launch": (-90 * DEGREE, 90 * DEGREE, 0.005 * DEGREE),
+    "azimuth": (-90 * DEGREE, 90 * DEGREE, 0.005 * DEGREE), "backspin": (-1500.0, 1500.0, 0.1),
+    "sidespin": (-1500.0, 1500.0, 0.1), "carry": (0.0, 500.0, 0.02), "side": (-250.0, 250.0, 0.02),
+    "total": (0.0, 500.0, 0.02), "total_side": (-250.0, 250.0, 0.02),
+}  # fmt: skip
+
+
+def test_histograms_are_as_fine_as_told_and_reach_beyond_every_shot():
+    scales = {**LAUNCHED, **FLOWN}
+    assert set(scales) == set(COUNTED)
+    for name, (least, most, width) in COUNTED.items():
+        assert (scales[name].least, scales[name].most) == pytest.approx((least, most), rel=1e-15)
+        assert (most - least) / scales[name].bins == pytest.approx(width, rel=1e-12)
+    # No ball that was ever measured left with 220 mph, flew 500 yards or spun with 12,000 rpm.
+    assert LAUNCHED["ball_speed"].most > 220 * 0.44704
+    assert FLOWN["carry"].most > 500 * 0.9144
+    assert LAUNCHED["backspin"].most > 12_000 * RPM
+
+
+@pytest.mark.parametrize("name", [name for name in COUNTED if name != "carry"])  # which is never without a side
+def test_a_shot_is_counted_where_it_is_and_beyond_the_ends_in_the_last_bin(name):
+    of = {**LAUNCHED, **FLOWN}[name]
+    least, most, width = COUNTED[name]
+    tally = Tally({name: of}, {name: 0.5 * (least + most)})
+    values = np.array([least + 1.5 * width, least + 1.5 * width, most - 0.5 * width])
+    tally.add({name: values})
+    edges, counts = tally.histogram(name, width)
+    assert edges[0] == pytest.approx(least + width, rel=1e-9, abs=1e-9)
+    assert counts[0] == 2
+    assert counts[-1] == 1
+    assert tally.quantile(name, 1.0 / 3.0) == pytest.approx(least + 1.5 * width, abs=1e-9)
+    assert tally.mean(name) == pytest.approx(values.mean(), abs=1e-9)
+    assert tally.spread(name) == pytest.approx(values.std(), rel=1e-12)
+    beyond = Tally({name: of}, {name: 0.0})
+    beyond.add({name: np.array([least - 1.0, most + 1.0, np.nan])})
+    edges, counts = beyond.histogram(name, width)
+    assert (counts[0], counts[-1], counts.sum()) == (1, 1, 2)
+    assert (edges[0], edges[-1]) == pytest.approx((least, most))
+    assert (beyond.shots, beyond.lost) == (3, 1)

@@ -332,3 +332,67 @@ def test_the_table_of_trends_is_in_the_unit_of_the_error_per_step_of_the_deliver
     (place,) = (number for number, head in enumerate(table.heads) if "toe" in head)
     assert table.heads[place] == "per mm of toe"
     assert table.rows[0][place].startswith("+2.0")
+
+
+SIZES = {"ball_speed": 0.44704, "launch": DEG, "azimuth": DEG, "backspin": RPM, "sidespin": RPM}
+
+
+def test_every_cell_of_the_noise_is_its_number(result):
+    """A normal error of standard deviation s has the mean magnitude s sqrt(2 / pi) and the mean square s^2."""
+    rows = tables.noise_floor(result).rows
+    assert len(rows) == len(QUANTITIES)
+    for row, (name, least) in zip(rows, result.floor.items(), strict=True):
+        digits = 0 if "spin" in name else 2
+        best = result.sizes[name]["slip"]
+        deviation = least / math.sqrt(2.0 / math.pi)
+        share = min(100.0, 100.0 * deviation**2 / best.rms**2)
+        assert row[1:] == [
+            f"{result.monitor_noise[name] / SIZES[name]:.{digits}f}", f"{least / SIZES[name]:.{digits}f}",
+            f"{best.mae / SIZES[name]:.{digits}f} (slip)", f"{share:.0f}%",
+        ]  # fmt: skip
+        # The model that made the shots is off by the noise alone: 100 %, of which 200 shots tell 10 % three times over.
+        assert share == pytest.approx(100.0, abs=30.0)
+
+
+def test_the_share_of_noise_in_a_model_that_is_wrong_is_small(result):
+    found = evaluate(made(noise=False), club="driver", models=["standard"], noise={"ball_speed": 0.05})
+    for row, (name, least) in zip(tables.noise_floor(found).rows, found.floor.items(), strict=True):
+        share = 100.0 * (least**2 * math.pi / 2.0) / found.sizes[name]["standard"].rms ** 2
+        assert row[-1] == f"{min(share, 100.0):.0f}%"
+    perfect = evaluate(made(noise=False), club="driver", models=["slip"], parameters={"slip": TRUTH})
+    assert {row[-1] for row in tables.noise_floor(perfect).rows} == {"100%"}
+
+
+def test_the_best_models_and_the_detail_have_their_numbers(result):
+    for row, (name, best) in zip(tables.best_models(result).rows, result.best.items(), strict=True):
+        digits = 0 if "spin" in name else 2
+        assert row[1:3] == [best.model, f"{result.sizes[name][best.model].mae / SIZES[name]:.{digits}f}"]
+        worse = next((each for each in best.rivals if each.is_worse), None)
+        if worse is not None:
+            low, high = (f"{each / SIZES[name]:.{digits + 1}f}" for each in worse.interval)
+            assert row[4:6] == [worse.model, f"{worse.difference / SIZES[name]:.{digits + 1}f} [{low}, {high}]"]
+    for name in QUANTITIES:
+        digits = 0 if "spin" in name else 2
+        for row, (model, size) in zip(tables.detail(result, name).rows, result.sizes[name].items(), strict=True):
+            shown = [f"{each / SIZES[name]:.{digits}f}" for each in (size.mae, size.std, size.worst)]
+            assert [row[0], row[1], row[4], row[7]] == [model, *shown]
+            assert row[3] == f"{100 * size.mae / result.mean[name]:.3g}%"
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [(1.0, "1 s"), (12.34, "12.3 s"), (0.999, "999 ms"), (1e-3, "1 ms"), (0.9e-3, "900 us"), (1e-6, "1 us"),
+     (5e-7, "500 ns"), (1e-9, "1 ns")],
+)  # fmt: skip
+def test_times_are_told_in_a_unit_that_suits_them(seconds, words):
+    assert tables.duration(seconds) == words
+
+
+def test_a_probability_is_no_finer_than_the_resamples_tell():
+    """Twenty of the resamples, or one in a thousand, is the least that is told."""
+    assert tables.probability(0.01, 2000) == "0.01"
+    assert tables.probability(0.0099, 2000) == "< 0.01"
+    assert tables.probability(0.001, 100_000) == "0.001"
+    assert tables.probability(0.00099, 100_000) == "< 0.001"
+    assert tables.probability(0.123, 100) == "< 0.2"
+    assert tables.probability(0.234, 100) == "0.23"

@@ -207,3 +207,15 @@ def test_the_command_writes_the_report_of_a_monitors_file(clubface_, tmp_path, w
     clubface_("monitor", "report", str(nothing), "-o", str(target))
     assert "It carries 150 yards." in target.read_text()
     assert as_markdown(list(blocks([figures_of(shots(2), "Driver")], shots(2)))).startswith("# Your shots")
+
+
+@pytest.mark.parametrize("count", [4, 5, 6, 9, 10, 11])
+def test_how_many_shots_more_would_tell_twice_as_well(count):
+    """The error of a mean falls with the square root of the number of shots."""
+    text = " ".join(words.doubt(figures_of(shots(count), "Driver")))
+    told = re.search(r"With (\d+) shots more we would know the averages about twice", text)
+    if not 5 <= count < 10:
+        assert told is None
+        assert ("are few" in text) == (count < 5)
+    else:
+        assert np.sqrt((count + int(told[1])) / count) == 2.0

@@ -68,7 +68,9 @@ def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path,
     with scheduler(tmp_path) as (address, boss), workers(address, 2) as (first, _):
         # The other worker goes on alone.
         done = studies.run(path, scheduler=address, shard="1/2", progress=at(2, first.kill))
-        assert (done.computed, done.missing) == (10, 10)
+        # A chunk that the killed worker had stored and not yet told of is found when it is given again.
+        assert done.computed in (9, 10)
+        assert done.missing == 10
         with pytest.raises(ClubfaceError, match=r"is gone, the scheduler of the cluster; .* of 20 chunks are done and"):
             studies.run(path, scheduler=address, progress=at(3, boss.kill))
     done = studies.run(path)

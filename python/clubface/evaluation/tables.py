@@ -246,7 +246,10 @@ def remarks(of: ModelErrors) -> list[str]:
         )
     if of.failed:
         first = "; ".join(f"{each.line}: {each.reason}" for each in of.failed[:5])
-        found.append(f"left out for all models, since one cannot compute them: {counted(len(of.failed))} ({first})")
+        found.append(
+            f"left out for all models, since one cannot compute them: {counted(len(of.failed))}"
+            f" ({first}{_more(of.failed)})"
+        )
     return found
 
 

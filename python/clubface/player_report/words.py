@@ -188,7 +188,8 @@ def doubt(of: ClubFigures) -> Iterator[str]:
     if count < FEW:
         yield f"{count} shot{'s are' if count != 1 else ' is'} few: {FEW} more could change every average here."
     elif count < ENOUGH:
-        yield f"With {2 * count} shots more we would know the averages about twice as well."
+        # An average of four times as many shots is twice as sure.
+        yield f"With {3 * count} shots more we would know the averages about twice as well."
     found = of.inferred
     if found is not None and of.club is not None:
         yield (

@@ -1,0 +1,70 @@
+"""What an optimum has of a limit: margins and words against the figures they stand for."""
+
+import math
+from types import SimpleNamespace
+
+import pytest
+
+from clubface.design.optimisation.result import Verdict, _of_margins, _of_range, _of_rule
+from clubface.design.rules import Rule, RuleVerdict
+
+INF = math.inf
+
+
+@pytest.mark.parametrize(
+    ("value", "low", "high", "allowed", "margin"),
+    [
+        # A part of the range where there are two ends, of the limit where there is one.
+        (0.012, 0.010, 0.020, "10 mm to 20 mm", 0.2), (0.018, 0.010, 0.020, "10 mm to 20 mm", 0.2),
+        (0.010, 0.010, 0.020, "10 mm to 20 mm", 0.0), (0.025, 0.010, 0.020, "10 mm to 20 mm", -0.5),
+        (0.012, 0.010, INF, "at least 10 mm", 0.2), (0.008, -INF, 0.010, "at most 10 mm", 0.2),
+        (0.009, 0.010, INF, "at least 10 mm", -0.1), (-0.012, -INF, -0.010, "at most -10 mm", 0.2),
+    ],
+)  # fmt: skip
+def test_a_value_in_a_range(value, low, high, allowed, margin):
+    found = _of_range("x", value, low, high, "mm")
+    assert (found.allowed, found.value) == (allowed, f"{1e3 * value:g} mm")
+    assert found.margin == pytest.approx(margin, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("margin", "state"),
+    [(0.2, "kept"), (1.01e-4, "kept"), (0.99e-4, "kept, at the limit"), (0.0, "kept, at the limit"),
+     (-1e-3, "broken"), (math.nan, "not known")],
+)  # fmt: skip
+def test_the_state_of_a_limit(margin, state):
+    assert Verdict("x", "1", "at most 1", margin).state == state
+
+
+RULE = Rule("characteristic_time", "characteristic time of the face", 239e-6, 18e-6, "us", "The Equipment Rules")
+
+
+def test_a_rule_with_and_without_its_tolerance():
+    of = SimpleNamespace(rule=RULE, value=250e-6)
+    with_tolerance, without = _of_rule(of, True), _of_rule(of, False)
+    assert (with_tolerance.allowed, without.allowed) == ("at most 257 us", "at most 239 us")
+    assert with_tolerance.value == without.value == "250 us"
+    assert with_tolerance.margin == pytest.approx(7 / 257)
+    assert without.margin == pytest.approx(-11 / 239)
+    unknown = _of_rule(SimpleNamespace(rule=RULE, value=math.nan), True)
+    assert (unknown.value, unknown.state) == ("not known", "not known")
+
+
+@pytest.mark.parametrize(
+    ("value", "conforms", "words"),
+    [
+        (239e-6, True, "conforms"), (240e-6, True, "conforms within the tolerance"),
+        (257e-6, True, "conforms within the tolerance"), (257.01e-6, False, "does not conform"),
+        (math.nan, None, "not known"),
+    ],
+)  # fmt: skip
+def test_a_club_at_a_limit_conforms(value, conforms, words):
+    verdict = RuleVerdict(RULE, value)
+    assert (verdict.conforms, verdict.words) == (conforms, words)
+
+
+def test_of_margins_alike_the_least_is_told():
+    margins = [SimpleNamespace(name="a", value=0.5), SimpleNamespace(name="b", value=-0.1),
+               SimpleNamespace(name="a", value=0.25), SimpleNamespace(name="b", value=2.0)]  # fmt: skip
+    found = {each.limit: (each.value, each.margin) for each in _of_margins(margins)}
+    assert found == {"a": ("0.2500", 0.25), "b": ("-0.1000", -0.1)}

@@ -1,0 +1,61 @@
+"""What is told while one waits: how much is done never falls, the whole stays the same, and the last says all."""
+
+import pytest
+
+import clubface
+from clubface import studies
+from clubface.motion_capture.synthetic.files import synthesize
+from clubface.tour.averages import tour
+from study_files import squares
+
+pytestmark = pytest.mark.usefixtures("in_this_process")
+
+
+@pytest.fixture
+def told():
+    """A progress that keeps what it is told, and the checks on it."""
+
+    class Told(list):
+        def __call__(self, done, whole):
+            self.append((done, whole))
+
+        def check(self, whole):
+            done = [each for each, _ in self]
+            assert {each for _, each in self} == {whole}
+            assert done == sorted(done)
+            assert done[-1] == whole
+            assert done[0] <= 1 or len(done) == 1
+            self.clear()
+
+    return Told()
+
+
+def test_of_a_study(told, tmp_path):
+    """20 chunks of 10 tasks; a summary reads each twice, once to find the ends of the classes."""
+    path = squares(tmp_path)
+    studies.run(path, progress=told)
+    told.check(20)
+    studies.status(path, check=True, progress=told)
+    told.check(20)
+    studies.join(path, tmp_path / "all.parquet", progress=told)
+    told.check(20)
+    studies.summary(path, progress=told)
+    assert len(told) == 40
+    told.check(40)
+
+
+def test_of_a_study_that_is_half_done(told, tmp_path):
+    path = squares(tmp_path)
+    studies.run(path, shard="1/2")
+    studies.run(path, progress=told)
+    told.check(20)
+
+
+@pytest.mark.filterwarnings("ignore::clubface.errors.RangeWarning")
+def test_of_other_long_work(told, tmp_path):
+    tour(["standard", "slip"], progress=told)
+    told.check(told[0][1])
+    synthesize(tmp_path, 2, progress=told)
+    told.check(2)
+    clubface.dispersion("tour-driver", count=40_000, progress=told)
+    told.check(told[0][1])
