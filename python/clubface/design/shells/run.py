@@ -145,7 +145,7 @@ def _search(
             lambda places: engine([as_written(study.at(place, metal)) for place in places]),
             study.start(), goal, radius=study.radius, most=study.designs, neighbours=study.neighbours, told=told,
         )  # fmt: skip
-    except ValueError as error:
+    except RunError as error:
         raise RunError(
             f"{study.head.name} of {metal.name}: {error}; try a thicker face, or a slower hardest blow"
         ) from error
