@@ -293,6 +293,8 @@ def test_a_file_is_read(tmp_path):
         ('[["0 mm", "0 mm"], ["10 mm", "4 mm"]]', "[]", 9, "1 to 100 points"),
         ('[["0 mm", "0 mm"], ["10 mm", "4 mm"]]', '[["0 mm", "90 mm"]]', 9, "within 60 mm"),
         ('speed = "120 mph"', 'speed = "120 kg"', 11, "speed"),
+        ('"2.4 mm", "4.2 mm"', '"0.1 mm", "4.2 mm"', 6, "bounds at which there is a head"),
+        ('[["0 mm", "0 mm"], ["10 mm", "4 mm"]]', '[["56 mm", "0 mm"]]', None, "outside the face"),
         ("poisson = 0.34", "poisson = 0.7", 17, "poisson"),
         ('objective = "ball_speed"', 'objective = "ball_speed"\ngolfer = "bogey-driver"', 9, "the golfer delivers"),
     ],

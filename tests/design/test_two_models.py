@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from clubface.design.shells.management import Goal, manage
+from clubface.errors import RunError
 
 pytest.importorskip("scipy")
 
@@ -91,7 +92,7 @@ def test_a_design_that_fails_is_refused_and_the_region_shrinks():
 
 
 def test_a_start_that_fails_is_told():
-    with pytest.raises(ValueError, match="the design to start from fails"):
+    with pytest.raises(RunError, match="the design to start from fails"):
         manage(walls(), lambda places: [dict.fromkeys(("mass", "strength"), math.nan)], np.array([0.5, 0.5]), LIGHTEST)
 
 

@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from clubface.errors import RunError
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -185,7 +187,7 @@ def manage(
 
     Raises
     ------
-    ValueError
+    RunError
         The design to start from fails.
     """
     return _Search(fast, exact, goal, radius, most, told).run(np.asarray(start, float), neighbours)
@@ -211,7 +213,7 @@ class _Search:
         """Search from a start."""
         values = self._exact([start])[0]
         if self._goal.violation(values) == math.inf:
-            raise ValueError("the design to start from fails")
+            raise RunError("the design to start from fails")
         self._note(start, "start", values, None)
         self._correction = Correction(self._names, start, self._ratio(start, values))
         if neighbours and self._can_look_round(start):

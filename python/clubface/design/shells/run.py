@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from clubface.design.shells.broken import broken
 from clubface.design.shells.engine import Engine
 from clubface.design.shells.fast import FastModel
 from clubface.design.shells.management import Goal, Managed, Step, manage
@@ -104,8 +105,11 @@ def improve(
             if each.within and (not chosen.within or each.goal.better(each.best.values, chosen.best.values)):
                 chosen = each
         if not chosen.within:
+            lacks = broken(chosen.goal.limits, chosen.best.values)
             told = "give limits or bounds that some head can keep, or allow more designs"
-            raise RunError(f"no head within all limits was found; the best, of {_broken(chosen)}; {told}")
+            raise RunError(
+                f"no head within all limits was found; the best, of {chosen.metal.name}, has {lacks}; {told}"
+            )
         judged = design_of(study, chosen.best, chosen.metal)
         head = replace(judged, metal=chosen.metal.metal)
         if output is not None:
@@ -145,17 +149,11 @@ def _search(
             lambda places: engine([as_written(study.at(place, metal)) for place in places]),
             study.start(), goal, radius=study.radius, most=study.designs, neighbours=study.neighbours, told=told,
         )  # fmt: skip
-    except ValueError as error:
+    except RunError as error:
         raise RunError(
             f"{study.head.name} of {metal.name}: {error}; try a thicker face, or a slower hardest blow"
         ) from error
     return Search(metal=metal, goal=goal, found=found)
-
-
-def _broken(search: Search) -> str:
-    from clubface.design.shells.words import broken_words
-
-    return broken_words(search)
 
 
 def _store(study: ShellStudy, output: str | Path | None, resume: bool) -> AbstractContextManager[Any]:

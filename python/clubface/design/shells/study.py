@@ -16,7 +16,9 @@ from clubface.errors import InputError
 from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
 from clubface.fem.heads.metal import Metal
+from clubface.simulation.impact import impact
 from clubface.support.checks import check_choice, check_count, check_names
+from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -141,10 +143,22 @@ class ShellStudy:
                 raise InputError(
                     "yield", None, f"the yield stress of {each.name}, which the hardest blow is held against"
                 )
-        for name, (least, most) in self.bounds.items():
-            for share in (0.0, 1.0):
-                # The head refuses what it cannot have: here, before anything runs.
-                self.at(self.start() * 1.0, self.metals[0], {name: least + share * (most - least)})
+        self._check_heads()
+
+    def _check_heads(self) -> None:
+        """Refuse bounds at which there is no head, and blows that miss the face, before anything runs."""
+        with without_warnings():
+            for name, bounds in self.bounds.items():
+                for value in bounds:
+                    try:
+                        _ = self.at(self.start(), self.metals[0], {name: value}).mesh().club
+                    except InputError as error:
+                        allowed = f"bounds at which there is a head ({error})"
+                        raise InputError(f"variables.{name}", show(name, value), allowed) from error
+            club = self.at(self.start(), self.metals[0]).mesh().club
+            for blow in (self.delivery, *(() if self.hardest is None else (self.hardest,))):
+                for point in blow.points:
+                    impact(club, blow.at(point), ball=self.ball.rigid)
 
     def start_value(self, name: str) -> float:
         """Return what the head to start from has of a variable [SI]."""

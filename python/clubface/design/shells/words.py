@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from clubface import units
+from clubface.design.shells.broken import number
 from clubface.design.shells.study import QUANTITIES
 
 if TYPE_CHECKING:
     from clubface.design.shells.management import Step
     from clubface.design.shells.run import Improved, Search
 
-DIGITS = {"mph": 2, "yd": 1, "us": 1, "MPa": 0, "g": 1, "g cm2": 0, "cm3": 1, "mm": 3, "deg": 2}
 SHORT = {"us": "µs"}
 
 Table = tuple[tuple[str, ...], list[list[str]]]
@@ -24,13 +23,13 @@ def design_table(found: Improved) -> Table:
     rows = [
         [
             f"{_variable(name)}, {_unit_of(name)}",
-            *(_number(values[name], _unit_of(name)) for values in _variables(found)),
+            *(number(values[name], _unit_of(name)) for values in _variables(found)),
         ]
         for name in study.bounds
     ]
     for name, (words, _, unit) in QUANTITIES.items():
         if name in search.best.values:
-            told = (_number(step.values[name], unit) for step in (search.start, search.best))
+            told = (number(step.values[name], unit) for step in (search.start, search.best))
             rows.append([f"{words}, {SHORT.get(unit, unit)}", *told])
     return ("", "start", "best"), rows
 
@@ -41,10 +40,10 @@ def limits_table(search: Search) -> Table:
     for name, (least, most) in search.goal.limits.items():
         words, _, unit = QUANTITIES[name]
         values = [step.values[name] for step in (search.start, search.best)]
-        low = "" if least == 0.0 else _number(least, unit)
-        high = "" if most == math.inf else _number(most, unit)
+        low = "" if least == 0.0 else number(least, unit)
+        high = "" if most == math.inf else number(most, unit)
         rows.append(
-            [f"{words}, {SHORT.get(unit, unit)}", low, high, *(_number(value, unit) for value in values),
+            [f"{words}, {SHORT.get(unit, unit)}", low, high, *(number(value, unit) for value in values),
              verdict(values[1], least, most)]
         )  # fmt: skip
     return ("", "least", "most", "start", "best", ""), rows
@@ -65,8 +64,8 @@ def metals_table(found: Improved) -> Table:
     for each in found.searches:
         yield_ = each.metal.metal.yield_stress
         rows.append([
-            each.metal.name, "" if yield_ is None else _number(yield_, "MPa"),
-            _number(each.best.values[study.objective], unit), "yes" if each.within else "no",
+            each.metal.name, "" if yield_ is None else number(yield_, "MPa"),
+            number(each.best.values[study.objective], unit), "yes" if each.within else "no",
             str(len(each.found.steps)), each.metal.source,
         ])  # fmt: skip
     heads = ("metal", "yield\nMPa", f"{study.objective.replace('_', ' ')}\n{SHORT.get(unit, unit)}", "within\nlimits",
@@ -78,11 +77,11 @@ def steps_table(search: Search, objective: str) -> Table:
     """Return every design that the engine judged: what was promised, what was found, and what became of it."""
     _, _, unit = QUANTITIES[objective]
     rows = []
-    for number, step in enumerate(search.found.steps, 1):
+    for place, step in enumerate(search.found.steps, 1):
         violation = search.goal.violation(step.values)
         rows.append([
-            str(number), step.kind, "" if step.promised is None else _number(step.promised[objective], unit),
-            "failed" if violation == math.inf else _number(step.values[objective], unit),
+            str(place), step.kind, "" if step.promised is None else number(step.promised[objective], unit),
+            "failed" if violation == math.inf else number(step.values[objective], unit),
             "" if violation == 0.0 else "" if violation == math.inf else f"{100.0 * violation:.2f}",
             "accepted" if step.accepted else "refused" if step.kind == "proposal" else "",
         ])  # fmt: skip
@@ -103,19 +102,6 @@ def notes(found: Improved) -> list[str]:
             "the head: a finer mesh finds more. It tells of yield under one blow and nothing of fatigue."
         )
     return told
-
-
-def broken_words(search: Search) -> str:
-    """Return which limits the best head breaks, in words."""
-    told = []
-    for name, (least, most) in search.goal.limits.items():
-        words, _, unit = QUANTITIES[name]
-        value = search.best.values[name]
-        if not least <= value <= most:
-            limit = most if value > most else least
-            beyond = "above" if value > most else "below"
-            told.append(f"{words} {_number(value, unit)} {unit} {beyond} {_number(limit, unit)} {unit}")
-    return f"{search.metal.name}, has {', '.join(told)}"
 
 
 def document(found: Improved) -> dict[str, Any]:
@@ -174,7 +160,3 @@ def _variable(name: str) -> str:
 
 def _unit_of(name: str) -> str:
     return "deg" if name == "shape.loft" else "mm"
-
-
-def _number(value: float, unit: str) -> str:
-    return units.fixed(value, unit, DIGITS[unit]).removesuffix(f" {unit}").strip()
