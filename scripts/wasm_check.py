@@ -29,18 +29,14 @@ A CPU may fuse products and sums, WebAssembly does not, and an impact multiplies
 
 
 def _deliveries() -> list[list[float]]:
-    """Return columns of shots with the driver of Caldwell and McPhee (2023), some of which cannot be computed."""
+    """Return columns of shots with the driver and the default ball, some of which cannot be computed."""
     random = np.random.default_rng(1)
-    driver = {
-        "club_mass": 0.204, "cg_x": 40.8e-3, "cg_y": 11.4e-3, "cg_z": 1e-3,
-        "ixx": 2843e-7, "iyy": 5679e-7, "izz": 4085e-7, "ixy": -733e-7, "ixz": 530.2e-7, "iyz": 0.5e-7,
-        "static_loft": math.radians(9.8), "bulge": 0.305, "roll": 0.305, "face_width": 0.105, "face_height": 0.055,
-        "ball_mass": 0.0459, "ball_radius": 0.0213, "ball_inertia": 83.36e-7,
-    }  # fmt: skip
+    driver = clubface.impact("driver", speed=45.0)
     ranges = {
         "speed": (35.0, 55.0), "attack": (-0.1, 0.12), "path": (-0.14, 0.14), "loft": (0.1, 0.35),
         "face": (-0.14, 0.14), "lie": (-0.14, 0.14), "toe": (-0.025, 0.025), "high": (-0.012, 0.012),
         "closure": (-10.0, 60.0), "pitch_rate": (-20.0, 20.0), "lie_rate": (-20.0, 20.0),
+        "ball_backspin": (-100.0, 100.0), "ball_sidespin": (-100.0, 100.0), "ball_riflespin": (-100.0, 100.0),
     }  # fmt: skip
     columns: list[list[float]] = []
     for entry in _core.inputs():
@@ -50,7 +46,7 @@ def _deliveries() -> list[list[float]]:
         elif name == "hand":
             values = np.where(random.uniform(size=SHOTS) < 0.5, 1.0, -1.0)
         else:
-            values = np.full(SHOTS, driver[name])
+            values = np.full(SHOTS, driver.input(name))
         if name == "toe":
             values[17] = 0.2
         columns.append(values.tolist())
