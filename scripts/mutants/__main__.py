@@ -122,7 +122,7 @@ class Records:
             if kept is not None:
                 kept.write_text(json.dumps({"times": self.times, "lines": self.lines}), encoding="utf-8")
         for test in self.times:
-            self.rooms.setdefault(test.rpartition("/")[0] + "/", []).append(test)
+            self.rooms.setdefault(test.partition("::")[0].rpartition("/")[0] + "/", []).append(test)
 
     def _take_newer(self, since: float) -> None:
         """Take test files that are newer than the records as tests of their whole room."""
@@ -148,7 +148,7 @@ class Records:
                     of.setdefault(line, []).extend(filter(None, tests))
 
     def tests_of(self, planted: Planted) -> Iterator[list[str]]:
-        """Yield the tests that run a line, then those that run anything of its file, then all of its room.
+        """Yield the tests that run a line, then those that run anything of its file, then all of its room and of none.
 
         What is computed once for several tests, or on import, is recorded with the first of them or with none.
         """
@@ -156,7 +156,7 @@ class Records:
         of_line = set(lines.get(planted.mutation.line, ()))
         of_file = {test for tests in lines.values() for test in tests} - of_line
         room = f"tests/{Path(planted.path).relative_to(PACKAGE).parts[0]}/"
-        of_room = set(self.rooms.get(room, ())) - of_line - of_file
+        of_room = {*self.rooms.get(room, ()), *self.rooms.get("tests/", ())} - of_line - of_file
         for tests in (of_line, of_file, of_room):
             ranked = sorted(tests, key=lambda test: (not test.startswith(room), self.times.get(test, 0.0)))
             spent, chosen = 0.0, []

@@ -138,6 +138,18 @@ def test_a_cluster_that_is_not_the_mappings_is_refused_with_the_reason(spoil, me
         track(SHAPE, spoil(moving()[0]), NAMES, "x")
 
 
+def test_the_reason_is_found_in_the_frames_that_show_all_markers():
+    """Of the first ten frames, each lacks a marker; the mirror image is seen in the others alone."""
+    seen = moving()[0] * [1, 1, -1]
+    seen[np.arange(10), np.arange(10) % 5] = np.nan
+    seen[:10, 0] = np.nan
+    with pytest.raises(FileError, match="mirror image fits: the hand"):
+        track(SHAPE, seen, NAMES, "x")
+    seen[:, 0] = np.nan  # no frame shows all: nothing more can be told
+    with pytest.raises(FileError, match="is this the right club"):
+        track(SHAPE, seen, NAMES, "x")
+
+
 def test_degrees_of_freedom_are_three_a_marker_less_six():
     residuals = np.zeros((3, 5, 3))
     residuals[1, 0] = np.nan

@@ -136,3 +136,36 @@ def test_a_chunk_that_the_scheduler_has_lost_is_given_to_it_again():
 def test_a_chunk_over_which_worker_after_worker_is_lost_is_given_up():
     with pytest.raises(LinkError, match="has lost the workers of chunk 2 5 times"):
         computed_by(Lost({2: 100}))
+
+
+class Silent(Lost):
+    """A client that hears nothing of its chunks."""
+
+    def submit(self, *arguments, **options):
+        future = super().submit(*arguments, **options)
+        future.done = lambda: False
+        return future
+
+
+def test_a_scheduler_that_is_silent_for_a_while_is_waited_for(monkeypatch):
+    away = Lost({})
+    away.status = "connecting"
+    assert computed_by(away) == {chunk: chunk for chunk in range(5)}
+    monkeypatch.setattr(cluster, "PATIENCE", 0.3)
+    silent = Silent({})
+    silent.status = "connecting"
+    begun = time.monotonic()
+    with pytest.raises(LinkError, match="is gone, the scheduler of the cluster"):
+        computed_by(silent)
+    assert time.monotonic() - begun > 0.3
+
+
+def test_a_scheduler_that_has_closed_is_not_waited_for(monkeypatch):
+    """A minute would be: nothing of this takes as long on any machine."""
+    monkeypatch.setattr(cluster, "PATIENCE", 60.0)
+    silent = Silent({})
+    silent.status = "closed"
+    begun = time.monotonic()
+    with pytest.raises(LinkError, match="is gone, the scheduler of the cluster"):
+        computed_by(silent)
+    assert time.monotonic() - begun < 60.0
