@@ -12,6 +12,12 @@ from clubface.errors import RuleWarning
 OUNCE, INCH = 28.349523125e-3, 25.4e-3
 
 
+@pytest.fixture(autouse=True)
+def nothing_told_yet(monkeypatch):
+    """Whatever other tests were told: the same is told once in a process."""
+    monkeypatch.setattr("clubface.support.warning._given", set())
+
+
 def told(**changes):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
