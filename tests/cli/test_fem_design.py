@@ -62,7 +62,13 @@ def test_the_best_head_is_told_drawn_and_written(clubface_, files):
 
 
 def test_a_document_has_everything(clubface_, files):
-    told = clubface_("fem", "design", str(files / "study.toml"), "--json").json
+    report = files / "report.md"
+    told = clubface_("fem", "design", str(files / "study.toml"), "--json", "--report", str(report)).json
+    text = report.read_text()
+    speeds = [f"{told[which]['ball_speed'] / 0.44704:.2f}" for which in ("best", "start")]
+    assert f"The mean ball speed of the best head is {speeds[0]} mph instead of {speeds[1]} mph." in text
+    assert "Designs that finite elements judged" in text
+    assert "Computed by clubface" in text
     assert told["objective"] == "ball_speed"
     [search] = told["searches"]
     assert [step["kind"] for step in search["designs"]] == ["start", "neighbour", "proposal"]

@@ -85,6 +85,19 @@ def test_a_fitting_ranks_the_parts(clubface_, study):
     assert values == sorted(values, reverse=True)
 
 
+def test_the_report_of_a_fitting_advises_the_best_combination(clubface_, study, tmp_path):
+    pytest.importorskip("matplotlib")
+    study.write_text(FIT)
+    report = tmp_path / "fitting.md"
+    found = clubface_("optimise", str(study), "--json", "--report", str(report)).json["combinations"]
+    best, next_one = found
+    text = report.read_text()
+    carry = f"the mean carry is {best['value'] / 0.9144:.2f} yd"
+    assert f"Of 2 combinations the best is {best['club']} with the ball {best['ball']}: {carry}." in text
+    assert f"{(best['value'] - next_one['value']) / 0.9144:.2f} yd behind" in text
+    assert "Which ball" in text
+
+
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [

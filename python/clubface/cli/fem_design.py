@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from clubface.cli import options, output
+from clubface.cli import options, output, reporting
 from clubface.cli.failures import say
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from clubface.design.shells.run import Improved
+
+STEPS = ("design", "kind", "promised", "found", "beyond limits", "verdict")
+"""Names of the columns of a search whose heads are empty."""
 _OUTPUT = options.output("FILE", "Write the best head to this TOML file, which fem head and shot read.")
 
 
@@ -22,12 +30,14 @@ def design(
     target: Annotated[str | None, _OUTPUT] = None,
     picture: Annotated[str | None, options.picture("every design that was judged")] = None,
     workers: Annotated[int | None, typer.Option("--workers", help="Runs at a time; all cores unless given.")] = None,
+    report: options.Report = None,
     resume: options.Resume = False,
     as_json: options.Json = False,
 ) -> None:
     """Find the walls of a head: a fast model proposes them, finite elements judge ball speed, stress and limits."""
     output.check_target("--output", target, (".toml",), (study,))
     output.check_picture(picture, (study,))
+    output.check_report(report, (study,))
     if resume and target is None:
         raise ClubfaceError("--output is missing; what is finished is kept beside it, so --resume needs it")
     from clubface.design import shells
@@ -38,14 +48,40 @@ def design(
         found = shells.improve(asked, output=target, resume=resume, workers=workers, progress=progress)
     if target is not None:
         say(f"wrote {target}")
-    if picture is not None:
-        from clubface import plots
+    if picture is not None or report is not None:
         from clubface.design.shells.figures import search_figure
 
-        say(f"wrote {plots.save(search_figure(found), picture)}")
+        figure = search_figure(found)
+        if picture is not None:
+            from clubface import plots
+
+            say(f"wrote {plots.save(figure, picture)}")
+        if report is not None:
+            _report(found, study, figure, report)
+            say(f"wrote {report}")
     if as_json:
         output.print_json(words.document(found))
-        return
+    else:
+        _print(found)
+
+
+def _report(found: Improved, study: str, figure: Figure, target: str) -> None:
+    from clubface.design.shells import words
+
+    heads, rows = words.steps_table(found.chosen, found.study.objective)
+    names = [head.replace("\n", " ") or name for head, name in zip(heads, STEPS, strict=True)]
+    reporting.write(
+        target, title=found.study.title, words=words.gains(found),
+        picture=("Every design that finite elements judged", figure),
+        columns={name: [row[place] for row in rows] for place, name in enumerate(names)}, show=lambda: _print(found),
+        launches=(), given={"study": Path(study).name, "runs of finite elements": str(found.runs)},
+    )  # fmt: skip
+
+
+def _print(found: Improved) -> None:
+    from clubface.design.shells import words
+
+    asked = found.study
     print_numbers(*words.design_table(found), title=asked.title)
     print()
     if found.chosen.goal.limits:

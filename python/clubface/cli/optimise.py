@@ -40,8 +40,8 @@ def optimise(
 
     asked = read(study)
     if isinstance(asked, Fitting):
-        _refuse({"--output": target, "--plot": picture, "--report": report})
-        _fit(asked, as_json)
+        _refuse({"--output": target, "--plot": picture})
+        _fit(asked, report, as_json)
     else:
         _optimise(asked, target, picture, report, resume, as_json)
 
@@ -82,27 +82,13 @@ def _optimise(
 
 def _report(found: Any, figure: Any, target: str) -> None:
     from clubface.design.optimisation import words
-    from clubface.simulation.impact import impact
 
     heads, rows = words.design_table(found)
-    study, setting = found.study, found.study.setting
-    launches = [
-        impact(
-            found.built,
-            golfer.for_hand(found.built.hand).delivery(),
-            model=setting.model,
-            ball=setting.ball,
-            parameters=setting.parameters,
-        )
-        for golfer, _ in study.golfers
-    ]
     reporting.write(
-        target, title=study.title, words=words.gains(found),
+        target, title=found.study.title, words=words.gains(found),
         picture=("Landings with the club at the start and with the optimum, and what changed", figure),
         columns={head.replace("\n", " ") or "field": [row[place] for row in rows] for place, head in enumerate(heads)},
-        show=lambda: _print(found), launches=launches,
-        given={"golfers": ", ".join(golfer.title or golfer.name for golfer, _ in study.golfers),
-               "shots": str(found.shots), "seed": str(study.seed)},
+        show=lambda: _print(found), launches=_deliveries(found.study, found.built), given=_asked(found.study),
     )  # fmt: skip
 
 
@@ -126,15 +112,45 @@ def _print(found: Any) -> None:
     output.print_notes(words.notes(found))
 
 
-def _fit(asked: Any, as_json: bool) -> None:
+def _fit(asked: Any, report: str | None, as_json: bool) -> None:
     from clubface.design.optimisation import words
     from clubface.design.optimisation.fitting import fit
 
     with progress_bar("combinations") as progress:
         found = fit(asked, progress=progress)
+
+    def show() -> None:
+        print_numbers(*words.fit_table(asked, found), title=asked.title)
+        print()
+        output.print_notes(words.fit_notes(asked, found))
+
+    if report is not None:
+        reporting.write(
+            report, title=asked.title, words=words.fit_advice(asked, found), picture=None, columns={}, show=show,
+            launches=_deliveries(asked, asked.clubs[0]), given=_asked(asked),
+        )  # fmt: skip
+        say(f"wrote {report}")
     if as_json:
         output.print_json(words.fit_document(asked, found))
-        return
-    print_numbers(*words.fit_table(asked, found), title=asked.title)
-    print()
-    output.print_notes(words.fit_notes(asked, found))
+    else:
+        show()
+
+
+def _deliveries(asked: Any, club: Any) -> list[Any]:
+    """Return the launches of the mean deliveries of the golfers with a club."""
+    from clubface.simulation.impact import impact
+
+    setting = asked.setting
+    return [
+        impact(
+            club, golfer.for_hand(club.hand).delivery(), model=setting.model, ball=setting.ball,
+            parameters=setting.parameters,
+        )
+        for golfer, _ in asked.golfers
+    ]  # fmt: skip
+
+
+def _asked(asked: Any) -> dict[str, str]:
+    """Return for whom, and with how many shots, a study was solved."""
+    golfers = ", ".join(golfer.title or golfer.name for golfer, _ in asked.golfers)
+    return {"golfers": golfers, "shots": str(asked.shots), "seed": str(asked.seed)}

@@ -36,11 +36,13 @@ def repeated_in(blocks: list[Any]) -> Iterator[None]:
 def repeat_table(title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     """Add a table to the report that repeats what is printed, if there is one."""
     if (blocks := _REPEATED.get()) is not None:
-        from clubface.reports.blocks import Heading, Table
+        from clubface.reports.blocks import Data, Heading, Table
+        from clubface.reports.document import file_name
 
         if title:
             blocks.append(Heading(3, title))
-        blocks.append(Table([head.replace("-\n", "").replace("\n", " ") for head in heads], rows))
+        plain_heads = [head.replace("-\n", "").replace("\n", " ") for head in heads]
+        blocks.append(Table(plain_heads, rows, Data(file_name(title or "table"), plain_heads, rows)))
 
 
 def _repeat_texts(texts: Sequence[str], *, bullets: bool) -> None:

@@ -204,6 +204,25 @@ def fit_document(of: Fitting, found: list[Combination]) -> dict[str, Any]:
     return {"title": of.title, "objective": of.objective, "combinations": [each._asdict() for each in found]}
 
 
+def fit_advice(of: Fitting, found: list[Combination]) -> list[str]:
+    """Return what a fitting comes to, in sentences for the golfer."""
+    best, judge = found[0], of.judge(of.objective)
+
+    def named(each: Combination) -> str:
+        parts = [f"{each.club} with the ball {each.ball}", *([f"the setting {each.setting}"] if each.setting else [])]
+        return ", ".join([*parts, *([told(each.changes)] if each.changes else [])])
+
+    unit = "" if judge.unit == "1" else f" {judge.unit}"
+    said = [
+        f"Of {len(found)} combinations the best is {named(best)}: "
+        f"the {judge.meaning} is {_value(best.value, judge)}{unit}."
+    ]
+    if len(found) > 1:
+        behind = _value(abs(found[1].value - best.value), judge)
+        said.append(f"Next comes {named(found[1])}, {behind}{unit} behind.")
+    return said
+
+
 def fit_notes(of: Fitting, found: list[Combination]) -> list[str]:
     """Return what a reader should know about a fitting."""
     said = [

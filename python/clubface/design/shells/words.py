@@ -89,6 +89,19 @@ def steps_table(search: Search, objective: str) -> Table:
     return ("", "", f"promised\n{shown}", f"found\n{shown}", "beyond\nlimits, %", ""), rows
 
 
+def gains(found: Improved) -> list[str]:
+    """Return what the best head is worth beside the one to start from, in sentences."""
+    search = found.chosen
+    told = []
+    for name in dict.fromkeys((found.study.objective, "characteristic_time", "stress", "mass")):
+        if name in search.best.values:
+            words, _, unit = QUANTITIES[name]
+            before, after = (number(step.values[name], unit) for step in (search.start, search.best))
+            shown = SHORT.get(unit, unit)
+            told.append(f"The {words} of the best head is {after} {shown} instead of {before} {shown}.")
+    return told
+
+
 def notes(found: Improved) -> list[str]:
     """Return what else there is to know."""
     designs = sum(len(each.found.steps) for each in found.searches)
