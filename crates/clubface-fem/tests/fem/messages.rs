@@ -55,7 +55,8 @@ fn a_ball_has_as_many_pieces_as_is_said_and_no_more() {
     let checked = |count: usize| {
         let material =
             Material { law: NeoHookean { shear: 1e7 }.law(), bulk: 5e8, maxwell: vec![], density: 1150.0 };
-        let pieces = (1..=count).map(|place| piece("shell", 0.003 * place as f64, 1, material.clone())).collect();
+        let pieces =
+            (1..=count).map(|place| piece("shell", 0.003 * place as f64, 1, material.clone())).collect();
         BallConstruction { pieces, cube: 4, element: Element::OnePoint, mass: None }.check()
     };
     for count in [1, MAX_PIECES] {
