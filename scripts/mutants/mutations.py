@@ -112,8 +112,9 @@ def _code(node: ast.AST) -> Iterator[ast.AST]:
         for child in value if isinstance(value, list) else [value]:
             if not isinstance(child, ast.AST) or isinstance(child, ast.JoinedStr):
                 continue
-            # A statement of what holds, which nothing does otherwise: zip(..., strict=True).
-            if isinstance(child, ast.keyword) and child.arg == "strict":
+            # Statements of what holds, which nothing does otherwise: zip(..., strict=True), and dataclass(eq=False) of
+            # values with arrays, which are not compared.
+            if isinstance(child, ast.keyword) and child.arg in ("strict", "eq"):
                 continue
             if isinstance(child, ast.If) and "TYPE_CHECKING" in ast.dump(child.test):
                 continue

@@ -49,7 +49,23 @@ fn regular(x: f64, y: f64) -> bool {
     (x - 1.5).hypot(y - 1.5) > 0.1 && (x * x + y * y - 0.25).abs() > 0.05
 }
 
+fn fused<T: Scalar>(factor: T, other: T, term: T) -> (T, T) {
+    (factor.mul_add(other, term), factor * other + term)
+}
+
 proptest! {
+    /// Fused or not, it is a product and a sum, in plain numbers and in their derivatives.
+    #[test]
+    fn a_product_and_a_sum_at_once_are_both(x in -3.0..3.0f64, y in -3.0..3.0f64, z in -3.0..3.0f64) {
+        let (at_once, apart) = fused(x, y, z);
+        prop_assert!(close(at_once, x * y + z) && close(apart, x * y + z));
+        let duals = fused::<Dual<f64, 3>>(Dual::variable(x, 0), Dual::variable(y, 1), Dual::variable(z, 2));
+        prop_assert!(close(duals.0.value, x * y + z));
+        for (found, expected) in duals.0.tangent.iter().zip([y, x, 1.0]) {
+            prop_assert!(close(*found, expected));
+        }
+    }
+
     #[test]
     fn first_derivatives_equal_those_of_an_independent_implementation(x in 0.3..3.0f64, y in 0.3..3.0f64) {
         prop_assume!(regular(x, y));

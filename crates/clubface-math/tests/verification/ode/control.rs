@@ -86,6 +86,19 @@ fn the_number_of_steps_grows_as_the_order_says() {
     assert!((by_order_three - 1.0).abs() < 0.25, "{by_order_three}");
 }
 
+/// A controller aims below the tolerance, so that where errors change little from step to step hardly any is too large:
+/// no more than one of twenty on curves as smooth as these.
+#[test]
+fn hardly_any_step_of_a_smooth_problem_is_rejected() {
+    fn rejected<M: Method<Curves, f64, 3>>(method: &M, tolerance: f64) -> f64 {
+        let (outcome, watch, _) = run(method, &control(tolerance));
+        1.0 - watch.count(0) as f64 / outcome.steps as f64
+    }
+    let shares =
+        [rejected(&DORMAND_PRINCE, 1e-11), rejected(&BOGACKI_SHAMPINE, 1e-8), rejected(&Rosenbrock, 1e-8)];
+    assert!(shares.iter().all(|share| (0.0..0.05).contains(share)), "{shares:?}");
+}
+
 #[test]
 fn steps_are_never_longer_than_allowed_and_start_as_told() {
     let limits = Control { longest: 0.05, ..control(1e-3) };
