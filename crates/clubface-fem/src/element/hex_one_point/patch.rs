@@ -109,7 +109,7 @@ impl<R: Real> Arrangement<R> {
         unsafe {
             match constants {
                 Shapes::Fixed(blocks) => {
-                    self.visit_in::<P, P::Value>(positions, nodes, blocks, loaded, visitor)
+                    self.visit_in::<P, P::Value>(positions, nodes, blocks, loaded, visitor);
                 }
                 Shapes::Varying(blocks) => self.visit_in::<P, P>(positions, nodes, blocks, loaded, visitor),
             }
