@@ -96,6 +96,8 @@ def test_the_report_of_a_fitting_advises_the_best_combination(clubface_, study, 
     assert f"Of 2 combinations the best is {best['club']} with the ball {best['ball']}: {carry}." in text
     assert f"{(best['value'] - next_one['value']) / 0.9144:.2f} yd behind" in text
     assert "Which ball" in text
+    for ball in ("modern", "distance"):
+        assert f"Club driver and ball {ball}, by the model response" in text
 
 
 @pytest.mark.parametrize(

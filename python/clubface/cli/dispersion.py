@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output, reporting
+from clubface.cli import given, options, output
 from clubface.cli.failures import say
 from clubface.cli.golfer import GolferArgument
 from clubface.cli.progress import progress_bar
@@ -108,7 +107,9 @@ def dispersion(
 
         say(f"wrote {plots.save(dispersion_figure(found, shares), picture)}")
     if report is not None:
-        _report(report, found, slopes, shares, hit, texts)
+        from clubface.cli.dispersion_report import write
+
+        write(report, found, shares, hit, texts, lambda: _print(found, slopes, shares))
         say(f"wrote {report}")
     if as_json:
         output.print_json(_document(found, slopes, shares))
@@ -161,51 +162,6 @@ def _by_derivatives(of: Dispersion, hit: Any) -> ByDerivatives | None:
     from clubface.design.dispersion_derivatives import by_derivatives
 
     return by_derivatives(of.golfer, hit)
-
-
-def _report(
-    target: str,
-    of: Dispersion,
-    slopes: ByDerivatives | None,
-    shares: Indices | None,
-    hit: Any,
-    texts: Mapping[str, Any],
-) -> None:
-    from clubface.design.dispersion_figure import dispersion_figure
-
-    drawn = None
-    columns: dict[str, Any] = {}
-    if of.points.size:
-        drawn = ("Where the balls land, and what spreads them", dispersion_figure(of, shares))
-        columns = {"ahead (yd)": from_si(of.points[:, 0], "yd"), "right (yd)": from_si(of.points[:, 1], "yd")}
-    golfer = of.golfer
-    told = {"golfer": golfer.title or golfer.name, "shots": str(of.count), "seed": str(of.seed)}
-    reporting.write(
-        target, title=f"Where the shots of {told['golfer']} go with the {of.club.name}", words=_words(of),
-        picture=drawn, columns=columns, show=lambda: _print(of, slopes, shares), launches=[hit.mean(golfer)[0]],
-        given=told | reporting.told_conditions(texts),
-    )  # fmt: skip
-
-
-def _words(of: Dispersion) -> Iterator[str]:
-    """Say where shots go, in sentences."""
-
-    def told(name: str, share: float) -> str:
-        unit, _ = UNITS[name]
-        return f"{from_si(of.quantile(name, share), unit):.0f}"
-
-    yield f"Half of {of.count} shots leave at {told('ball_speed', 0.25)} to {told('ball_speed', 0.75)} mph."
-    if not of.points.size:
-        return
-    yield (
-        f"Half of them carry {told('carry', 0.25)} to {told('carry', 0.75)} yd, and nine of ten at least "
-        f"{told('carry', 0.1)} yd."
-    )
-    left, right = (from_si(of.quantile("side", share), "yd") for share in (0.05, 0.95))
-    places = [reporting.more_or_less(each, "yd", ("right", "left"), 0) for each in (left, right)]
-    yield f"Nine of ten land between {' and '.join(places)} of the line."
-    if of.hole is not None:
-        yield f"On the hole given, the shot leaves {of.strokes:.2f} strokes to play, as tour players count."
 
 
 def _print(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Annotated, Any
 
 import typer
@@ -88,7 +88,7 @@ def _report(found: Any, figure: Any, target: str) -> None:
         target, title=found.study.title, words=words.gains(found),
         picture=("Landings with the club at the start and with the optimum, and what changed", figure),
         columns={head.replace("\n", " ") or "field": [row[place] for row in rows] for place, head in enumerate(heads)},
-        show=lambda: _print(found), launches=_deliveries(found.study, found.built), given=_asked(found.study),
+        show=lambda: _print(found), launches=_deliveries(found.study, [found.built]), given=_asked(found.study),
     )  # fmt: skip
 
 
@@ -127,7 +127,7 @@ def _fit(asked: Any, report: str | None, as_json: bool) -> None:
     if report is not None:
         reporting.write(
             report, title=asked.title, words=words.fit_advice(asked, found), picture=None, columns={}, show=show,
-            launches=_deliveries(asked, asked.clubs[0]), given=_asked(asked),
+            launches=_deliveries(asked, asked.clubs, asked.balls), given=_asked(asked),
         )  # fmt: skip
         say(f"wrote {report}")
     if as_json:
@@ -136,17 +136,17 @@ def _fit(asked: Any, report: str | None, as_json: bool) -> None:
         show()
 
 
-def _deliveries(asked: Any, club: Any) -> list[Any]:
-    """Return the launches of the mean deliveries of the golfers with a club."""
+def _deliveries(asked: Any, clubs: Sequence[Any], balls: Sequence[Any] = (None,)) -> list[Any]:
+    """Return the launches of the mean deliveries of the golfers with every club and ball."""
     from clubface.simulation.impact import impact
 
     setting = asked.setting
     return [
         impact(
-            club, golfer.for_hand(club.hand).delivery(), model=setting.model, ball=setting.ball,
-            parameters=setting.parameters,
+            club, golfer.for_hand(club.hand).delivery(), model=setting.model, parameters=setting.parameters,
+            ball=setting.ball if ball is None else ball,
         )
-        for golfer, _ in asked.golfers
+        for club in clubs for ball in balls for golfer, _ in asked.golfers
     ]  # fmt: skip
 
 

@@ -1,0 +1,59 @@
+"""The report of ``clubface dispersion``: where the shots go, in words, beside what the command prints."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from clubface.cli import reporting
+from clubface.cli.dispersion import UNITS
+from clubface.units import from_si
+
+if TYPE_CHECKING:
+    from clubface.design.dispersion import Dispersion, Hitting
+    from clubface.design.dispersion_indices import Indices
+
+
+def write(
+    target: str,
+    of: Dispersion,
+    shares: Indices | None,
+    hit: Hitting,
+    texts: Mapping[str, Any],
+    show: Callable[[], None],
+) -> None:
+    """Write the report; ``texts`` holds the options as they were typed, ``show`` prints the tables."""
+    from clubface.design.dispersion_figure import dispersion_figure
+
+    drawn = None
+    columns: dict[str, Any] = {}
+    if of.points.size:
+        drawn = ("Where the balls land, and what spreads them", dispersion_figure(of, shares))
+        columns = {"ahead (yd)": from_si(of.points[:, 0], "yd"), "right (yd)": from_si(of.points[:, 1], "yd")}
+    golfer = of.golfer
+    told = {"golfer": golfer.title or golfer.name, "shots": str(of.count), "seed": str(of.seed)}
+    reporting.write(
+        target, title=f"Where the shots of {told['golfer']} go with the {of.club.name}", words=_words(of),
+        picture=drawn, columns=columns, show=show, launches=[hit.mean(golfer)[0]],
+        given=told | reporting.told_conditions(texts),
+    )  # fmt: skip
+
+
+def _words(of: Dispersion) -> Iterator[str]:
+    """Say where shots go, in sentences."""
+
+    def told(name: str, share: float) -> str:
+        return f"{from_si(of.quantile(name, share), UNITS[name][0]):.0f}"
+
+    yield f"Half of {of.count} shots leave at {told('ball_speed', 0.25)} to {told('ball_speed', 0.75)} mph."
+    if not of.points.size:
+        return
+    yield (
+        f"Half of them carry {told('carry', 0.25)} to {told('carry', 0.75)} yd, and nine of ten at least "
+        f"{told('carry', 0.1)} yd."
+    )
+    left, right = (from_si(of.quantile("side", share), "yd") for share in (0.05, 0.95))
+    places = [reporting.more_or_less(each, "yd", ("right", "left"), 0) for each in (left, right)]
+    yield f"Nine of ten land between {' and '.join(places)} of the line."
+    if of.hole is not None:
+        yield f"On the hole given, the shot leaves {of.strokes:.2f} strokes to play, as tour players count."
