@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from clubface.cli import given, options, output
+from clubface.cli.dispersion_report import UNITS, write as write_report
 from clubface.cli.failures import say
 from clubface.cli.golfer import GolferArgument
 from clubface.cli.progress import progress_bar
@@ -23,10 +24,6 @@ if TYPE_CHECKING:
 
 app = typer.Typer(add_completion=False)
 
-UNITS = {
-    "ball_speed": ("mph", 1), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
-    "sidespin": ("rpm", 0), "carry": ("yd", 1), "side": ("yd", 1), "total": ("yd", 1), "total_side": ("yd", 1),
-}  # fmt: skip
 SHOWN = (0.05, 0.25, 0.5, 0.75, 0.95)
 _HOLE = "Hole"
 _CLUB = options.option(
@@ -107,9 +104,7 @@ def dispersion(
 
         say(f"wrote {plots.save(dispersion_figure(found, shares), picture)}")
     if report is not None:
-        from clubface.cli.dispersion_report import write
-
-        write(report, found, shares, hit, texts, lambda: _print(found, slopes, shares))
+        write_report(report, found, shares, hit, texts, lambda: _print(found, slopes, shares))
         say(f"wrote {report}")
     if as_json:
         output.print_json(_document(found, slopes, shares))

@@ -6,12 +6,17 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from clubface.cli import reporting
-from clubface.cli.dispersion import UNITS
 from clubface.units import from_si
 
 if TYPE_CHECKING:
     from clubface.design.dispersion import Dispersion, Hitting
     from clubface.design.dispersion_indices import Indices
+
+UNITS = {
+    "ball_speed": ("mph", 1), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
+    "sidespin": ("rpm", 0), "carry": ("yd", 1), "side": ("yd", 1), "total": ("yd", 1), "total_side": ("yd", 1),
+}  # fmt: skip
+"""Unit and digits in which a quantity is shown."""
 
 
 def write(
