@@ -66,3 +66,10 @@ def test_a_setting_and_what_is_free_add_up():
     )
     (found,) = fit(from_text(text))
     assert math.radians(1.5) - 1e-9 <= found.changes["loft"] <= math.radians(2.0) + 1e-9
+
+
+@pytest.mark.parametrize("free", ["", 'loft = ["-1 deg", "1 deg"]\n'])
+def test_a_setting_with_which_no_shot_can_be_computed_is_told(free):
+    text = f'[fit]\nclubs = ["driver"]\n{free}[[fit.setting]]\nname = "over"\nlie = "90 deg"\n'
+    with pytest.raises(ValueError, match="without result for driver with the setting over"):
+        fit(from_text(BEGIN + text))

@@ -8,7 +8,7 @@ import pytest
 from clubface import club
 from clubface.design import feasibility
 from clubface.design.golfers import golfer
-from clubface.design.optimisation import objectives, solve
+from clubface.design.optimisation import objectives, solve, words
 from clubface.design.optimisation.landings import Landings, Setting
 from clubface.design.optimisation.run import optimise
 from clubface.design.optimisation.study_file import from_text
@@ -241,9 +241,23 @@ def test_a_limit_of_the_shots_is_kept_and_reached():
     assert found.judged["carry"] < free.judged["carry"]
 
 
-def test_limits_that_nothing_keeps_are_told():
-    with pytest.raises(ValueError, match="limits that a club can keep"):
-        optimum_of({"loft": '["8 deg", "16 deg"]'}, head="", shots=64, rest='[limits]\ncarry = ["300 yd", "none"]\n')
+@pytest.mark.parametrize(
+    ("variables", "head", "limits", "told"),
+    [
+        ({}, "", 'carry = ["300 yd", "none"]', r"mean carry is \d+\.\d+ yd in the nearest club .* at least 300 yd"),
+        (MASS, None, 'cg_y = ["60 mm", "none"]', r"cg_y is \d+\.\d+ mm in the nearest club .* at least 60 mm"),
+        ({"characteristic_time": '["300 us", "400 us"]'}, "", "", "time of the face is 300 us .* at most 257 us"),
+        (
+            {"characteristic_time": '["1 s", "2 s"]'}, "", "[rules]\nconform = false",
+            "variables is without result; it must be bounds within which",
+        ),
+    ],
+)  # fmt: skip
+def test_of_limits_that_nothing_keeps_the_nearest_club_breaks_one_that_is_told(variables, head, limits, told):
+    chosen = {} if head is None else {"head": head}
+    limits = limits if limits.startswith("[") else f"[limits]\n{limits}\n"
+    with pytest.raises(ValueError, match=told):
+        optimum_of({"loft": '["8 deg", "16 deg"]', **variables}, shots=64, rest=limits, **chosen)
 
 
 def test_a_head_with_impossible_inertia_is_refused_with_the_reason(tmp_path):
@@ -304,3 +318,12 @@ def test_two_golfers_are_weighted():
     assert lofts[0] == pytest.approx(alone[0], rel=1e-4)
     assert lofts[2] == pytest.approx(alone[1], rel=1e-4)
     assert min(lofts[0], lofts[2]) < lofts[1] < max(lofts[0], lofts[2])
+
+
+def test_notes_tell_of_a_lie_that_no_file_has_and_of_a_head_without_point_masses(monkeypatch):
+    _, found = optimum_of({"mass_distribution": '"free"', "lie": '["-1 deg", "1 deg"]'}, shots=64)
+    assert any("a club file has none" in each for each in words.notes(found))
+    assert found.placed()
+    assert not any("No point masses" in each for each in words.notes(found))
+    monkeypatch.setattr(type(found), "placed", lambda _: [])
+    assert any("No point masses" in each for each in words.notes(found))

@@ -4,7 +4,10 @@ import math
 
 import pytest
 
-from clubface.design.optimisation.study_file import from_text
+from clubface import ball, club
+from clubface.design.golfer_file import to_toml
+from clubface.design.golfers import golfer
+from clubface.design.optimisation.study_file import from_text, read
 from clubface.errors import ClubfaceError
 
 GOOD = """title = "t"
@@ -53,6 +56,16 @@ def test_values_are_read_with_their_units():
         ("cg_x =", "cg_w =", "did you mean"),
         ("carry =", "carrry =", "did you mean"),
         ("carry =", "roll =", "does not change"),
+        ("carry =", 'roll = ["none", "1 m"]\ncarry =', "limits.roll is given; leave it out"),
+        ('["150 yd", "none"]', '["none", "none"]', "least and greatest"),
+        ('["8 deg", "14 deg"]', "[8, 14]", r"variables\.loft is '458\.\d+ deg'; it must be from 0 to 75 deg"),
+        ('["8 deg", "14 deg"]', '["-1e9 deg", "14 deg"]', r"variables\.loft .* from 0 to 75 deg"),
+        ('["38 mm", "44 mm"]', '["38 mm", "44 mm"]\nbulge = ["1 mm", "300 mm"]', r"variables\.bulge: .* larger radii"),
+        ('["38 mm", "44 mm"]', '["38 mm", "44 mm"]\nlie = ["-91 deg", "1 deg"]', r"variables\.lie .* -90 to 90 deg"),
+        ('"30 g"', '"30 g"\nvolume = "0 cm3"', "head.volume is '0 cm3'; it must be above 0"),
+        ('title = "t"', 'title = "t"\npoints = 5', "points is 5; leave it out"),
+        ("[hole]", "[air]\nhumidity = 2\n[hole]", "humidity is '2'; it must be from 0 to 1$"),
+        ("[hole]", '[air]\ntemperature = "-300 degC"\n[hole]', "temperature is '-26.85 K'; it must be from 233"),
         ('"bogey-driver"', '"nobody"', "nobody"),
         ('"driver"\n', '"no-driver"\n', "no-driver"),
         ('"30 g"', '"300 g"', "discretionary_mass"),
@@ -83,8 +96,34 @@ def test_mass_properties_need_a_head():
     [('clubs = "driver"', "list of names"), ('clubs = ["driver"]\nballs = []', "list of names"),
      ('clubs = ["driver"]\nfoo = 1', "foo"),
      ('clubs = ["driver"]\n[[fit.setting]]\nname = "a"\nbulge = "1 mm"', "change"),
-     ('clubs = ["driver"]\n[[fit.setting]]\nloft = "1 deg"', "name")],
+     ('clubs = ["driver"]\n[[fit.setting]]\nloft = "1 deg"', "name"),
+     ('clubs = ["driver"]\n[[fit.setting]]\nname = "a"\n[[fit.setting]]\nname = "a"\nlie = "1 deg"', "no other"),
+     ('clubs = ["driver"]\nloft = ["-10 deg", "0 deg"]', "fit.loft is '-0.2 deg'; it must be from 0 to 75 deg"),
+     ('clubs = ["driver"]\nlie = ["0 deg", "2 deg"]\n[[fit.setting]]\nname = "a"\nlie = "89 deg"', "fit.lie")],
 )  # fmt: skip
 def test_a_mistake_in_a_fitting_is_told(line, told):
     with pytest.raises(ClubfaceError, match=told):
         from_text(f'title = "t"\ngolfer = "bogey-driver"\nobjective = "carry"\n[fit]\n{line}\n')
+
+
+def test_files_that_a_study_names_are_looked_for_beside_it(tmp_path, monkeypatch):
+    (tmp_path / "mine.toml").write_text(club("driver").replace(name="mine").to_toml())
+    (tmp_path / "distance.toml").write_text(ball("distance").replace(name="soft").to_toml())
+    (tmp_path / "me.toml").write_text(to_toml(golfer("bogey-driver").replace(name="me")))
+    monkeypatch.chdir("/")
+    study = tmp_path / "study.toml"
+    study.write_text(
+        GOOD.replace('"driver"', '"mine.toml"\nball = "./distance.toml"').replace('"bogey-driver"', '"./me.toml"')
+    )
+    of = read(study)
+    assert (of.club.name, of.golfers[0][0].name, of.setting.ball.name) == ("mine", "me", "soft")
+    study.write_text(
+        'title = "t"\nobjective = "carry"\n[[golfer]]\nname = "me.toml"\n'
+        '[fit]\nclubs = ["driver", "mine.toml"]\nballs = ["distance.toml"]\n'
+    )
+    of = read(study)
+    assert ([each.name for each in of.clubs], of.golfers[0][0].name, of.balls[0].name) == (
+        ["driver", "mine"],
+        "me",
+        "soft",
+    )

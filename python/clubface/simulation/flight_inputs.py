@@ -96,7 +96,8 @@ def check_conditions(air: Air | Mapping[str, Any] | None, wind: Any) -> None:
         if not isinstance(value, float):
             raise InputError(name, "an array", "a single number")
         if not allowed.lower <= value <= allowed.upper:
-            raise InputError(name, value, f"from {allowed.lower:g} to {allowed.upper:g} {allowed.unit}")
+            range_ = units.show_range(allowed.lower, allowed.upper, allowed.unit)
+            raise InputError(name, units.show(value, allowed.unit), f"from {range_}")
 
 
 def _parsed(value: Any, name: str) -> Any:

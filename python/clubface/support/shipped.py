@@ -30,6 +30,11 @@ def is_path(which: object) -> bool:
     )
 
 
+def beside(which: str, folder: Path) -> str | Path:
+    """Return a name as it is, and a path that a file names as it is from the folder of that file."""
+    return folder / which if is_path(which) else which
+
+
 def path_of(what: str, which: str | os.PathLike[str], folder: str) -> str | os.PathLike[str]:
     """Return the path that is meant by itself, or by the name of a description in ``data/<folder>``."""
     return which if is_path(which) else builtin_path(what, which, folder)

@@ -14,11 +14,11 @@ from clubface.design.optimisation.landings import DEFAULT_SETTING, Landings, Set
 from clubface.design.optimisation.objectives import Objective, objective, strokes
 from clubface.design.optimisation.problem import Problem
 from clubface.design.optimisation.solve import best, solve, starts
-from clubface.design.optimisation.variables import Variables
+from clubface.design.optimisation.variables import Variables, check_bounds
 from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.errors import InputError
+from clubface.errors import InputError, Told
 
 if TYPE_CHECKING:
     from clubface.design.golfer import Golfer
@@ -101,12 +101,24 @@ class Fitting:
         count = len(self.clubs) * len(self.balls) * max(len(self.settings), 1)
         if not 1 <= count <= MOST_COMBINATIONS:
             raise InputError("combinations of parts", count, f"from 1 to {MOST_COMBINATIONS}")
+        for head, setting in product(self.clubs, self.settings or ("",)):
+            check_bounds(head, self.free(head, self.set(head, setting)), "fit")
 
     def judge(self, name: str) -> Objective:
         """Return an objective by its name."""
         if name == "strokes" and self.hole is None:
             raise InputError("hole", None, 'give [hole] with its length, as in length = "400 yd", for expected strokes')
         return objective(name, {} if self.hole is None else {"strokes": strokes(self.hole)})
+
+    def set(self, head: Club, setting: str) -> dict[str, float]:
+        """Return the fields of a head that a setting changes, and its lie [SI]."""
+        changes = self.settings[setting] if setting else {}
+        return {name: change if name == "lie" else getattr(head, name) + change for name, change in changes.items()}
+
+    def free(self, head: Club, club: Mapping[str, float]) -> dict[str, tuple[float, float]]:
+        """Return least and greatest value of what can be set freely [SI], about a head with fields set."""
+        middle = {name: club.get(name, 0.0 if name == "lie" else getattr(head, name)) for name in self.bounds}
+        return {name: (middle[name] + low, middle[name] + high) for name, (low, high) in self.bounds.items()}
 
     def names(self) -> list[tuple[Club, Ball | None, str]]:
         """Return all combinations of club, ball and setting."""
@@ -165,21 +177,27 @@ def _tried(of: Fitting, judge: Objective, head: Club, ball: Ball | None, setting
         delivered = {**sample, "loft": sample.get("loft", base_loft) + (head.loft - base_loft)}
         golfers.append((Landings(head, delivered, own), weight))
     changes = dict(of.settings[setting]) if setting else {}
-    club = {name: change if name == "lie" else getattr(head, name) + change for name, change in changes.items()}
+    club = of.set(head, setting)
     if of.bounds:
-        middle = {name: club.get(name, 0.0 if name == "lie" else getattr(head, name)) for name in of.bounds}
-        bounds = {name: (middle[name] + low, middle[name] + high) for name, (low, high) in of.bounds.items()}
         moved = head.replace(**{name: value for name, value in club.items() if name != "lie"})
-        problem = _Adjusted(Variables(base=moved, bounds=bounds), golfers, judge, club)
+        problem = _Adjusted(Variables(base=moved, bounds=of.free(head, club)), golfers, judge, club)
         found = best([solve(problem, each) for each in starts(problem, STARTS, of.seed)])
-        if found is not None:
-            club |= problem.variables.club(found.point)
+        if found is None:
+            raise _impossible(head, setting)
+        club |= problem.variables.club(found.point)
         changes |= {name: club[name] - (0.0 if name == "lie" else getattr(head, name)) for name in of.bounds}
     landed = [each.of(club) for each, _ in golfers]
+    if any(np.isnan(each).any() for each in landed):
+        raise _impossible(head, setting)
     total = sum(weight for _, weight in golfers)
     return _Tried(
         (head, ball, setting), changes, landed, [weight / total for _, weight in golfers], golfers[0][0].ball.name
     )
+
+
+def _impossible(head: Club, setting: str) -> InputError:
+    with_ = f" with the setting {setting}" if setting else ""
+    return InputError("fit", Told(f"without result for {head.name}{with_}"), "one whose shots can all be computed")
 
 
 class _Adjusted(Problem):

@@ -16,8 +16,7 @@ from clubface.design.optimisation.landings import Landings
 from clubface.design.optimisation.limits import ShotLimit
 from clubface.design.optimisation.problem import Problem
 from clubface.design.optimisation.result import FrontPoint
-from clubface.design.optimisation.solve import Solution, best, starts
-from clubface.errors import InputError
+from clubface.design.optimisation.solve import Solution, best, refused, starts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -54,7 +53,7 @@ def front(study: DesignStudy, golfers: list[tuple[Landings, float]], solved: Sol
         ]
         found = best(tried)
         if found is None:
-            raise InputError("limits", end.name, "limits that a club can keep; no start reached one that does")
+            raise refused(problem, tried)
         ends.append((problem, found.point))
     points = [_point(problem, point, study) for problem, point in ends]
     first, last = (each.values[other.name] for each in points)

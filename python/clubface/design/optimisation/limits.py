@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from clubface import units
 from clubface.design.feasibility import (
     MASS_PROPERTIES,
     Envelope,
@@ -25,6 +26,14 @@ if TYPE_CHECKING:
     from clubface.equipment.clubs import Club
 
 
+def in_words(value: float, low: float, high: float, unit: str) -> tuple[str, str]:
+    """Return a value, and the limits that are finite, with their unit."""
+    parts = [words for each, words in ((low, "at least"), (high, "at most")) if math.isfinite(each)]
+    shown = [units.show(each, unit, 4) for each in (low, high) if math.isfinite(each)]
+    allowed = f"{shown[0]} to {shown[1]}" if len(shown) == 2 else " ".join([*parts, *shown])
+    return units.show(value, unit, 5), allowed
+
+
 @dataclass(frozen=True, kw_only=True)
 class FieldLimit:
     """A field of the club that must stay within limits.
@@ -37,6 +46,8 @@ class FieldLimit:
         The field of the club.
     least, most
         [SI]; infinite where there is none.
+    unit
+        In which the field is shown.
     scale
         Size of the field, which makes margins numbers [SI].
     fields
@@ -47,6 +58,7 @@ class FieldLimit:
     field: str
     least: float
     most: float
+    unit: str
     scale: float
     fields: tuple[str, ...]
 
@@ -59,6 +71,10 @@ class FieldLimit:
         """Return their derivatives."""
         slope = state.slopes[self.fields.index(self.field)]
         return np.array([side * slope / self.scale for side, _ in self._sides()])
+
+    def told(self, state: State) -> tuple[str, str]:
+        """Return what a club has of it, and what is allowed, in words."""
+        return in_words(state.club[self.field], self.least, self.most, self.unit)
 
     def _sides(self) -> list[tuple[float, float]]:
         return [each for each in ((1.0, self.least), (-1.0, self.most)) if math.isfinite(each[1])]
@@ -95,6 +111,10 @@ class ShotLimit:
         slope = state.gradients[self.objective.name]
         return np.array([side * slope / max(abs(limit), 1e-9) for side, limit in self._sides()])
 
+    def told(self, state: State) -> tuple[str, str]:
+        """Return what a club has of it, and what is allowed, in words."""
+        return in_words(state.judged[self.objective.name], self.least, self.most, self.objective.unit)
+
     def _sides(self) -> list[tuple[float, float]]:
         return [each for each in ((1.0, self.least), (-1.0, self.most)) if math.isfinite(each[1])]
 
@@ -116,7 +136,7 @@ class Buildable:
         Whether the mass does; otherwise the budget is no limit, and a solver would stumble over a margin that is 0.
     """
 
-    name = "the head can be built"
+    name = "the head"
 
     def __init__(
         self, base: Club, envelope: Envelope, fields: Sequence[str], *, distributed: bool, mass_changes: bool
@@ -146,6 +166,11 @@ class Buildable:
             scale = np.outer(self.envelope.scale, self.envelope.scale)
             found.append(np.linalg.eigvalsh(placed * scale))
         return np.concatenate(found)
+
+    def told(self, state: State) -> tuple[str, str]:
+        """Return that it cannot be built, and what is wrong with it, in words."""
+        margins = self.envelope.margins(pseudo_inertia(self.values(state)))
+        return "impossible", f"one that can be built: {min(margins, key=lambda each: each.value).reason}"
 
     def gradients(self, state: State) -> NDArray[Any]:
         """Return their derivatives; that of an eigenvalue is its vector's change (Magnus, 1985)."""

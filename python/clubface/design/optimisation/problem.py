@@ -45,7 +45,20 @@ class State:
 
 
 class Limit(Protocol):
-    """One or several margins that must not be negative."""
+    """One or several margins that must not be negative.
+
+    Attributes
+    ----------
+    name
+        What it is called in reports.
+    """
+
+    @property
+    def name(self) -> str: ...  # noqa: D102 - among the attributes
+
+    def told(self, state: State) -> tuple[str, str]:
+        """Return what a club has of it, and what is allowed, in words."""
+        ...
 
     def margins(self, state: State) -> NDArray[Any]:
         """Return them as numbers of size 1, shape (m,)."""

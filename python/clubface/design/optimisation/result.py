@@ -13,6 +13,7 @@ import numpy as np
 from clubface import units
 from clubface.design import feasibility
 from clubface.design.optimisation.landings import FREE
+from clubface.design.optimisation.limits import in_words
 from clubface.design.optimisation.placement import PointMass, placement
 from clubface.design.optimisation.study import DIMENSIONS, UNITS, DesignStudy
 from clubface.equipment.clubs import Club
@@ -207,7 +208,4 @@ def _of_range(name: str, value: float, low: float, high: float, unit: str) -> Ve
     sides = [abs(each) for each in (low, high) if math.isfinite(each)]
     size = high - low if len(sides) == 2 else max([*sides, 1e-12])
     margin = min(value - low, high - value) / size
-    parts = [words for each, words in ((low, "at least"), (high, "at most")) if math.isfinite(each)]
-    shown = [units.show(each, unit, 4) for each in (low, high) if math.isfinite(each)]
-    allowed = f"{shown[0]} to {shown[1]}" if len(shown) == 2 else " ".join([*parts, *shown])
-    return Verdict(name, units.show(value, unit, 5), allowed, float(np.round(margin, 12)))
+    return Verdict(name, *in_words(value, low, high, unit), float(np.round(margin, 12)))

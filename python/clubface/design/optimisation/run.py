@@ -16,9 +16,9 @@ from clubface.design.optimisation.front import front, front_solutions
 from clubface.design.optimisation.landings import Landings
 from clubface.design.optimisation.problem import Problem
 from clubface.design.optimisation.result import Fresh, FrontPoint, Optimum
-from clubface.design.optimisation.solve import Solution, agreeing, best, solve, starts
+from clubface.design.optimisation.solve import Solution, agreeing, best, refused, solve, starts
 from clubface.design.optimisation.study import DesignStudy
-from clubface.errors import InputError, RangeWarning, RuleWarning
+from clubface.errors import RangeWarning, RuleWarning
 from clubface.support.resuming import Store, unfinished
 from clubface.support.warning import without_warnings
 
@@ -120,14 +120,14 @@ class _Run:
         ]
         first = best(tried)
         if first is None:
-            raise InputError("limits", _nearest(tried), "limits that a club can keep; no start reached one that does")
+            raise refused(coarse, tried)
         alike = agreeing(tried, first)
         whole, found = coarse, first
         for shots in _levels(study.shots):
             whole = study.problem(study.landings(shots, seed=study.seed), name)
             found = self._solved(f"{shots} shots", f"solving on {shots} shots", whole, found.point)
         if not found.allowed:
-            raise InputError("limits", f"{found.least_margin:.2g} below 0", "limits that hold on all shots, too")
+            raise refused(whole, [found])
         club = whole.variables.club(found.point)
         nominal = self._nominal(name)
         fresh = self._fresh({"start": {}, "nominal": nominal, "optimum": club})
@@ -214,8 +214,3 @@ def _levels(shots: int) -> list[int]:
 def _error(differences: NDArray[Any]) -> NDArray[Any]:
     """Return the standard error of the mean over independent sets, the first axis."""
     return differences.std(axis=0, ddof=1) / np.sqrt(len(differences))
-
-
-def _nearest(tried: list[Solution]) -> str:
-    least = max(each.least_margin for each in tried)
-    return f"broken by at least {max(-least, 0.0):.2g} (as a part of the limit)"

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from clubface.design.optimisation.problem import Problem
+from clubface.errors import InputError, Told
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -137,6 +138,19 @@ def best(found: Sequence[Solution]) -> Solution | None:
     """Return the best of those that break no limit."""
     allowed = [each for each in found if each.allowed and np.isfinite(each.cost)]
     return min(allowed, key=lambda each: each.cost) if allowed else None
+
+
+def refused(problem: Problem, found: Sequence[Solution]) -> InputError:
+    """Return the error that no start reached a club within all limits, with what the nearest breaks the most."""
+    known = [each for each in found if np.isfinite(each.cost)]
+    if not known:
+        return InputError("variables", Told("without result"), "bounds within which the golfers' shots can be computed")
+    nearest = max(known, key=lambda each: each.least_margin)
+    state = problem.values(nearest.point)
+    worst = min(problem.limits, key=lambda each: float(each.margins(state).min()))
+    value, allowed = worst.told(state)
+    told = f"{allowed}, and no start reached a club that keeps all limits"
+    return InputError(worst.name, Told(f"{value} in the nearest club that was found"), told)
 
 
 def agreeing(found: Sequence[Solution], chosen: Solution) -> int:

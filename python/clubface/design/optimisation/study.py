@@ -17,11 +17,11 @@ from clubface.design.optimisation.landings import DEFAULT_SETTING, FREE, Landing
 from clubface.design.optimisation.limits import Buildable, FieldLimit, ShotLimit
 from clubface.design.optimisation.objectives import OBJECTIVES, Objective, objective, strokes
 from clubface.design.optimisation.problem import Limit, Problem
-from clubface.design.optimisation.variables import Variables
+from clubface.design.optimisation.variables import Variables, check_bounds
 from clubface.design.rules import rules_of
 from clubface.design.strokes import Hole
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club
-from clubface.errors import InputError
+from clubface.errors import InputError, Told
 
 if TYPE_CHECKING:
     from clubface.design.golfer import Golfer
@@ -130,7 +130,8 @@ class DesignStudy:
             raise InputError("head", None, told)
         for name in self.limits:
             if name in FREE and name not in self.variables.fields:
-                raise InputError(f"limits.{name}", self.limits[name], f"leave it out, since {name} does not change")
+                raise InputError(f"limits.{name}", Told("given"), f"leave it out, since {name} does not change")
+        check_bounds(self.club, self.bounds, "variables")
         self._refuse_rules_that_are_broken_for_good()
 
     @property
@@ -215,7 +216,8 @@ class DesignStudy:
         own = 0.0 if name == "lie" else abs(getattr(self.club, name))
         scale = max([*finite, own, 1e-12])
         return FieldLimit(
-            name=called, field=name, least=low, most=high, scale=scale, fields=self.variables.fields
+            name=called, field=name, least=low, most=high, unit=UNITS[name], scale=scale,
+            fields=self.variables.fields,
         )  # fmt: skip
 
     def rule_values(self, club: Club) -> Any:

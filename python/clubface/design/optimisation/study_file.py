@@ -30,6 +30,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from clubface import units
@@ -45,6 +46,7 @@ from clubface.equipment.models import DEFAULT_MODEL, reduced_model
 from clubface.errors import InputError
 from clubface.simulation.flight_inputs import check_conditions
 from clubface.support.checks import check_choice, check_count, check_names
+from clubface.support.shipped import beside
 from clubface.support.strict_toml import Document
 
 OPEN = "none"
@@ -56,17 +58,17 @@ _FIT = (*_COMMON, "fit")
 
 
 def read(path: str | os.PathLike[str]) -> DesignStudy | Fitting:
-    """Read a study, or a fitting if the file has a table ``[fit]``."""
-    return from_document(Document.read(path))
+    """Read a study, or a fitting if the file has a table ``[fit]``; files that it names are looked for beside it."""
+    return from_document(Document.read(path), Path(path).parent)
 
 
 def from_text(text: str) -> DesignStudy | Fitting:
-    """Read the same from text."""
-    return from_document(Document(text))
+    """Read the same from text; files that it names are looked for in the current folder."""
+    return from_document(Document(text), Path())
 
 
-def from_document(document: Document) -> DesignStudy | Fitting:
-    """Read the same from a document."""
+def from_document(document: Document, folder: Path) -> DesignStudy | Fitting:
+    """Read the same from a document, whose files are looked for in a folder."""
     data = document.data
     fits = "fit" in data
     required = ("title", "golfer", "objective", *(() if fits else ("club", "variables")))
@@ -76,15 +78,15 @@ def from_document(document: Document) -> DesignStudy | Fitting:
         if name in data and not isinstance(data[name], dict):
             raise document.error(f"{name} must be a table", name)
     try:
-        common = _common(document)
-        return _fitting(document, common) if fits else _study(document, common)
+        common = _common(document, folder)
+        return _fitting(document, common, folder) if fits else _study(document, common, folder)
     except InputError as error:
         raise document.wrap(error) from error
 
 
-def _common(document: Document) -> dict[str, Any]:
+def _common(document: Document, folder: Path) -> dict[str, Any]:
     data = document.data
-    found: dict[str, Any] = {"title": data["title"], "golfers": golfers_of(_golfers(document))}
+    found: dict[str, Any] = {"title": data["title"], "golfers": golfers_of(_golfers(document, folder))}
     if "hole" in data:
         document.check_keys(data["hole"], tuple(Hole.__dataclass_fields__), ("length",), "hole")
         found["hole"] = Hole(**data["hole"])
@@ -101,15 +103,15 @@ def _common(document: Document) -> dict[str, Any]:
     exponent = mass.get("speed_exponent", SPEED_EXPONENT)
     if isinstance(exponent, bool) or not isinstance(exponent, int | float) or not 0.0 <= exponent <= 1.0:
         raise InputError("mass.speed_exponent", exponent, "a number from 0 to 1")
-    ball = ball_of(data["ball"]) if "ball" in data else None
+    ball = ball_of(beside(data["ball"], folder)) if "ball" in data else None
     found["setting"] = Setting(model=model, ball=ball, air=air, wind=wind, speed_exponent=float(exponent))
     return found
 
 
-def _golfers(document: Document) -> Any:
+def _golfers(document: Document, folder: Path) -> Any:
     given = document.data["golfer"]
     if isinstance(given, str):
-        return given
+        return beside(given, folder)
     if not (isinstance(given, list) and given and all(isinstance(each, dict) for each in given)):
         raise document.error("golfer must be a name, a file, or tables [[golfer]] with name and weight", "golfer")
     for place, each in enumerate(given):
@@ -118,10 +120,10 @@ def _golfers(document: Document) -> Any:
         weight = each.get("weight", 1.0)
         if isinstance(weight, bool) or not isinstance(weight, int | float) or not 0.0 < weight < math.inf:
             raise document.error(f"weight must be a positive number, not {weight!r:.40}", "weight", "golfer", place)
-    return given
+    return [{**each, "name": beside(each["name"], folder)} for each in given]
 
 
-def _study(document: Document, common: dict[str, Any]) -> DesignStudy:
+def _study(document: Document, common: dict[str, Any], folder: Path) -> DesignStudy:
     data = document.data
     given = data["objective"]
     objectives = tuple(given) if isinstance(given, list) else (given,)
@@ -129,6 +131,8 @@ def _study(document: Document, common: dict[str, Any]) -> DesignStudy:
         raise InputError("objective", given, "one objective, or a list of two different ones")
     for name in objectives:
         check_choice("objective", name, JUDGED)
+    if len(objectives) == 1 and "points" in data:
+        raise InputError("points", data["points"], "leave it out; it is for the front between two objectives")
     variables = dict(data["variables"])
     distributed = _is_distributed(variables)
     bounds = {
@@ -149,8 +153,8 @@ def _study(document: Document, common: dict[str, Any]) -> DesignStudy:
         if not isinstance(each, bool):
             raise InputError(f"rules.{name}", each, "true or false")
     return DesignStudy(
-        **common, club=club_of(data["club"]), objectives=objectives, bounds=bounds, distributed=distributed,
-        head=_head(document) if "head" in data else None, limits=limits, **rules,
+        **common, club=club_of(beside(data["club"], folder)), objectives=objectives, bounds=bounds,
+        distributed=distributed, head=_head(document) if "head" in data else None, limits=limits, **rules,
     )  # fmt: skip
 
 
@@ -174,7 +178,7 @@ def _bounds(place: str, given: Any, dimensions: Mapping[str, str], name: str, *,
         side if open_ and each == OPEN else units.parse(each, dimensions[name], name=place)
         for each, side in zip(given, (-math.inf, math.inf), strict=True)
     ]
-    if not found[0] < found[1]:
+    if not found[0] < found[1] or found == [-math.inf, math.inf]:
         raise InputError(place, given, example)
     if not open_ and name in ("mass", "bulge", "roll", "ixx", "iyy", "izz") and found[0] <= 0.0:
         raise InputError(place, given, "above 0 at both ends")
@@ -198,6 +202,8 @@ def _head(document: Document) -> Head:
         shape=shape, centre=_vector("head.centre", given["centre"]), size=_vector("head.size", given["size"])
     )
     displaced = units.parse(given["volume"], "volume", name="head.volume") if "volume" in given else None
+    if displaced is not None and displaced <= 0.0:
+        raise InputError("head.volume", given["volume"], "above 0")
     budget = units.parse(given["discretionary_mass"], "mass", name="head.discretionary_mass")
     if not 0.0 < budget < 1.0:
         raise InputError("head.discretionary_mass", given["discretionary_mass"], "between 0 and 1 kg")
@@ -210,7 +216,7 @@ def _head(document: Document) -> Head:
     return Head(volume=volume, discretionary=budget, displaced=displaced, shell=shell)
 
 
-def _fitting(document: Document, common: dict[str, Any]) -> Fitting:
+def _fitting(document: Document, common: dict[str, Any], folder: Path) -> Fitting:
     data, given = document.data, document.data["fit"]
     if not isinstance(data["objective"], str):
         raise InputError("objective", data["objective"], "one objective")
@@ -226,13 +232,17 @@ def _fitting(document: Document, common: dict[str, Any]) -> Fitting:
         if not isinstance(each, dict) or not isinstance(each.get("name"), str):
             raise InputError("fit.setting", str(each)[:60], 'tables [[fit.setting]], each with its name: name = "back"')
         check_names("change of a setting", [name for name in each if name != "name"], SETTINGS)
+        if each["name"] in settings:
+            raise InputError("fit.setting", each["name"], "a name that no other setting has")
         settings[each["name"]] = {
             name: units.parse(value, DIMENSIONS[name], name=f"setting.{name}")
             for name, value in each.items()
             if name != "name"
         }
-    clubs = tuple(club_of(each) for each in _texts("fit.clubs", given["clubs"]))
-    balls = tuple(ball_of(each) for each in _texts("fit.balls", given["balls"])) if "balls" in given else (None,)
+    clubs = tuple(club_of(beside(each, folder)) for each in _texts("fit.clubs", given["clubs"]))
+    balls: tuple[Any, ...] = (None,)
+    if "balls" in given:
+        balls = tuple(ball_of(beside(each, folder)) for each in _texts("fit.balls", given["balls"]))
     kept = {name: each for name, each in common.items() if name not in ("starts", "points")}
     return Fitting(**kept, objective=data["objective"], clubs=clubs, balls=balls, settings=settings, bounds=bounds)
 

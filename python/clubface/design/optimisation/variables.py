@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from clubface import units
 from clubface.design.feasibility import (
     MASS_PROPERTIES,
     Envelope,
@@ -23,6 +24,8 @@ from clubface.design.feasibility import (
     pseudo_inertia,
     pseudo_inertia_derivatives,
 )
+from clubface.errors import InputError, RuleWarning
+from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -30,6 +33,8 @@ if TYPE_CHECKING:
     from clubface.equipment.clubs import Club
 
 RADII = ("bulge", "roll")
+LIE_MOST = units.to_si(90.0, "deg")
+"""A lie beyond it turns the head over; no impact has one."""
 PLACED = 9
 """Numbers that place a mass: its CG and the lower triangle of the root of its second moments about it."""
 _ROOT = [(row, column) for row in range(3) for column in range(row + 1)]
@@ -190,6 +195,24 @@ class Variables:
         wanted = np.array([[each[entry] for each in changes] for entry in _ENTRIES])
         places = [self.fields.index(name) for name in MASS_PROPERTIES]
         found[np.ix_(places, columns)] = _solved(forward, wanted)
+
+
+def check_bounds(base: Club, bounds: Mapping[str, tuple[float, float]], place: str) -> None:
+    """Refuse bounds of the face or the lie that no club has; ``place`` is where a file gives them.
+
+    What the characteristic time may be depends on the mass properties, and what these may be on each other.
+    """
+    for name in ("loft", "bulge", "roll", "lie"):
+        for value in bounds.get(name, ()):
+            if name == "lie" and not abs(value) <= LIE_MOST:
+                raise InputError(f"{place}.{name}", units.show(value, "deg"), "from -90 to 90 deg")
+            if name != "lie":
+                try:
+                    with without_warnings(RuleWarning):
+                        base.replace(**{name: value})
+                except InputError as error:
+                    error.parameter = f"{place}.{name}"
+                    raise
 
 
 def _solved(forward: NDArray[Any], wanted: NDArray[Any]) -> NDArray[Any]:

@@ -107,6 +107,13 @@ def notes(found: Optimum) -> list[str]:
     stopping = [each.limit for each in found.verdicts() if each.state == "kept, at the limit"]
     if stopping:
         said.append(f"What stops the optimum: {', '.join(stopping)}.")
+    if study.moves_mass and not found.placed():
+        said.append(
+            "No point masses in the volume were found that have the moments of the discretionary mass: a box refuses no"
+            " head that can be built, but not every other one. Try a smaller box, an ellipsoid, or a limit of the CG."
+        )
+    if "lie" in found.club:
+        said.append("The lie is that at impact; a club file has none, so set it when the club is fitted.")
     if "mass" in found.study.bounds:
         said.append(
             f"Clubhead speed is taken to fall as mass to the power {study.setting.speed_exponent:g}"

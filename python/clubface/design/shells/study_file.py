@@ -47,7 +47,7 @@ from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.read import FOLDER, from_toml
 from clubface.simulation.delivery import DIMENSIONS, Delivery
-from clubface.support.shipped import is_path, path_of
+from clubface.support.shipped import beside, path_of
 from clubface.support.strict_toml import Document
 
 OPEN = "none"
@@ -60,7 +60,7 @@ MOST_POINTS = 100
 
 
 def read(path: str | os.PathLike[str]) -> ShellStudy:
-    """Read a study; the head and the ball that it names by path are looked for beside it."""
+    """Read a study; files that it names are looked for beside it."""
     return from_document(Document.read(path), Path(os.fspath(path)).parent)
 
 
@@ -76,13 +76,13 @@ def from_document(document: Document, folder: Path) -> ShellStudy:
         if not isinstance(data.get(name, True), bool):
             raise document.error(f"{name} must be true or false, not {data[name]!r:.40}", name)
     try:
-        delivery = _delivery(document)
+        delivery = _delivery(document, folder)
         found: dict[str, Any] = {name: data[name] for name in ("rules", "neighbours", "designs") if name in data}
         for name in ("safety", "radius"):
             if name in data:
                 found[name] = units.parse(data[name], units.DIMENSIONLESS, name=name)
         if "ball" in data:
-            found["ball"] = ball_of(_beside(data["ball"], folder))
+            found["ball"] = ball_of(beside(data["ball"], folder))
         return ShellStudy(
             title=data["title"], head=_head(document, folder), objective=data["objective"], bounds=_variables(document),
             delivery=delivery, hardest=_hardest(document, delivery) if "hardest" in data else None,
@@ -95,13 +95,9 @@ def from_document(document: Document, folder: Path) -> ShellStudy:
         raise document.wrap(error) from error
 
 
-def _beside(name: str, folder: Path) -> str:
-    return str(folder / name) if is_path(name) else name
-
-
 def _head(document: Document, folder: Path) -> DriverHead:
     try:
-        head = from_toml(path_of("head of finite elements", _beside(document.data["head"], folder), FOLDER))
+        head = from_toml(path_of("head of finite elements", beside(document.data["head"], folder), FOLDER))
     except ClubfaceError as error:
         raise document.error(f"head: {error}", "head") from error
     if not isinstance(head, DriverHead):
@@ -144,7 +140,7 @@ def _limit(document: Document, name: str, given: Any) -> tuple[float, float]:
     return low, high
 
 
-def _delivery(document: Document) -> Blow:
+def _delivery(document: Document, folder: Path) -> Blow:
     data = document.data
     given = dict(data.get("delivery", {}))
     points = _points("delivery", given.pop("points", None)) or ((0.0, 0.0),)
@@ -153,7 +149,7 @@ def _delivery(document: Document) -> Blow:
     if given:
         raise InputError(f"delivery.{next(iter(given))}", next(iter(given.values())),
                          "left out: the golfer delivers; give points alone")  # fmt: skip
-    mean = golfer_of(data["golfer"]).for_hand(1.0).delivery()
+    mean = golfer_of(beside(data["golfer"], folder)).for_hand(1.0).delivery()
     values = {name: getattr(mean, name) for name in DIMENSIONS if name not in ("toe", "high")}
     return Blow(delivery={name: float(value) for name, value in values.items() if value is not None}, points=points)
 
