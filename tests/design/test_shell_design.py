@@ -17,6 +17,7 @@ from clubface.errors import FileError, InputError, RunError
 from clubface.fem.head_tests import characteristic_time
 from clubface.fem.heads import DriverHead, driver_file
 from clubface.fem.heads.read import from_text
+from clubface.fem.stress import peak_stress
 from fem_runs import coarse
 
 pytest.importorskip("scipy")
@@ -141,6 +142,8 @@ def test_the_stress_limit_refuses_a_thin_face(fastest):
     strict = shells.improve(study(hardest=hardest, metals=(metal("1000 MPa"),), safety=1.1))
     limit, values = 1000e6 / 1.1, strict.chosen.best.values
     assert 0.99 * limit <= values["stress"] <= limit
+    face = peak_stress(strict.head, which=coarse("modern"), speed=50.0, loft=0.2)[0]
+    assert (face.part, face.stress) == ("face", values["stress"])
     assert strict.head.thickness["face_centre"] > fastest.head.thickness["face_centre"] + 2e-4
     # The face without that limit would break it.
     [free] = Engine(study(hardest=hardest, metals=(metal(),)), None, 1)([replace(fastest.head, metal=fem.Metal())])

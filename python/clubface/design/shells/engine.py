@@ -18,10 +18,11 @@ from clubface.fem.heads.shells import ShellHead
 from clubface.fem.run import strike
 from clubface.fem.settings import Settings
 from clubface.fem.side_by_side import side_by_side
+from clubface.fem.stress import INTERVAL
 from clubface.support.resuming import Store, fingerprint
 
-SHAPES = 100
-"""Times at which the stress of the hardest blow is looked at, in 1 ms."""
+SHAPES = round(Settings.duration / INTERVAL) + 1
+"""Times at which the stress of the hardest blow is looked at: as often as ``fem head --blow`` does."""
 
 Task = tuple[str, int]
 
