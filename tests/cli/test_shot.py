@@ -232,7 +232,7 @@ def test_the_line_under_the_table_names_the_models_whose_spin_is_beyond_the_aero
     # The aerodynamics were fitted to spin parameters up to 0.75: a putt-like speed at a wedge's loft is beyond.
     slow = ["shot", "pitching-wedge", "--speed", "3 m/s", "--loft", "60 deg", "--model", "standard,slip"]
     (note,) = clubface_(*slow).out.splitlines()[-1:]
-    assert note == "Spin beyond the aerodynamic data: standard, slip. Caveats: clubface models standard"
+    assert note == "Spin leaves the aerodynamic data in flight: standard, slip. Caveats: clubface models standard"
 
 
 def test_the_accuracy_is_passed_on(clubface_):

@@ -174,7 +174,7 @@ def test_the_inertia_of_the_best_carry_is_the_limit_of_the_rules():
     assert found.club["iyy"] == pytest.approx(6000e-7, rel=1e-5)
     assert found.club["iyy"] <= 6000e-7
     assert {each.limit: each.state for each in found.verdicts()}[
-        "rules: moment of inertia about the vertical axis through the CG"
+        "rules: moment of inertia, vertical axis"
     ] == "kept, at the limit"
     _, strict = optimum_of(
         {"iyy": '["5000 g cm2", "6200 g cm2"]'},

@@ -67,7 +67,7 @@ def test_a_map_has_a_panel_for_each_quantity_with_centre_and_sweet_spot(driver):
     shown = panels(figure)
     assert len(shown) == len(SHOWN)
     assert [axes.get_title(loc="left") for axes in shown[:2]] == ["ball speed (mph)", "launch (deg)"]
-    assert "start line (deg)" in [axes.get_title(loc="left") for axes in shown]
+    assert "start line (deg), right is positive" in [axes.get_title(loc="left") for axes in shown]
     levels, speeds = shown[0].collections[0].levels, driver.get("ball_speed", "mph")
     assert levels[0] <= np.nanmin(speeds) < levels[1]
     assert levels[-2] < np.nanmax(speeds) <= levels[-1]

@@ -72,7 +72,7 @@ def best_loft(
         return
     rows = [_cells(found, place) for place in range(len(found.loft))]
     print_numbers(_heads(), rows, title=f"Best dynamic loft for carry: {head.name}, {texts['model']}")
-    output.print_notes(["a yard of carry is lost with so much less, and with so much more, loft"])
+    output.print_notes(["for 1 yd: with so much less or more loft a yard of carry is lost"])
 
 
 def _heads() -> list[str]:
@@ -80,7 +80,7 @@ def _heads() -> list[str]:
         "speed\nmph",
         "attack\ndeg",
         *(f"{name.replace('_', ' ')}\n{unit}" for name, (unit, _) in SHOWN.items()),
-        "a yard\ndeg",
+        "for 1 yd\ndeg",
     ]
 
 

@@ -175,8 +175,8 @@ def _print(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None)
             both = (slopes.mean(name) / size(unit), slopes.spread(name) / size(unit)) if known else (None, None)
             row += [output.number(each, digits) for each in both]
         rows.append(row)
-    who = f"{of.golfer.title or of.golfer.name}, {of.club.name}, ball {of.ball.name}"
-    print_numbers(heads, rows, title=f"{who}: {output.counted(of.count, 'shot')} by {of.model}")
+    what = f"{output.counted(of.count, 'shot')}, club {of.club.name}, ball {of.ball.name}, by {of.model}"
+    print_numbers(heads, rows, title=f"{of.golfer.title or of.golfer.name}: {what}")
     if of.points.size:
         print()
         _print_ellipses(of)
@@ -201,7 +201,8 @@ def _print_ellipses(of: Dispersion) -> None:
         lengths = [*found.centre, *(2.0 * found.half_axes)]
         cells = [output.number(float(from_si(each, "yd")), 1) for each in lengths]
         rows.append([f"{share:.0%}", *cells, output.number(degrees(found.angle))])
-    heads = ("landings", "ahead\nyd", "right\nyd", "long axis\nyd", "short axis\nyd", "long axis\ndeg from line")
+    heads = ("landings", "centre\nahead, yd", "centre\nright, yd", "long\naxis, yd", "short\naxis, yd",
+             "long axis to\nline, deg")  # fmt: skip
     print_numbers(heads, rows, title="Ellipses that hold a share of the landings")
 
 
@@ -211,13 +212,15 @@ def _print_strokes(of: Dispersion) -> None:
     before = of.hole.before()
     length = output.number(from_si(of.hole.length, "yd"), 0)
     output.print_paragraph(
-        f"Strokes on a hole of {length} yd from the {of.hole.lie}: {of.strokes:.3f} expected after the shot,"
-        f" {before:.3f} before it; {of.gained:+.3f} gained."
+        f"On a hole of {length} yd a tour player takes {before:.3f} strokes from the {of.hole.lie} and"
+        f" {of.strokes:.3f} after a shot of this golfer: strokes gained {of.gained:+.3f}."
     )
     output.print_paragraph(f"At rest: {told}.")
 
 
 def _print_shares(of: Indices) -> None:
+    from clubface.design.golfer import told
+
     order = sorted(range(len(of.variables)), key=lambda place: -max(float(each[place]) for each in of.share.values()))
     sobol = of.kind == "sobol"
     heads = [""]
@@ -225,7 +228,7 @@ def _print_shares(of: Indices) -> None:
         heads += [f"{name}\nalone", f"{name}\nin all"] if sobol else [f"{name}\n%"]
     rows = []
     for place in order:
-        row = [of.variables[place].replace("_", " ")]
+        row = [told(of.variables[place])]
         for name in of.share:
             parts = [of.share[name][place], of.total[name][place]] if sobol else [of.share[name][place]]
             row += [output.number(100.0 * float(each), 1) for each in parts]
@@ -235,10 +238,10 @@ def _print_shares(of: Indices) -> None:
 
 
 def _notes(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> list[str]:
-    found = ["± is the standard deviation; below the percentages stand the values that so many shots do not reach"]
+    found = ["± is the standard deviation; 5% of the shots stay below the value under 5%, and so on"]
     if of.lost:
         found.append(
-            f"{of.lost} shots ({100.0 * of.lost / of.count:.2g} %) have no result and count for nothing: "
+            f"{of.lost} shots ({100.0 * of.lost / of.count:.2g} %) have no result and are left out, such as: "
             f"{'; '.join(of.reasons.values())}"
         )
     if slopes is not None:

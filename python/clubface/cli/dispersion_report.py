@@ -38,7 +38,7 @@ def write(
     golfer = of.golfer
     told = {"golfer": golfer.title or golfer.name, "shots": str(of.count), "seed": str(of.seed)}
     reporting.write(
-        target, title=f"Where the shots of {told['golfer']} go with the {of.club.name}", words=_words(of),
+        target, title=f"{told['golfer']}: where the shots go with {of.club.name}", words=_words(of),
         picture=drawn, columns=columns, show=show, launches=[hit.mean(golfer)[0]],
         given=told | reporting.told_conditions(texts),
     )  # fmt: skip

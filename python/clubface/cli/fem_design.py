@@ -90,6 +90,7 @@ def _print(found: Improved) -> None:
     if len(found.searches) > 1:
         print_numbers(*words.metals_table(found), title="The best head of each metal")
         print()
-    print_numbers(*words.steps_table(found.chosen, asked.objective), title="Designs that finite elements judged")
+    of = f" of {found.chosen.metal.name}" if len(found.searches) > 1 else ""
+    print_numbers(*words.steps_table(found.chosen, asked.objective), title=f"Designs{of} that finite elements judged")
     print()
     output.print_notes(words.notes(found))

@@ -184,7 +184,7 @@ def _print(found: Any, maps: Sequence[Any], spreads: Sequence[Any], names: Seque
     if spreads:
         _print_spreads(maps, spreads, names or DEFAULT, shown)
     else:
-        output.print_paragraph('--spread "12 mm x 9 mm" tells what impacts that scatter so cost.')
+        output.print_paragraph('Give --spread "12 mm x 9 mm" to learn what impacts that scatter so much cost.')
     notes = [f"{each.centre.club.name}: outline {each.outline.told}" for each in maps]
     if maps[0].interpolated:
         notes.append("between the points of the grid, values, best points and areas are interpolated")
@@ -256,13 +256,19 @@ def _place(best: Any) -> str:
     return " and ".join(sides)
 
 
+def _about(spread: Any) -> str:
+    """Return the point about which impacts scatter in words."""
+    if not (spread.toe or spread.high):
+        return "the face centre"
+    return ", ".join(f"{name} {fixed(each, 'mm', 1)}" for name, each in (("toe", spread.toe), ("high", spread.high)))
+
+
 def _print_spreads(maps: Sequence[Any], spreads: Sequence[Any], names: Sequence[str], shown: Shown) -> None:
     first = spreads[0]
     deviations = " by ".join(fixed(each, "mm", 1) for each in (first.toe_deviation, first.high_deviation))
-    about = ", ".join(f"{name} {fixed(each, 'mm', 1)}" for name, each in (("toe", first.toe), ("high", first.high)))
     heads = [""]
     for each in maps:
-        heads += [f"{each.centre.club.name}\nmean", "standard\ndeviation", "below that\nstruck there"]
+        heads += [f"{each.centre.club.name}\nmean", "standard\ndeviation", "lost by\nscatter"]
     rows = []
     for name in names:
         unit, digits = shown[name]
@@ -272,7 +278,7 @@ def _print_spreads(maps: Sequence[Any], spreads: Sequence[Any], names: Sequence[
                     ((each.mean, 0), (each.deviation, 1), (each.loss, 1))]  # fmt: skip
         rows.append(row)
     print()
-    print_numbers(heads, rows, title=f"Impacts that scatter by {deviations} about {about}")
+    print_numbers(heads, rows, title=f"Impacts that scatter by {deviations} about {_about(first)}")
     for found, each in zip(maps, spreads, strict=True):
         if each.missed < LEAST_MISSED:
             continue

@@ -127,7 +127,7 @@ def _note(launches: Mapping[str, Any], flights: Mapping[str, Any]) -> str:
     """Return the one line under the table: flights beyond the aerodynamic data, and where the caveats stand."""
     said = []
     if outside := [name for name in launches if flights[name].outside_fit]:
-        said.append(f"Spin beyond the aerodynamic data: {', '.join(outside)}.")
+        said.append(f"Spin leaves the aerodynamic data in flight: {', '.join(outside)}.")
     if doubted := [name for name, each in launches.items() if each.parameters.caveats or each.parameters.value_caveats]:
         which = doubted[0] if len(doubted) == 1 else "NAME"
         said.append(f"Caveats: clubface models {which}")
@@ -161,7 +161,7 @@ def _draw(
         elif (forces := backend_of(name).forces(each, delivery)) is not None:
             histories[name] = forces
     first = next(iter(launches.values()))
-    shown = {name: units.display_unit(name, units.SI_UNITS[DIMENSIONS[name]]) for name in delivery}
+    shown = {name: units.display_unit(name, units.SI_UNITS[DIMENSIONS[name]]) for name in delivery} | {"speed": "mph"}
     described = [f"{name.replace('_', ' ')} {units.show(value, shown[name], 4)}" for name, value in delivery.items()]
     if first.club.hand < 0:
         described.append("left-handed")

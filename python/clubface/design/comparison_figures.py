@@ -93,8 +93,7 @@ def _bars(figure: Any, found: Compared, name: str, shown: Mapping[str, str]) -> 
     table = np.array(bars)
     panels = figure.subplots(1, len(shown), sharey=True)
     for column, (panel, (quantity, unit)) in enumerate(zip(panels, shown.items(), strict=True)):
-        colours = [COLOURS[0] if value >= 0.0 else COLOURS[1] for value in table[:, column]]
-        panel.barh(range(len(table)), table[:, column], color=colours, height=0.7)
+        panel.barh(range(len(table)), table[:, column], color="0.5", height=0.7)
         panel.axvline(0.0, color="0.3", linewidth=0.6)
         panel.invert_yaxis() if column == 0 else None
         panel.grid(visible=False, axis="y")

@@ -10,9 +10,12 @@ from matplotlib.patches import Ellipse as Outline
 
 from clubface.design.dispersion import SHARES, Dispersion
 from clubface.design.dispersion_indices import Indices
+from clubface.design.golfer import told
 from clubface.plots.style import COLOURS, WIDTH, legend_above, styled
 from clubface.units import from_si, size
 
+MARKED = (0.1, 0.5, 0.9)
+"""Shares of the shots that fall short of the dashed lines."""
 BARS = 6
 """Variables of which a bar is drawn: those with the greatest shares."""
 LAUNCHES = (("ball_speed", "mph", "ball speed (mph)", 0.5), ("launch", "deg", "launch angle (deg)", 0.25))
@@ -41,7 +44,10 @@ def dispersion_figure(of: Dispersion, shares: Indices | None = None, ellipses: t
     if flies:
         lines = _landings(figure.add_subplot(grid[:, 0]), of, ellipses)
     for row, (name, unit, label, width) in enumerate(FLIGHTS if flies else LAUNCHES):
-        _histogram(figure.add_subplot(grid[row, columns - 1]), of, name, unit, label, width)
+        panel = figure.add_subplot(grid[row, columns - 1])
+        _histogram(panel, of, name, unit, label, width)
+        if row == 0:
+            panel.set_title(f"lines: {', '.join(f'{100 * each:.0f}' for each in MARKED)}% below")
     if shares is not None:
         for row, name in enumerate(shares.share):
             _bars(figure.add_subplot(grid[row, columns]), shares, name)
@@ -78,7 +84,7 @@ def _histogram(panel: Any, of: Dispersion, name: str, unit: str, label: str, wid
     edges, counts = of.tally.histogram(name, width * size(unit))
     shown = from_si(edges, unit)
     panel.stairs(counts / max(of.tally.counted, 1), shown, fill=True, color=COLOURS[0], alpha=0.6)
-    for share in (0.1, 0.5, 0.9):
+    for share in MARKED:
         panel.axvline(from_si(of.quantile(name, share), unit), color="0.3", linewidth=0.8, linestyle="--")
     least, most = (from_si(of.quantile(name, share), unit) for share in (0.001, 0.999))
     room = 0.15 * (most - least)
@@ -90,6 +96,6 @@ def _histogram(panel: Any, of: Dispersion, name: str, unit: str, label: str, wid
 def _bars(panel: Any, shares: Indices, name: str) -> None:
     order = np.argsort(shares.share[name])[-BARS:]
     panel.barh(np.arange(len(order)), 100.0 * shares.share[name][order], color=COLOURS[2])
-    panel.set_yticks(np.arange(len(order)), [shares.variables[place].replace("_", " ") for place in order])
-    panel.set_xlabel(f"% of the variance of the {name}")
+    panel.set_yticks(np.arange(len(order)), [told(shares.variables[place]) for place in order])
+    panel.set_xlabel(f"variance of {name} (%)")
     panel.grid(visible=False, axis="y")

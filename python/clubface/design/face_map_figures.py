@@ -46,14 +46,14 @@ def face_map_figure(found: FaceMap | FaceMapDifference, *, units: Mapping[str, s
     rows = -(-len(shown) // columns)
     wide, tall = found.outline.greatest - found.outline.least
     panel = (WIDTH / columns - 0.9) * float(tall / wide) + 0.42
-    figure = Figure(figsize=(WIDTH, rows * panel + 0.55), layout="constrained")
+    figure = Figure(figsize=(WIDTH, rows * panel + 0.7), layout="constrained")
     panels = np.atleast_1d(figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)).reshape(-1)
     for axes, (name, unit) in zip(panels, shown.items(), strict=False):
         _panel(figure, axes, found, name, unit)
     for axes in panels[len(shown) :]:
         axes.set_axis_off()
     for axes in panels[len(panels) - columns :]:
-        axes.set_xlabel("heel ←   towards the toe (mm)   → toe")
+        axes.set_xlabel("← heel   from the centre (mm)   toe →")
     for axes in panels[::columns]:
         axes.set_ylabel("up the face (mm)")
     figure.suptitle(_title(found), fontsize=8.5, x=0.01, ha="left")
@@ -65,7 +65,9 @@ def _title(found: FaceMap | FaceMapDifference) -> str:
     told = f"{first.centre.club.name}, ball {first.centre.ball.name}, by {first.centre.model}"
     if isinstance(found, FaceMapDifference):
         told = f"{first.centre.club.name} less {found.second.centre.club.name}, by {first.centre.model}"
-    return f"{told}; outline {first.outline.told}" + ("; interpolated" if first.interpolated else "")
+    told = f"{told}; outline {first.outline.told}" + ("; interpolated" if first.interpolated else "")
+    spot = f" of {first.centre.club.name}" if isinstance(found, FaceMapDifference) else ""
+    return f"{told}\n+ centre of the face    ○ greatest ball speed{spot}"
 
 
 def _panel(figure: Figure, axes: Axes, found: FaceMap | FaceMapDifference, name: str, unit: str) -> None:
@@ -96,7 +98,8 @@ def _panel(figure: Figure, axes: Axes, found: FaceMap | FaceMapDifference, name:
     axes.set_aspect("equal")
     axes.grid(visible=False)
     label = WORDS.get(name, name.replace("_", " "))
-    axes.set_title(f"{label} ({unit})" if unit != "1" else label)
+    side = ", right is positive" if name in SIDED else ""
+    axes.set_title(f"{label} ({unit}){side}" if unit != "1" else label)
     figure.colorbar(filled, ax=axes, shrink=0.85, pad=0.02)
 
 

@@ -23,6 +23,16 @@ MOST_SHOTS = 2**32
 MOST_SEED = 2**63 - 1
 BITS = 32
 """Binary digits of the quasi-random numbers: as many as scipy can skip."""
+WORDS = {
+    "attack": "attack angle", "path": "club path", "loft": "dynamic loft", "face": "face angle",
+    "toe": "strike, heel to toe", "high": "strike, low to high",
+}  # fmt: skip
+"""What people call variables of a delivery."""
+
+
+def told(variable: str) -> str:
+    """Return what people call a variable of a delivery."""
+    return WORDS.get(variable, variable.replace("_", " "))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

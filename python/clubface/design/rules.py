@@ -86,7 +86,7 @@ _PLACES = {
 """Table, column and column of the tolerance of each limit among the published measurements."""
 
 _TITLES = {
-    "moment_of_inertia": "moment of inertia about the vertical axis through the CG",
+    "moment_of_inertia": "moment of inertia, vertical axis",
     "characteristic_time": "characteristic time of the face",
     "volume": "volume of the head",
     "heel_to_toe": "distance from heel to toe",
@@ -141,6 +141,6 @@ def check_rules(
     verdicts = [RuleVerdict(rule, values[rule.name]) for rule in rules_of(head)]
     if head.kind != "iron" and size:
         source = rules()["heel_to_toe"].source
-        longer = Rule("face_to_back", "distance from face to back, beside heel to toe", length, 0.0, "in", source)
+        longer = Rule("face_to_back", "face to back, beside heel to toe", length, 0.0, "in", source)
         verdicts.append(RuleVerdict(longer, depth))
     return verdicts

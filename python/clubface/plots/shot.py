@@ -84,7 +84,7 @@ class _View(NamedTuple):
     axis
         The coordinate drawn upwards: 1 (height) or 2 (right of the target).
     limits
-        Of that coordinate [m], from the lower edge to the upper.
+        Of that coordinate [yd], from the lower edge to the upper.
     stretch
         By how much its scale exceeds that of the distance.
     shape
@@ -99,7 +99,8 @@ class _View(NamedTuple):
 
 
 def _figure(flights: Mapping[str, Any], histories: Mapping[str, Any], title: str) -> Figure:
-    positions = np.concatenate([np.asarray(each, dtype=float) for each in flights.values()])
+    flights = {name: units.from_si(np.asarray(each, dtype=float), "yd") for name, each in flights.items()}
+    positions = np.concatenate(list(flights.values()))
     length = 1.03 * max(float(positions[:, 0].max()), 1.0)
     margin = 0.06 * float(np.ptp(positions[:, 2])) + 0.5
     right, left = max(float(positions[:, 2].max()), 0.0), min(float(positions[:, 2].min()), 0.0)
@@ -158,8 +159,7 @@ _LEAST_FORCE = 0.04
 
 
 def _draw_view(axes: Axes, view: _View, flights: Mapping[str, Any], length: float) -> None:
-    for name, position in flights.items():
-        points = np.asarray(position, dtype=float)
+    for name, points in flights.items():
         axes.plot(points[:, 0], points[:, view.axis], **look(name))
     axes.set_xlim(0.0, length)
     axes.set_ylim(*view.limits)
@@ -167,10 +167,10 @@ def _draw_view(axes: Axes, view: _View, flights: Mapping[str, Any], length: floa
     scale = "equal scales" if view.stretch == 1.0 else f"stretched {view.stretch:g} times sideways"
     axes.set_title(f"{view.name}, {scale if view.axis == 2 else scale.replace('sideways', 'upwards')}")
     if view.axis == 1:
-        axes.set_ylabel("height (m)")
+        axes.set_ylabel("height (yd)")
         return
     axes.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
-    axes.set(xlabel="distance along the target line (m)", ylabel="right (m)")
+    axes.set(xlabel="distance along the target line (yd)", ylabel="right (yd)")
 
 
 def _keys(names: Iterable[str]) -> list[Line2D]:

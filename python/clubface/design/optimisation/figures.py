@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 
 from clubface import units
 from clubface.design.optimisation.objectives import SHARE
+from clubface.design.optimisation.study import UNITS
 from clubface.plots.style import COLOURS, WIDTH, styled
 
 if TYPE_CHECKING:
@@ -91,11 +92,18 @@ def _draw_bounds(axes: Axes, of: Optimum) -> None:
         start = 0.0 if name == "lie" else getattr(of.study.club, name)
         place = [(value - low) / (high - low) for value in (start, of.club[name])]
         axes.plot([0.0, 1.0], [row, row], color="0.8", linewidth=3.0, solid_capstyle="round")
+        for colour, value, where, below in zip(COLOURS, (start, of.club[name]), place, (True, False), strict=False):
+            text = f"{units.from_si(value, UNITS[name]):.4g}"
+            axes.annotate(
+                text, (where, row), (0.0, -6.0 if below else 6.0), textcoords="offset points", ha="center",
+                va="top" if below else "bottom", color=colour,
+            )  # fmt: skip
         axes.plot(place[0], row, "s", color=COLOURS[0], label="start" if row == 0 else None)
         axes.plot(place[1], row, "o", color=COLOURS[1], label="optimum" if row == 0 else None)
-    axes.set_yticks(range(len(names)), names)
-    axes.set_xticks([0.0, 1.0], ["least allowed", "most allowed"])
+    told = [f"{name}\n{units.show_range(*bounds[name], UNITS[name])}" for name in names]
+    axes.set_yticks(range(len(names)), told)
+    axes.set_xticks([])
     axes.set_ylim(len(names) - 0.5, -0.8)
     axes.grid(visible=False)
-    axes.set_title("Place between the bounds")
+    axes.set_title("Place between the least and the most that is allowed")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2)

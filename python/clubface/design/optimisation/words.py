@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import asdict
 from typing import Any
 
@@ -51,14 +52,17 @@ def shots_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
         "best for the\nmean delivery",
         "optimum",
         "optimum\nagainst start",
-        "optimum against\nthe latter",
+        "optimum against\nmean delivery",
     ]
     return heads, rows
 
 
 def limits_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     """Return the verdict of every limit."""
-    rows = [[each.limit, each.value, each.allowed, each.state] for each in found.verdicts()]
+    rows = [
+        [each.limit.removeprefix("the "), each.value, _short(each.allowed), each.state.removeprefix("kept, ")]
+        for each in found.verdicts()
+    ]
     return ["limit", "optimum", "allowed", "verdict"], rows
 
 
@@ -191,16 +195,15 @@ def fit_table(of: Fitting, found: list[Combination]) -> tuple[list[str], list[li
     """Return the best combinations of parts."""
     judge = of.judge(of.objective)
     others = list(found[0].others)
-    unit = {each: of.judge(each).unit for each in (of.objective, *others)}
-    heads = ["club", "ball", "setting", "changes", f"{judge.name}\n({judge.unit})", "behind the best"]
-    heads += [f"{name}\n({unit[name]})" for name in others]
+    heads = ["", "club", "ball", "setting", "changes", _head(judge), "behind the best"]
+    heads += [_head(of.judge(name)) for name in others]
     rows = []
-    for each in found[:SHOWN]:
+    for number, each in enumerate(found[:SHOWN], 1):
         behind = (
             "" if each is found[0] else f"{_signed(each.value - found[0].value, judge)} ± {_error(each.error, judge)}"
         )
         rows.append(
-            [each.club, each.ball, each.setting, told(each.changes), _value(each.value, judge), behind]
+            [str(number), each.club, each.ball, each.setting, told(each.changes), _value(each.value, judge), behind]
             + [_value(each.others[name], of.judge(name)) for name in others]
         )
     return heads, rows
@@ -233,21 +236,38 @@ def fit_advice(of: Fitting, found: list[Combination]) -> list[str]:
 def fit_notes(of: Fitting, found: list[Combination]) -> list[str]:
     """Return what a reader should know about a fitting."""
     said = [
-        f"{len(found)} combinations, all judged on the same {of.shots} shots of a golfer. The golfer delivers as with"
-        f" {of.clubs[0].name}; with another loft he delivers as much more of it.",
+        f"{len(found)} combinations, all judged on the same {of.shots} shots of a golfer, who delivers every club as"
+        f" {of.clubs[0].name}, with more dynamic loft where the club has more loft.",
     ]
     if any(math.isnan(each.error) for each in found):
         said.append("After ± stands ? where other shots miss the face than with the best club.")
     close = sum(abs(each.value - found[0].value) <= CERTAIN * each.error for each in found[1:])
     if close:
-        said.append(f"{close} others are not clearly behind the best.")
+        said.append(f"Not clearly behind the best: {close} of the others.")
+    if ends := [name for name, limits in of.bounds.items() if _at_an_end(found[0].changes.get(name), limits)]:
+        said.append(f"The best is at an end of the range of {' and '.join(ends)}; a wider range may give a better one.")
     if len(found) > SHOWN:
         said.append(f"{len(found) - SHOWN} more are not shown; --json has all.")
     return said
 
 
 def _number(value: float | None, unit: str) -> str:
-    return "" if value is None else f"{units.from_si(value, unit):.5g}"
+    return "" if value is None else f"{units.from_si(value, unit):.4g}"
+
+
+def _at_an_end(value: float | None, limits: tuple[float, float]) -> bool:
+    low, high = limits
+    return value is not None and min(value - low, high - value) < 1e-3 * (high - low)
+
+
+def _short(allowed: str) -> str:
+    """Return what a limit allows, such that the table fits a terminal: "≤ 20 yd", "8 to 14 deg"."""
+    text = allowed.replace("at most", "≤").replace("at least", "≥")
+    return re.sub(r"(\S+) (\S+) to (\S+ \2)$", r"\1 to \3", text)
+
+
+def _head(judge: Objective) -> str:
+    return judge.name if judge.unit == "1" else f"{judge.name}\n({judge.unit})"
 
 
 def _value(value: float, judge: Objective) -> str:

@@ -115,7 +115,9 @@ def improve(
         if output is not None:
             assert kept is not None
             with kept.result(Path(output)) as file:
-                file.write(driver_file.text(head).encode())
+                # The models that take the head as rigid learn from this line how its face gives.
+                time = chosen.best.values["characteristic_time"]
+                file.write(driver_file.text(head, characteristic_time=time).encode())
             kept.remove()
         return Improved(study=study, searches=searches, chosen=chosen, head=head, runs=engine.runs)
 

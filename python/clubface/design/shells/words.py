@@ -109,6 +109,8 @@ def notes(found: Improved) -> list[str]:
         f"{designs} designs were judged by {found.runs} runs of finite elements; the search for the best head ended "
         f"because {found.chosen.found.ended}."
     ]
+    if ends := [_variable(name) for name in found.study.bounds if _at_an_end(found, name)]:
+        told.append(f"At an end of what may vary: {', '.join(ends)}. Wider bounds may give a better head.")
     if found.study.hardest is not None:
         told.append(
             "The stress is that of von Mises on either side of the face, of a metal that stays elastic, on the mesh of "
@@ -164,6 +166,13 @@ def _variables(found: Improved) -> tuple[dict[str, float], dict[str, float]]:
         table, key = name.split(".")
         best[name] = getattr(found.head, table)[key]
     return {name: found.study.start_value(name) for name in found.study.bounds}, best
+
+
+def _at_an_end(found: Improved, name: str) -> bool:
+    """Return whether the best head has the least or the greatest value of a variable."""
+    low, high = found.study.bounds[name]
+    value = _variables(found)[1][name]
+    return min(value - low, high - value) < 1e-3 * (high - low)
 
 
 def _variable(name: str) -> str:

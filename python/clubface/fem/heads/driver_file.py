@@ -10,8 +10,11 @@ from clubface.fem.heads.metal import Metal
 from clubface.support.strict_toml import quoted
 
 
-def text(head: DriverHead) -> str:
-    """Return a file of a driver, which :func:`.read.from_toml` reads; lengths to 0.1 um."""
+def text(head: DriverHead, *, characteristic_time: float | None = None) -> str:
+    """Return a file of a driver, which :func:`.read.from_toml` reads; lengths to 0.1 um.
+
+    A ``characteristic_time`` [s] tells the models that take the head as rigid how its face gives.
+    """
     lines = [f"name = {quoted(head.name)}"]
     if head.description:
         lines.append(f"description = {quoted(head.description)}")
@@ -20,6 +23,8 @@ def text(head: DriverHead) -> str:
         f"elements = {list(head.elements)}",
         f"scales = {[float(each) for each in head.scales]}",
     ]
+    if characteristic_time is not None:
+        lines.append(f"characteristic_time = {_told(characteristic_time, 'us', 1)}")
     lines += ["", "[shape]"]
     lines += [f"{key} = {_told(value, 'deg' if key == 'loft' else 'mm')}" for key, value in head.shape.items()]
     lines += ["", "[thickness]", *(f"{key} = {_told(value, 'mm')}" for key, value in head.thickness.items())]
