@@ -12,10 +12,10 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
-from clubface.errors import ClubfaceError, FileError
+from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.studies.axes import Swept
 from clubface.studies.designs import Design
-from clubface.support.checks import check_choice
+from clubface.support.checks import check_choice, check_names
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -129,6 +129,15 @@ class Kind(Protocol):
     def prepare(self, study: Described) -> Task:
         """Return the task; what is wrong with the study is an error here, before any work."""
         ...
+
+
+def chosen_columns(table: Mapping[str, Any], every: Mapping[str, Column], usual: Sequence[str]) -> dict[str, Column]:
+    """Return the columns that the table of a kind asks for by ``outputs``, or the usual ones."""
+    names = table.get("outputs", usual)
+    if not isinstance(names, list | tuple) or not names:
+        raise InputError("outputs", names, f'a list of quantities, as in ["{usual[0]}"]')
+    check_names("output", names, every)
+    return {name: every[name] for name in names}
 
 
 def kind(name: str) -> Kind:
