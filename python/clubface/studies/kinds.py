@@ -1,8 +1,8 @@
 """What a study may compute: the interface of a task, and the list of kinds of studies.
 
 A kind is a module with a ``KIND``. The study names it, gives it a table of its own, and sweeps what it says may be
-swept. From the study it prepares a task, whose columns at any index follow from the study and the index alone. A
-distribution of shots, a map over a face, or an optimisation is added by one such module and one line in ``MODULES``.
+swept. From the study it prepares a task, whose columns at any index follow from the study and the index alone. One more
+is added by one such module and one line in ``MODULES``.
 """
 
 from __future__ import annotations
@@ -20,7 +20,17 @@ from clubface.support.checks import check_choice, check_names
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-MODULES = {"impact": "clubface.studies.impacts", "empty": "clubface.studies.empty"}
+MODULES = {
+    "impact": "clubface.studies.impacts",
+    "comparison": "clubface.studies.comparisons",
+    "map": "clubface.studies.maps",
+    "dispersion": "clubface.studies.dispersions",
+    "best-loft": "clubface.studies.best_lofts",
+    "optimise": "clubface.studies.optima",
+    "fem": "clubface.studies.fem_cases",
+    "head": "clubface.studies.fem_heads",
+    "empty": "clubface.studies.empty",
+}
 """The module of each kind of study."""
 
 

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any, TypeGuard
 
 from clubface.equipment.backends import MODULES
-from clubface.equipment.balls import ball as ball_of
-from clubface.equipment.clubs import club as club_of
+from clubface.equipment.balls import RIGID, ball as ball_of
+from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.described import HANDS
 from clubface.equipment.models import DEFAULT_MODEL, model as model_of, models
 from clubface.equipment.parameters import ParameterSet
@@ -31,6 +31,9 @@ KEYS = (*CHOSEN, "parameters", "accuracy", "held", *CONDITIONS)
 WANTED = {
     "club": 'give it, as in club = "driver"', "speed": 'sweep it, or hold it, as in held = { speed = "113 mph" }',
 }  # fmt: skip
+OF_CLUB = {"club_mass": "mass", "static_loft": "loft"}
+OF_CLUB |= {name: name for name in CLUB_PROPERTIES if name not in ("mass", "loft", "cor")}
+"""The field of a club by the input of a shot that has its value."""
 OF_WIND = {"wind_x": "m/s", "wind_y": "m/s", "wind_z": "m/s", "wind_speed": "m/s", "wind_direction": "rad"}
 OF_AIR = {name: "m" if name == "altitude" else flight_inputs()[name].unit for name in Air.__dataclass_fields__}
 OF_GROUND = {name: each.unit for name, each in flight_inputs().items() if each.group == "ground"}
@@ -116,12 +119,13 @@ class Shooting:
             _refuse_twice(name, table, table.get("held", {}))
         # Files are read once: what they hold later is another study.
         named = self.choices.get
-        self._clubs = {each: club_of(_resolved(each, self._folder)) for each in named("club") or _one(table, "club")}
+        self._clubs = {each: club_of(resolved(each, self._folder)) for each in named("club") or _one(table, "club")}
         self._balls = {
-            each: ball_of(path) if is_path(path := _resolved(each, self._folder)) else each
+            each: ball_of(path) if is_path(path := resolved(each, self._folder)) else each
             for each in named("ball") or [table.get("ball")]
         }
         self.conditions = Conditions(study)
+        self._held = {name: number(name, each, inputs()[name].unit) for name, each in table.get("held", {}).items()}
         delivery = {*inputs(), *CHOSEN, *swept_conditions()}
         known = swept_shots(table, study.sweep)
         self._parameters = [name for name in axes if name in known and name not in delivery]
@@ -143,6 +147,24 @@ class Shooting:
             "club": which, "model": model, "parameters": given, "ball": self._balls[table.get("ball")],
             "accuracy": self._accuracy,
         }  # fmt: skip
+
+    def single(self, task: Mapping[str, Any], club: Club | None = None) -> dict[str, Any]:
+        """Return the options of :func:`clubface.impact` for one task, whose club and ball have what is swept of them.
+
+        A ``club`` stands in where neither the study nor the task names one.
+        """
+        names = {name: task[name] for name in self.choices}
+        options = self.equipped(names, task)
+        values = {**self._held, **{name: each for name, each in task.items() if name in inputs()}}
+        of_club = {field: values.pop(name) for name, field in OF_CLUB.items() if name in values}
+        of_ball = {name: values.pop(f"ball_{name}") for name in RIGID if f"ball_{name}" in values}
+        hand = {**self.table, **names}.get("hand")
+        of_club |= {} if hand is None else {"hand": HANDS[hand]}
+        own: Any = options["club"] or club
+        options["club"] = own.replace(**of_club) if of_club else own
+        if of_ball:
+            options["ball"] = ball_of(options["ball"]).replace(**of_ball)
+        return {**options, "delivery": values}
 
     def delivered(self, names: Mapping[str, str], values: Mapping[str, Any]) -> dict[str, Any]:
         """Return the inputs of shots that are held and swept."""
@@ -179,7 +201,7 @@ def _one(table: Mapping[str, Any], name: str) -> list[Any]:
     return [table[name]] if name in table else []
 
 
-def _resolved(which: Any, folder: Path) -> Any:
+def resolved(which: Any, folder: Path) -> Any:
     """Return a name as it is, and the path of a file from the folder of the study."""
     return folder / which if isinstance(which, str) and is_path(which) else which
 
@@ -194,4 +216,4 @@ def _given(table: Mapping[str, Any], model: str, folder: Path) -> Any:
     given = table.get("parameters")
     if _is_by_model(given):
         given = given.get(model)
-    return _resolved(given, folder)
+    return resolved(given, folder)

@@ -152,15 +152,20 @@ def _table(document: Document, name: str) -> dict[str, Any]:
 def _flat(sweep: Mapping[str, Any], known: Mapping[str, Swept]) -> dict[str, Any]:
     """Return [sweep] with inputs named by group and name, as in ``air.temperature``, under the one name they have."""
     found: dict[str, Any] = {}
-    for group, given in sweep.items():
-        if group in known or not isinstance(given, Mapping) or given.keys() <= set(FORM):
-            given = {group: given}
+
+    def walk(parts: tuple[str, ...], given: Any) -> None:
+        names = ["_".join(parts[place:]) for place in range(len(parts))]
+        name = next((each for each in names if each in known), names[-1])
+        if name not in known and isinstance(given, Mapping) and not given.keys() <= set(FORM):
+            for each, inner in given.items():
+                walk((*parts, each), inner)
+        elif name in found:
+            raise InputError(name, Told("swept twice"), "one line of [sweep]")
         else:
-            given = {joined if (joined := f"{group}_{name}") in known else name: each for name, each in given.items()}
-        for name, each in given.items():
-            if name in found:
-                raise InputError(name, Told("swept twice"), "one line of [sweep]")
-            found[name] = each
+            found[name] = given
+
+    for group, given in sweep.items():
+        walk((group,), given)
     return found
 
 
