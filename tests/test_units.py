@@ -203,3 +203,11 @@ SHOWN = {
 def test_a_quantity_is_shown_in_the_unit_it_is_read_in(name, unit):
     si = units.SI_UNITS[units.unit(unit).dimension]
     assert units.display_unit(name, si) == unit
+
+
+@pytest.mark.parametrize(
+    ("name", "si", "unit"),
+    [("sweet_spot_toe", "m", "mm"), ("thickness_crown", "m", "mm"), ("target_mass", "kg", "g"), ("carry", "m", "m")],
+)
+def test_lengths_of_a_head_are_read_in_millimetres(name, si, unit):
+    assert units.display_unit(name, si) == unit

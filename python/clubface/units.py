@@ -124,10 +124,12 @@ _DISPLAY_UNITS_BY_NAME = {
     "toe": "mm", "high": "mm", "bulge": "mm", "roll": "mm", "face_width": "mm", "face_height": "mm",
     "cg_x": "mm", "cg_y": "mm", "cg_z": "mm", "dcg_x": "mm", "dcg_y": "mm", "dcg_z": "mm",
     "ball_radius": "mm", "radius": "mm", "cover_thickness": "mm", "penetration": "mm",
-    "contact_area": "mm2",
+    "contact_area": "mm2", "area": "mm2", "face_area": "mm2", "stress": "MPa",
     "contact_time": "us", "characteristic_time": "us", "included_time": "us", "peak_force": "kN",
     "shear_modulus": "MPa", "ring_modulus": "MPa", "humidity": "%",
 }  # fmt: skip
+_OF_A_HEAD = ("shape_", "thickness_", "target_", "grooves_"), ("_toe", "_high")
+"""How names begin and end of lengths of a head, which people read in millimetres."""
 
 
 def unit(symbol: str, *, name: str = "unit", dimension: str | None = None) -> Unit:
@@ -281,6 +283,9 @@ def display_unit(quantity: str, si_unit: str) -> str:
     if quantity in _DISPLAY_UNITS_BY_NAME:
         return _DISPLAY_UNITS_BY_NAME[quantity]
     found = unit(si_unit)
+    begins, ends = _OF_A_HEAD
+    if found.dimension == "length" and (quantity.startswith(begins) or quantity.endswith(ends)):
+        return "mm"
     return _DISPLAY_UNITS.get(found.dimension, found.symbol)
 
 

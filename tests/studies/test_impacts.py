@@ -5,6 +5,7 @@ import pytest
 
 import clubface
 from clubface import studies
+from clubface.errors import FileError
 from clubface.studies.kinds import kind
 from clubface.studies.study import read_study
 from study_files import shots
@@ -159,3 +160,92 @@ outputs = ["ball_speed"]
 [sweep]
 speed = {speeds}
 """.replace("{", "{{").replace("}", "}}")
+
+
+CONDITIONS = """
+[impact]
+club = "driver"
+held = {{ loft = "12 deg", speed = "100 mph" }}
+outputs = ["carry", "side", "total"]
+{held}
+[sweep]
+{sweep}
+"""
+
+
+def flown(**conditions):
+    return clubface.fly(clubface.impact("driver", speed="100 mph", loft="12 deg"), **conditions)
+
+
+@pytest.mark.parametrize(
+    ("swept", "values", "conditions"),
+    [
+        ("air.temperature", ("0 degC", "30 degC"), lambda each: {"air": {"temperature": each}}),
+        ("temperature", ("0 degC", "30 degC"), lambda each: {"air": {"temperature": each}}),
+        ("air.pressure", ("900 hPa", "1013 hPa"), lambda each: {"air": {"pressure": each}}),
+        ("air.altitude", ("0 m", "2000 m"), lambda each: {"air": {"altitude": each}}),
+        ("air.humidity", ("10 %", "90 %"), lambda each: {"air": {"humidity": each}}),
+        ("wind.wind_x", ("-5 m/s", "5 m/s"), lambda each: {"wind": (each, 0, 0)}),
+        ("wind_z", ("-5 m/s", "5 m/s"), lambda each: {"wind": (0, 0, each)}),
+        ("wind.speed", ("1 m/s", "5 m/s"), lambda each: {"wind": (each, 0, 0)}),
+        ("ground.restitution_factor", (0.5, 1.2), lambda each: {"ground": {"restitution_factor": each}}),
+        ("ground.tilt", ("5 deg", "15 deg"), lambda each: {"ground": {"ground_tilt": each}}),
+        ("ground.friction", (0.2, 0.6), lambda each: {"ground": {"ground_friction": each}}),
+        ("ground.rolling_friction", (0.1, 0.3), lambda each: {"ground": {"rolling_friction": each}}),
+    ],
+)  # fmt: skip
+def test_every_number_of_air_wind_and_ground_is_swept(tmp_path, swept, values, conditions):
+    sweep = f"{swept} = {list(values)}".replace("'", '"')
+    _, found = computed(shots(tmp_path, text=CONDITIONS.replace("{held}", "").replace("{sweep}", sweep)))
+    for task, each in enumerate(values):
+        assert found.columns["total"][task] == flown(**conditions(each)).total
+    assert found.columns["total"][0] != found.columns["total"][1]
+
+
+def test_conditions_are_held_and_swept_together_in_a_design_of_samples(tmp_path):
+    text = CONDITIONS.replace("{held}", 'wind = {{ wind_speed = "6 m/s" }}\nair = {{ altitude = "1600 m" }}')
+    sweep = 'wind.direction = {{ from = "0 deg", to = "180 deg" }}\nair.humidity = {{ from = 0, to = 1 }}'
+    text = text.replace("{sweep}", sweep).replace("[impact]", '[study]\ndesign = "sobol"\nsamples = 4\n[impact]', 1)
+    study, found = computed(shots(tmp_path, text=text))
+    inputs = study.design.values(range(4))
+    for task in range(4):
+        angle, humidity = inputs["wind_direction"][task], inputs["humidity"][task]
+        wind = (6.0 * np.cos(angle), 0.0, 6.0 * np.sin(angle))
+        assert found.columns["side"][task] == flown(wind=wind, air={"altitude": "1600 m", "humidity": humidity}).side
+    assert (found.columns["side"] > flown(air={"altitude": "1600 m"}).side).all()  # it blows to the right
+
+
+@pytest.mark.filterwarnings("ignore::clubface.errors.RangeWarning")
+def test_conditions_are_columns_of_a_table(tmp_path, in_this_process):
+    heads = "temperature_degC,air.altitude [m],wind.speed [mph],wind_direction_deg,friction"
+    (tmp_path / "days.csv").write_text(f"{heads}\n5,0,10,180,0.4\n30,1500,0,0,0.4\n")
+    text = CONDITIONS.replace("{sweep}", 'table = "days.csv"').replace("{held}", "")
+    text = text.replace("[impact]", '[study]\ndesign = "table"\n[impact]\nmodel = "area"', 1)
+    path = shots(tmp_path, text=text)
+    _, found = computed(path)
+    launch = clubface.impact("driver", speed="100 mph", loft="12 deg", model="area", parameters={"friction": 0.4})
+    cold = clubface.fly(launch, air={"temperature": "5 degC", "altitude": "0 m"}, wind=("-10 mph", 0, 0))
+    assert found.columns["carry"][0] == pytest.approx(float(cold.carry), rel=1e-12)  # cos 180 deg, sin 180 deg round
+    studies.run(path, workers=1)
+    studies.join(path, tmp_path / "all.csv")
+    heads = (tmp_path / "all.csv").read_text().splitlines()[0].split(",")
+    assert heads[:5] == ["temperature_degC", "altitude_m", "wind_speed_mph", "wind_direction_deg", "friction"]
+
+
+@pytest.mark.parametrize(
+    ("held", "sweep", "words"),
+    [
+        ("", "air.temprature = [1]", "did you mean temperature"),
+        ("", "wind.size = [1]", "unknown input 'size'"),
+        ("", "wind.direction = [1]", "wind_speed is missing"),
+        ('wind = ["1 m/s", 0, 0]', "wind.speed = [1]", "a table of wind_x"),
+        ("wind = {{ wind_x = 1 }}", "wind.speed = [1]", "wind_x is 1"),
+        ("wind = {{ wind_speed = 1 }}", "wind.speed = [1]", "held and swept"),
+        ("air = {{ pressure = 90000 }}", "altitude = [1]", "since the pressure is given"),
+        ("", "altitude = [1]\nair.altitude = [2]", "swept twice"),
+    ],
+)
+def test_conditions_that_do_not_go_together_are_told_with_their_line(tmp_path, held, sweep, words):
+    path = shots(tmp_path, text=CONDITIONS.replace("{held}", held).replace("{sweep}", sweep))
+    with pytest.raises(FileError, match=words):
+        computed(path)

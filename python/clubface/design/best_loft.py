@@ -66,6 +66,8 @@ def best_loft(
     ball: str | os.PathLike[str] | Ball | None = None,
     air: Any = None,
     wind: Any = None,
+    ground: Mapping[str, Any] | None = None,
+    accuracy: float | None = None,
     **delivery: Any,
 ) -> BestLoft:
     """Find the dynamic loft with which the ball is carried farthest.
@@ -76,7 +78,7 @@ def best_loft(
     ----------
     speed, attack
         Of the club: text with a unit, SI numbers or arrays, which broadcast.
-    club, model, parameters, ball, air, wind
+    club, model, parameters, ball, accuracy, air, wind, ground
         As for :func:`impact` and :func:`fly`.
     **delivery
         Further values of the delivery, such as ``high``; single numbers.
@@ -94,9 +96,9 @@ def best_loft(
         with without_warnings(RangeWarning):
             launch = impact(
                 club, {**delivery, "speed": speeds[:, None], "attack": attacks[:, None], "loft": lofts}, model=model,
-                parameters=parameters, ball=ball, on_error="nan",
+                parameters=parameters, ball=ball, accuracy=accuracy, on_error="nan",
             )  # fmt: skip
-            return launch, fly(launch, air=air, wind=wind, on_error="nan")
+            return launch, fly(launch, air=air, wind=wind, ground=ground, on_error="nan")
 
     impact(club, {**delivery, "speed": float(speeds[0]), "attack": float(attacks[0])}, model=model, ball=ball)
     low, high = np.full_like(speeds, LEAST), np.full_like(speeds, MOST)

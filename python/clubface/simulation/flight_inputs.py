@@ -24,6 +24,8 @@ AXES = ("x", "y", "z")
 VELOCITY = tuple(f"velocity_{axis}" for axis in AXES)
 SPIN = tuple(f"spin_{axis}" for axis in AXES)
 BALL = ("ball_mass", "ball_radius", "ball_inertia")
+LEVEL = ("wind_speed", "wind_direction")
+"""What says a level wind in place of its components: how fast it blows, and whereto."""
 
 
 class FlightColumns(NamedTuple):
@@ -117,11 +119,32 @@ def _of_shape(value: Any, shape: tuple[int, ...]) -> Any:
 
 def _wind(wind: Any) -> Mapping[str, Any]:
     if wind is None or isinstance(wind, Mapping):
-        return wind or {}
+        return _level_wind(wind or {})
     scalar = isinstance(wind, str) or not hasattr(wind, "__len__") or getattr(wind, "ndim", 1) == 0
     if scalar or len(wind) != 3:
         raise InputError("wind", wind, 'three values: to the target, up and right, as in ("-10 mph", 0, 0)')
     return {f"wind_{axis}": value for axis, value in zip(AXES, wind, strict=True)}
+
+
+def _level_wind(wind: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return the components of a wind that is given by speed and direction; any other as it is."""
+    import numpy as np
+
+    rest = {name: value for name, value in wind.items() if name not in LEVEL}
+    if len(rest) == len(wind):
+        return wind
+    for name in ("wind_x", "wind_z"):
+        if name in rest:
+            raise InputError(name, rest[name], "left out where the speed of the wind and its direction are given")
+    if wind.get("wind_speed") is None:
+        raise InputError("wind_speed", None, "give it with the direction of the wind")
+    speed = units.parse_values(wind["wind_speed"], "speed", name="wind_speed")
+    blows = wind.get("wind_direction")
+    angle = units.parse_values(0.0 if blows is None else blows, "angle", name="wind_direction")
+    along, across = speed * np.cos(angle), speed * np.sin(angle)
+    if isinstance(speed, float) and isinstance(angle, float):
+        along, across = float(along), float(across)
+    return {**rest, "wind_x": along, "wind_z": across}
 
 
 def _group(what: str, values: Any, known: Any) -> dict[str, Any]:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 MOST = 10**12
 """Tasks of a study; what is more, no cluster computes."""
 FORMS = '["90 mph", "100 mph"], {from = "90 mph", to = "120 mph", count = 31}, or step = "1 mph" in place of the count'
+FORM = ("from", "to", "count", "step")
+"""The keys of such a table."""
 INTERVAL = 'an interval such as {from = "90 mph", to = "120 mph"}, or a list'
 
 
@@ -99,7 +101,7 @@ def axis(name: str, given: Any, swept: Swept) -> Axis:
         raise InputError(name, given, f"a list, or a table, as in {FORMS}")
     if swept.unit is None:
         raise InputError(name, dict(given), 'a list of names, as in ["driver", "3-wood"]')
-    check_names(f"key of {name}", given, ("from", "to", "count", "step"))
+    check_names(f"key of {name}", given, FORM)
     if not ("from" in given and "to" in given) or ("count" in given and "step" in given):
         raise InputError(name, dict(given), f"given as {FORMS}")
     first, last = (number(name, given[key], swept.unit) for key in ("from", "to"))

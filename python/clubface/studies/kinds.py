@@ -1,8 +1,8 @@
 """What a study may compute: the interface of a task, and the list of kinds of studies.
 
 A kind is a module with a ``KIND``. The study names it, gives it a table of its own, and sweeps what it says may be
-swept. From the study it prepares a task, whose columns at any index follow from the study and the index alone. A
-distribution of shots, a map over a face, or an optimisation is added by one such module and one line in ``MODULES``.
+swept. From the study it prepares a task, whose columns at any index follow from the study and the index alone. One more
+is added by one such module and one line in ``MODULES``.
 """
 
 from __future__ import annotations
@@ -12,15 +12,25 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
-from clubface.errors import ClubfaceError, FileError
+from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.studies.axes import Swept
 from clubface.studies.designs import Design
-from clubface.support.checks import check_choice
+from clubface.support.checks import check_choice, check_names
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-MODULES = {"impact": "clubface.studies.impacts", "empty": "clubface.studies.empty"}
+MODULES = {
+    "impact": "clubface.studies.impacts",
+    "comparison": "clubface.studies.comparisons",
+    "map": "clubface.studies.maps",
+    "dispersion": "clubface.studies.dispersions",
+    "best-loft": "clubface.studies.best_lofts",
+    "optimise": "clubface.studies.optima",
+    "fem": "clubface.studies.fem_cases",
+    "head": "clubface.studies.fem_heads",
+    "empty": "clubface.studies.empty",
+}
 """The module of each kind of study."""
 
 
@@ -129,6 +139,15 @@ class Kind(Protocol):
     def prepare(self, study: Described) -> Task:
         """Return the task; what is wrong with the study is an error here, before any work."""
         ...
+
+
+def chosen_columns(table: Mapping[str, Any], every: Mapping[str, Column], usual: Sequence[str]) -> dict[str, Column]:
+    """Return the columns that the table of a kind asks for by ``outputs``, or the usual ones."""
+    names = table.get("outputs", usual)
+    if not isinstance(names, list | tuple) or not names:
+        raise InputError("outputs", names, f'a list of quantities, as in ["{usual[0]}"]')
+    check_names("output", names, every)
+    return {name: every[name] for name in names}
 
 
 def kind(name: str) -> Kind:

@@ -31,7 +31,7 @@ from typing import Any
 
 from clubface import units
 from clubface.errors import ClubfaceError, FileError, InputError, Told, UnknownNameError
-from clubface.studies.axes import Axis, Swept, axis
+from clubface.studies.axes import FORM, Axis, Swept, axis
 from clubface.studies.designs import DESIGNS, GRID, HYPERCUBE, SOBOL, TABLE, Design, Remembered, Rows, design
 from clubface.studies.kinds import Kind, kind
 from clubface.studies.referred import fingerprints_of
@@ -127,6 +127,7 @@ def read_study(path: str | os.PathLike[str]) -> StudyFile:
     document.check_keys(table, chosen.keys, (), chosen.name)
     try:
         known = chosen.swept(table, sweep)
+        sweep = _flat(sweep, known)
     except ClubfaceError as error:
         raise document.wrap(error, chosen.name) from None
     try:
@@ -145,6 +146,26 @@ def _table(document: Document, name: str) -> dict[str, Any]:
     found = document.data.get(name, {})
     if not isinstance(found, dict):
         raise document.error(f"{name} must be a table, [{name}]", name)
+    return found
+
+
+def _flat(sweep: Mapping[str, Any], known: Mapping[str, Swept]) -> dict[str, Any]:
+    """Return [sweep] with inputs named by group and name, as in ``air.temperature``, under the one name they have."""
+    found: dict[str, Any] = {}
+
+    def walk(parts: tuple[str, ...], given: Any) -> None:
+        names = ["_".join(parts[place:]) for place in range(len(parts))]
+        name = next((each for each in names if each in known), names[-1])
+        if name not in known and isinstance(given, Mapping) and not given.keys() <= set(FORM):
+            for each, inner in given.items():
+                walk((*parts, each), inner)
+        elif name in found:
+            raise InputError(name, Told("swept twice"), "one line of [sweep]")
+        else:
+            found[name] = given
+
+    for group, given in sweep.items():
+        walk((group,), given)
     return found
 
 

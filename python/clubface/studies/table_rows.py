@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.errors import FileError
 from clubface.studies.axes import Swept
-from clubface.tables.headings import layout
+from clubface.studies.shooting import BY_GROUP
+from clubface.tables.headings import Vocabulary, delivery_words, layout
 from clubface.tables.reader import open_table
 
 if TYPE_CHECKING:
@@ -31,8 +32,7 @@ def table_columns(path: Path, known: Mapping[str, Swept]) -> dict[str, tuple[str
 
     reader = open_table(path)
     try:
-        found = layout(reader.headings, reader.path, reader.header_line)
-        used = [each for each in found.used if (known.get(each.quantity) or Swept(None)).unit is not None]
+        used = layout(reader.headings, reader.path, reader.header_line, _words(known)).used
         if not used:
             raise FileError(str(path), reader.header_line, "no column of this table is an input that can be swept")
         parts: dict[str, list[NDArray[Any]]] = {each.quantity: [] for each in used}
@@ -53,3 +53,11 @@ def table_columns(path: Path, known: Mapping[str, Swept]) -> dict[str, tuple[str
         name: (units.SI_UNITS[units.unit(known[name].unit or "1").dimension], np.concatenate(each))
         for name, each in parts.items()
     }
+
+
+def _words(known: Mapping[str, Swept]) -> Vocabulary:
+    """Return the words for the inputs that hold numbers: their names, and those that launch monitors have for them."""
+    numbers = {name: units.unit(each.unit).dimension for name, each in known.items() if each.unit is not None}
+    others = {word: name for word, name in delivery_words().names.items() if name in numbers}
+    grouped = {f"{group}_{name}": name for group, names in BY_GROUP.items() for name in names if name in numbers}
+    return Vocabulary({**others, **grouped, **{name: name for name in numbers}}, numbers)
