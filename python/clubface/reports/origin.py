@@ -14,10 +14,12 @@ from clubface.support.version import __version__
 from clubface.units import display_unit, show, show_range
 
 
-def origin(launches: Iterable[Launch], *, given: Mapping[str, str] | None = None) -> Iterator[Block]:
+def origin(
+    launches: Iterable[Launch], *, given: Mapping[str, str] | None = None, sources: Iterable[str] = ()
+) -> Iterator[Block]:
     """Yield inputs, versions and sources of what was computed from ``launches``.
 
-    ``given`` tells in words what else went in, by name: "air", "golfer".
+    ``given`` tells in words what else went in, by name: "air", "golfer"; ``sources`` are those of all but the launches.
     """
     found = list(launches)
     yield Heading(2, "How this was computed")
@@ -25,9 +27,9 @@ def origin(launches: Iterable[Launch], *, given: Mapping[str, str] | None = None
     if rows:
         yield Table(("input", "value"), rows, Data("inputs", ("input", "value"), rows))
     yield Paragraph(tuple(_by(found)))
-    if sources := list(dict.fromkeys(_sources(found))):
+    if told := list(dict.fromkeys((*_sources(found), *sources))):
         yield Heading(3, "Sources")
-        yield Bullets(sources)
+        yield Bullets(told)
     if caveats := list(dict.fromkeys(_caveats(found))):
         yield Heading(3, "What to keep in mind")
         yield Bullets(caveats)
