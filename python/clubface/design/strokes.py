@@ -68,8 +68,8 @@ class Hole:
             f"{units.from_si(each, 'yd'):g} yd" for each in (self.length, self.fairway, self.rough, self.green)
         )
         return (
-            f"{length} from the {self.lie}, straight and level; fairway {fairway} wide, {rough} of rough on either side,"
-            f" green of {green} radius"
+            f"{length} from the {self.lie}, straight and level; fairway {fairway} wide, {rough} of rough on either"
+            f" side, green of {green} radius"
         )
 
     def before(self) -> float:

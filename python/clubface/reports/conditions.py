@@ -7,7 +7,7 @@ from typing import Any
 from clubface.simulation.air import air_of
 from clubface.simulation.flight_inputs import conditions
 from clubface.simulation.quantities import flight_inputs
-from clubface.units import from_si, parse, show
+from clubface.units import from_si, show
 
 
 def flight_conditions(air: Any = None, wind: Any = None) -> dict[str, str]:
@@ -18,9 +18,7 @@ def flight_conditions(air: Any = None, wind: Any = None) -> dict[str, str]:
     air, wind
         As for :func:`clubface.fly`; single values.
     """
-    known = flight_inputs()
-    values = {name: each.default for name, each in known.items()}
-    values |= {name: parse(each, known[name].dimension, name=name) for name, each in conditions(air, wind).items()}
+    values = {name: each.default for name, each in flight_inputs().items()} | conditions(air, wind)
     altitude = air_of(air).altitude
     told = [show(values["temperature"], "degC"), show(values["pressure"], "hPa", 5)]
     told.append(f"{100.0 * values['humidity']:g} % humidity")
