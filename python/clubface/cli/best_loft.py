@@ -156,7 +156,7 @@ def _words(found: BestLoft, beside: Beside | None, chart: str) -> Iterator[str]:
         yield (
             f"With a club that moves {way} at {from_si(speed, 'mph'):.0f} mph, the ball carries farthest with "
             f"{from_si(found.loft[place], 'deg'):.1f} degrees of loft at impact: "
-            f"{from_si(found.carry[place], 'yd'):.0f} yd. Up to {less:.1f} degrees less or {more:.1f} degrees more cost "
+            f"{from_si(found.carry[place], 'yd'):.0f} yd. Up to {less:.1f} degrees less or {more:.1f} more cost "
             "less than a yard."
         )
     yield "This is the loft that the face has when it meets the ball, not the one that is stamped on the club."
