@@ -39,7 +39,7 @@ def write_head(
         columns = {
             "part": [part.part for part in parts],
             "largest stress (MPa)": [from_si(part.stress, "MPa") for part in parts],
-            "yields at (MPa)": [None if part.yield_stress is None else from_si(part.yield_stress, "MPa") for part in parts],
+            "yields at (MPa)": [None if (at := part.yield_stress) is None else from_si(at, "MPa") for part in parts],
             "after (us)": [from_si(part.time, "us") for part in parts],
             **{f"{axis} (mm)": [from_si(part.place[place], "mm") for part in parts]
                for place, axis in enumerate(("to the target", "above the face centre", "to the toe"))},
@@ -58,27 +58,27 @@ def _head_words(
     """Say what a head is, and whether it holds, in sentences."""
     allowed = "; the rules of golf allow a driver 5900 g cm2" * (of.club.kind == "wood")
     yield (
-        f"The head weighs {fixed(of.club.mass, 'g', 1)}. Against twisting about the vertical it has a moment of inertia "
-        f"of {fixed(of.club.iyy, 'g cm2', 0)}{allowed}."
+        f"The head weighs {fixed(of.club.mass, 'g', 1)}. Against twisting about the vertical it has a moment of inertia"
+        f" of {fixed(of.club.iyy, 'g cm2', 0)}{allowed}."
     )
     if "restitution" in told:
         yield (
-            f"Its face gives back {100.0 * told['restitution']:.1f} % of the speed at which a ball meets it, and stays in "
-            f"touch with the pendulum of the rules for {fixed(told['characteristic_time_s'], 'us', 0)}; the rules allow a "
-            "driver 239 us, and 257 us with the tolerance."
+            f"Its face gives back {100.0 * told['restitution']:.1f} % of the speed at which a ball meets it. The"
+            f" pendulum of the rules touches it for {fixed(told['characteristic_time_s'], 'us', 0)}; the rules allow"
+            " a driver 239 us, and 257 us with the tolerance."
         )
-    known = [part for part in parts if part.margin is not None]
-    for part in known:
-        if part.margin < 0.0:
+    known = [(part.margin, part.yield_stress, part) for part in parts if part.margin is not None and part.yield_stress]
+    for margin, yields, part in known:
+        if margin < 0.0:
             yield (
-                f"Struck at {given['blow']}, the {part.part} is too weak: the stress there reaches "
-                f"{fixed(part.stress, 'MPa', 0)}, and its metal yields at {fixed(part.yield_stress, 'MPa', 0)}."
+                f"Struck at {given['blow']}, the {part.part} is too weak: the stress there reaches"
+                f" {fixed(part.stress, 'MPa', 0)}, and its metal yields at {fixed(yields, 'MPa', 0)}."
             )
-    if known and all(part.margin >= 0.0 for part in known):
-        least = min(known, key=lambda part: part.margin)
+    if known and all(margin >= 0.0 for margin, _, _ in known):
+        least, _, part = min(known, key=lambda each: each[0])
         yield (
-            f"Struck at {given['blow']}, no part yields. Closest to it is the {least.part}, which could bear "
-            f"{100.0 * least.margin:.0f} % more stress."
+            f"Struck at {given['blow']}, no part yields. Closest to it is the {part.part}, which could bear"
+            f" {100.0 * least:.0f} % more stress."
         )
     if len(known) < len(parts):
         others = ", ".join(part.part for part in parts if part.margin is None)
@@ -97,6 +97,7 @@ def write_run(target: str, found: Impact, case: Case, file: str, show: Callable[
     if len(found.patch["time"]):
         picture = ("Force, spin, radius of the ball and energies while ball and face touch", impact_figure(found))
     path = Path(path_of("case", file, FOLDER))
+    columns = {f"{name} ({unit})": from_si(found.contact[name], unit) for name, unit in CONTACT.items()}
     settings = {
         name.replace("_", " "): f"{fixed(value, 'us', 0)}" if name in ("duration", "interval") else str(value)
         for name, value in case.settings.values().items()
@@ -107,7 +108,7 @@ def write_run(target: str, found: Impact, case: Case, file: str, show: Callable[
         files[f"ball {case.ball.name}.toml"] = builtin_path("ball", case.ball.name, "balls").read_text()
     reporting.write(
         target, title=f"An impact by finite elements: {case.description or case.name}", words=_run_words(found, case),
-        picture=picture, columns={f"{name} ({unit})": from_si(found.contact[name], unit) for name, unit in CONTACT.items()},
+        picture=picture, columns=columns,
         show=show, launches=() if found.launch is None else [found.launch],
         given={"case": case.name, "ball": case.ball.name, "head": case.club.name if case.club else "a plane",
                "friction": f"{found.friction:g}", "elements": str(found.elements), **settings},
@@ -124,14 +125,12 @@ def _run_words(found: Impact, case: Case) -> Iterator[str]:
     what = case.club.name if case.club else "a rigid plane"
     if "ball_speed" in out:
         aside = from_si(out["azimuth"], "deg")
-        way = (
-            "straight"
-            if abs(aside) < 0.05
-            else f"{reporting.more_or_less(aside, 'degrees', ('to the right', 'to the left'))}"
-        )
+        sides = ("to the right", "to the left")
+        way = "straight" if abs(aside) < 0.05 else reporting.more_or_less(aside, "degrees", sides)
         yield (
-            f"The ball {case.ball.name} leaves {what} at {fixed(out['ball_speed'], 'mph', 1)}, "
-            f"{from_si(out['launch'], 'deg'):.1f} degrees upwards and {way}, and spins backwards with {fixed(out['backspin'], 'rpm', 0)}."
+            f"The ball {case.ball.name} leaves {what} at {fixed(out['ball_speed'], 'mph', 1)},"
+            f" {from_si(out['launch'], 'deg'):.1f} degrees upwards and {way}, and spins backwards with"
+            f" {fixed(out['backspin'], 'rpm', 0)}."
         )
     else:
         yield f"The ball {case.ball.name} leaves {what} and spins with {fixed(out['backspin'], 'rpm', 0)}."

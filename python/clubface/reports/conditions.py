@@ -7,29 +7,31 @@ from typing import Any
 from clubface.simulation.air import air_of
 from clubface.simulation.flight_inputs import conditions
 from clubface.simulation.quantities import flight_inputs
-from clubface.units import from_si, show
+from clubface.units import from_si, parse, show
 
 
-def flight_conditions(air: Any = None, wind: Any = None) -> dict[str, str]:
+def flight_conditions(air: Any = None, wind: Any = None, ground: Any = None) -> dict[str, str]:
     """Return the conditions of a flight by name, those that were not given among them.
 
     Parameters
     ----------
-    air, wind
+    air, wind, ground
         As for :func:`clubface.fly`; single values.
     """
-    values = {name: each.default for name, each in flight_inputs().items()} | conditions(air, wind)
+    known = flight_inputs()
+    values = {name: each.default for name, each in known.items()} | conditions(air, wind)
+    values |= {name: parse(each, known[name].dimension, name=name) for name, each in (ground or {}).items()}
     altitude = air_of(air).altitude
     told = [show(values["temperature"], "degC"), show(values["pressure"], "hPa", 5)]
     told.append(f"{100.0 * values['humidity']:g} % humidity")
     if altitude is not None:
         told.append(f"the pressure being that at an altitude of {show(altitude, 'm')}")
-    ground = (
+    turf = (
         f"level turf after Penner (2002): tilt of the dent {show(values['ground_tilt'], 'deg', 3)}, friction "
         f"{values['ground_friction']:g} sliding and {values['rolling_friction']:g} rolling, restitution times "
         f"{values['restitution_factor']:g}"
     )
-    return {"air": ", ".join(told), "wind": _wind(values), "ground": ground}
+    return {"air": ", ".join(told), "wind": _wind(values), "ground": turf}
 
 
 def _wind(values: dict[str, Any]) -> str:

@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
 from clubface.reports.blocks import Block, Bullets, Data, Heading, Paragraph, Table
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import inputs
@@ -66,12 +68,17 @@ def _sources(launches: Sequence[Launch]) -> Iterator[str]:
             text = " ".join(dict.fromkeys(str(told[key]) for key in ("source", "reference") if told.get(key)))
             if text:
                 yield f"{what.capitalize()} {told['name']}: {text}"
-        for thing, kind in ((each.club, "Club"), (each.ball, "Ball")):
-            by_source: dict[str, list[str]] = {}
-            for name, source in thing.sources.items():
-                by_source.setdefault(source, []).append(name.replace("_", " "))
-            for source, names in by_source.items():
-                yield f"{kind} {thing.name}, {', '.join(names)}: {source}"
+        yield from equipment_sources(each.club, each.ball)
+
+
+def equipment_sources(*things: Club | Ball) -> Iterator[str]:
+    """Yield where the values of clubs and balls come from, those of one source together."""
+    for thing in things:
+        by_source: dict[str, list[str]] = {}
+        for name, source in thing.sources.items():
+            by_source.setdefault(source, []).append(name.replace("_", " "))
+        for source, names in by_source.items():
+            yield f"{type(thing).__name__} {thing.name}, {', '.join(names)}: {source}"
 
 
 def _caveats(launches: Sequence[Launch]) -> Iterator[str]:
