@@ -1,5 +1,7 @@
 """``clubface optimise``: a club within limits that `clubface shot` reads, a picture, and mistakes in one line."""
 
+import csv
+
 import pytest
 
 from clubface import Club
@@ -88,14 +90,20 @@ def test_a_fitting_ranks_the_parts(clubface_, study):
 def test_the_report_of_a_fitting_advises_the_best_combination(clubface_, study, tmp_path):
     pytest.importorskip("matplotlib")
     study.write_text(FIT)
-    report = tmp_path / "fitting.md"
-    found = clubface_("optimise", str(study), "--json", "--report", str(report)).json["combinations"]
+    report, target, picture = (tmp_path / f"fitting.{ending}" for ending in ("md", "csv", "svg"))
+    files = ("--report", str(report), "-o", str(target), "--plot", str(picture))
+    found = clubface_("optimise", str(study), "--json", *files).json["combinations"]
     best, next_one = found
     text = report.read_text()
     carry = f"the mean carry is {best['value'] / 0.9144:.2f} yd"
     assert f"Of 2 combinations the best is {best['club']} with the ball {best['ball']}: {carry}." in text
     assert f"{(best['value'] - next_one['value']) / 0.9144:.2f} yd behind" in text
     assert "Which ball" in text
+    assert "| wind | none |" in text
+    rows = list(csv.DictReader(target.open()))
+    assert [(each["club"], each["ball"]) for each in rows] == [(each["club"], each["ball"]) for each in found]
+    assert [float(each["carry (yd)"]) for each in rows] == pytest.approx([each["value"] / 0.9144 for each in found])
+    assert picture.read_text().startswith("<?xml")
     for ball in ("modern", "distance"):
         assert f"Club driver and ball {ball}, by the model response" in text
 
@@ -123,5 +131,6 @@ def test_mistakes_on_the_command_line_are_told_before_any_work(clubface_, study,
     assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.csv")), ".toml")
     assert_mistake(clubface_("optimise", str(study), "-o", str(study)), "another file")
     assert_mistake(clubface_("optimise", str(tmp_path / "none.toml")), "none.toml")
+    assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.csv")), ".toml")
     study.write_text(FIT)
-    assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.toml")), "--output")
+    assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.toml")), ".csv")

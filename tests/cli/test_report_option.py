@@ -17,6 +17,7 @@ COMMANDS = {
     "compare": ("compare", "driver", "3-wood", *SPEED, "--air", "altitude=1000 m"),
     "map": ("map", "driver", *SPEED, "--grid", "9x7", "--spread", "12 mm x 9 mm", "--altitude", "1000 m"),
     "dispersion": ("dispersion", "tour-driver", "--count", "256", "--hole", "430 yd", "--altitude", "1000 m"),
+    "best-loft": ("best-loft", "--speed", "90 mph,110 mph", "--altitude", "1000 m"),
 }
 
 
@@ -51,6 +52,10 @@ def test_the_data_behind_the_picture_are_those_of_the_output(written, clubface_,
     name, _, _, page = written
     data = [base64.b64decode(each).decode() for each in re.findall(r'href="data:text/csv;base64,([^"]+)"', page)]
     rows = list(csv.DictReader(io.StringIO(data[0])))
+    if name == "best-loft":
+        printed = re.findall(r"^[\d.]+ +[-\d.]+ +(\S+)", written[1], re.MULTILINE)
+        assert [f"{float(row['loft (deg)']):.1f}" for row in rows] == printed
+        return
     if name == "dispersion":
         assert len(rows) == 256
         mean = sum(float(row["right (yd)"]) for row in rows) / 256

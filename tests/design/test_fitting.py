@@ -7,8 +7,10 @@ import pytest
 
 from clubface import club, fly, impact
 from clubface.design.golfers import golfer
-from clubface.design.optimisation.fitting import fit
+from clubface.design.optimisation import fitting
+from clubface.design.optimisation.fitting import fit, landings
 from clubface.design.optimisation.study_file import from_text
+from clubface.errors import FileError
 
 BEGIN = 'title = "t"\ngolfer = "bogey-driver"\nobjective = "carry"\nshots = 64\n'
 
@@ -73,3 +75,56 @@ def test_a_setting_with_which_no_shot_can_be_computed_is_told(free):
     text = f'[fit]\nclubs = ["driver"]\n{free}[[fit.setting]]\nname = "over"\nlie = "90 deg"\n'
     with pytest.raises(ValueError, match="without result for driver with the setting over"):
         fit(from_text(BEGIN + text))
+
+
+TWO = (
+    BEGIN + 'wind = ["-3 m/s", "0 m/s", "1 m/s"]\n[fit]\nclubs = ["driver", "3-wood"]\nballs = ["modern", "distance"]\n'
+)
+
+
+def test_a_fitting_that_was_stopped_goes_on_with_what_was_judged(tmp_path, monkeypatch):
+    """Stopped before the third of four: the second run judges two, and the file is that of a run without a stop."""
+    judged = []
+    compute = fitting._tried
+
+    def counted(of, head, ball, *rest):
+        if len(judged) == 2:
+            raise KeyboardInterrupt
+        judged.append((head.name, ball.name))
+        return compute(of, head, ball, *rest)
+
+    monkeypatch.setattr(fitting, "_tried", counted)
+    target, whole = tmp_path / "parts.csv", tmp_path / "whole.csv"
+    with pytest.raises(KeyboardInterrupt):
+        fit(from_text(TWO), output=target)
+    first = judged.copy()
+    judged.clear()
+    monkeypatch.setattr(
+        fitting, "_tried", lambda *given: (judged.append((given[1].name, given[2].name)), compute(*given))[1]
+    )
+    found = fit(from_text(TWO), output=target, resume=True)
+    assert [*first, *judged] == [(c, b) for c in ("driver", "3-wood") for b in ("modern", "distance")]
+    again = fit(from_text(TWO), output=whole)
+    assert [repr(each) for each in again] == [repr(each) for each in found]  # NaN is not equal to itself
+    assert target.read_bytes() == whole.read_bytes()
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["parts.csv", "whole.csv"]
+
+
+def test_a_fitting_of_other_parts_does_not_go_on_with_these(tmp_path, monkeypatch):
+    monkeypatch.setattr(fitting, "table", lambda *_: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        fit(from_text(TWO), output=tmp_path / "parts.csv")
+    with pytest.raises(FileError, match="another study"):
+        fit(from_text(TWO.replace("-3 m/s", "-4 m/s")), output=tmp_path / "parts.csv", resume=True)
+
+
+def test_wind_blows_as_over_a_single_shot():
+    (one,) = fit(from_text(BEGIN + 'wind = ["-3 m/s", "0 m/s", "1 m/s"]\n[fit]\nclubs = ["driver"]\n'))
+    launch = impact("driver", golfer("bogey-driver").sample(64, seed=1), on_error="nan")
+    assert one.value == pytest.approx(np.nanmean(fly(launch, wind=(-3.0, 0.0, 1.0), on_error="nan").carry), rel=1e-12)
+
+
+def test_the_landings_of_a_combination_are_those_that_it_was_judged_by():
+    of = from_text(BEGIN + '[fit]\nclubs = ["driver", "3-wood"]\nloft = ["-2 deg", "2 deg"]\n')
+    for each in fit(of):
+        assert float(landings(of, each)[0][0].mean()) == pytest.approx(each.value, rel=1e-12)

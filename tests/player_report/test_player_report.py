@@ -173,7 +173,9 @@ def test_the_page_is_one_file_with_its_pictures(tmp_path):
         kind, _, data = each.partition(",")
         assert kind == "data:image/svg+xml;base64"
         assert b"<svg" in base64.b64decode(data)
-    pictures, tables = page.saved[::2], page.saved[1::2]
+    # A picture and its shots for each club; then the inputs, and addresses of sources.
+    pictures, tables = page.saved[:4:2], page.saved[1:4:2]
+    assert any(each.startswith("https://") for each in page.saved[4:])
     assert pictures == page.loaded
     counts = []
     for number, (each, club) in enumerate(zip(tables, ("Driver", "<b>7 Iron</b>"), strict=True)):

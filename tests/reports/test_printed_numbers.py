@@ -140,7 +140,8 @@ def test_each_piece_is_written_as_what_it_is():
     assert "<title>Title</title>" in page
     for piece in ("<h1>Title</h1>", "<h3>Below</h3>", "<p>One. Two.</p>", "<ul><li>first</li><li>second</li></ul>"):
         assert piece in page
-    assert page.count("<thead><tr><th>a</th><th>b</th><th>c</th></tr></thead>") == 1
+    heads = "".join(f'<th scope="col">{name}</th>' for name in "abc")
+    assert page.count(f"<thead><tr>{heads}</tr></thead>") == 1
     assert page.count("<tbody><tr><td>1</td><td>2</td><td>3</td></tr></tbody>") == 1
     saved = re.findall(r'download="([^"]*)" href="data:([^;]*)', page)
     assert saved == [

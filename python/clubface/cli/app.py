@@ -12,6 +12,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
+from clubface.cli.asked import remember
 from clubface.cli.failures import Interrupted, ReaderGone, as_typed, let_go_of_output, report, say, show_warnings
 from clubface.errors import UnknownNameError
 from clubface.support.version import __version__
@@ -121,6 +122,7 @@ def _prepare_streams() -> bool:
 def run(arguments: Sequence[str]) -> int:
     """Run one command line; return the exit status."""
     show_warnings()
+    remember(arguments)
     if not _prepare_streams():
         # The next file that is opened would take its place, and what a library prints would land in it.
         say("the standard output is closed; send what you do not want to see to /dev/null")

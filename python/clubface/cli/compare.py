@@ -100,7 +100,7 @@ def compare(
                 report, title=f"{' and '.join(found.names)} compared", words=_words(found),
                 picture=("Flights, and what makes the differences", figure), columns=_columns(found),
                 show=lambda: _print(found, shown), launches=found.launches.values(),
-                given=reporting.told_conditions(texts),
+                given=_given(deliveries), conditions=conditions,
             )  # fmt: skip
     if target is not None:
         _write(found, target)
@@ -109,6 +109,10 @@ def compare(
     else:
         _print(found, shown)
     say_written([each for each in (target, plot, report) if each is not None])
+
+
+def _given(deliveries: str | None) -> dict[str, str]:
+    return {} if deliveries is None else {"deliveries": Path(deliveries).name}
 
 
 def _words(found: Any) -> Iterator[str]:

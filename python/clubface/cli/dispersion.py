@@ -104,7 +104,7 @@ def dispersion(
 
         say(f"wrote {plots.save(dispersion_figure(found, shares), picture)}")
     if report is not None:
-        write_report(report, found, shares, hit, texts, lambda: _print(found, slopes, shares))
+        write_report(report, found, shares, hit, conditions, lambda: _print(found, slopes, shares))
         say(f"wrote {report}")
     if as_json:
         output.print_json(_document(found, slopes, shares))

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from clubface.cli import reporting
+from clubface.cli.golfer_report import golfer_sources
 from clubface.units import from_si
 
 if TYPE_CHECKING:
@@ -24,10 +25,10 @@ def write(
     of: Dispersion,
     shares: Indices | None,
     hit: Hitting,
-    texts: Mapping[str, Any],
+    conditions: Mapping[str, Any],
     show: Callable[[], None],
 ) -> None:
-    """Write the report; ``texts`` holds the options as they were typed, ``show`` prints the tables."""
+    """Write the report; ``conditions`` are air and wind, ``show`` prints the tables."""
     from clubface.design.dispersion_figure import dispersion_figure
 
     drawn = None
@@ -36,11 +37,12 @@ def write(
         drawn = ("Where the balls land, and what spreads them", dispersion_figure(of, shares))
         columns = {"ahead (yd)": from_si(of.points[:, 0], "yd"), "right (yd)": from_si(of.points[:, 1], "yd")}
     golfer = of.golfer
+    hole = {} if of.hole is None else {"hole": of.hole.told()}
     told = {"golfer": golfer.title or golfer.name, "shots": str(of.count), "seed": str(of.seed)}
     reporting.write(
         target, title=f"{told['golfer']}: where the shots go with {of.club.name}", words=_words(of),
         picture=drawn, columns=columns, show=show, launches=[hit.mean(golfer)[0]],
-        given=told | reporting.told_conditions(texts),
+        given=told | hole, conditions=conditions, sources=golfer_sources(golfer),
     )  # fmt: skip
 
 

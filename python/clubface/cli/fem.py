@@ -111,11 +111,13 @@ def run(
     animate: Annotated[
         bool, typer.Option("--animate", help="With --output: also write a moving picture (GIF).")
     ] = False,
+    report: options.Report = None,
     as_json: options.Json = False,
 ) -> None:
     """Run a case: ball, head, delivery and settings in one TOML file."""
     from clubface.fem import case as cases, files
 
+    output.check_report(report, (case,))
     chosen = cases.case(case)
     if animate and folder is None:
         raise InputError("--animate", Told("without --output"), "give the folder to write to, as in --output out/")
@@ -124,16 +126,25 @@ def run(
     if folder is not None:
         prepared_folder(folder)
     found = run_with_progress(chosen.run)
-    written = []
+    written: list[Any] = []
+
+    def show() -> None:
+        print_numbers(("", ""), _rows_of(found), title=chosen.description or chosen.name)
+        output.print_paragraph(_cost(found))
+
     try:
         if folder is not None:
-            written = files.write_run(found, folder, animation=animate)
+            written += files.write_run(found, folder, animation=animate)
+        if report is not None:
+            from clubface.cli.fem_report import write_run
+
+            write_run(report, found, chosen, case, show)
+            written.append(report)
     finally:  # what took long is shown even where a disk is full
         if as_json:
             output.print_json(files.document(found))
         else:
-            print_numbers(("", ""), _rows_of(found), title=chosen.description or chosen.name)
-            print(_cost(found))
+            show()
     say_written(written)
     _end(found)
 

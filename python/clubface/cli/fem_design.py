@@ -67,6 +67,7 @@ def design(
 
 def _report(found: Improved, study: str, figure: Figure, target: str) -> None:
     from clubface.design.shells import words
+    from clubface.fem.heads import driver_file
 
     heads, rows = words.steps_table(found.chosen, found.study.objective)
     names = [head.replace("\n", " ") or name for head, name in zip(heads, STEPS, strict=True)]
@@ -75,6 +76,8 @@ def _report(found: Improved, study: str, figure: Figure, target: str) -> None:
         picture=("Every design that finite elements judged", figure),
         columns={name: [row[place] for row in rows] for place, name in enumerate(names)}, show=lambda: _print(found),
         launches=(), given={"study": Path(study).name, "runs of finite elements": str(found.runs)},
+        sources=[f"Metal {each.metal.name}: {each.metal.source}" for each in found.searches if each.metal.source],
+        files={"the-best-head.toml": driver_file.text(found.head)},
     )  # fmt: skip
 
 

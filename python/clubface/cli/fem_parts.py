@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Annotated, Any
 
 import typer
@@ -82,21 +83,22 @@ def head(
         float | None,
         options.option("--safety", metavar="SHARE", text="With these two: the time step over the stable one."),
     ] = None,
+    report: options.Report = None,
     as_json: options.Json = False,
 ) -> None:
     """Mesh a head and report mass, CG, inertia, how it was tuned and, if wanted, how it rebounds and what it bears."""
     from clubface import fem
     from clubface.fem import head_tests, stress
 
+    output.check_report(report, (name,))
     made = fem.head(name)
-    club = made.club
     asked = dict(made.asked) if isinstance(made, fem.ShellHead) else {}
     document: dict[str, Any] = {
         "name": made.name,
         "elements": made.elements,
-        "mass_kg": club.mass,
-        "cg_m": list(club.cg),
-        "inertia_kgm2": [list(row) for row in club.inertia],
+        "mass_kg": made.club.mass,
+        "cg_m": list(made.club.cg),
+        "inertia_kgm2": [list(row) for row in made.club.inertia],
         "tuning": dict(made.report),
         "asked": asked,
     }
@@ -131,9 +133,21 @@ def head(
             }
             for part in parts
         ]
+    if report is not None:
+        from clubface.cli.fem_report import write_head
+
+        options_given = {"blow": blow, "toe": toe, "high": high, "ball": ball, "time step over the stable one": safety}
+        told = {each: str(value) for each, value in options_given.items() if value is not None}
+        write_head(report, made, name, document, parts, told, lambda: _print_head(made, document, parts, blow))
     if as_json:
         output.print_json(document)
-        return
+    else:
+        _print_head(made, document, parts, blow)
+    say_written([] if report is None else [report])
+
+
+def _print_head(made: Any, document: Mapping[str, Any], parts: Sequence[Any], blow: str | None) -> None:
+    club, asked = made.club, document["asked"]
 
     def row(label: str, unit: str, digits: int, value: float, target: str) -> list[str]:
         wanted = output.number(from_si(asked[target], unit), digits) if target in asked else ""
@@ -149,7 +163,7 @@ def head(
         rows.append(["walls over design", output.number(trims.pop("scale"), 3), ""])
     rows += [[f"added mass {name}, g", output.number(from_si(mass, "g"), 1), ""] for name, mass in trims.items()]
     rows.append(["elements", str(made.elements), ""])
-    if measure:
+    if "restitution" in document:
         rows.append(["restitution", output.number(document["restitution"], 3), ""])
         rows.append(["characteristic time, us", output.number(from_si(document["characteristic_time_s"], "us"), 0), ""])
     header = ("", "", "asked for") if asked else ("", "")

@@ -8,6 +8,7 @@ import typer
 
 from clubface.cli import options, output
 from clubface.cli.failures import say
+from clubface.cli.golfer_report import figures, write as write_report
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
 
@@ -47,13 +48,22 @@ def list_golfers(as_json: options.Json = False) -> None:
 def show(
     golfer: GolferArgument,
     target: Annotated[str | None, options.output("FILE", "Write a TOML file to start one's own golfer from.")] = None,
+    report: options.Report = None,
     as_json: options.Json = False,
 ) -> None:
     """Show means, spreads and correlations of a golfer, and where each figure comes from."""
     from clubface.design.golfer_file import to_toml
     from clubface.design.golfers import golfer as golfer_named
 
+    output.check_report(report, (golfer,))
     found = golfer_named(golfer)
+    if report is not None:
+        from clubface.equipment.clubs import CLUB_NAMES, club
+
+        hand = "right" if found.hand > 0 else "left"
+        head = club(found.club).replace(hand=hand) if found.club in CLUB_NAMES else None
+        write_report(report, found, head, lambda: _print(found))
+        say(f"wrote {report}")
     if target is not None:
         output.write_template(to_toml(found), target, f"clubface dispersion {target} takes it")
         return
@@ -62,17 +72,11 @@ def show(
         return
     _print(found)
     told: dict[str, list[str]] = {}
-    for figure in _figures(found):
+    for figure in figures(found):
         told.setdefault(found.source(figure), []).append(figure.replace("_", " "))
     print()
     print("Sources")
     output.print_notes(f"{', '.join(figures)}: {source}" for source, figures in told.items())
-
-
-def _figures(of: Golfer) -> list[str]:
-    found = [f"{part} of {name}" for part in ("mean", "spread") for name in of.variables]
-    more = {"correlation": bool(_pairs(of)), "mishits": of.mishit_share > 0.0}
-    return [*found, *(name for name, has in more.items() if has)]
 
 
 @app.command("estimate")
@@ -89,6 +93,7 @@ def estimate(
         ),
     ] = None,
     target: Annotated[str | None, options.output("FILE", "Write the golfer to this TOML file.")] = None,
+    report: options.Report = None,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
@@ -97,12 +102,22 @@ def estimate(
     from clubface.design.golfer_file import to_toml
 
     output.check_target("--output", target, (".toml",), [file, texts["mapping"]])
-    found = compute(recorded_shots(file, texts), name=name, like=like)
+    output.check_report(report, [file, texts["mapping"]])
+    shots = recorded_shots(file, texts)
+    found = compute(shots, name=name, like=like)
     if target is not None:
         from clubface.support.whole_file import write_text
 
         write_text(target, to_toml(found.golfer))
         say(f"wrote {target}; clubface dispersion {target} takes it")
+    if report is not None:
+
+        def tables() -> None:
+            _print(found.golfer, found)
+            output.print_notes(found.notes)
+
+        write_report(report, found.golfer, shots.club, tables, found)
+        say(f"wrote {report}")
     if as_json:
         output.print_json(_document(found.golfer) | _estimated(found))
         return

@@ -111,7 +111,7 @@ def map_(
                 report, title=f"Launch and flight over the face: {told}", words=_words(maps),
                 picture=("Contours on the outline of the face", figure), columns=_columns(found),
                 show=lambda: _print(found, maps, spreads, names, shown), launches=[each.centre for each in maps],
-                given=reporting.told_conditions(texts),
+                given=_given(found, spread, about), conditions=conditions,
             )  # fmt: skip
     if target is not None:
         _write(found, target)
@@ -123,6 +123,14 @@ def map_(
     else:
         _print(found, maps, spreads, names, shown)
     say_written([each for each in (target, plot, report) if each is not None])
+
+
+def _given(found: Any, spread: str | None, about: Mapping[str, float]) -> dict[str, str]:
+    """Return what else went into maps, in words."""
+    told = {"points of the face": f"{len(found.toe)} towards the toe, {len(found.high)} upwards"}
+    if spread is not None:
+        told["impacts that scatter"] = spread
+    return told | {f"about {name}": fixed(value, "mm", 1) for name, value in about.items()}
 
 
 def _words(maps: Sequence[Any]) -> Iterator[str]:

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import options, output
+from clubface.cli import options, output, reporting
 from clubface.cli.failures import say
 from clubface.cli.recorded import READING, read_shots
 
@@ -35,4 +35,4 @@ def report(
     shots = read_shots(file, texts | {"hand": hand}, where=True)
     if club is not None:
         shots = replace(shots, clubs=np.full(len(shots), club, dtype=object))
-    say(f"wrote {write_report(shots, target)}")
+    say(f"wrote {write_report(shots, target, more=reporting.repeat())}")

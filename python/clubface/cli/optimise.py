@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -15,7 +16,9 @@ from clubface.errors import ClubfaceError
 
 app = typer.Typer(add_completion=False)
 
-_OUTPUT = options.output("FILE", "Write the best club to this TOML file, which clubface shot reads.")
+_OUTPUT = options.output(
+    "FILE", "Write the best club to this TOML file, which clubface shot reads; or of a fitting all parts, CSV."
+)
 
 
 @app.command()
@@ -24,13 +27,13 @@ def optimise(
         str, typer.Argument(metavar="STUDY", help="A TOML file: what may change, what is best, for whom.")
     ],
     target: Annotated[str | None, _OUTPUT] = None,
-    picture: Annotated[str | None, options.picture("the landings, and the front or the bounds")] = None,
+    picture: Annotated[str | None, options.picture("the landings, and the front, the bounds or the parts")] = None,
     report: options.Report = None,
     resume: options.Resume = False,
     as_json: options.Json = False,
 ) -> None:
     """Find the club that is best for golfers within limits, or the parts that fit them."""
-    output.check_target("--output", target, (".toml",), (study,))
+    output.check_target("--output", target, (".toml", ".csv"), (study,))
     output.check_picture(picture, (study,))
     output.check_report(report, (study,))
     if resume and target is None:
@@ -40,17 +43,11 @@ def optimise(
 
     asked = read(study)
     if isinstance(asked, Fitting):
-        _refuse({"--output": target, "--plot": picture})
-        _fit(asked, report, as_json)
+        output.check_target("--output", target, (".csv",))
+        _fit(asked, target, picture, report, resume, as_json)
     else:
+        output.check_target("--output", target, (".toml",))
         _optimise(asked, target, picture, report, resume, as_json)
-
-
-def _refuse(given: Mapping[str, str | None]) -> None:
-    """Refuse files that a fitting does not write."""
-    for option, value in given.items():
-        if value is not None:
-            raise ClubfaceError(f"{option} is for a club that is designed; leave it out, since the study chooses parts")
 
 
 def _optimise(
@@ -88,7 +85,8 @@ def _report(found: Any, figure: Any, target: str) -> None:
         target, title=found.study.title, words=words.gains(found),
         picture=("Landings with the club at the start and with the optimum, and what changed", figure),
         columns={head.replace("\n", " ") or "field": [row[place] for row in rows] for place, head in enumerate(heads)},
-        show=lambda: _print(found), launches=_deliveries(found.study, [found.built]), given=_asked(found.study),
+        show=lambda: _print(found), launches=_deliveries(found.study, [found.study.club, found.built]),
+        files={"the-best-club.toml": found.built.to_toml()}, **_asked(found.study),
     )  # fmt: skip
 
 
@@ -112,24 +110,37 @@ def _print(found: Any) -> None:
     output.print_notes(words.notes(found))
 
 
-def _fit(asked: Any, report: str | None, as_json: bool) -> None:
+def _fit(asked: Any, target: str | None, picture: str | None, report: str | None, resume: bool, as_json: bool) -> None:
     from clubface.design.optimisation import words
-    from clubface.design.optimisation.fitting import fit
+    from clubface.design.optimisation.fitting import fit, table
 
     with progress_bar("combinations") as progress:
-        found = fit(asked, progress=progress)
+        found = fit(asked, output=None if target is None else Path(target), resume=resume, progress=progress)
+    if target is not None:
+        say(f"wrote {target}")
 
     def show() -> None:
         print_numbers(*words.fit_table(asked, found), title=asked.title)
         print()
         output.print_notes(words.fit_notes(asked, found))
 
-    if report is not None:
-        reporting.write(
-            report, title=asked.title, words=words.fit_advice(asked, found), picture=None, columns={}, show=show,
-            launches=_deliveries(asked, asked.clubs, asked.balls), given=_asked(asked),
-        )  # fmt: skip
-        say(f"wrote {report}")
+    if picture is not None or report is not None:
+        from clubface.design.optimisation.fit_figure import fit_figure
+
+        figure = fit_figure(asked, found)
+        if picture is not None:
+            from clubface import plots
+
+            say(f"wrote {plots.save(figure, picture)}")
+        if report is not None:
+            data = table(asked, found)
+            reporting.write(
+                report, title=asked.title, words=words.fit_advice(asked, found),
+                picture=("Landings with the best parts, and how far behind the others are", figure),
+                columns=dict(zip(data.headings, zip(*data.rows, strict=True), strict=True)), show=show,
+                launches=_deliveries(asked, asked.clubs, asked.balls), **_asked(asked),
+            )  # fmt: skip
+            say(f"wrote {report}")
     if as_json:
         output.print_json(words.fit_document(asked, found))
     else:
@@ -150,7 +161,18 @@ def _deliveries(asked: Any, clubs: Sequence[Any], balls: Sequence[Any] = (None,)
     ]  # fmt: skip
 
 
-def _asked(asked: Any) -> dict[str, str]:
-    """Return for whom, and with how many shots, a study was solved."""
-    golfers = ", ".join(golfer.title or golfer.name for golfer, _ in asked.golfers)
-    return {"golfers": golfers, "shots": str(asked.shots), "seed": str(asked.seed)}
+def _asked(asked: Any) -> dict[str, Any]:
+    """Return for whom, with how many shots and in which air a study was solved, as ``reporting.write`` takes it."""
+    from clubface.cli.golfer_report import golfer_sources
+
+    golfers = ", ".join(
+        (golfer.title or golfer.name) + (f" (weight {weight:g})" if len(asked.golfers) > 1 else "")
+        for golfer, weight in asked.golfers
+    )
+    given = {"golfers": golfers, "shots": str(asked.shots), "seed": str(asked.seed)}
+    if asked.hole is not None:
+        given["hole"] = asked.hole.told()
+    return {
+        "given": given, "conditions": {"air": asked.setting.air, "wind": asked.setting.wind},
+        "sources": [each for golfer, _ in asked.golfers for each in golfer_sources(golfer)],
+    }  # fmt: skip

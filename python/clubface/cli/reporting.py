@@ -7,12 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import redirect_stdout
 from typing import Any
 
-from clubface.cli import options, output
-
-
-def told_conditions(texts: Mapping[str, Any]) -> dict[str, str]:
-    """Return the air and wind that were given, as they were typed, by name."""
-    return {name: str(texts[name]) for name in options.AIR if texts.get(name) is not None}
+from clubface.cli import asked, output
 
 
 def write(
@@ -25,6 +20,9 @@ def write(
     show: Callable[[], None],
     launches: Iterable[Any],
     given: Mapping[str, str],
+    conditions: Mapping[str, Any] | None = None,
+    sources: Iterable[str] = (),
+    files: Mapping[str, str] | None = None,
 ) -> None:
     """Write a report.
 
@@ -42,6 +40,12 @@ def write(
         Launches that tell club, ball, model and sources.
     given
         What else went in, by name.
+    conditions
+        Air and wind of the flights, as :func:`clubface.fly` takes them; None where no ball flies.
+    sources
+        What else was taken from where.
+    files
+        Texts of descriptions that are not in a file the command reads, by name.
     """
     from clubface.plots.style import svg
     from clubface.reports.blocks import Block, Data, Heading, Paragraph, Picture
@@ -53,10 +57,39 @@ def write(
     if picture is not None:
         shows, figure = picture
         blocks.append(Picture(shows, svg(figure), data))
+    blocks.append(Heading(2, "All figures"))
     with output.repeated_in(blocks), redirect_stdout(io.StringIO()):
         show()
-    blocks += origin(launches, given=given)
-    write_document(blocks, target)
+    blocks += origin(launches, given={**given, **flown(conditions)}, sources=sources)
+    write_document([*blocks, *repeat(files or {})], target)
+
+
+def named(text: str) -> str:
+    """Return words as the name of a file."""
+    from clubface.reports.document import file_name
+
+    return file_name(text)
+
+
+def flown(conditions: Mapping[str, Any] | None) -> dict[str, str]:
+    """Return the conditions of flight in words, by name; nothing where no ball flies."""
+    from clubface.reports.conditions import flight_conditions
+
+    return {} if conditions is None else flight_conditions(**conditions)
+
+
+def repeat(files: Mapping[str, str] | None = None) -> list[Any]:
+    """Return the end of a report: the command that was typed, the files that it read, and other ``files`` by name."""
+    from clubface.reports.blocks import Heading, Listing, Paragraph, Table
+    from clubface.support.resuming import fingerprint_of_file
+
+    read = asked.read_files()
+    blocks: list[Any] = [Heading(2, "To compute it again"), Listing("The command", asked.command())]
+    if read:
+        rows = [(each.name, str(each.stat().st_size), fingerprint_of_file(each)) for each in read]
+        blocks += [Paragraph(("It reads these files.",)), Table(("file", "bytes", "SHA-256"), rows)]
+    texts = {each.name: each.read_text(errors="replace") for each in read if asked.is_description(each)}
+    return blocks + [Listing(name, text) for name, text in {**(files or {}), **texts}.items()]
 
 
 def more_or_less(value: float, unit: str, words: Sequence[str], digits: int = 1) -> str:

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import given, options, output, reporting
 from clubface.cli.failures import say, say_written
 from clubface.equipment.models import DEFAULT_MODEL
 
@@ -173,4 +173,5 @@ def _draw(
         from clubface.reports.document import write_document
         from clubface.reports.shot import shot_blocks
 
-        write_document(list(shot_blocks(launches, flights, figure, positions)), report)
+        blocks = shot_blocks(launches, flights, figure, positions, given=reporting.flown(conditions))
+        write_document([*blocks, *reporting.repeat()], report)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -170,8 +170,38 @@ def _report(found: Summary, study: str, target: str) -> None:
     reporting.write(
         target, title=f"The study {found.name}", words=_words(found),
         picture=("Means, spreads and extremes along every input", draw(found)), columns=_columns(found),
-        show=lambda: _print(found), launches=(), given={"study": Path(study).name, "tasks": str(found.tasks)},
+        show=lambda: _print(found), launches=(),
+        given={"study": Path(study).name, "tasks": str(found.tasks)} | _held(study), **_flown(study),
     )  # fmt: skip
+
+
+def _asked(study: str) -> Mapping[str, Any]:
+    """Return what the file of a study of impacts holds fixed; nothing for other kinds, or for the folder of a study."""
+    from clubface.studies.study import read_study
+
+    asked = read_study(study) if Path(study).is_file() else None
+    return asked.table if asked is not None and asked.kind.name == "impact" else {}
+
+
+def _held(study: str) -> dict[str, str]:
+    table = _asked(study)
+    told = {name: table[name] for name in ("club", "ball", "hand", "model", "parameters") if name in table}
+    return {name: str(value) for name, value in {**told, **table.get("held", {})}.items()}
+
+
+def _flown(study: str) -> dict[str, Any]:
+    """Return air, wind and ground of a study of impacts, and the sources of its club and ball."""
+    from clubface.equipment.balls import ball
+    from clubface.equipment.clubs import CLUB_NAMES, club
+    from clubface.reports.origin import equipment_sources
+
+    if not (table := _asked(study)):
+        return {}
+    clubs = [club(table["club"])] if table.get("club") in CLUB_NAMES else []
+    return {
+        "conditions": {name: table.get(name) for name in ("air", "wind", "ground")},
+        "sources": equipment_sources(*clubs, *([ball(table.get("ball"))] if "ball" not in table else [])),
+    }
 
 
 def _words(found: Summary) -> Iterator[str]:

@@ -25,7 +25,8 @@ LEAST, MOST = np.radians(-2.0), np.radians(50.0)
 """Between which lofts [rad] the best is looked for."""
 POINTS, ROUNDS = 27, 4
 """Lofts tried at a time, and how often the steps about the best are made finer, 13 times each time."""
-CHART = "optimum-trackman-2010"
+CHARTS = {"trackman": "optimum-trackman-2010", "ping": "optimum-ping-2019"}
+"""The tables of the published charts."""
 SMASH = 1.46
 """Ball speed over club speed to begin with, where the ball speed is wanted."""
 
@@ -162,7 +163,7 @@ class Beside(NamedTuple):
 
 def beside_trackman(**options: Any) -> Beside:
     """Return the best lofts for the rows of TrackMan's chart of 2010; options as for :func:`best_loft`."""
-    table = measurements.table(CHART)
+    table = measurements.table(CHARTS["trackman"])
     rows = table["optimum_of"] == "carry"
     published = {name: table[name][rows] for name in table.columns if name != "optimum_of"}
     return Beside(best_loft(published["club_speed"], published["attack"], **options), published)
@@ -173,7 +174,7 @@ def beside_ping(**options: Any) -> Beside:
 
     Each club speed is that with which the longest drive has the published ball speed, after two corrections.
     """
-    table = measurements.table("optimum-ping-2019")
+    table = measurements.table(CHARTS["ping"])
     published = {name: table[name] for name in table.columns}
     speed = published["ball_speed"] / SMASH
     found = best_loft(speed, published["attack"], **options)

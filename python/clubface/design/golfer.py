@@ -181,6 +181,12 @@ class Golfer:
         both = np.outer(sign, sign)
         return replace(self, hand=-self.hand, mean=self.mean * sign, covariance=self.covariance * both)
 
+    def content(self) -> list[Any]:
+        """Return all that shots depend on, for a fingerprint."""
+        return [
+            self.name, self.variables, self.mean, self.covariance, self.mishit_share, self.mishit_scale, self.hand
+        ]  # fmt: skip
+
     def replace(self, **changes: Any) -> Self:
         """Return the golfer with some attributes changed."""
         return replace(self, **changes)

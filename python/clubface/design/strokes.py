@@ -62,6 +62,16 @@ class Hole:
             object.__setattr__(self, name, value)
         check_choice("lie", self.lie, LIES)
 
+    def told(self) -> str:
+        """Return the hole in words."""
+        length, fairway, rough, green = (
+            f"{units.from_si(each, 'yd'):g} yd" for each in (self.length, self.fairway, self.rough, self.green)
+        )
+        return (
+            f"{length} from the {self.lie}, straight and level; fairway {fairway} wide, {rough} of rough on either"
+            f" side, green of {green} radius"
+        )
+
     def before(self) -> float:
         """Return the strokes expected before the shot."""
         return float(expected(self.lie, np.array([self.length]))[0])

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError
 from clubface.player_report import words
 from clubface.player_report.figures_of_club import ClubFigures, figures_of
 from clubface.recorded.shots import RecordedShots
 from clubface.reports.blocks import Block, Bullets, Data, Heading, Paragraph, Picture
+from clubface.reports.conditions import flight_conditions
 from clubface.reports.document import check_ending, file_name, write_document
-from clubface.reports.origin import versions
+from clubface.reports.origin import origin
 
 CLUBLESS = "a club without a name"
 
@@ -47,16 +47,21 @@ def blocks(clubs: list[ClubFigures], shots: RecordedShots) -> Iterator[Block]:
     if shots.notes:
         yield Heading(2, "Notes on the file")
         yield Bullets(tuple(f"{note[:1].upper()}{note[1:]}." for note in dict.fromkeys(shots.notes)))
-    yield Heading(2, "How this was computed")
-    yield Paragraph((f"What would change a shot is computed by the model {DEFAULT_MODEL}.", versions()))
+    hands = "" if shots.hand is None else " and ".join(sorted(set(map(str, shots.hand))))
+    given = {"file": Path(shots.source).name, "read as": shots.format, "shots": str(len(shots)),
+             "rows that gave no shot": str(len(shots.rejected)), "hand": hands or "not told"}  # fmt: skip
+    yield from origin([each.launch for each in clubs if each.launch is not None], given=given | flight_conditions())
 
 
-def write_report(shots: RecordedShots, path: str | os.PathLike[str]) -> Path:
-    """Write the report of a player's shots to one file, Markdown or HTML by its ending; return its path."""
+def write_report(shots: RecordedShots, path: str | os.PathLike[str], *, more: Iterable[Block] = ()) -> Path:
+    """Write the report of a player's shots to one file, Markdown or HTML by its ending; return its path.
+
+    ``more`` stands at its end.
+    """
     check_ending(path)
     if not len(shots):
         raise InputError("shots", shots.source, "at least one shot")
-    return write_document(list(blocks(figures_by_club(shots), shots)), path)
+    return write_document([*blocks(figures_by_club(shots), shots), *more], path)
 
 
 def figures_by_club(shots: RecordedShots) -> list[ClubFigures]:

@@ -20,6 +20,7 @@ from clubface.recorded.club_names import club_kind
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.delivery import OF_CLUB
 from clubface.simulation.flight import fly
+from clubface.simulation.launch import Launch
 from clubface.simulation.sensitivity import sensitivity
 from clubface.support.arrays import Floats
 from clubface.support.warning import without_warnings
@@ -110,6 +111,8 @@ class ClubFigures:
         What the models make of them; None and empty without a club or launch.
     start
         Degrees of start line for one degree of face and of path.
+    launch
+        The mean shot by the model, from which changes are told; None without them.
     """
 
     name: str
@@ -121,6 +124,7 @@ class ClubFigures:
     changes: tuple[Change, ...] = ()
     start: dict[str, float] = field(default_factory=dict)
     player: str = ""
+    launch: Launch | None = None
 
     @property
     def title(self) -> str:
@@ -147,10 +151,10 @@ def figures_of(shots: RecordedShots, name: str) -> ClubFigures:
     found = _inferred(shots, head)
     if found is None:
         return plain
-    changes, start = _changes(head, found.mean)
+    launch, changes, start = _changes(head, found.mean)
     return ClubFigures(
         name=name, club=head, shots=shots, measured=measured, computed=computed, inferred=found, changes=changes,
-        start=start,
+        start=start, launch=launch,
     )  # fmt: skip
 
 
@@ -197,8 +201,8 @@ def _at(columns: dict[str, Floats], names: Any, place: int) -> dict[str, float]:
     return {name: value for name, value in found.items() if math.isfinite(value)}
 
 
-def _changes(head: Club, delivery: dict[str, float]) -> tuple[tuple[Change, ...], dict[str, float]]:
-    """Return what changes do, from exact derivatives of the launch, and the derivatives of the start line."""
+def _changes(head: Club, delivery: dict[str, float]) -> tuple[Launch, tuple[Change, ...], dict[str, float]]:
+    """Return the mean shot, what changes do to it by exact derivatives, and the derivatives of the start line."""
     with without_warnings(RangeWarning):
         table = sensitivity(head, delivery, model=DEFAULT_MODEL, outputs=list(LAUNCHED), variables=list(CHANGES))
     base = {name: float(getattr(table.launch, name)) for name in LAUNCHED}
@@ -210,7 +214,7 @@ def _changes(head: Club, delivery: dict[str, float]) -> tuple[tuple[Change, ...]
         after = _flown({each: np.array([base[each] + moved[each]]) for each in LAUNCHED})
         carry, side = (float(after[each][0] - before[each][0]) for each in ("carry", "side"))
         found.append(Change(name=name, step=step, launch=moved, carry=carry, side=side))
-    return tuple(found), {name: table.value("azimuth", name) for name in ("face", "path")}
+    return table.launch, tuple(found), {name: table.value("azimuth", name) for name in ("face", "path")}
 
 
 def _flown(launch: dict[str, Floats]) -> dict[str, Floats]:

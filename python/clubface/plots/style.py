@@ -55,6 +55,7 @@ _STYLE: dict[Any, Any] = {
     "legend.handletextpad": 0.5,
     "figure.dpi": 100.0,
     "savefig.dpi": 300.0,
+    "text.parse_math": False,  # a dollar sign in the name of a club or golfer is no formula
     "svg.fonttype": "path",
     "svg.hashsalt": "clubface",
     "pdf.fonttype": 42,

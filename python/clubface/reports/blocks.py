@@ -69,4 +69,11 @@ class Picture(NamedTuple):
     data: Data | None = None
 
 
-Block = Heading | Paragraph | Bullets | Table | Picture
+class Listing(NamedTuple):
+    """The text of a file that went in, which a reader can save under its ``name``."""
+
+    name: str
+    text: str
+
+
+Block = Heading | Paragraph | Bullets | Table | Picture | Listing

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from clubface.errors import InputError
-from clubface.reports.blocks import Block, Bullets, Data, Heading, Paragraph, Table
+from clubface.reports.blocks import Block, Bullets, Data, Heading, Listing, Paragraph, Table
 from clubface.support.whole_file import write_text
 
 ENDINGS = (".html", ".md")
@@ -21,9 +21,21 @@ _STYLE = (
     "img{max-width:100%}figure{margin:1.5em 0}figcaption,.save{font:14px system-ui,sans-serif;color:#555}"
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:14px}"
     "th,td{padding:.25em .7em;border-bottom:1px solid #ddd;text-align:right;vertical-align:top}"
-    "th:first-child,td:first-child{text-align:left}thead th{border-bottom:2px solid #0072B2}"
-    "@media print{.save{display:none}body{margin:0;max-width:none}figure,table{break-inside:avoid}}"
+    "th:first-child,td:first-child,.text{text-align:left}thead th{border-bottom:2px solid #0072B2}"
+    "pre{font-size:13px;white-space:pre-wrap;overflow-wrap:anywhere;border-left:3px solid #ddd;padding-left:.8em}"
+    "a{color:#005a8f}"
+    "@page{margin:18mm}"
+    "@media print{.save{display:none}body{margin:0;max-width:none;font-size:11pt}a{color:inherit;text-decoration:none}"
+    ".wide{overflow:visible}table{font-size:9pt;overflow-wrap:anywhere}figure,tr{break-inside:avoid}"
+    "thead{display:table-header-group}h1,h2,h3{break-after:avoid}}"
 )
+NUMBER = 24
+"""Letters of a cell beyond which it is no number, and its column stands to the left."""
+_ADDRESS = re.compile(
+    r"(?P<url>https?://[^\s<>()\"]+)|doi:? ?(?P<doi>10\.\d{4,9}/[^\s<>()\",;]+)"
+    r"|(?P<page>\b(?:[a-z0-9-]+\.)+(?:com|org|net|edu|gov|io|ca|uk)/[^\s<>()\",;:]+)"
+)
+"""What is an address in a text: a whole one, a DOI, or that of a page without https."""
 
 
 def write_document(blocks: Sequence[Block], path: str | os.PathLike[str]) -> Path:
@@ -48,7 +60,7 @@ def as_html(blocks: Sequence[Block]) -> str:
         f"<title>{title}</title><style>{_STYLE}</style>"
     )
     body = "\n".join(_html(each) for each in blocks)
-    return f'<!doctype html>\n<html lang="en"><head>{head}</head>\n<body>\n{body}\n</body></html>\n'
+    return f'<!doctype html>\n<html lang="en"><head>{head}</head>\n<body><main>\n{body}\n</main></body></html>\n'
 
 
 def as_markdown(blocks: Sequence[Block]) -> str:
@@ -60,12 +72,25 @@ def _html(block: Block) -> str:
     if isinstance(block, Heading):
         return f"<h{block.level}>{html.escape(block.text)}</h{block.level}>"
     if isinstance(block, Paragraph):
-        return f"<p>{html.escape(' '.join(block.texts))}</p>"
+        return f"<p>{_linked(' '.join(block.texts))}</p>"
     if isinstance(block, Bullets):
-        return "<ul>" + "".join(f"<li>{html.escape(text)}</li>" for text in block.texts) + "</ul>"
+        return "<ul>" + "".join(f"<li>{_linked(text)}</li>" for text in block.texts) + "</ul>"
+    if isinstance(block, Listing):
+        source = _in_the_page(block.text, "text/plain")
+        saved = _saved([_link(source, block.name, "the file")])
+        return f"<h3>{html.escape(block.name)}</h3><pre>{html.escape(block.text)}</pre>{saved}"
     if isinstance(block, Table):
-        head = "".join(f"<th>{html.escape(text)}</th>" for text in block.headings)
-        rows = "".join(f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>" for row in block.rows)
+        wordy = [any(len(row[place]) > NUMBER for row in block.rows) for place in range(len(block.headings))]
+        kinds = [' class="text"' * each for each in wordy]
+        head = "".join(
+            f'<th scope="col"{kind}>{html.escape(text)}</th>' for kind, text in zip(kinds, block.headings, strict=True)
+        )
+        rows = "".join(
+            "<tr>"
+            + "".join(f"<td{kind}>{html.escape(cell)}</td>" for kind, cell in zip(kinds, row, strict=True))
+            + "</tr>"
+            for row in block.rows
+        )
         table = f'<div class="wide"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>'
         return table + _saved([] if block.data is None else [_link_to_csv(block.data)])
     name = block.data.name if block.data is not None else file_name(block.shows)
@@ -84,6 +109,9 @@ def _markdown(block: Block) -> str:
         return _plain(" ".join(block.texts))
     if isinstance(block, Bullets):
         return "\n".join(f"* {_plain(text)}" for text in block.texts)
+    if isinstance(block, Listing):
+        fence = "`" * max(3, 1 + max(map(len, re.findall("`+", block.text)), default=0))
+        return f"### {_plain(block.name)}\n\n{fence}\n{block.text.rstrip()}\n{fence}"
     if isinstance(block, Table):
         lines = [block.headings, ["---", *["---:"] * (len(block.headings) - 1)], *block.rows]
         return "\n".join("| " + " | ".join(_cell(text) for text in line) + " |" for line in lines)
@@ -96,11 +124,25 @@ def file_name(text: str) -> str:
 
 
 def _plain(text: str) -> str:
-    return text.replace("<", "&lt;")
+    """Return a text in one line that Markdown shows as it is, without tags, links and pictures of its own."""
+    one = " ".join(text.split())
+    return re.sub(r"[\\`\[\]]", r"\\\g<0>", one.replace("&", "&amp;").replace("<", "&lt;"))
 
 
 def _cell(text: str) -> str:
-    return _plain(text).replace("|", "\\|").replace("\n", " ")
+    return _plain(text).replace("|", "\\|")
+
+
+def _linked(text: str) -> str:
+    """Return a text as HTML, the addresses in it as links."""
+    found, end = [], 0
+    for each in _ADDRESS.finditer(text):
+        told = each[0].rstrip(".,;:")
+        address = each["url"] or (f"https://doi.org/{each['doi']}" if each["doi"] else f"https://{each['page']}")
+        found += [html.escape(text[end : each.start()]), f'<a href="{html.escape(address.rstrip(".,;:"))}">']
+        found.append(f"{html.escape(told)}</a>")
+        end = each.start() + len(told)
+    return "".join(found) + html.escape(text[end:])
 
 
 def _in_the_page(text: str, kind: str) -> str:
@@ -108,7 +150,8 @@ def _in_the_page(text: str, kind: str) -> str:
 
 
 def _link(address: str, name: str, what: str) -> str:
-    return f'<a download="{html.escape(name)}" href="{address}">{what}</a>'
+    file = html.escape(name)
+    return f'<a download="{file}" href="{address}" aria-label="Save {what} as {file}">{what}</a>'
 
 
 def _link_to_csv(data: Data) -> str:

@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
 from clubface.reports.blocks import Block, Bullets, Data, Heading, Paragraph, Table
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import inputs
@@ -14,10 +16,12 @@ from clubface.support.version import __version__
 from clubface.units import display_unit, show, show_range
 
 
-def origin(launches: Iterable[Launch], *, given: Mapping[str, str] | None = None) -> Iterator[Block]:
+def origin(
+    launches: Iterable[Launch], *, given: Mapping[str, str] | None = None, sources: Iterable[str] = ()
+) -> Iterator[Block]:
     """Yield inputs, versions and sources of what was computed from ``launches``.
 
-    ``given`` tells in words what else went in, by name: "air", "golfer".
+    ``given`` tells in words what else went in, by name: "air", "golfer"; ``sources`` are those of all but the launches.
     """
     found = list(launches)
     yield Heading(2, "How this was computed")
@@ -25,9 +29,9 @@ def origin(launches: Iterable[Launch], *, given: Mapping[str, str] | None = None
     if rows:
         yield Table(("input", "value"), rows, Data("inputs", ("input", "value"), rows))
     yield Paragraph(tuple(_by(found)))
-    if sources := list(dict.fromkeys(_sources(found))):
+    if told := list(dict.fromkeys((*_sources(found), *sources))):
         yield Heading(3, "Sources")
-        yield Bullets(sources)
+        yield Bullets(told)
     if caveats := list(dict.fromkeys(_caveats(found))):
         yield Heading(3, "What to keep in mind")
         yield Bullets(caveats)
@@ -64,12 +68,17 @@ def _sources(launches: Sequence[Launch]) -> Iterator[str]:
             text = " ".join(dict.fromkeys(str(told[key]) for key in ("source", "reference") if told.get(key)))
             if text:
                 yield f"{what.capitalize()} {told['name']}: {text}"
-        for thing, kind in ((each.club, "Club"), (each.ball, "Ball")):
-            by_source: dict[str, list[str]] = {}
-            for name, source in thing.sources.items():
-                by_source.setdefault(source, []).append(name.replace("_", " "))
-            for source, names in by_source.items():
-                yield f"{kind} {thing.name}, {', '.join(names)}: {source}"
+        yield from equipment_sources(each.club, each.ball)
+
+
+def equipment_sources(*things: Club | Ball) -> Iterator[str]:
+    """Yield where the values of clubs and balls come from, those of one source together."""
+    for thing in things:
+        by_source: dict[str, list[str]] = {}
+        for name, source in thing.sources.items():
+            by_source.setdefault(source, []).append(name.replace("_", " "))
+        for source, names in by_source.items():
+            yield f"{type(thing).__name__} {thing.name}, {', '.join(names)}: {source}"
 
 
 def _caveats(launches: Sequence[Launch]) -> Iterator[str]:

@@ -87,8 +87,9 @@ def flight_columns(
 
 
 def conditions(air: Air | Mapping[str, Any] | None, wind: Any) -> dict[str, Any]:
-    """Return the inputs of a flight that air and wind give, by name."""
-    return {**air_of(air).values(), **_group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))}
+    """Return the inputs of a flight that air and wind give [SI], by name."""
+    given = {**air_of(air).values(), **_group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))}
+    return {name: _parsed(value, name) for name, value in given.items()}
 
 
 def check_conditions(air: Air | Mapping[str, Any] | None, wind: Any) -> None:

@@ -17,6 +17,7 @@ from clubface.errors import FileError
 from clubface.support.checked_json import read_checked, write_checked
 from clubface.support.folders import prepared_folder
 from clubface.support.lock import Lock
+from clubface.support.strict_toml import Document
 from clubface.support.version import __version__
 from clubface.support.whole_file import unwritable, whole_file
 
@@ -67,6 +68,8 @@ def _told(value: Any) -> Any:
         return [_told(each) for each in value]
     if is_dataclass(value):
         return [type(value).__name__, *([each.name, _told(getattr(value, each.name))] for each in fields(value))]
+    if isinstance(value, Document):
+        return _told(value.data)
     if isinstance(value, (PurePath, Enum)):
         return str(value)
     import numpy as np

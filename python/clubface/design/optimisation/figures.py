@@ -48,7 +48,7 @@ def _draw_landings(axes: Axes, of: Optimum) -> None:
         axes.plot(
             side[:POINTS], down[:POINTS], ".", color=colour, markersize=2.0, alpha=0.35, markeredgewidth=0.0
         )  # fmt: skip
-        ellipses.append(_ellipse(side, down))
+        ellipses.append(ellipse_line(side, down))
         axes.plot(*ellipses[-1], color=colour, label=name, linestyle="--" if place == 0 else "-")
     # The ellipses set the frame: a topped ball far behind would make all others small.
     drawn = np.hstack(ellipses)
@@ -62,7 +62,7 @@ def _draw_landings(axes: Axes, of: Optimum) -> None:
     axes.legend(loc="upper left", ncols=2)
 
 
-def _ellipse(side: NDArray[Any], down: NDArray[Any]) -> NDArray[Any]:
+def ellipse_line(side: NDArray[Any], down: NDArray[Any]) -> NDArray[Any]:
     """Return points of the ellipse that holds ``SHARE`` of normal shots with this covariance, shape (2, points)."""
     values, vectors = np.linalg.eigh(np.cov(np.array([side, down])))
     angle = np.linspace(0.0, 2.0 * math.pi, 200)

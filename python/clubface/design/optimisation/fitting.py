@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -19,6 +20,9 @@ from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError, Told
+from clubface.reports.blocks import Data
+from clubface.reports.document import file_name
+from clubface.support.resuming import Store, unfinished
 
 if TYPE_CHECKING:
     from clubface.design.golfer import Golfer
@@ -30,6 +34,12 @@ BLOCKS = 16
 """Parts of the shots whose differences tell how certain a difference is."""
 SETTINGS = ("loft", "lie", "cg_x", "cg_y", "cg_z")
 """What a setting of a head may change."""
+WORDS = {
+    "loft": ("more loft", "less loft"), "lie": ("more upright", "flatter"),
+    "cg_x": ("of CG farther back", "of CG farther forward"), "cg_y": ("of CG lower", "of CG higher"),
+    "cg_z": ("of CG closer to the heel", "of CG closer to the toe"),
+}  # fmt: skip
+"""What a positive and a negative change of a setting mean; the CG is told by where the face centre is from it."""
 
 
 class Combination(NamedTuple):
@@ -51,6 +61,8 @@ class Combination(NamedTuple):
         The other numbers of the shots, by name [SI].
     error
         Standard error of the difference from the best [SI], 0 for the best itself.
+    place
+        Which of :meth:`Fitting.names` it is.
     """
 
     club: str
@@ -60,6 +72,7 @@ class Combination(NamedTuple):
     value: float
     others: Mapping[str, float]
     error: float
+    place: int
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -112,13 +125,17 @@ class Fitting:
 
     def set(self, head: Club, setting: str) -> dict[str, float]:
         """Return the fields of a head that a setting changes, and its lie [SI]."""
-        changes = self.settings[setting] if setting else {}
-        return {name: change if name == "lie" else getattr(head, name) + change for name, change in changes.items()}
+        return _club(head, self.settings[setting] if setting else {})
 
     def free(self, head: Club, club: Mapping[str, float]) -> dict[str, tuple[float, float]]:
         """Return least and greatest value of what can be set freely [SI], about a head with fields set."""
         middle = {name: club.get(name, 0.0 if name == "lie" else getattr(head, name)) for name in self.bounds}
         return {name: (middle[name] + low, middle[name] + high) for name, (low, high) in self.bounds.items()}
+
+    def samples(self) -> list[tuple[Mapping[str, Any], float]]:
+        """Return the shots of every golfer as he delivers with the first club, and how much he counts."""
+        hand = self.clubs[0].hand
+        return [(each.for_hand(hand).sample(self.shots, seed=self.seed), weight) for each, weight in self.golfers]
 
     def names(self) -> list[tuple[Club, Ball | None, str]]:
         """Return all combinations of club, ball and setting."""
@@ -126,38 +143,108 @@ class Fitting:
 
 
 class _Tried(NamedTuple):
-    combination: tuple[Club, Ball | None, str]
+    """What is kept of a combination: its changes and values [SI], and the values of parts of its shots by golfer."""
+
+    ball: str
     changes: dict[str, float]
-    landed: list[Any]
-    weights: list[float]
-    balls: str
+    values: dict[str, float]
+    shots: list[int]
+    parts: list[list[float]]
 
 
-def fit(of: Fitting, *, progress: Callable[[int, int], object] | None = None) -> list[Combination]:
+def fit(
+    of: Fitting,
+    *,
+    output: Path | None = None,
+    resume: bool = False,
+    progress: Callable[[int, int], object] | None = None,
+) -> list[Combination]:
     """Return all combinations, the best first.
 
     A setting changes the loft of a head, and with it the loft at impact, the lie at impact, and the CG; a loft that is
     set by turning the head is taken to leave the face angle alone, as a golfer does who squares the face again.
+
+    Parameters
+    ----------
+    of
+        The parts, for whom, and what is judged.
+    output
+        The CSV file to which all combinations are written. Beside it, in a folder, each is kept as soon as it is
+        judged, until the file is written; without it, nothing is.
+    resume
+        Whether to go on with what an interrupted run of the same fitting has judged.
+    progress
+        Told of what is done and of the whole.
     """
-    judge, tried = of.judge(of.objective), []
-    samples = [(each.for_hand(of.clubs[0].hand).sample(of.shots, seed=of.seed), weight) for each, weight in of.golfers]
-    combinations = of.names()
+    if output is None:
+        return _ranked(of, _all(of, None, progress))
+    with Store(unfinished(output), _content(of), of=output, resume=resume) as store:
+        found = _ranked(of, _all(of, store, progress))
+        with store.result(output) as file:
+            file.write(table(of, found).as_csv().encode())
+        store.remove()
+    return found
+
+
+def table(of: Fitting, found: Sequence[Combination]) -> Data:
+    """Return all combinations as a table, in the units of its headings."""
+    judges = [of.judge(each) for each in (of.objective, *found[0].others)]
+    changes = {name: "deg" if name in ("loft", "lie") else "mm" for each in found for name in each.changes}
+    heads = ["club", "ball", "setting", *(f"{name} changed ({unit})" for name, unit in changes.items())]
+    heads += [each.name if each.unit == "1" else f"{each.name} ({each.unit})" for each in judges]
+    first = judges[0]
+    heads.append(f"error of the difference from the best{'' if first.unit == '1' else f' ({first.unit})'}")
+    rows = []
+    for each in found:
+        moved = [float(units.from_si(each.changes.get(name, 0.0), unit)) for name, unit in changes.items()]
+        values = [{first.name: each.value, **each.others}[judge.name] for judge in judges]
+        told = [units.from_si(value, judge.unit) for value, judge in zip(values, judges, strict=True)]
+        rows.append([each.club, each.ball, each.setting, *moved, *told, units.from_si(each.error, first.unit)])
+    return Data(file_name(of.title), heads, rows)
+
+
+def _ranked(of: Fitting, tried: list[_Tried]) -> list[Combination]:
+    """Return combinations from the best to the worst."""
+    judge = of.judge(of.objective)
+    order = sorted(range(len(tried)), key=lambda place: judge.sign * tried[place].values[judge.name])
+    first, weights = tried[order[0]], [weight for _, weight in of.golfers]
+    found = []
+    for place in order:
+        one, (head, _, setting) = tried[place], of.names()[place]
+        error = 0.0 if place == order[0] else _error(weights, one, first)
+        others = {name: value for name, value in one.values.items() if name != judge.name}
+        found.append(
+            Combination(head.name, one.ball, setting, one.changes, one.values[judge.name], others, error, place)
+        )
+    return found
+
+
+def _content(of: Fitting) -> dict[str, Any]:
+    """Return all that a result depends on."""
+    found = {name: getattr(of, name) for name in of.__dataclass_fields__ if name != "golfers"}
+    found["golfers"] = [(each.content(), weight) for each, weight in of.golfers]
+    return {"study": found, "order of the settings": list(of.settings)}
+
+
+def _all(of: Fitting, store: Store | None, progress: Callable[[int, int], object] | None) -> list[_Tried]:
+    combinations, tried = of.names(), []
+    samples = of.samples()
     for done, (head, ball, setting) in enumerate(combinations):
         if progress is not None:
             progress(done, len(combinations))
-        tried.append(_tried(of, judge, head, ball, setting, samples))
-    values = [_mean(judge, each) for each in tried]
-    order = sorted(range(len(tried)), key=lambda place: judge.sign * values[place])
-    first = tried[order[0]]
-    others = [each for each in of_all(of) if each.name != judge.name]
-    return [
-        Combination(
-            tried[place].combination[0].name, tried[place].balls, tried[place].combination[2], tried[place].changes,
-            values[place], {each.name: _mean(each, tried[place]) for each in others},
-            0.0 if place == order[0] else _error(judge, tried[place], first),
-        )
-        for place in order
-    ]  # fmt: skip
+
+        def compute(head: Club = head, ball: Ball | None = ball, setting: str = setting) -> list[Any]:
+            return list(_tried(of, head, ball, setting, samples))
+
+        tried.append(_Tried(*(compute() if store is None else store.once(f"combination {done}", compute))))
+    return tried
+
+
+def landings(of: Fitting, found: Combination) -> list[Any]:
+    """Return where the shots of every golfer land with a combination [m], each of shape (landings, shots)."""
+    head, ball, _ = of.names()[found.place]
+    club = _club(head, found.changes)
+    return [each.of(club) for each, _ in _landings(of, head, ball, of.samples())]
 
 
 def of_all(of: Fitting) -> list[Objective]:
@@ -167,15 +254,25 @@ def of_all(of: Fitting) -> list[Objective]:
     return [*OBJECTIVES.values(), *([] if of.hole is None else [strokes(of.hole)])]
 
 
-def _tried(of: Fitting, judge: Objective, head: Club, ball: Ball | None, setting: str, samples: Any) -> _Tried:
-    """Judge one combination, after what can be set freely is set as well as it can be."""
-    own = replace(of.setting, ball=ball)
-    base_loft = of.clubs[0].loft
-    golfers = []
+def _landings(of: Fitting, head: Club, ball: Ball | None, samples: Any) -> list[tuple[Landings, float]]:
+    """Return the shots of the golfers with a head and a ball."""
+    own, base_loft = replace(of.setting, ball=ball), of.clubs[0].loft
+    found = []
     for sample, weight in samples:
         # The golfer delivers his loft with the first club; another head delivers as much more as it has more of it.
         delivered = {**sample, "loft": sample.get("loft", base_loft) + (head.loft - base_loft)}
-        golfers.append((Landings(head, delivered, own), weight))
+        found.append((Landings(head, delivered, own), weight))
+    return found
+
+
+def _club(head: Club, changes: Mapping[str, float]) -> dict[str, float]:
+    """Return the fields of a head that its changes set, the lie as a change."""
+    return {name: change if name == "lie" else getattr(head, name) + change for name, change in changes.items()}
+
+
+def _tried(of: Fitting, head: Club, ball: Ball | None, setting: str, samples: Any) -> _Tried:
+    """Judge one combination, after what can be set freely is set as well as it can be."""
+    judge, golfers = of.judge(of.objective), _landings(of, head, ball, samples)
     changes = dict(of.settings[setting]) if setting else {}
     club = of.set(head, setting)
     if of.bounds:
@@ -190,9 +287,17 @@ def _tried(of: Fitting, judge: Objective, head: Club, ball: Ball | None, setting
     if any(np.isnan(each).any() for each in landed):
         raise _impossible(head, setting)
     total = sum(weight for _, weight in golfers)
-    return _Tried(
-        (head, ball, setting), changes, landed, [weight / total for _, weight in golfers], golfers[0][0].ball.name
-    )
+    values = {
+        each.name: sum(
+            weight * each.judge(one)[0] for (_, weight), one in zip(golfers, landed, strict=True)
+        ) / total
+        for each in of_all(of)
+    }  # fmt: skip
+    parts = [
+        [judge.judge(part)[0] for part in np.array_split(one, BLOCKS, axis=1)] if one.shape[1] >= 2 * BLOCKS else []
+        for one in landed
+    ]
+    return _Tried(golfers[0][0].ball.name, changes, values, [one.shape[1] for one in landed], parts)
 
 
 def _impossible(head: Club, setting: str) -> InputError:
@@ -219,22 +324,26 @@ class _Held(Landings):
         return super()._inputs({**self._held, **club})
 
 
-def _mean(judge: Objective, tried: _Tried) -> float:
-    return sum(weight * judge.judge(one)[0] for weight, one in zip(tried.weights, tried.landed, strict=True))
-
-
-def _error(judge: Objective, tried: _Tried, first: _Tried) -> float:
+def _error(weights: list[float], one: _Tried, first: _Tried) -> float:
     """Return the standard error of a difference on the same shots, from the differences of ``BLOCKS`` parts of them.
 
     Where other shots miss the face of the other club, the shots do not pair, and it is not known.
     """
-    differences = np.zeros(BLOCKS)
-    for weight, one, other in zip(tried.weights, tried.landed, first.landed, strict=True):
-        if one.shape != other.shape or one.shape[1] < 2 * BLOCKS:
-            return float("nan")
-        parts = zip(np.array_split(one, BLOCKS, axis=1), np.array_split(other, BLOCKS, axis=1), strict=True)
-        differences += [weight * (judge.judge(mine)[0] - judge.judge(best_)[0]) for mine, best_ in parts]
+    if one.shots != first.shots or not all(one.parts):
+        return float("nan")
+    differences = np.average(np.subtract(one.parts, first.parts), axis=0, weights=weights)
     return float(np.std(differences, ddof=1) / np.sqrt(BLOCKS))
+
+
+def named(each: Combination) -> str:
+    """Write a combination in words: "driver with the ball modern, the setting back, 1.0 degrees more loft"."""
+    parts = [f"{each.club} with the ball {each.ball}", *([f"the setting {each.setting}"] if each.setting else [])]
+    for name, change in each.changes.items():
+        unit = "degrees" if name in ("loft", "lie") else "mm"
+        size = f"{abs(units.from_si(change, unit.replace('degrees', 'deg'))):.1f}"
+        if float(size):
+            parts.append(f"{size} {unit} {WORDS[name][change < 0.0]}")
+    return ", ".join(parts)
 
 
 def told(changes: Mapping[str, float]) -> str:

@@ -86,10 +86,7 @@ def _store(study: DesignStudy, output: str | Path | None, resume: bool) -> Abstr
 def _content(study: DesignStudy) -> Any:
     """Return all that a result depends on."""
     found = {name: getattr(study, name) for name in study.__dataclass_fields__ if name != "golfers"}
-    found["golfers"] = [
-        [each.name, each.variables, each.mean, each.covariance, each.mishit_share, each.mishit_scale, each.hand, weight]
-        for each, weight in study.golfers
-    ]
+    found["golfers"] = [(each.content(), weight) for each, weight in study.golfers]
     return found
 
 

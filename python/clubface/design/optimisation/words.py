@@ -8,14 +8,14 @@ from dataclasses import asdict
 from typing import Any
 
 from clubface import units
-from clubface.design.optimisation.fitting import Combination, Fitting, told
+from clubface.design.optimisation.fitting import Combination, Fitting, named, told
 from clubface.design.optimisation.landings import FREE
 from clubface.design.optimisation.objectives import Objective
 from clubface.design.optimisation.result import Optimum
 from clubface.design.optimisation.study import UNITS
 
 SHOWN = 12
-"""Combinations of a fitting that are shown; the file of results has all."""
+"""Combinations of a fitting that are shown; the file of --output has all."""
 CERTAIN = 2.0
 """Standard errors beyond which a difference is called one."""
 
@@ -218,10 +218,6 @@ def fit_advice(of: Fitting, found: list[Combination]) -> list[str]:
     """Return what a fitting comes to, in sentences for the golfer."""
     best, judge = found[0], of.judge(of.objective)
 
-    def named(each: Combination) -> str:
-        parts = [f"{each.club} with the ball {each.ball}", *([f"the setting {each.setting}"] if each.setting else [])]
-        return ", ".join([*parts, *([told(each.changes)] if each.changes else [])])
-
     unit = "" if judge.unit == "1" else f" {judge.unit}"
     said = [
         f"Of {len(found)} combinations the best is {named(best)}: "
@@ -229,7 +225,13 @@ def fit_advice(of: Fitting, found: list[Combination]) -> list[str]:
     ]
     if len(found) > 1:
         behind = _value(abs(found[1].value - best.value), judge)
-        said.append(f"Next comes {named(found[1])}, {behind}{unit} behind.")
+        if math.isnan(found[1].error):
+            sure = "how sure that is cannot be told, since other shots miss its face"
+        elif abs(found[1].value - best.value) > CERTAIN * found[1].error:
+            sure = "that is more than chance leaves open"
+        else:
+            sure = "that is not clearly worse: more shots, or trying both, would tell"
+        said.append(f"Next comes {named(found[1])}, {behind}{unit} behind; {sure}.")
     return said
 
 
@@ -247,7 +249,7 @@ def fit_notes(of: Fitting, found: list[Combination]) -> list[str]:
     if ends := [name for name, limits in of.bounds.items() if _at_an_end(found[0].changes.get(name), limits)]:
         said.append(f"The best is at an end of the range of {' and '.join(ends)}; a wider range may give a better one.")
     if len(found) > SHOWN:
-        said.append(f"{len(found) - SHOWN} more are not shown; --json has all.")
+        said.append(f"{len(found) - SHOWN} more are not shown; --output and --json have all.")
     return said
 
 
