@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from clubface.cli import given, options, output
+from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
 
@@ -50,23 +51,27 @@ def best_loft(
     head = given.club_of(club, texts["hand"])
     hit = {
         "club": head, "model": texts["model"], "parameters": given.one_set(head, texts), "ball": texts["ball"],
-        **given.conditions(texts),
+        "accuracy": texts["accuracy"], **given.conditions(texts),
     }  # fmt: skip
     if chart is not None:
         check_choice("--chart", chart, CHARTS)
-        if speed or attack:
+        if speed is not None or attack is not None:
             raise ClubfaceError("--chart has its own speeds and attack angles; leave out --speed and --attack")
-        beside = job.beside_trackman(**hit) if chart == "trackman" else job.beside_ping(**hit)
+        beside_chart = job.beside_trackman if chart == "trackman" else job.beside_ping
+        with progress_bar("shots") as update:
+            beside = beside_chart(**hit, progress=update)
         _tell_of_chart(beside, chart, head.name, texts["model"], as_json)
         return
-    if not speed:
+    if speed is None:
         raise ClubfaceError('--speed is missing; give it, as in --speed "100 mph", or a chart, as in --chart trackman')
-    speeds = [given.parsed("--speed", text, "speed") for text in given.names(speed)]
-    attacks = [given.parsed("--attack", text, "angle") for text in given.names(attack or ["-5 deg,0 deg,5 deg"])]
+    attack = ["-5 deg,0 deg,5 deg"] if attack is None else attack
+    speeds = [given.parsed("--speed", text, "speed") for text in given.names(speed) or [""]]
+    attacks = [given.parsed("--attack", text, "angle") for text in given.names(attack) or [""]]
     import numpy as np
 
     each, other = (values.reshape(-1) for values in np.meshgrid(speeds, attacks, indexing="ij"))
-    found = job.best_loft(each, other, **hit)
+    with progress_bar("shots") as update:
+        found = job.best_loft(each, other, **hit, progress=update)
     if as_json:
         output.print_json({"club": head.name, "model": texts["model"], "rows": _rows_of(found)})
         return
