@@ -77,6 +77,14 @@ def test_a_golfer_is_estimated_from_a_file_and_can_be_hit_with(clubface_, tmp_pa
     assert clubface_("dispersion", str(mine), *FEW).status == 0
 
 
+@pytest.mark.parametrize(("spread", "shares"), [("", False), ('face = "2 deg"', True)])
+def test_a_golfer_in_whom_little_varies_is_hit_with(clubface_, tmp_path, spread, shares):
+    file = tmp_path / "robot.toml"
+    file.write_text(f'title = "robot"\n[mean]\nspeed = "95 mph"\nloft = "14 deg"\n[spread]\n{spread}\n')
+    out = clubface_("dispersion", str(file), "--count", "64", "--hole", "400 yd").out
+    assert ("What spreads the shots" in out) == shares
+
+
 def test_the_best_loft_is_told_by_speed_and_beside_a_chart(clubface_):
     rows = clubface_("best-loft", "--speed", "100 mph", "--attack", "0 deg", "--json").json["rows"]
     assert np.degrees(rows[0]["loft"]) == pytest.approx(14.3, abs=1.5)
@@ -101,6 +109,15 @@ def test_the_best_loft_is_told_by_speed_and_beside_a_chart(clubface_):
         (("best-loft",), ("--speed",)),
         (("best-loft", "--chart", "ping", "--speed", "100 mph"), ("--chart",)),
         (("best-loft", "--chart", "pong"), ("ping",)),
+        (("best-loft", "--speed", ""), ("--speed", "mph")),
+        (("best-loft", "--speed", "90 mph", "--attack", ","), ("--attack", "deg")),
+        (("best-loft", "--speed", "90 mph,900 mph"), ("--speed", "150 m/s")),
+        (("best-loft", "--speed", "90 mph", "--model", "volumetric", "--accuracy", "5"), ("--accuracy",)),
+        (("best-loft", "--speed", "90 mph", "--temperature", "900 degC"), ("--temperature",)),
+        (("dispersion", "tour-driver", "--no-flight", "--wind", "5 m/s"), ("--wind", "--no-flight")),
+        (("dispersion", "tour-driver", "--club", ""), ("club", "driver")),
+        (("dispersion", "tour-driver", "--hole", "0 yd"), ("--hole", "above 0")),
+        (("dispersion", "tour-driver", "--hole", "430"), ('--hole "430 yd"',)),
         (("golfer", "show", "nobody"), ("nobody",)),
         (("golfer", "estimate", "nowhere.csv", "--club", "driver"), ("nowhere.csv",)),
     ],

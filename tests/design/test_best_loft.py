@@ -64,3 +64,37 @@ def test_loft_is_what_is_looked_for():
         best_loft(45.0, loft=0.2)
     with pytest.raises(InputError):
         best_loft("nonsense")
+
+
+@pytest.mark.parametrize(
+    ("speed", "attack", "more", "told"),
+    [
+        ([], 0.0, {}, "at least one"),
+        ([45.0, 46.0], [0.0, 0.0, 0.0], {}, "broadcast"),
+        ([45.0, 1e9], 0.0, {}, "150 m/s"),
+        (45.0, [0.0, 2.0], {}, "90 deg"),
+        (45.0, [0.0, np.nan], {}, "attack"),
+        (45.0, 0.0, {"air": {"temperature": 1e4}}, "temperature"),
+        (45.0, 0.0, {"wind": (1e3, 0.0, 0.0)}, "wind"),
+        (45.0, 0.0, {"accuracy": 5.0}, "accuracy"),
+    ],
+)
+def test_a_case_that_no_loft_can_mend_is_an_error(speed, attack, more, told):
+    with pytest.raises(InputError, match=told):
+        best_loft(speed, attack, **more)
+
+
+def test_no_loft_is_beyond_those_that_are_tried():
+    assert best_loft("100 mph", "89 deg").loft[0] / DEG == pytest.approx(50.0)
+
+
+@pytest.mark.parametrize("model", ["response", "volumetric", "standard"])
+def test_no_other_loft_carries_farther(model):
+    """Lofts 0.05 degrees apart; what lies between them is less than a mm of carry."""
+    import clubface
+
+    found = best_loft([27.0, 45.0, 54.0], [-0.12, 0.0, 0.1], club="3-wood", model=model)
+    lofts = np.arange(0.0, 40.0, 0.05) * DEG
+    for speed, attack, carry in zip(found.speed, found.attack, found.carry, strict=True):
+        shots = clubface.impact("3-wood", speed=float(speed), attack=float(attack), loft=lofts, model=model)
+        assert carry >= clubface.fly(shots, on_error="nan").carry.max() - 1e-3

@@ -78,6 +78,27 @@ def test_independent_variables_have_sobol_indices_and_those_that_do_not_vary_non
     assert found.share["side"][found.variables.index("face")] > 0.6
 
 
+def test_one_variable_makes_all_of_the_spread():
+    """Of a model that is straight in the speed; 1024 shots tell a share to 0.01."""
+    of = golfer("tour-driver")
+    alone = of.replace(covariance=np.diag(np.where(np.array(of.variables) == "speed", 1.0, 0.0)))
+    found = indices(alone, Hitting(club("driver"), "response"))
+    assert found.variables == ("speed",)
+    assert found.share["carry"] == pytest.approx([1.0], abs=0.02)
+    assert found.total["carry"] == pytest.approx([1.0], abs=0.02)
+
+
+@pytest.mark.parametrize(
+    ("spread", "flight", "outcomes", "told"),
+    [(0.0, True, ("carry",), "vary"), (1.0, False, ("carry",), "do not fly"), (1.0, True, ("cary",), "carry")],
+)
+def test_what_has_no_shares_is_refused(spread, flight, outcomes, told):
+    of = golfer("tour-driver")
+    of = of.replace(covariance=spread * of.covariance)
+    with pytest.raises(InputError, match=told):
+        indices(of, Hitting(club("driver"), "response", flight=flight), outcomes)
+
+
 def test_a_count_that_is_no_power_of_two_is_refused():
     with pytest.raises(InputError, match="power of two"):
         indices(golfer("tour-driver"), Hitting(club("driver"), "response"), count=1000)

@@ -71,6 +71,21 @@ def test_a_left_handed_golfer_is_the_mirror_image():
     assert mirrored.correlation == pytest.approx(of.correlation)
     assert mirrored.for_hand(1).mean.tolist() == of.mean.tolist()
     assert of.for_hand(1) is of
+    for name, shots in mirrored.sample(64).items():
+        assert np.array_equal(shots, of.sample(64)[name] * (-1.0 if name in ("path", "face") else 1.0))
+    with pytest.raises(InputError, match="hand"):
+        of.for_hand("left")  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.parametrize("numbers", ["x", np.zeros((2, 2)), np.zeros((2, 3)), np.full((2, 3), 1.5)])
+def test_numbers_that_belong_to_no_shot_are_refused(numbers):
+    with pytest.raises(InputError, match="uniform"):
+        small().deliveries(numbers)
+
+
+def test_no_shot_is_beyond_the_last():
+    with pytest.raises(InputError, match="start"):
+        small().sample(4, start=2**32 - 1)
 
 
 def test_a_variable_may_stay_as_it_is():
@@ -89,7 +104,16 @@ def test_a_variable_may_stay_as_it_is():
         ({"variables": ("speed", "path", "path")}, "each once"),
         ({"variables": ("attack", "path", "face")}, "the speed among them"),
         ({"mishit_share": 1.0}, "from 0 to below 1"),
-        ({"mishit_scale": 0.5}, "1 or more"),
+        ({"mishit_share": "a"}, "from 0 to below 1"),
+        ({"mishit_scale": 0.5}, "from 1 to 20"),
+        ({"mishit_share": 0.1, "mishit_scale": 1e300}, "from 1 to 20"),
+        ({"covariance": np.diag([1.0 + 1.0j, 1.0, 1.0])}, "numbers"),
+        ({"mean": [-45.0, 0.0, 0.0]}, "above 0 m/s"),
+        ({"variables": 3}, "names"),
+        ({"hand": "left"}, "left-handed"),
+        ({"title": "a\x1b[31m"}, "one line"),
+        ({"club": 3}, "text"),
+        ({"sources": 3}, "texts"),
     ],
 )
 def test_what_is_no_distribution_is_refused(changes, told):
@@ -154,6 +178,10 @@ loft = "14 deg"
 speed = "1 mph"
 face = "2 deg"
 """
+PAIR = """[[correlation]]
+of = ["face", "speed"]
+value = 0.4
+"""
 
 
 @pytest.mark.parametrize(
@@ -169,6 +197,10 @@ face = "2 deg"
         ('face = "2 deg"', 'face = "2 deg"\n[mishit]\nshare = "a"\nscale = 2', 9, "number"),
         ('face = "2 deg"', '[[correlation]]\nof = ["face", "path"]\nvalue = 0.4', 8, "two variables"),
         ('face = "2 deg"', 'face = "2 deg"\n[[correlation]]\nof = ["face", "speed"]\nvalue = 1.4', 10, "-1 and 1"),
+        ('face = "2 deg"', f'face = "2 deg"\n{PAIR}{PAIR}', 12, "already"),
+        ('face = "2 deg"', f'face = "2 deg"\n{PAIR.replace("speed", "loft")}', 9, "loft does not vary"),
+        ('face = "2 deg"', 'face = "1e200 deg"', None, "finite"),
+        ('title = "x"', 'title = "a\\u001b[31m"', 1, "one line"),
         ('face = "2 deg"', 'face = "2 deg"\n[sources]\nspred.face = "me"', None, "spread"),
     ],
 )

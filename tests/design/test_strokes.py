@@ -43,5 +43,15 @@ def test_a_shot_of_the_tour_gains_about_nothing():
 def test_what_is_no_hole_is_refused():
     with pytest.raises(InputError, match="length"):
         Hole(length="-3 yd")
+    with pytest.raises(InputError, match="above 0 to 2000 m"):
+        Hole(length="0 yd")
     with pytest.raises(UnknownNameError, match="fairway"):
         Hole(length="400 yd", lie="fairwy")
+
+
+@pytest.mark.parametrize("places", [([3.0], [4.0, 5.0]), ("x", "y"), ([1.0, 2.0], 0.0)])
+def test_places_that_no_ball_has_are_refused(places):
+    with pytest.raises(InputError):
+        Hole(length="400 yd").after(*places)
+    with pytest.raises(InputError, match="distance"):
+        expected("tee", "far")  # pyright: ignore[reportArgumentType]

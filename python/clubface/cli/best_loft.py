@@ -9,6 +9,7 @@ import typer
 
 from clubface.cli import given, options, output, reporting
 from clubface.cli.failures import say_written
+from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
 
@@ -60,25 +61,29 @@ def best_loft(
     conditions = given.conditions(texts)
     hit = {
         "club": head, "model": texts["model"], "parameters": given.one_set(head, texts), "ball": texts["ball"],
-        **conditions,
+        "accuracy": texts["accuracy"], **conditions,
     }  # fmt: skip
     if chart is not None:
         check_choice("--chart", chart, CHARTS)
-        if speed or attack:
+        if speed is not None or attack is not None:
             raise ClubfaceError("--chart has its own speeds and attack angles; leave out --speed and --attack")
-        beside = job.beside_trackman(**hit) if chart == "trackman" else job.beside_ping(**hit)
+        beside_chart = job.beside_trackman if chart == "trackman" else job.beside_ping
+        with progress_bar("shots") as update:
+            beside = beside_chart(**hit, progress=update)
         show, document = _of_chart(beside, chart, head.name, texts["model"])
         _write(plot, report, beside.found, beside, chart, head, hit, conditions, show)
         _finish(show, document, as_json, [plot, report])
         return
-    if not speed:
+    if speed is None:
         raise ClubfaceError('--speed is missing; give it, as in --speed "100 mph", or a chart, as in --chart trackman')
-    speeds = [given.parsed("--speed", text, "speed") for text in given.names(speed)]
-    attacks = [given.parsed("--attack", text, "angle") for text in given.names(attack or ["-5 deg,0 deg,5 deg"])]
+    attack = ["-5 deg,0 deg,5 deg"] if attack is None else attack
+    speeds = [given.parsed("--speed", text, "speed") for text in given.names(speed) or [""]]
+    attacks = [given.parsed("--attack", text, "angle") for text in given.names(attack) or [""]]
     import numpy as np
 
     each, other = (values.reshape(-1) for values in np.meshgrid(speeds, attacks, indexing="ij"))
-    found = job.best_loft(each, other, **hit)
+    with progress_bar("shots") as update:
+        found = job.best_loft(each, other, **hit, progress=update)
 
     def show() -> None:
         rows = [_cells(found, place) for place in range(len(found.loft))]
@@ -133,7 +138,7 @@ def _write(
 
     launch = impact(
         head, {"speed": found.speed, "attack": found.attack, "loft": found.loft}, model=hit["model"],
-        parameters=hit["parameters"], ball=hit["ball"],
+        parameters=hit["parameters"], ball=hit["ball"], accuracy=hit["accuracy"],
     )  # fmt: skip
     sources = [] if beside is None else [f"Chart of {WHOSE[chart]}: {measurements.table(TABLES[chart]).source}"]
     reporting.write(

@@ -12,7 +12,7 @@ from clubface.cli.failures import say
 from clubface.cli.golfer import GolferArgument
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
-from clubface.errors import ClubfaceError
+from clubface.errors import ClubfaceError, InputError
 from clubface.units import from_si
 
 if TYPE_CHECKING:
@@ -75,9 +75,12 @@ def dispersion(
     output.check_target("--output", target, KINDS)
     output.check_picture(picture)
     output.check_report(report)
+    for name, value in {"hole": hole, **{name: texts[name] for name in options.AIR}}.items():
+        if no_flight and value is not None:
+            raise ClubfaceError(f"--{name} has no effect with --no-flight; leave out one of them")
     player = golfer_named(golfer)
-    own = None if club else "right" if player.hand > 0 else "left"
-    head = given.club_of(club or player.club, texts["hand"] or own)
+    own = None if club is not None else "right" if player.hand > 0 else "left"
+    head = given.club_of(player.club if club is None else club, own if texts["hand"] is None else texts["hand"])
     _check(player, head, texts["model"], count)
     conditions = given.conditions(texts)
     hitting = {
@@ -94,7 +97,7 @@ def dispersion(
         say(f"wrote {target}")
     hit = Hitting(head, **hitting)
     slopes, shares = _by_derivatives(found, hit), None
-    if not (no_shares or no_flight):
+    if not (no_shares or no_flight) and found.golfer.spread.any():
         from clubface.design.dispersion_indices import indices
 
         shares = indices(found.golfer, hit, seed=seed)
@@ -145,7 +148,11 @@ def _hole(length: str | None, fairway: str | None, rough: str | None, lie: str |
 
     told = {"fairway": fairway, "rough": rough}
     lengths = {name: given.parsed(f"--{name}", text, "length") for name, text in told.items() if text is not None}
-    return Hole(length=given.parsed("--hole", length, "length"), **lengths, **({} if lie is None else {"lie": lie}))
+    try:
+        return Hole(length=given.parsed("--hole", length, "length"), **lengths, **({} if lie is None else {"lie": lie}))
+    except InputError as error:
+        error.parameter = "--hole" if error.parameter == "length" else error.parameter
+        raise
 
 
 def _by_derivatives(of: Dispersion, hit: Any) -> ByDerivatives | None:

@@ -19,6 +19,7 @@ USUAL = {
 USUAL_OF = {
     "--speed": (0.0, 75.0, "mph"), "--wind": (0.0, 40.0, "mph"), "--altitude": (0.0, 5000.0, "ft"),
     **dict.fromkeys(("--attack", "--path", "--face", "--lie", "--azimuth"), (0.0, 0.8, "deg")),
+    **dict.fromkeys(("--hole", "--fairway", "--rough"), (0.0, 0.0, "yd")),
     **dict.fromkeys(("--closure", "--pitch-rate", "--lie-rate"), (0.0, 250.0, "deg/s")),
 }  # fmt: skip
 """The same of options that are more narrowly known than their dimension."""

@@ -6,7 +6,8 @@ Total distances have no such optimum here: on flat, hard ground a ball that is h
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,7 +16,7 @@ from clubface import measurements, units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.errors import InputError, RangeWarning
+from clubface.errors import InputError, RangeWarning, Told
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import Parameters, impact
 from clubface.support.arrays import Floats
@@ -27,6 +28,10 @@ POINTS, ROUNDS = 27, 4
 """Lofts tried at a time, and how often the steps about the best are made finer, 13 times each time."""
 CHARTS = {"trackman": "optimum-trackman-2010", "ping": "optimum-ping-2019"}
 """The tables of the published charts."""
+BEYOND = np.radians(15.0)
+"""How much more loft than attack angle [rad] a shot has that is hit to see why none flies."""
+HALVINGS = 14
+"""How often the loft at which a yard is lost is halved in."""
 SMASH = 1.46
 """Ball speed over club speed to begin with, where the ball speed is wanted."""
 
@@ -65,10 +70,11 @@ def best_loft(
     model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
+    accuracy: float | None = None,
     air: Any = None,
     wind: Any = None,
     ground: Mapping[str, Any] | None = None,
-    accuracy: float | None = None,
+    progress: Callable[[int, int], object] | None = None,
     **delivery: Any,
 ) -> BestLoft:
     """Find the dynamic loft with which the ball is carried farthest.
@@ -81,36 +87,60 @@ def best_loft(
         Of the club: text with a unit, SI numbers or arrays, which broadcast.
     club, model, parameters, ball, accuracy, air, wind, ground
         As for :func:`impact` and :func:`fly`.
+    progress
+        Called with the number of shots done and that of all.
     **delivery
         Further values of the delivery, such as ``high``; single numbers.
+
+    Raises
+    ------
+    InputError
+        There is no case, a case is none that can be computed, or air or wind are none that a ball flies in.
     """
-    speeds, attacks = np.broadcast_arrays(
-        np.atleast_1d(units.parse_values(speed, "speed", name="speed")),
-        np.atleast_1d(units.parse_values(attack, "angle", name="attack")),
-    )
+    given = (units.parse_values(speed, "speed", name="speed"), units.parse_values(attack, "angle", name="attack"))
+    try:
+        speeds, attacks = np.broadcast_arrays(*map(np.atleast_1d, given))
+    except ValueError:
+        told = Told(f"of shapes {np.shape(given[0])} and {np.shape(given[1])}")
+        raise InputError("speed and attack", told, "of shapes that broadcast") from None
     speeds, attacks = (np.ascontiguousarray(each, dtype=np.float64).reshape(-1) for each in (speeds, attacks))
+    if not speeds.size:
+        raise InputError("speed and attack", Told("empty"), "at least one of each")
     for name in ("loft", "speed", "attack"):
         if name in delivery:
             raise InputError(name, delivery[name], "left out: it is not among the further values of the delivery")
 
+    fixed: dict[str, Any] = {"model": model, "parameters": parameters, "ball": ball, "accuracy": accuracy}
+    done, shots = 0, len(speeds) * (ROUNDS * POINTS + 1 + 2 * HALVINGS)
+
     def hit(lofts: Floats) -> tuple[Any, Any]:
+        nonlocal done
+        told = progress and partial(_told, progress, done, shots)
         with without_warnings(RangeWarning):
             launch = impact(
-                club, {**delivery, "speed": speeds[:, None], "attack": attacks[:, None], "loft": lofts}, model=model,
-                parameters=parameters, ball=ball, accuracy=accuracy, on_error="nan",
+                club, {**delivery, "speed": speeds[:, None], "attack": attacks[:, None], "loft": lofts},
+                on_error="nan", progress=told, **fixed,
             )  # fmt: skip
+            done += lofts.size
             return launch, fly(launch, air=air, wind=wind, ground=ground, on_error="nan")
 
-    impact(club, {**delivery, "speed": float(speeds[0]), "attack": float(attacks[0])}, model=model, ball=ball)
+    def why_not(case: int) -> None:
+        """Hit a shot of a case of which no loft flies, for the error that tells why."""
+        loft = float(np.clip(attacks[case] + BEYOND, LEAST, MOST))
+        values = {**delivery, "speed": float(speeds[case]), "attack": float(attacks[case]), "loft": loft}
+        fly(impact(club, values, **fixed), air=air, wind=wind)
+
     low, high = np.full_like(speeds, LEAST), np.full_like(speeds, MOST)
     best = 0.5 * (low + high)
     for _ in range(ROUNDS):
         lofts = np.linspace(low, high, POINTS, axis=1)
         reached = _reached(hit(lofts)[1].carry)
+        if (lost := np.flatnonzero(np.isneginf(reached).all(axis=1))).size:
+            why_not(int(lost[0]))
         place = np.argmax(reached, axis=1)
         step = (high - low) / (POINTS - 1)
         best = lofts[np.arange(len(best)), place]
-        low, high = best - step, best + step
+        low, high = np.maximum(best - step, LEAST), np.minimum(best + step, MOST)
     launch, flight = hit(best[:, None])
     ball_speed, launched, spin = (
         np.asarray(each)[:, 0] for each in (launch.ball_speed, launch.launch, launch.total_spin)
@@ -128,6 +158,10 @@ def best_loft(
     )
 
 
+def _told(progress: Callable[[int, int], object], before: int, shots: int, some: int) -> None:
+    progress(before + some, shots)
+
+
 def _reached(distance: Floats) -> Floats:
     return np.where(np.isfinite(distance), distance, -np.inf)
 
@@ -138,7 +172,7 @@ def _within(distance: Any, best: Floats, reached: Floats) -> Floats:
     found = []
     for side in (-1.0, 1.0):
         near, far = np.zeros_like(best), np.full_like(best, wide)
-        for _ in range(14):
+        for _ in range(HALVINGS):
             middle = 0.5 * (near + far)
             lost = reached - _reached(distance((best + side * middle)[:, None])[:, 0]) > yard
             near, far = np.where(lost, near, middle), np.where(lost, middle, far)

@@ -16,13 +16,13 @@ from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.errors import InputError, RangeWarning
+from clubface.errors import InputError, RangeWarning, Told
 from clubface.simulation.flight import Flight, fly
 from clubface.simulation.impact import Parameters, impact
 from clubface.simulation.launch import Launch
 from clubface.simulation.outside import Tally as RangeTally
 from clubface.support.arrays import Floats
-from clubface.support.checks import check_count
+from clubface.support.checks import check_count, check_share
 from clubface.support.warning import warn_once, without_warnings
 
 CHUNK = 2**16
@@ -129,8 +129,7 @@ class Dispersion:
 
     def ellipse(self, share: float) -> Ellipse:
         """Return the ellipse of the landings that holds a share of them."""
-        if not 0.0 < share < 1.0:
-            raise InputError("share", share, "between 0 and 1")
+        check_share(share)
         if not self.points.size:
             raise InputError("share", share, "asked of shots that fly and come down")
         centre, covariance = self.tally.landing()
@@ -198,8 +197,11 @@ def dispersion(
     of_golfer = golfer_named(golfer)
     of_club = club_named(of_golfer.club).replace(hand=of_golfer.hand) if club is None else club_named(club)
     of_golfer = of_golfer.for_hand(of_club.hand)
-    if hole is not None and not flight:
-        raise InputError("hole", "given", "left out where the balls do not fly")
+    if hole is not None and not isinstance(hole, Hole):
+        raise InputError("hole", hole, 'a Hole, as in Hole(length="430 yd")')
+    for name, value in (("hole", hole), ("air", air), ("wind", wind), ("ground", ground)):
+        if not flight and value is not None and not (isinstance(value, Mapping) and not value):
+            raise InputError(name, Told("given"), "left out where the balls do not fly")
     hit = Hitting(of_club, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
     launch, mean_shot = hit.mean(of_golfer)
     tally = Tally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot)

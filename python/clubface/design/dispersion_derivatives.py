@@ -25,12 +25,13 @@ import numpy as np
 from clubface.design.dispersion import Hitting
 from clubface.design.dispersion_tally import LAUNCHED
 from clubface.design.golfer import Golfer
-from clubface.errors import RangeWarning
+from clubface.errors import InputError, RangeWarning
 from clubface.simulation.flight_derivatives import flight_derivatives
 from clubface.simulation.flight_inputs import SPIN, VELOCITY
 from clubface.simulation.quantities import flight_inputs, flight_outputs
 from clubface.simulation.sensitivity import sensitivity
 from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice
 from clubface.support.warning import without_warnings
 
 FLOWN = ("carry", "side")
@@ -62,11 +63,15 @@ class ByDerivatives:
 
     def mean(self, name: str) -> float:
         """Return the mean of a quantity, to the second order."""
+        check_choice("quantity", name, self.value)
         m2, _ = moments(self.golfer)
         return self.value[name] + 0.5 * m2 * float(np.trace(self.second[name] @ self.golfer.covariance))
 
     def variance(self, name: str, *, order: int = 2) -> float:
         """Return the variance of a quantity: of the gradient alone (``order`` 1), or of gradient and curvature."""
+        check_choice("quantity", name, self.value)
+        if order not in (1, 2):
+            raise InputError("order", order, "1 or 2")
         m2, m4 = moments(self.golfer)
         slope, covariance = self.gradient[name], self.golfer.covariance
         first = m2 * float(slope @ covariance @ slope)

@@ -21,9 +21,11 @@ from numpy.typing import NDArray
 
 from clubface.design.dispersion import Hitting
 from clubface.design.dispersion_derivatives import ByDerivatives
+from clubface.design.dispersion_tally import FLOWN, LAUNCHED
 from clubface.design.golfer import Golfer, uniform
 from clubface.errors import InputError
 from clubface.support.arrays import Floats
+from clubface.support.checks import check_names
 
 COUNT = 2**10
 """Shots for each set of variables, unless told otherwise."""
@@ -68,13 +70,18 @@ def indices(
     hit
         How shots are hit.
     outcomes
-        Quantities of launch or flight.
+        Quantities of launch or flight. One that does not vary has shares of NaN.
     count
         Shots for each variable or set of variables, a power of two.
     seed
         Of the quasi-random numbers.
     """
+    if not hit.flight and (flown := [name for name in outcomes if name not in LAUNCHED]):
+        raise InputError("outcomes", flown[0], "of a launch, where the balls do not fly")
+    check_names("outcome", outcomes, (*LAUNCHED, *FLOWN))
     varies = of.spread > 0.0
+    if not varies.any():
+        raise InputError("golfer", of.name, "one whose deliveries vary: nothing spreads the shots")
     names = tuple(name for name, does in zip(of.variables, varies, strict=True) if does)
     held = {name: np.asarray(mean) for name, mean in zip(of.variables, of.mean, strict=True) if name not in names}
 
@@ -126,7 +133,9 @@ def sobol(function: Function, mean: Floats, spread: Floats, *, count: int, seed:
     _check_power(count)
     normal = [norm(loc=at, scale=size) for at, size in zip(mean, spread, strict=True)]
     found = sobol_indices(func=function, n=count, dists=normal, rng=np.random.default_rng(seed))
-    return np.atleast_2d(found.first_order), np.atleast_2d(found.total_order)
+    # scipy drops an axis of one variable.
+    first, total = (np.reshape(each, (-1, len(mean))) for each in (found.first_order, found.total_order))
+    return first, total
 
 
 def shapley(function: Function, mean: Floats, covariance: Floats, *, count: int, seed: int) -> Floats:

@@ -9,9 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import InputError
 from clubface.support.arrays import Floats
-from clubface.support.checks import check_choice
+from clubface.support.checks import check_choice, check_share
 
 Counts = NDArray[np.int64]
 
@@ -108,8 +107,7 @@ class Tally:
     def quantile(self, name: str, share: float) -> float:
         """Return the value below which the ``share`` of the shots lies, to a part of a bin."""
         check_choice("quantity", name, self.scales)
-        if not 0.0 < share < 1.0:
-            raise InputError("share", share, "between 0 and 1")
+        check_share(share)
         of = self.scales[name]
         return of.least + _crossing(self._bins[name], share) * (of.most - of.least) / of.bins
 

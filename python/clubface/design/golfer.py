@@ -12,13 +12,15 @@ import numpy as np
 from clubface.errors import InputError, Told
 from clubface.simulation.delivery import OF_CLUB, Delivery
 from clubface.support.arrays import Floats
-from clubface.support.checks import check_choice, check_count, check_name
+from clubface.support.checks import check_choice, check_count, check_name, check_text, is_number
 from clubface.support.frozen import Frozen
 
 ASSUMED = "assumed"
 """The source of a figure that has none."""
 MIRRORED = ("path", "face")
 """The variables whose sign a left-handed golfer changes."""
+WIDEST = 20.0
+"""The widest scale of mishits."""
 MOST_SHOTS = 2**32
 MOST_SEED = 2**63 - 1
 BITS = 32
@@ -63,7 +65,7 @@ class Golfer:
     mishit_share
         Share of the shots that are mishits, from 0 to below 1.
     mishit_scale
-        How many times as wide mishits spread, 1 or more.
+        How many times as wide mishits spread, 1 to 20.
     sources
         Where a figure comes from, by its name: ``mean of speed``, ``spread of face``, ``correlation of face and path``,
         ``mishits``. A figure that is not listed is assumed.
@@ -82,6 +84,14 @@ class Golfer:
 
     def __post_init__(self) -> None:
         check_name(self.name)
+        check_text("title", self.title)
+        if not self.title.isprintable():
+            raise InputError("title", self.title, "printable text on one line")
+        check_text("club", self.club)
+        if self.hand not in (-1, 1):
+            raise InputError("hand", self.hand, "1 for a right-handed golfer or -1 for a left-handed one")
+        if not isinstance(self.variables, (tuple, list)):
+            raise InputError("variables", self.variables, "names of values of a delivery")
         variables = tuple(self.variables)
         for place, variable in enumerate(variables):
             check_choice("variable of a golfer", variable, OF_CLUB)
@@ -91,12 +101,16 @@ class Golfer:
             raise InputError("variables", variables, "the speed among them")
         object.__setattr__(self, "variables", variables)
         object.__setattr__(self, "mean", _array("mean", self.mean, (len(variables),)))
+        if (speed := float(self.mean[variables.index("speed")])) <= 0.0:
+            raise InputError("mean of speed", speed, "above 0 m/s")
         object.__setattr__(self, "covariance", _array("covariance", self.covariance, (len(variables),) * 2))
         _root(self.covariance)
-        if not 0.0 <= self.mishit_share < 1.0:
+        if not (is_number(self.mishit_share) and 0.0 <= self.mishit_share < 1.0):
             raise InputError("mishit_share", self.mishit_share, "from 0 to below 1")
-        if not 1.0 <= self.mishit_scale < float("inf"):
-            raise InputError("mishit_scale", self.mishit_scale, "1 or more")
+        if not (is_number(self.mishit_scale) and 1.0 <= self.mishit_scale <= WIDEST):
+            raise InputError("mishit_scale", self.mishit_scale, f"from 1 to {WIDEST:g}")
+        if not isinstance(self.sources, Mapping):
+            raise InputError("sources", self.sources, "a mapping of figures to texts")
         object.__setattr__(self, "sources", Frozen(self.sources))
 
     @property
@@ -156,14 +170,23 @@ class Golfer:
         Parameters
         ----------
         uniform
-            Shape (n, :attr:`dimensions`); with mishits the last column decides whether a shot is one.
+            Shape (n, :attr:`dimensions`); with mishits the last column decides whether a shot is one. A left-handed
+            golfer makes of them the mirror images of the shots of the same golfer with the other hand.
         """
         from scipy.special import ndtri
 
-        given = np.asarray(uniform, dtype=np.float64)
+        try:
+            given = np.asarray(uniform, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise InputError("uniform", uniform, f"numbers of shape (n, {self.dimensions})") from None
         if given.ndim != 2 or given.shape[1] != self.dimensions:
             raise InputError("uniform", given.shape, f"of shape (n, {self.dimensions})")
+        if not ((given > 0.0) & (given < 1.0)).all():
+            raise InputError("uniform", Told("numbers beyond them"), "between 0 and 1")
         standard = [ndtri(given[:, place]) for place in range(len(self.variables))]
+        for name, each in zip(self.variables, standard, strict=True):
+            if self.hand < 0 and name in MIRRORED:
+                np.negative(each, out=each)
         if self.mishit_share > 0.0:
             wider = np.where(given[:, -1] < self.mishit_share, self.mishit_scale, 1.0)
             for each in standard:
@@ -175,6 +198,8 @@ class Golfer:
 
     def for_hand(self, hand: float) -> Self:
         """Return the golfer for a club of the given hand: mirrored where it is that of the other hand."""
+        if hand not in (-1, 1):
+            raise InputError("hand", hand, "1 or -1")
         if (hand > 0) == (self.hand > 0):
             return self
         sign = np.array([-1.0 if name in MIRRORED else 1.0 for name in self.variables])
@@ -200,7 +225,7 @@ def uniform(dimensions: int, count: int, *, seed: int = 0, start: int = 0) -> Fl
     from scipy.stats import qmc
 
     check_count("count", count, 1, MOST_SHOTS)
-    check_count("start", start, 0, MOST_SHOTS)
+    check_count("start", start, 0, MOST_SHOTS - count)
     check_count("seed", seed, 0, MOST_SEED)
     engine = qmc.Sobol(dimensions, scramble=True, bits=BITS, rng=np.random.default_rng(seed))
     if start:
@@ -220,11 +245,15 @@ def _points(engine: Any, count: int) -> Floats:
 
 def _array(name: str, given: Any, shape: tuple[int, ...]) -> Floats:
     try:
-        found = np.array(given, dtype=np.float64)
+        found = np.array(given, dtype=np.float64) if not np.iscomplexobj(given) else None
     except (TypeError, ValueError):
-        raise InputError(name, given, f"numbers of shape {shape}") from None
-    if found.shape != shape or not np.isfinite(found).all():
-        raise InputError(name, f"numbers of shape {found.shape}", f"finite numbers of shape {shape}")
+        found = None
+    if found is None:
+        raise InputError(name, given, f"numbers of shape {shape}")
+    if found.shape != shape:
+        raise InputError(name, Told(f"numbers of shape {found.shape}"), f"numbers of shape {shape}")
+    if not np.isfinite(found).all():
+        raise InputError(name, Told("not all finite"), "finite numbers")
     found.setflags(write=False)
     return found
 

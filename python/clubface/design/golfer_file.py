@@ -81,7 +81,9 @@ def from_document(document: Document, name: str) -> Golfer:
         raise document.error(f"{at} is a standard deviation: it must not be negative", at, "spread")
     if "loft" in variables and "loft" not in data["mean"]:
         raise document.error("loft has a spread but no mean; give it under [mean]", "loft", "spread")
-    correlation = _correlations(document, variables)
+    correlation = _correlations(document, variables, spread)
+    with np.errstate(over="ignore"):  # what is too large is refused
+        covariance = correlation * np.outer(spread, spread)
     try:
         check_choice("hand", data.get("hand", "right"), HANDS)
         return Golfer(
@@ -91,7 +93,7 @@ def from_document(document: Document, name: str) -> Golfer:
             hand=HANDS[data.get("hand", "right")],
             variables=variables,
             mean=mean,
-            covariance=correlation * np.outer(spread, spread),
+            covariance=covariance,
             mishit_share=float(mishit.get("share", 0.0)),
             mishit_scale=float(mishit.get("scale", 1.0)),
             sources=_sources(document),
@@ -115,11 +117,12 @@ def _values(document: Document, part: str, variables: tuple[str, ...]) -> list[f
     return found
 
 
-def _correlations(document: Document, variables: tuple[str, ...]) -> Any:
+def _correlations(document: Document, variables: tuple[str, ...], spread: Any) -> Any:
     entries = document.data.get("correlation", [])
     if not (isinstance(entries, list) and all(isinstance(each, dict) for each in entries)):
         raise document.error("correlation must be tables, each under [[correlation]]", "correlation")
     found = np.eye(len(variables))
+    told: set[frozenset[str]] = set()
     for index, entry in enumerate(entries):
         document.check_keys(entry, ("of", "value"), ("of", "value"), "correlation", index)
         pair, value = entry["of"], entry["value"]
@@ -130,6 +133,12 @@ def _correlations(document: Document, variables: tuple[str, ...]) -> Any:
             )
         if isinstance(value, bool) or not isinstance(value, int | float) or not -1.0 < value < 1.0:
             raise document.error("value must be a number between -1 and 1", "value", "correlation", index)
+        still = [each for each in pair if spread[variables.index(each)] == 0.0]
+        if still and value:
+            raise document.error(f"{still[0]} does not vary; give it a spread", "of", "correlation", index)
+        if frozenset(pair) in told:
+            raise document.error(f"{' and '.join(pair)} have a correlation already", "of", "correlation", index)
+        told.add(frozenset(pair))
         one, other = (variables.index(each) for each in pair)
         found[one, other] = found[other, one] = value
     return found

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from clubface import measurements, units
-from clubface.errors import InputError
+from clubface.errors import InputError, Told
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
@@ -26,6 +26,8 @@ FAIRWAY_WIDTH = units.parse("32 yd", "length")
 """Width of a fairway unless given; assumed, about that of tour courses."""
 ROUGH_WIDTH = units.parse("20 yd", "length")
 """Width of the rough on either side of it unless given; assumed. Beyond it a ball lies among trees: "recovery"."""
+LONGEST = 2000.0
+"""Greatest length or width [m] on a hole."""
 GREEN_RADIUS = units.parse("12 yd", "length")
 """Radius of a green unless given, about the hole; assumed: a circle of about 420 m2."""
 
@@ -57,8 +59,9 @@ class Hole:
     def __post_init__(self) -> None:
         for name in ("length", "fairway", "rough", "green"):
             value = units.parse(getattr(self, name), "length", name=name)
-            if not 0.0 <= value <= 2000.0 or (name == "length" and value == 0.0):
-                raise InputError(name, getattr(self, name), "a length of up to 2000 m")
+            least = "above 0" if name == "length" else "from 0"
+            if not 0.0 <= value <= LONGEST or (name == "length" and value == 0.0):
+                raise InputError(name, units.show(value, "m"), f"{least} to {LONGEST:g} m")
             object.__setattr__(self, name, value)
         check_choice("lie", self.lie, LIES)
 
@@ -84,6 +87,7 @@ class Hole:
         ahead, aside
             Where, towards the hole from the tee and to the right of the line [m], shape (n,).
         """
+        ahead, aside = _places(ahead, aside)
         left = np.hypot(self.length - ahead, aside)
         lies = self.lies(ahead, aside)
         found = np.empty_like(left)
@@ -94,6 +98,7 @@ class Hole:
 
     def lies(self, ahead: Floats, aside: Floats) -> Any:
         """Return the lie of balls at rest: "green", "fairway", "rough" or "recovery", shape (n,)."""
+        ahead, aside = _places(ahead, aside)
         off = np.abs(aside)
         lies = np.where(off <= 0.5 * self.fairway, "fairway", "rough")
         lies = np.where(off > 0.5 * self.fairway + self.rough, "recovery", lies)
@@ -110,10 +115,20 @@ def expected(lie: str, distance: Floats) -> Floats:
     distance
         From the hole [m].
     """
+    distance = np.asarray(units.parse_values(distance, "length", name="distance"))
     places, strokes = _table(lie)
     beyond = (strokes[-1] - strokes[-2]) / (places[-1] - places[-2])
     found = np.interp(distance, places, strokes)
     return found + np.maximum(distance - places[-1], 0.0) * beyond
+
+
+def _places(ahead: Any, aside: Any) -> tuple[Floats, Floats]:
+    given = {"ahead": ahead, "aside": aside}
+    found = [np.asarray(units.parse_values(each, "length", name=name)) for name, each in given.items()]
+    if found[0].shape != found[1].shape:
+        told = Told(" and ".join(f"of shape {each.shape}" for each in found))
+        raise InputError("ahead and aside", told, "of one shape")
+    return found[0], found[1]
 
 
 @cache

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from numbers import Real
+from typing import TypeGuard
 
 from clubface.errors import InputError, UnknownNameError
 
@@ -31,6 +33,17 @@ def check_names(what: str, names: Iterable[object], known: Iterable[str]) -> Non
     known = tuple(known)
     for name in names:
         check_choice(what, name, known)
+
+
+def is_number(value: object) -> TypeGuard[float]:
+    """Tell a real number from anything else, ``True`` and ``False`` among it."""
+    return isinstance(value, Real) and not isinstance(value, bool)
+
+
+def check_share(share: object) -> None:
+    """Refuse what is not a number between 0 and 1."""
+    if not (is_number(share) and 0.0 < share < 1.0):
+        raise InputError("share", share, "between 0 and 1")
 
 
 def is_count(value: object, least: int, most: int) -> bool:

@@ -60,11 +60,13 @@ def placement(envelope: Envelope, pseudo: NDArray[Any]) -> list[PointMass]:
     own = inverse @ placed @ inverse.T / placed[3, 3]
     step = 2.0 / (STEPS - 1)
     tried = _inside(volume, _lattice(STEPS) * step)
-    for _ in range(ROUNDS):
+    rounds = 0
+    while True:
         found, missed = _least_missed(tried, own)
+        rounds += 1
         taken = found > NEGLIGIBLE
         parts, masses = tried[taken], found[taken]
-        if missed <= 1e-3 * NEAR or not taken.any():
+        if missed <= 1e-3 * NEAR or rounds == ROUNDS or not taken.any():
             break
         step *= 0.5
         tried = np.vstack([parts, _inside(volume, (parts[:, None] + _lattice(3) * step).reshape(-1, 3))])
