@@ -45,6 +45,7 @@ def test_what_is_no_hole_is_refused():
         Hole(length="-3 yd")
     with pytest.raises(InputError, match="above 0 to 2000 m"):
         Hole(length="0 yd")
+    assert Hole(length="400 yd", rough="0 yd").rough == 0.0
     with pytest.raises(UnknownNameError, match="fairway"):
         Hole(length="400 yd", lie="fairwy")
 

@@ -7,6 +7,7 @@ import pytest
 
 from clubface.design.optimisation.result import Verdict, _of_margins, _of_range, _of_rule
 from clubface.design.rules import Rule, RuleVerdict
+from clubface.design.shells.broken import broken
 
 INF = math.inf
 
@@ -68,3 +69,10 @@ def test_of_margins_alike_the_least_is_told():
                SimpleNamespace(name="a", value=0.25), SimpleNamespace(name="b", value=2.0)]  # fmt: skip
     found = {each.limit: (each.value, each.margin) for each in _of_margins(margins)}
     assert found == {"a": ("0.2500", 0.25), "b": ("-0.1000", -0.1)}
+
+
+def test_a_head_at_a_limit_keeps_it_and_one_beyond_is_told():
+    limits = {"volume": (4.0e-4, 4.7e-4)}
+    assert [broken(limits, {"volume": each}) for each in (4.0e-4, 4.5e-4, 4.7e-4)] == ["", "", ""]
+    assert broken(limits, {"volume": 4.8e-4}) == "volume 480.0 cm3 above 470.0 cm3"
+    assert broken(limits, {"volume": 3.9e-4}) == "volume 390.0 cm3 below 400.0 cm3"

@@ -131,7 +131,7 @@ def best_loft(
         fly(impact(club, values, **fixed), air=air, wind=wind)
 
     low, high = np.full_like(speeds, LEAST), np.full_like(speeds, MOST)
-    best = 0.5 * (low + high)
+    best = low
     for _ in range(ROUNDS):
         lofts = np.linspace(low, high, POINTS, axis=1)
         reached = _reached(hit(lofts)[1].carry)
@@ -139,7 +139,7 @@ def best_loft(
             why_not(int(lost[0]))
         place = np.argmax(reached, axis=1)
         step = (high - low) / (POINTS - 1)
-        best = lofts[np.arange(len(best)), place]
+        best = lofts[np.arange(len(place)), place]
         low, high = np.maximum(best - step, LEAST), np.minimum(best + step, MOST)
     launch, flight = hit(best[:, None])
     ball_speed, launched, spin = (
