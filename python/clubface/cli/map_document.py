@@ -10,7 +10,7 @@ from clubface.units import from_si, size
 
 
 def document(found: Any, maps: Sequence[Any], spreads: Sequence[Any], names: Sequence[str]) -> dict[str, Any]:
-    """Return maps, what impacts that scatter cost on them, and the values of ``names`` over the grid, as JSON has it."""
+    """Return maps, what scattered impacts cost on them, and the values of ``names`` over the grid, as JSON has them."""
     told = []
     for place, each in enumerate(maps):
         best, carry = each.best(), each.best("carry")

@@ -11,7 +11,8 @@ from typing import Any
 from clubface.design.shells.broken import broken
 from clubface.design.shells.engine import Engine
 from clubface.design.shells.fast import FastModel
-from clubface.design.shells.management import Goal, Managed, Step, manage
+from clubface.design.shells.goal import Goal
+from clubface.design.shells.management import Managed, Step, manage
 from clubface.design.shells.study import NamedMetal, ShellStudy
 from clubface.errors import RangeWarning, RunError, TargetWarning
 from clubface.fem.heads import driver_file
