@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from clubface.cli import given, options, output
+from clubface.cli.dispersion_document import QUANTILES, document
 from clubface.cli.dispersion_report import UNITS, write as write_report
 from clubface.cli.failures import say
 from clubface.cli.golfer import GolferArgument
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
 
 app = typer.Typer(add_completion=False)
 
-SHOWN = (0.05, 0.25, 0.5, 0.75, 0.95)
 _HOLE = "Hole"
 _CLUB = options.option(
     "--club", panel="Club and ball", metavar="CLUB", text="Name or TOML file; the golfer's unless given."
@@ -68,8 +68,9 @@ def dispersion(
     **texts: Any,
 ) -> None:
     """Hit many shots of a golfer and sum up where they go."""
-    from clubface.design.dispersion import COUNT, Hitting, dispersion as compute
+    from clubface.design.dispersion import COUNT, dispersion as compute
     from clubface.design.golfers import golfer as golfer_named
+    from clubface.design.hitting import Hitting
     from clubface.tables.writer import KINDS
 
     output.check_target("--output", target, KINDS)
@@ -110,7 +111,7 @@ def dispersion(
         write_report(report, found, shares, hit, conditions, lambda: _print(found, slopes, shares))
         say(f"wrote {report}")
     if as_json:
-        output.print_json(_document(found, slopes, shares))
+        output.print_json(document(found, slopes, shares))
     else:
         _print(found, slopes, shares)
 
@@ -169,13 +170,13 @@ def _by_derivatives(of: Dispersion, hit: Any) -> ByDerivatives | None:
 def _print(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> None:
     from clubface.units import size
 
-    heads = ["", "unit", "mean", "±", *(f"{share:.0%}" for share in SHOWN)]
+    heads = ["", "unit", "mean", "±", *(f"{share:.0%}" for share in QUANTILES)]
     if slopes is not None:
         heads += ["by derivatives\nmean", "\n±"]
     rows = []
     for name in of.quantities:
         unit, digits = UNITS[name]
-        values = [of.mean(name), of.spread(name), *(of.quantile(name, share) for share in SHOWN)]
+        values = [of.mean(name), of.spread(name), *(of.quantile(name, share) for share in QUANTILES)]
         row = [name.replace("_", " "), unit, *(output.number(from_si(each, unit), digits) for each in values)]
         if slopes is not None:
             known = name in slopes.value
@@ -257,57 +258,4 @@ def _notes(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None)
         found.append("strokes: averages of the PGA Tour by distance and lie (Broadie, 2011 and 2012)")
     if shares is not None and shares.kind == "shapley":
         found.append("the delivery's values are correlated, so that the variance is shared out by Shapley's rule")
-    return found
-
-
-def _document(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> dict[str, Any]:
-    from dataclasses import asdict
-
-    from clubface.design.dispersion import SHARES
-    from clubface.support.version import __version__
-
-    found: dict[str, Any] = {
-        "golfer": of.golfer.name, "club": of.club.name, "ball": of.ball.name, "model": of.model, "shots": of.count,
-        "lost": of.lost, "reasons": dict(of.reasons), "seed": of.seed, "clubface_version": __version__,
-        "quantities": {
-            name: {
-                "mean": of.mean(name), "spread": of.spread(name), "of_mean_delivery": of.mean_shot[name],
-                "quantiles": {f"{share:g}": of.quantile(name, share) for share in SHOWN},
-            }
-            for name in of.quantities
-        },
-    }  # fmt: skip
-    if of.points.size:
-        found["ellipses"] = [
-            {
-                "share": each.share,
-                "centre": each.centre.tolist(),
-                "half_axes": each.half_axes.tolist(),
-                "angle": each.angle,
-            }
-            for each in map(of.ellipse, SHARES)
-        ]
-    if slopes is not None:
-        found["by_derivatives"] = {
-            name: {
-                "mean": slopes.mean(name),
-                "spread": slopes.spread(name),
-                "spread_first_order": slopes.spread(name, order=1),
-            }
-            for name in slopes.value
-        }
-    if of.hole is not None:
-        found["hole"] = {
-            **asdict(of.hole),
-            "before": of.hole.before(),
-            "after": of.strokes,
-            "gained": of.gained,
-            "lies": dict(of.lies),
-        }
-    if shares is not None:
-        found["shares"] = {
-            "kind": shares.kind, "variables": shares.variables,
-            "share": {name: each.tolist() for name, each in shares.share.items()},
-            "total": {name: each.tolist() for name, each in shares.total.items()},
-        }  # fmt: skip
     return found

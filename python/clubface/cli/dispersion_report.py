@@ -10,7 +10,8 @@ from clubface.cli.golfer_report import golfer_sources
 from clubface.units import from_si
 
 if TYPE_CHECKING:
-    from clubface.design.dispersion import Dispersion, Hitting
+    from clubface.design.dispersion import Dispersion
+from clubface.design.hitting import Hitting
     from clubface.design.dispersion_indices import Indices
 
 UNITS = {

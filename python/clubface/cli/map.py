@@ -11,8 +11,9 @@ import typer
 
 from clubface.cli import given, options, output, reporting
 from clubface.cli.failures import say_written
+from clubface.cli.map_document import columns, document
 from clubface.cli.progress import progress_bar
-from clubface.cli.quantity_units import KEYS, VALUES, Shown, Units, label, shown_units
+from clubface.cli.quantity_units import VALUES, Shown, Units, label, shown_units
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError, InputError
 from clubface.units import fixed, from_si, size
@@ -109,17 +110,19 @@ def map_(
             told = " less ".join(each.centre.club.name for each in maps)
             reporting.write(
                 report, title=f"Launch and flight over the face: {told}", words=_words(maps),
-                picture=("Contours on the outline of the face", figure), columns=_columns(found),
+                picture=("Contours on the outline of the face", figure), columns=columns(found),
                 show=lambda: _print(found, maps, spreads, names, shown), launches=[each.centre for each in maps],
                 given=_given(found, spread, about), conditions=conditions,
             )  # fmt: skip
     if target is not None:
-        _write(found, target)
+        from clubface.tables.writer import write_columns
+
+        write_columns(columns(found), Path(target))
         for each, of in zip((target, _second(target)), maps, strict=False):
             if of.interpolated:  # else nothing was kept, and a folder of that name is of something else
                 finished(each)
     if as_json:
-        output.print_json(_document(found, maps, spreads, names))
+        output.print_json(document(found, maps, spreads, names))
     else:
         _print(found, maps, spreads, names, shown)
     say_written([each for each in (target, plot, report) if each is not None])
@@ -293,54 +296,3 @@ def _print_spreads(maps: Sequence[Any], spreads: Sequence[Any], names: Sequence[
         output.print_paragraph(
             f"{found.centre.club.name}: {each.missed:.2%} of them miss the face and are not counted."
         )
-
-
-def _document(found: Any, maps: Sequence[Any], spreads: Sequence[Any], names: Sequence[str]) -> dict[str, Any]:
-    told = []
-    for place, each in enumerate(maps):
-        best, carry = each.best(), each.best("carry")
-        entry = {
-            "club": each.centre.club.name, "ball": each.centre.ball.name, "model": each.centre.model,
-            "parameters": each.centre.parameters.name, "outline": each.outline.told, "interpolated": each.interpolated,
-            "face_area_mm2": from_si(each.outline.area(), "mm2"), "area_98_mm2": from_si(each.area(), "mm2"),
-            "sweet_spot": {"toe_mm": 1e3 * best.toe, "high_mm": 1e3 * best.high, "ball_speed_mps": best.value},
-            "longest_carry": {"toe_mm": 1e3 * carry.toe, "high_mm": 1e3 * carry.high, "carry_m": carry.value},
-        }  # fmt: skip
-        if spreads:
-            entry["spread"] = _spread_document(spreads[place])
-        told.append(entry)
-    document: dict[str, Any] = {
-        "clubs": told, "grid": [len(found.toe), len(found.high)],
-        "toe_mm": (1e3 * found.toe).tolist(), "high_mm": (1e3 * found.high).tolist(),
-    }  # fmt: skip
-    kind = "map" if len(maps) == 1 else "difference"
-    wanted = {key: of for key, of in KEYS.items() if of[0] in names}
-    document[kind] = {key: (found.get(name) / size(unit)).tolist() for key, (name, unit) in wanted.items()}
-    return document
-
-
-def _spread_document(spread: Any) -> dict[str, Any]:
-    def cells(part: Mapping[str, float]) -> dict[str, float]:
-        return {key: part[name] / size(unit) for key, (name, unit) in KEYS.items()}
-
-    return {
-        "toe_mm": 1e3 * spread.toe, "high_mm": 1e3 * spread.high, "toe_deviation_mm": 1e3 * spread.toe_deviation,
-        "high_deviation_mm": 1e3 * spread.high_deviation, "missed": spread.missed, "mean": cells(spread.mean),
-        "deviation": cells(spread.deviation), "loss": cells(spread.loss),
-    }  # fmt: skip
-
-
-def _write(found: Any, target: str) -> None:
-    from clubface.tables.writer import write_columns
-
-    write_columns(_columns(found), Path(target))
-
-
-def _columns(found: Any) -> dict[str, Any]:
-    """Return the map as a long table, in the units of its headings."""
-    table = found.columns()
-    columns = {f"{name}_mm": from_si(table[name], "mm") for name in ("toe", "high")}
-    columns |= {key: table[name] / size(unit) for key, (name, unit) in KEYS.items()}
-    if hasattr(found, "second"):
-        columns = {key if key in ("toe_mm", "high_mm") else f"difference_{key}": each for key, each in columns.items()}
-    return columns

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from clubface import units
-from clubface.design.comparison_contributions import Contributions, Stage, contributions, values
-from clubface.design.comparison_quantities import QUANTITIES, quantities
+from clubface.design.comparison_contributions import Contributions, Stage, contributions
+from clubface.design.comparison_quantities import QUANTITIES, quantities, symbol, values
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import club as club_of
 from clubface.equipment.models import DEFAULT_MODEL
@@ -81,12 +81,12 @@ class Compared:
         check_choice("alternative", name, self.names)
         check_choice("quantity", quantity, QUANTITIES)
         found = float(self._levels[name][QUANTITIES.index(quantity)])
-        return found if unit is None else float(units.from_si(found, self._unit(quantity, unit)))
+        return found if unit is None else float(units.from_si(found, symbol(quantity, unit)))
 
     def difference(self, name: str, quantity: str, unit: str | None = None) -> float:
         """Return by how much a quantity of one alternative exceeds that of the first: in SI, or in ``unit``."""
         found = self.value(name, quantity) - self.value(self.names[0], quantity)
-        return found if unit is None else found / units.size(self._unit(quantity, unit))
+        return found if unit is None else found / units.size(symbol(quantity, unit))
 
     def rows(self) -> list[dict[str, Any]]:
         """Return a long table [SI]: values, differences, contributions and remainders, one row each.
@@ -124,9 +124,6 @@ class Compared:
             told = ", ".join(f"{key} {self.value(name, key, unit):.5g} {unit}" for key, unit in shown.items())
             lines.append(f"  {name}: {told}")
         return "\n".join(lines)
-
-    def _unit(self, quantity: str, unit: str) -> str:
-        return units.unit(unit, name=quantity, dimension=quantities()[quantity].dimension).symbol
 
 
 def compare(
@@ -179,7 +176,7 @@ def compare(
     with without_warnings(RangeWarning):
         launches = {name: each.launch() for name, each in asked.items()}
         flights = {name: fly(each, **conditions) for name, each in launches.items()}
-        levels = {name: values(each, conditions) for name, each in launches.items()}
+        levels = {name: values(each, flights[name]) for name, each in launches.items()}
         found = {}
         first, *others = asked
         for place, name in enumerate(others if split else ()):
@@ -207,10 +204,7 @@ def _alternative(given: Alternative | Mapping[str, Any]) -> Alternative:
         found = Alternative(**given)
     else:
         raise InputError("an alternative", given, "an Alternative or a mapping of its fields")
-    return Alternative(
-        **{each.name: getattr(found, each.name) for each in fields(found)}
-        | {"club": club_of(found.club), "delivery": dict(as_values(found.delivery, {}))}
-    )
+    return replace(found, club=club_of(found.club), delivery=dict(as_values(found.delivery, {})))
 
 
 def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch) -> list[Stage]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from clubface.design.comparison_line import FACE, Line, Point
-from clubface.design.comparison_quantities import FLOWN, LAUNCHED, QUANTITIES
+from clubface.design.comparison_quantities import FLOWN, LAUNCHED, QUANTITIES, values
 from clubface.design.comparison_slopes import flown, slopes
 from clubface.equipment.backends import MODULES
 from clubface.errors import ClubfaceError
@@ -88,12 +88,6 @@ class Stage(NamedTuple):
     launch: Launch
 
 
-def values(launch: Launch, conditions: Mapping[str, Any]) -> NDArray[Any]:
-    """Return ``QUANTITIES`` of a single launch and its flight [SI]."""
-    flight = fly(launch, **conditions)
-    return np.array([float((launch if name in LAUNCHED else flight).get(name)) for name in QUANTITIES])
-
-
 def contributions(
     stages: list[Stage],
     last: Launch,
@@ -123,8 +117,7 @@ def contributions(
     progress
         Called with the points that are done and all points.
     """
-    levels = [values(each.launch, conditions) for each in stages]
-    end = values(last, conditions)
+    *levels, end = (values(each, fly(each, **conditions)) for each in (*(stage.launch for stage in stages), last))
     changes = [Change(each.name, None, None, False) for each in stages[1:]]
     parts = [after - before for before, after in pairwise(levels)]
     line = Line.between(Point.of(stages[-1].launch), Point.of(last))

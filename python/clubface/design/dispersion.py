@@ -12,18 +12,17 @@ import numpy as np
 from clubface.design.dispersion_tally import FLOWN, LAUNCHED, Tally, forward
 from clubface.design.golfer import Golfer
 from clubface.design.golfers import golfer as golfer_named
+from clubface.design.hitting import Hitting
 from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning, Told
-from clubface.simulation.flight import Flight, fly
-from clubface.simulation.impact import Parameters, impact
-from clubface.simulation.launch import Launch
+from clubface.simulation.impact import Parameters
 from clubface.simulation.outside import Tally as RangeTally
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_count, check_share
-from clubface.support.warning import warn_once, without_warnings
+from clubface.support.warning import warn_once
 
 CHUNK = 2**16
 """Shots in memory at a time."""
@@ -217,7 +216,7 @@ def dispersion(
             each(deliveries, values)
         if flight:
             if start < SHOWN:
-                points.append(_landings({name: values[name][: SHOWN - start] for name in ("carry", "side")}))
+                points.append(_landings(values["carry"][: SHOWN - start], values["side"][: SHOWN - start]))
             if hole is not None:
                 strokes += _count_strokes(hole, values, lies)
         if progress is not None:
@@ -234,70 +233,8 @@ def dispersion(
     )  # fmt: skip
 
 
-class Hitting(NamedTuple):
-    """How shots are hit; called with deliveries it gives the quantities by name, shape (n,), NaN for a lost shot."""
-
-    club: Club
-    model: str
-    parameters: Any = None
-    ball: Any = None
-    air: Any = None
-    wind: Any = None
-    ground: Any = None
-    flight: bool = True
-    threads: int | None = None
-    accuracy: float | None = None
-
-    def launches(self, deliveries: Mapping[str, Floats]) -> Launch:
-        """Return the launches."""
-        return impact(
-            self.club, deliveries, model=self.model, parameters=self.parameters, ball=self.ball,
-            threads=self.threads, accuracy=self.accuracy, on_error="nan",
-        )  # fmt: skip
-
-    def flights(self, launch: Launch) -> Flight:
-        """Return the flights after them."""
-        return fly(
-            launch, air=self.air, wind=self.wind, ground=self.ground, threads=self.threads, on_error="nan"
-        )  # fmt: skip
-
-    def mean(self, of: Golfer) -> tuple[Launch, dict[str, float]]:
-        """Return what the mean delivery gives; if nothing, it is an error that says why."""
-        with without_warnings(RangeWarning):  # it is told of the shots
-            launch = impact(
-                self.club, of.delivery(), model=self.model, parameters=self.parameters, ball=self.ball,
-                threads=self.threads, accuracy=self.accuracy,
-            )  # fmt: skip
-        found = {name: float(getattr(launch, name)) for name in LAUNCHED}
-        if self.flight:
-            flight = fly(launch, air=self.air, wind=self.wind, ground=self.ground)
-            found |= {name: float(getattr(flight, name)) for name in FLOWN}
-        return launch, found
-
-    def __call__(
-        self,
-        deliveries: Mapping[str, Floats],
-        reasons: dict[str, str] | None = None,
-        outside: RangeTally | None = None,
-    ) -> dict[str, Floats]:
-        """Hit shots; ``reasons`` takes why some have no result, ``outside`` those outside the range of the model."""
-        with without_warnings(RangeWarning):
-            launch = self.launches(deliveries)
-        if outside is not None:
-            outside.add(launch)
-        found = {name: getattr(launch, name) for name in LAUNCHED}
-        last: Launch | Flight = launch
-        if self.flight:
-            last = flight = self.flights(launch)
-            found |= {name: getattr(flight, name) for name in FLOWN}
-        if reasons is not None and not reasons:
-            for problem in last.problems:
-                reasons.setdefault(problem.parameter, problem.reason)
-        return found
-
-
-def _landings(values: Mapping[str, Floats]) -> Floats:
-    found = np.stack([forward(values["carry"], values["side"]), values["side"]], axis=1)
+def _landings(carry: Floats, side: Floats) -> Floats:
+    found = np.stack([forward(carry, side), side], axis=1)
     return found[np.isfinite(found).all(axis=1)]
 
 

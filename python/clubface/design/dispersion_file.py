@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import csv
 import os
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from io import StringIO
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -16,11 +14,13 @@ from clubface.support.arrays import Floats
 from clubface.support.whole_file import whole_file
 from clubface.tables.headings import heading_of, shot_words
 from clubface.tables.parquet import pyarrow_for
-from clubface.tables.writer import DIGITS, is_parquet
+from clubface.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
 from clubface.units import SI_UNITS, from_si
 
 Sink = Callable[[Mapping[str, Floats], Mapping[str, Floats]], None]
 """Takes the deliveries of a chunk and what came of them."""
+Write = Callable[[dict[str, Floats]], None]
+"""Takes the columns of a chunk by heading."""
 
 
 @contextmanager
@@ -30,10 +30,9 @@ def shots_file(path: str | os.PathLike[str]) -> Iterator[Sink]:
     Columns carry their units. A shot without a result has empty cells (in Parquet nulls).
     """
     target = Path(path)
-    with whole_file(target) as file:
-        write = _parquet(file, target) if is_parquet(target) else _csv(file, target)
+    opened = _parquet if is_parquet(target) else _csv
+    with whole_file(target) as file, opened(file, target) as write:
         yield lambda deliveries, values: write(_columns({**deliveries, **values}))
-        write(None)
 
 
 def _columns(values: Mapping[str, Floats]) -> dict[str, Floats]:
@@ -45,41 +44,32 @@ def _columns(values: Mapping[str, Floats]) -> dict[str, Floats]:
     return found
 
 
-def _csv(file: Any, target: Path) -> Callable[[Mapping[str, Floats] | None], None]:
-    delimiter = "\t" if target.suffix.lower() == ".tsv" else ","
-    begun = False
+@contextmanager
+def _csv(file: BinaryIO, target: Path) -> Iterator[Write]:
+    delimiter, begun = delimiter_of(target), False
 
-    def write(columns: Mapping[str, Floats] | None) -> None:
+    def write(columns: dict[str, Floats]) -> None:
         nonlocal begun
-        if columns is None:
-            return
-        text = StringIO()
-        rows = csv.writer(text, delimiter=delimiter, lineterminator="\n")
         if not begun:
-            rows.writerow(columns)
+            file.write(csv_lines([list(columns)], delimiter))
             begun = True
-        cells = [
-            ["" if each != each else f"{each:.{DIGITS}g}" for each in column.tolist()] for column in columns.values()
-        ]
-        rows.writerows(zip(*cells, strict=True))
-        file.write(text.getvalue().encode())
+        file.write(csv_lines(zip(*map(number_cells, columns.values()), strict=True), delimiter))
 
-    return write
+    yield write
 
 
-def _parquet(file: Any, target: Path) -> Callable[[Mapping[str, Floats] | None], None]:
+@contextmanager
+def _parquet(file: BinaryIO, target: Path) -> Iterator[Write]:
     arrow = pyarrow_for(target)
     writer: Any = None
 
-    def write(columns: Mapping[str, Floats] | None) -> None:
+    def write(columns: dict[str, Floats]) -> None:
         nonlocal writer
-        if columns is None:
-            if writer is not None:
-                writer.close()
-            return
         table = arrow.table({name: arrow.array(each, from_pandas=True) for name, each in columns.items()})
         if writer is None:
             writer = arrow.parquet.ParquetWriter(file, table.schema)
         writer.write_table(table)
 
-    return write
+    yield write
+    if writer is not None:
+        writer.close()

@@ -19,10 +19,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.design.dispersion import Hitting
 from clubface.design.dispersion_derivatives import ByDerivatives
 from clubface.design.dispersion_tally import FLOWN, LAUNCHED
 from clubface.design.golfer import Golfer, uniform
+from clubface.design.hitting import Hitting
 from clubface.errors import InputError
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_names
@@ -144,9 +144,11 @@ def shapley(function: Function, mean: Floats, covariance: Floats, *, count: int,
     The variance of the expectation given some variables is the covariance of the outcome with that of a second shot,
     which shares them and has the others drawn anew as they go with those.
     """
+    from scipy.special import ndtri
+
     _check_power(count)
     size = len(mean)
-    standard = _normal(uniform(2 * size, count, seed=seed)).T
+    standard = ndtri(uniform(2 * size, count, seed=seed)).T
     root = np.linalg.cholesky(covariance)
     away, fresh = root @ standard[:size], standard[size:]
     base = function(mean[:, None] + away)
@@ -170,19 +172,16 @@ def shapley(function: Function, mean: Floats, covariance: Floats, *, count: int,
 
 def _effects(variance: Callable[[int], Floats], size: int, orders: Iterable[Sequence[int]]) -> Floats:
     """Return the effects as the mean over orders of what each variable adds; ``variance`` takes a set as bits."""
-    sums, number = None, 0
+    found = []
     for order in orders:
-        told, before = 0, variance(0)
-        added = np.zeros((len(np.atleast_1d(before)), size)) if sums is None else np.zeros_like(sums)
+        told, before, added = 0, variance(0), np.empty((size, len(variance(0))))
         for place in order:
             told |= 1 << place
             after = variance(told)
-            added[:, place] = after - before
+            added[place] = after - before
             before = after
-        sums = added if sums is None else sums + added
-        number += 1
-    assert sums is not None
-    return sums / number / np.asarray(variance(2**size - 1))[:, None]
+        found.append(added.T)
+    return np.mean(found, axis=0) / variance(2**size - 1)[:, None]
 
 
 def _effects_of_all(variance: Callable[[int], Floats], size: int) -> Floats:
@@ -215,12 +214,6 @@ def _told(covariance: Floats, inside: Places) -> Floats:
 
 def _members(told: int, size: int) -> Places:
     return np.array([place for place in range(size) if told >> place & 1], dtype=np.intp)
-
-
-def _normal(numbers: Floats) -> Floats:
-    from scipy.special import ndtri
-
-    return ndtri(numbers)
 
 
 def _check_power(count: int) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from clubface import units
-from clubface.design.comparison_quantities import QUANTITIES, quantities
+from clubface.design.comparison_quantities import QUANTITIES, quantities, symbol
 from clubface.design.face_map_forgiveness import Forgiveness, forgiveness
 from clubface.design.face_map_outline import Outline, outline_of
 from clubface.design.face_map_shots import Struck, run_points
@@ -85,7 +85,7 @@ class FaceMap:
         """Return a quantity over the grid, in SI or in ``unit``."""
         check_choice("quantity", name, QUANTITIES)
         values = self._table[QUANTITIES.index(name)]
-        return values if unit is None else units.from_si(values, _unit(name, unit))
+        return values if unit is None else units.from_si(values, symbol(name, unit))
 
     def at(self, toe: Any, high: Any) -> dict[str, NDArray[Any]]:
         """Return all quantities [SI] at points [m] of the face, by name."""
@@ -134,10 +134,7 @@ class FaceMap:
 
     def columns(self) -> dict[str, NDArray[Any]]:
         """Return a long table [SI]: ``toe``, ``high`` and every quantity, a row for each point of the face."""
-        toe, high = (each.reshape(-1) for each in np.meshgrid(self.toe, self.high))
-        inside = self.outline.holds(toe, high)
-        found = {"toe": toe[inside], "high": high[inside]}
-        return found | {name: row.reshape(-1)[inside] for name, row in zip(QUANTITIES, self._table, strict=True)}
+        return on_face(self)
 
     def to_xarray(self) -> xarray.Dataset:
         """Return a dataset over ``high`` and ``toe`` [SI], with units, meanings and what it was computed with."""
@@ -160,6 +157,13 @@ class FaceMap:
             f"map of the face of {self.centre.club.name} by {self.centre.model}, {len(self.toe)} by {len(self.high)}:"
             f" best ball speed {units.fixed(best.value, 'mph', 1)} at {place}, within 2 % of it on {size:.0f} mm2"
         )
+
+
+def on_face(of: Any) -> dict[str, NDArray[Any]]:
+    """Return ``toe``, ``high`` and every quantity [SI] of a map, or of a difference, at the points of the face."""
+    toe, high = np.meshgrid(of.toe, of.high)
+    inside = of.outline.holds(toe, high)
+    return {"toe": toe[inside], "high": high[inside], **{name: of.get(name)[inside] for name in QUANTITIES}}
 
 
 def map_face(
@@ -225,13 +229,11 @@ def map_face(
             impact(chosen, given, ball=described)  # refuses a delivery that no model takes
         hit = shots(with_, given)
         centre = Launch(np.full((len(outputs()), 1), np.nan), hit, model, found, accuracy)
-        settled = Struck(chosen, model, found, ball, accuracy, given, {"air": air, "wind": wind, "ground": ground})
     else:
         with without_warnings(RangeWarning):
             centre = impact(chosen, given, model=model, parameters=parameters, ball=ball, accuracy=accuracy)
-        settled = Struck(
-            chosen, model, centre.parameters, ball, accuracy, given, {"air": air, "wind": wind, "ground": ground}
-        )
+    conditions = {"air": air, "wind": wind, "ground": ground}
+    settled = Struck(chosen, model, centre.parameters, ball, accuracy, given, conditions)
     if centre.shape:
         raise InputError("delivery", Told(f"a batch of shape {centre.shape}"), "a single one")
     outline = outline_of(chosen)
@@ -267,7 +269,3 @@ def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[ND
             "grid", f"{counts[0]} by {counts[1]}", f"at most {MOST_LONG} points for a model that takes long"
         )
     return toe, high
-
-
-def _unit(name: str, unit: str) -> str:
-    return units.unit(unit, name=name, dimension=quantities()[name].dimension).symbol

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface import units
-from clubface.design.comparison_quantities import QUANTITIES, quantities
-from clubface.design.face_map import FaceMap
+from clubface.design.comparison_quantities import QUANTITIES, symbol
+from clubface.design.face_map import FaceMap, on_face
 from clubface.errors import InputError, Told
 from clubface.support.checks import check_choice
 
@@ -39,10 +39,7 @@ class FaceMapDifference:
     def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
         """Return the difference of a quantity over the grid, in SI or in ``unit``; NaN where either has no shot."""
         found = self.first.get(name) - self.second.get(name)
-        if unit is None:
-            return found
-        dimension = quantities()[name].dimension
-        return found / units.size(units.unit(unit, name=name, dimension=dimension).symbol)
+        return found if unit is None else found / units.size(symbol(name, unit))
 
     def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return what :meth:`FaceMap.box` does of the difference; NaN beside a second face of another outline."""
@@ -61,7 +58,4 @@ class FaceMapDifference:
 
     def columns(self) -> dict[str, NDArray[Any]]:
         """Return a long table [SI]: ``toe``, ``high`` and the difference of every quantity, a row for each point."""
-        toe, high = (each.reshape(-1) for each in np.meshgrid(self.toe, self.high))
-        inside = self.outline.holds(toe, high)
-        found = {"toe": toe[inside], "high": high[inside]}
-        return found | {name: self.get(name).reshape(-1)[inside] for name in QUANTITIES}
+        return on_face(self)

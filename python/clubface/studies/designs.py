@@ -62,7 +62,12 @@ class Grid:
         """Return the inputs of consecutive tasks by name."""
         import numpy as np
 
-        places = np.arange(tasks.start, tasks.stop)
+        return self.at(np.arange(tasks.start, tasks.stop))
+
+    def at(self, places: NDArray[Any]) -> dict[str, NDArray[Any]]:
+        """Return the inputs of combinations by name."""
+        import numpy as np
+
         found = {}
         for each in reversed(self.axes):
             places, place = np.divmod(places, each.count or 1)
@@ -132,12 +137,7 @@ class Rows:
         import numpy as np
 
         blocks, rows = np.divmod(np.arange(tasks.start, tasks.stop), self._rows)
-        found: dict[str, NDArray[Any]] = {}
-        for each in reversed(self._others.axes):
-            blocks, place = np.divmod(blocks, each.count or 1)
-            found[each.name] = each.at(place)
-        found |= {name: values[rows] for name, values in self._columns.items()}
-        return {each.name: found[each.name] for each in self.axes}
+        return self._others.at(blocks) | {name: values[rows] for name, values in self._columns.items()}
 
 
 class Remembered:

@@ -2,33 +2,30 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import TYPE_CHECKING, Any
 
 from clubface.errors import FileError
 from clubface.studies.chunks import checked_part
-from clubface.studies.parts import TOLD, ColumnSum, Names, encoding
+from clubface.studies.parts import TOLD, ColumnSum, Names, Values, arrow_array, encoding
 from clubface.studies.running import Tallied
 from clubface.studies.state import opened
 from clubface.studies.store import PartStore
 from clubface.support.whole_file import whole_file
 from clubface.tables.headings import heading_of
 from clubface.tables.parquet import pyarrow_for
-from clubface.tables.writer import DIGITS, is_parquet
+from clubface.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
 from clubface.units import from_si
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-Columns = Mapping[str, "NDArray[Any] | Names"]
-Write = Callable[[Columns], object]
+Write = Callable[[Values], object]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,7 +57,7 @@ class Joined:
     processors: tuple[str, ...]
 
 
-def parts(store: PartStore) -> Iterator[tuple[Columns, dict[str, Any]]]:
+def parts(store: PartStore) -> Iterator[tuple[Values, dict[str, Any]]]:
     """Yield columns and what is told of every part, in the order of the tasks.
 
     Raises
@@ -143,14 +140,9 @@ def _parquet(path: Path, store: PartStore) -> Iterator[Write]:
     ]
     schema = arrow.schema(fields, {TOLD: json.dumps(store.record["provenance"]).encode()})
 
-    def array(each: NDArray[Any] | Names) -> Any:
-        if isinstance(each, Names):
-            return arrow.DictionaryArray.from_arrays(arrow.array(each.codes.astype("int32")), arrow.array(each.choices))
-        return arrow.array(each)
-
     with whole_file(path) as file, arrow.parquet.ParquetWriter(file, schema, **how) as writer:
         yield lambda columns: writer.write_table(
-            arrow.Table.from_arrays([array(columns[name]) for name in _order(store)], schema=schema)
+            arrow.Table.from_arrays([arrow_array(arrow, columns[name]) for name in _order(store)], schema=schema)
         )
 
 
@@ -158,22 +150,19 @@ def _parquet(path: Path, store: PartStore) -> Iterator[Write]:
 def _csv(path: Path, store: PartStore) -> Iterator[Write]:
     """Write CSV in practical units."""
     headings = {name: heading_of(name, unit) for name, unit in _units(store).items()}
-    delimiter = "\t" if path.suffix.lower() == ".tsv" else ","
+    delimiter = delimiter_of(path)
 
     def cells(name: str, each: NDArray[Any] | Names) -> list[str]:
         if isinstance(each, Names):
             return [each.choices[code] for code in each.codes.tolist()]
-        values = from_si(each, headings[name][1]).tolist()
-        return ["" if value != value else f"{value:.{DIGITS}g}" for value in values]
+        return number_cells(from_si(each, headings[name][1]))
 
-    def write(file: BinaryIO, rows: Any) -> None:
-        text = io.StringIO()
-        csv.writer(text, delimiter=delimiter, lineterminator="\n").writerows(rows)
-        file.write(text.getvalue().encode())
+    def lines(columns: Values) -> bytes:
+        return csv_lines(zip(*(cells(name, columns[name]) for name in _order(store)), strict=True), delimiter)
 
     with whole_file(path) as file:
-        write(file, [[headings[name][0] if name in headings else name for name in _order(store)]])
-        yield lambda columns: write(file, zip(*(cells(name, columns[name]) for name in _order(store)), strict=True))
+        file.write(csv_lines([[headings[name][0] if name in headings else name for name in _order(store)]], delimiter))
+        yield lambda columns: file.write(lines(columns))
 
 
 def _order(store: PartStore) -> Sequence[str]:

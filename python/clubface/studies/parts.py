@@ -84,11 +84,7 @@ def write_part(path: Path, columns: Values, units: Mapping[str, str], told: Mapp
     pyarrow = pyarrow_for(path)
     arrays, fields = [], []
     for name, each in columns.items():
-        if isinstance(each, Names):
-            codes = pyarrow.array(each.codes.astype("int32"))
-            arrays.append(pyarrow.DictionaryArray.from_arrays(codes, pyarrow.array(each.choices)))
-        else:
-            arrays.append(pyarrow.array(each))
+        arrays.append(arrow_array(pyarrow, each))
         fields.append(pyarrow.field(name, arrays[-1].type, metadata={"unit": units[name]} if name in units else None))
     schema = pyarrow.schema(fields, {TOLD: json.dumps(told).encode(), SUM: HOLE})
     stream = pyarrow.BufferOutputStream()
@@ -101,6 +97,14 @@ def write_part(path: Path, columns: Values, units: Mapping[str, str], told: Mapp
         file.write(content[:place])
         file.write(hashlib.sha256(content).hexdigest().encode())
         file.write(content[place + len(HOLE) :])
+
+
+def arrow_array(pyarrow: Any, column: NDArray[Any] | Names) -> Any:
+    """Return a column as Parquet files have it: numbers, or a dictionary of names."""
+    if isinstance(column, Names):
+        codes = pyarrow.array(column.codes.astype("int32"))
+        return pyarrow.DictionaryArray.from_arrays(codes, pyarrow.array(column.choices))
+    return pyarrow.array(column)
 
 
 def encoding(columns: Iterable[str], names: Sequence[str]) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import json
 import os
 import time
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from pathlib import Path, PurePath
@@ -39,6 +39,18 @@ def unfinished(path: Path, inputs: Iterable[str | os.PathLike[str]] = ()) -> Pat
             message = f"the finished parts of {path} go to {folder}; give another name for one of the files"
             raise FileError(os.fspath(each), None, message)
     return folder
+
+
+def kept_beside(
+    output: str | os.PathLike[str] | None, content: Mapping[str, Any], *, resume: bool
+) -> AbstractContextManager[Store | None]:
+    """Return the store of what is finished of a file, in a folder beside it; of no file there is none.
+
+    ``content`` and ``resume`` are as of :class:`Store`.
+    """
+    if output is None:
+        return nullcontext()
+    return Store(unfinished(Path(output)), content, of=Path(output), resume=resume)
 
 
 def fingerprint(content: Any) -> str:

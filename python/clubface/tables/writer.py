@@ -8,12 +8,15 @@ import math
 import shutil
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, BinaryIO, Protocol
+from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
 from clubface.errors import FileError
 from clubface.support.whole_file import whole_file
 from clubface.tables.parquet import ENDINGS as PARQUET, write_parquet
 from clubface.tables.rows import GONE, Chunk, Reader, Reject
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 KINDS = (".csv", ".tsv", *PARQUET)
 """How the name of a table may end."""
@@ -54,7 +57,7 @@ class CsvForm:
 
     def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
         """Write the headings and all pieces."""
-        file.write(_lines([self._headings], self._delimiter))
+        file.write(csv_lines([self._headings], self._delimiter))
         put_together(file, pieces)
 
 
@@ -67,11 +70,11 @@ class RejectsForm:
 
     def piece(self, file: BinaryIO, rejects: Iterable[Reject]) -> None:
         """Write rows with line and reason."""
-        file.write(_lines([[each.line, each.reason, *each.cells] for each in rejects], self._delimiter))
+        file.write(csv_lines([[each.line, each.reason, *each.cells] for each in rejects], self._delimiter))
 
     def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
         """Write the headings and all pieces."""
-        file.write(_lines([self._headings], self._delimiter))
+        file.write(csv_lines([self._headings], self._delimiter))
         put_together(file, pieces)
 
 
@@ -86,10 +89,21 @@ def put_together(file: BinaryIO, pieces: Iterable[Path]) -> None:
             shutil.copyfileobj(piece, file)
 
 
-def _lines(rows: Iterable[Sequence[Any]], delimiter: str) -> bytes:
+def csv_lines(rows: Iterable[Sequence[Any]], delimiter: str) -> bytes:
+    """Return rows of cells as lines of a CSV file."""
     text = io.StringIO()
     csv.writer(text, delimiter=delimiter, lineterminator="\n").writerows(rows)
     return text.getvalue().encode()
+
+
+def delimiter_of(path: Path) -> str:
+    """Return what parts the cells of a text file: a tab in .tsv, else a comma."""
+    return "\t" if path.suffix.lower() == ".tsv" else ","
+
+
+def number_cells(values: NDArray[Any]) -> list[str]:
+    """Return numbers as cells with ``DIGITS`` significant digits, NaN as empty ones."""
+    return ["" if value != value else f"{value:.{DIGITS}g}" for value in values.tolist()]
 
 
 def is_parquet(path: Path) -> bool:
@@ -110,7 +124,7 @@ def write_columns(columns: Mapping[str, Any], path: Path) -> None:
             write_parquet(columns, file, path)
         else:
             rows = zip(*(map(cell_text, each) for each in columns.values()), strict=True)
-            file.write(_lines([list(columns), *rows], "\t" if path.suffix.lower() == ".tsv" else ","))
+            file.write(csv_lines([list(columns), *rows], delimiter_of(path)))
 
 
 def cell_text(value: Any) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from clubface import units
+from clubface.design.optimisation.landings import own_value
 from clubface.design.optimisation.objectives import SHARE
 from clubface.design.optimisation.study import UNITS
 from clubface.plots.style import COLOURS, WIDTH, styled
@@ -89,7 +90,7 @@ def _draw_bounds(axes: Axes, of: Optimum) -> None:
     names = [name for name in of.club if name in bounds]
     for row, name in enumerate(names):
         low, high = bounds[name]
-        start = 0.0 if name == "lie" else getattr(of.study.club, name)
+        start = own_value(of.study.club, name)
         place = [(value - low) / (high - low) for value in (start, of.club[name])]
         axes.plot([0.0, 1.0], [row, row], color="0.8", linewidth=3.0, solid_capstyle="round")
         for colour, value, where, below in zip(COLOURS, (start, of.club[name]), place, (True, False), strict=False):

@@ -12,7 +12,7 @@ import numpy as np
 
 from clubface import units
 from clubface.design.optimisation.landings import DEFAULT_SETTING, Landings, Setting
-from clubface.design.optimisation.objectives import Objective, objective, strokes
+from clubface.design.optimisation.objectives import Objective, objective, objectives
 from clubface.design.optimisation.problem import Problem
 from clubface.design.optimisation.solve import best, solve, starts
 from clubface.design.optimisation.variables import Variables, check_bounds
@@ -119,9 +119,7 @@ class Fitting:
 
     def judge(self, name: str) -> Objective:
         """Return an objective by its name."""
-        if name == "strokes" and self.hole is None:
-            raise InputError("hole", None, 'give [hole] with its length, as in length = "400 yd", for expected strokes')
-        return objective(name, {} if self.hole is None else {"strokes": strokes(self.hole)})
+        return objective(name, self.hole)
 
     def set(self, head: Club, setting: str) -> dict[str, float]:
         """Return the fields of a head that a setting changes, and its lie [SI]."""
@@ -249,9 +247,7 @@ def landings(of: Fitting, found: Combination) -> list[Any]:
 
 def of_all(of: Fitting) -> list[Objective]:
     """Return all objectives that a fitting can compute."""
-    from clubface.design.optimisation.objectives import OBJECTIVES
-
-    return [*OBJECTIVES.values(), *([] if of.hole is None else [strokes(of.hole)])]
+    return list(objectives(of.hole))
 
 
 def _landings(of: Fitting, head: Club, ball: Ball | None, samples: Any) -> list[tuple[Landings, float]]:

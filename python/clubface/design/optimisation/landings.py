@@ -65,6 +65,11 @@ class Setting:
 DEFAULT_SETTING = Setting(model=DEFAULT_MODEL)
 
 
+def own_value(club: Club, field: str) -> float:
+    """Return what a club has of a field that may change [SI]; its lie is a change, and 0."""
+    return 0.0 if field == "lie" else getattr(club, field)
+
+
 class Slopes:
     """Derivatives of the landings, kept in the two factors of the chain rule.
 

@@ -10,7 +10,8 @@ import numpy as np
 
 from clubface import units
 from clubface.design.strokes import Hole, expected
-from clubface.errors import UnknownNameError
+from clubface.errors import InputError
+from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -158,9 +159,15 @@ def _lie(name: str, left: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
     return 0.5 * (above + below), (above - below) / (2.0 * _STEP)
 
 
-def objective(name: str, others: dict[str, Objective] | None = None) -> Objective:
-    """Return an objective by its name; ``others`` are those a study defines."""
-    known = {**OBJECTIVES, **(others or {})}
-    if name not in known:
-        raise UnknownNameError("objective", name, known)
+def objectives(hole: Hole | None) -> tuple[Objective, ...]:
+    """Return all objectives that can be computed: expected strokes take a hole."""
+    return (*OBJECTIVES.values(), *(() if hole is None else (strokes(hole),)))
+
+
+def objective(name: str, hole: Hole | None = None) -> Objective:
+    """Return an objective by its name."""
+    if name == "strokes" and hole is None:
+        raise InputError("hole", None, 'give [hole] with its length, as in length = "400 yd", for expected strokes')
+    known = {each.name: each for each in objectives(hole)}
+    check_choice("objective", name, known)
     return known[name]

@@ -6,7 +6,6 @@ Everything finished is kept in a store where there is one, so that an interrupte
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +18,7 @@ from clubface.design.optimisation.result import Fresh, FrontPoint, Optimum
 from clubface.design.optimisation.solve import Solution, agreeing, best, refused, solve, starts
 from clubface.design.optimisation.study import DesignStudy
 from clubface.errors import RangeWarning, RuleWarning
-from clubface.support.resuming import Store, unfinished
+from clubface.support.resuming import kept_beside
 from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
@@ -68,19 +67,14 @@ def optimise(
     InputError
         The club to start from is impossible in the head of the study, or no start reaches a club within all limits.
     """
-    with without_warnings(RuleWarning), without_warnings(RangeWarning), _store(study, output, resume) as kept:
+    store = kept_beside(output, {"study": _content(study)}, resume=resume)
+    with without_warnings(RuleWarning), without_warnings(RangeWarning), store as kept:
         found = _Run(study, kept, progress).result()
-        if output is not None:
+        if output is not None and kept is not None:
             with kept.result(Path(output)) as file:
                 file.write(found.built.to_toml().encode())
             kept.remove()
         return found
-
-
-def _store(study: DesignStudy, output: str | Path | None, resume: bool) -> AbstractContextManager[Any]:
-    if output is None:
-        return nullcontext(None)
-    return Store(unfinished(Path(output)), {"study": _content(study)}, of=Path(output), resume=resume)
 
 
 def _content(study: DesignStudy) -> Any:

@@ -1,4 +1,4 @@
-"""A study: what may change, what is best, for whom, and within which limits; read from a strict TOML file."""
+"""A study: what may change, what is best, for whom, and within which limits."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ import numpy as np
 from clubface import units
 from clubface.design.feasibility import MASS_PROPERTIES, Envelope, Volume, of_club, pseudo_inertia
 from clubface.design.golfers import golfer as golfer_of
-from clubface.design.optimisation.landings import DEFAULT_SETTING, FREE, Landings, Setting
+from clubface.design.optimisation.landings import DEFAULT_SETTING, FREE, Landings, Setting, own_value
 from clubface.design.optimisation.limits import Buildable, FieldLimit, ShotLimit
-from clubface.design.optimisation.objectives import OBJECTIVES, Objective, objective, strokes
+from clubface.design.optimisation.objectives import Objective, objective, objectives
 from clubface.design.optimisation.problem import Limit, Problem
 from clubface.design.optimisation.variables import Variables, check_bounds
-from clubface.design.rules import rules_of
+from clubface.design.rules import check_rules, rules_of
 from clubface.design.strokes import Hole
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 from clubface.errors import InputError, Told
@@ -147,19 +147,16 @@ class DesignStudy:
 
     def objective(self, name: str) -> Objective:
         """Return an objective of the study by its name."""
-        if name == "strokes" and self.hole is None:
-            raise InputError("hole", None, 'give [hole] with its length, as in length = "400 yd", for expected strokes')
-        return objective(name, {} if self.hole is None else {"strokes": strokes(self.hole)})
+        return objective(name, self.hole)
 
     def known(self) -> tuple[Objective, ...]:
         """Return all objectives that the study can compute."""
-        return (*OBJECTIVES.values(), *(() if self.hole is None else (strokes(self.hole),)))
+        return objectives(self.hole)
 
-    def landings(self, shots: int, *, seed: int, club: Club | None = None) -> list[tuple[Landings, float]]:
+    def landings(self, shots: int, *, seed: int) -> list[tuple[Landings, float]]:
         """Return the shots of the golfers, and how much each golfer counts."""
-        base = self.club if club is None else club
         return [
-            (Landings(base, each.for_hand(base.hand).sample(shots, seed=seed), self.setting), weight)
+            (Landings(self.club, each.for_hand(self.club.hand).sample(shots, seed=seed), self.setting), weight)
             for each, weight in self.golfers
         ]
 
@@ -213,8 +210,7 @@ class DesignStudy:
 
     def _field_limit(self, name: str, low: float, high: float, called: str) -> FieldLimit:
         finite = [abs(each) for each in (low, high) if math.isfinite(each)]
-        own = 0.0 if name == "lie" else abs(getattr(self.club, name))
-        scale = max([*finite, own, 1e-12])
+        scale = max([*finite, abs(own_value(self.club, name)), 1e-12])
         return FieldLimit(
             name=called, field=name, least=low, most=high, unit=UNITS[name], scale=scale,
             fields=self.variables.fields,
@@ -222,8 +218,6 @@ class DesignStudy:
 
     def rule_values(self, club: Club) -> Any:
         """Return what a club with the head of the study has of every rule."""
-        from clubface.design.rules import check_rules
-
         if self.head is None:
             return check_rules(club)
         return check_rules(club, volume=self.head.displaced, size=self.head.volume.size)

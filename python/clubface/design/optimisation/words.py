@@ -9,7 +9,7 @@ from typing import Any
 
 from clubface import units
 from clubface.design.optimisation.fitting import Combination, Fitting, named, told
-from clubface.design.optimisation.landings import FREE
+from clubface.design.optimisation.landings import FREE, own_value
 from clubface.design.optimisation.objectives import Objective
 from clubface.design.optimisation.result import Optimum
 from clubface.design.optimisation.study import UNITS
@@ -26,7 +26,7 @@ def design_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     rows = []
     for name, value in found.club.items():
         unit = UNITS[name]
-        start = 0.0 if name == "lie" else getattr(study.club, name)
+        start = own_value(study.club, name)
         nominal = found.nominal.get(name)
         low_high = study.bounds.get(name)
         allowed = "follows" if low_high is None else units.show_range(*low_high, unit)
@@ -165,7 +165,7 @@ def document(found: Optimum) -> dict[str, Any]:
     return {
         "title": found.study.title,
         "objectives": list(found.study.objectives),
-        "start": {name: 0.0 if name == "lie" else getattr(found.study.club, name) for name in found.club},
+        "start": {name: own_value(found.study.club, name) for name in found.club},
         "nominal": dict(found.nominal),
         "optimum": dict(found.club),
         "starts": found.starts,

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from statistics import fmean
 from typing import Any
 
-import numpy as np
-
-from clubface.design.shells.rigid import rigid_values
+from clubface.design.shells.rigid import on_face, rigid_values
 from clubface.design.shells.study import ShellStudy
 from clubface.errors import RunError
 from clubface.fem import head_tests
@@ -38,7 +37,7 @@ class Engine:
 
     def __init__(self, study: ShellStudy, kept: Store | None, workers: int | None) -> None:
         self._study, self._kept, self._workers = study, kept, workers
-        self._known: dict[str, Any] = {}
+        self._known: dict[str, dict[str, float]] = {} if kept is None else {key: kept[key] for key in kept}
         self.runs = 0
 
     def __call__(self, designs: Sequence[DriverHead]) -> list[dict[str, float]]:
@@ -52,7 +51,7 @@ class Engine:
         keys = {
             (number, task): f"{names[number]} {task[0]} {task[1]}" for number in range(len(heads)) for task in tasks
         }
-        todo = [point for point, key in keys.items() if self._get(key) is None]
+        todo = [point for point, key in keys.items() if key not in self._known]
         self.runs += len(keys)
 
         def run(point: tuple[int, Task], going: Progress, threads: int) -> dict[str, float]:
@@ -60,22 +59,15 @@ class Engine:
 
         side_by_side(todo, run, lambda point, found: self._keep(keys[point], found), workers=self._workers)
         return [
-            _together(head, [(task[0], self._get(keys[number, task])) for task in tasks])
-            for number, head in enumerate(heads)
+            _together(head, [self._known[keys[number, task]] for task in tasks]) for number, head in enumerate(heads)
         ]
 
-    def _get(self, key: str) -> Any:
-        if self._kept is not None:
-            store = self._kept
-            return store[key] if key in store else None  # noqa: SIM401 -- a store has no get
-        return self._known.get(key)
-
-    def _keep(self, key: str, found: Any) -> None:
+    def _keep(self, key: str, found: dict[str, float]) -> None:
+        self._known[key] = found
         if self._kept is not None:
             self._kept.keep(key, found)
             # A run is worth more than the time of a write.
             self._kept.flush()
-        self._known[key] = found
 
     def _run(self, head: ShellHead, task: Task, going: Progress, threads: int) -> dict[str, float]:
         """Return what one run finds; empty if it failed."""
@@ -105,21 +97,15 @@ class Engine:
 
 def face_stress(found: Any, head: ShellHead) -> float:
     """Return the greatest stress of von Mises in the face [Pa], on either side, over the shapes that a run kept."""
-    face = np.concatenate([np.full(part.elements, part.face) for part in head.parts])
-    return float(found.head_fields.von_mises[:, face].max())
+    return float(found.head_fields.von_mises[:, on_face(head)].max())
 
 
-def _together(head: ShellHead, runs: list[tuple[str, dict[str, float]]]) -> dict[str, float]:
+def _together(head: ShellHead, runs: list[dict[str, float]]) -> dict[str, float]:
     """Return all quantities: means of the shots, the greatest stress of the blows."""
-    how: dict[str, Callable[[list[float]], float]] = {"stress": max}
     collected: dict[str, list[float]] = {}
-    failed = not all(found for _, found in runs)
-    for _, found in runs:
+    for found in runs:
         for name, value in found.items():
             collected.setdefault(name, []).append(value)
-    values = {name: how.get(name, _mean)(each) for name, each in collected.items()} | rigid_values(head)
-    return dict.fromkeys(values, math.nan) if failed else values
-
-
-def _mean(values: list[float]) -> float:
-    return math.fsum(values) / len(values)
+    values = {name: max(each) if name == "stress" else fmean(each) for name, each in collected.items()}
+    values |= rigid_values(head)
+    return values if all(runs) else dict.fromkeys(values, math.nan)

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from clubface.design.shells.rigid import rigid_values
+from clubface.design.shells.rigid import normals, on_face, rigid_values
 from clubface.design.shells.study import ShellStudy
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.fem.head_tests import striker
@@ -68,10 +68,8 @@ def _launch(study: ShellStudy, club: Any, blow: Any) -> Any:
 
 def face_radius(head: ShellHead) -> float:
     """Return the radius of a circle with the area of the face [m]."""
-    face = np.concatenate([np.full(part.elements, part.face) for part in head.parts])
-    corners = head.nodes[head.quads[face]]
-    diagonals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
-    return math.sqrt(0.5 * float(np.linalg.norm(diagonals, axis=1).sum()) / math.pi)
+    areas = np.linalg.norm(normals(head)[on_face(head)], axis=1)
+    return math.sqrt(float(areas.sum()) / math.pi)
 
 
 def plate_time(design: DriverHead, head: ShellHead) -> float:

@@ -10,6 +10,7 @@ from matplotlib.ticker import MaxNLocator
 
 from clubface import units
 from clubface.design.shells.study import QUANTITIES
+from clubface.design.shells.words import SHORT
 from clubface.plots.style import COLOURS, WIDTH, styled
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def _draw_objective(axes: Axes, found: Improved) -> None:
         axes.plot([n for n, _ in told], promised, "x", color=COLOURS[1], label="promised by the fast model")
     axes.set_xlabel("design")
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-    axes.set_ylabel(f"{words} ({'µs' if unit == 'us' else unit})")
+    axes.set_ylabel(f"{words} ({SHORT.get(unit, unit)})")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2)
 
 

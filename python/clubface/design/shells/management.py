@@ -8,26 +8,21 @@ up to date after Broyden (1965). All quantities are positive, and everything is 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from clubface.design.shells.correction import Correction, Fast, propose
+from clubface.design.shells.goal import Goal, Values
 from clubface.errors import RunError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-Values = dict[str, float]
-Fast = Callable[["NDArray[Any]"], Values]
 Exact = Callable[[Sequence["NDArray[Any]"]], list[Values]]
 
-PENALTY = 10.0
-"""Weight of the largest relative violation beside the relative change of the objective. No limit of a head is worth
-more to its objective: 1% of characteristic time is worth 0.1% of ball speed."""
-INSIDE = 5e-4
-"""How far inside of a limit a proposal aims, relatively: on the limit, the error of the fast model would break it."""
 LEAST_GAIN = 1e-4
 """A proposal that promises a smaller relative gain is not worth a run."""
 LEAST_RADIUS = 0.004
@@ -37,56 +32,6 @@ AGAIN = 0.1
 """Half the width of the region of trust, at least, once slopes are fresh."""
 GOOD, POOR = 0.75, 0.25
 """Shares of a promised gain from which the region of trust grows, and below which it shrinks."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Goal:
-    """What is best, and within which limits.
-
-    Attributes
-    ----------
-    objective
-        Name of a quantity.
-    largest
-        Whether it shall be large; otherwise small.
-    limits
-        The least and the greatest value of quantities, by name; 0 and infinity where there is none.
-    """
-
-    objective: str
-    largest: bool
-    limits: Mapping[str, tuple[float, float]]
-
-    def cost(self, values: Values) -> float:
-        """Return the logarithm of the objective, or minus it if it shall be large: smaller is better."""
-        return (-1.0 if self.largest else 1.0) * math.log(values[self.objective])
-
-    def excess(self, values: Values) -> NDArray[Any]:
-        """Return by how much every limit is broken, relatively; negative where it is kept."""
-        found = []
-        for name, (least, most) in self.limits.items():
-            if least > 0.0:
-                found.append(math.log(least / values[name]))
-            if most < math.inf:
-                found.append(math.log(values[name] / most))
-        return np.array(found)
-
-    def violation(self, values: Values) -> float:
-        """Return the largest relative excess over a limit; 0 within all, infinity for a design that failed."""
-        if not all(math.isfinite(value) for value in values.values()):
-            return math.inf
-        return max(0.0, *self.excess(values)) if self.limits else 0.0
-
-    def merit(self, values: Values) -> float:
-        """Return cost and weighted violation."""
-        violation = self.violation(values)
-        return self.cost(values) + PENALTY * violation if violation < math.inf else math.inf
-
-    def better(self, one: Values, other: Values) -> bool:
-        """Tell whether ``one`` is the better design: first within limits, then by the objective."""
-        if self.violation(other) == 0.0:
-            return self.violation(one) == 0.0 and self.cost(one) < self.cost(other)
-        return self.violation(one) == 0.0 or self.merit(one) < self.merit(other)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -132,32 +77,6 @@ class Managed:
     steps: tuple[Step, ...]
     best: int
     ended: str
-
-
-class Correction:
-    """Factors by which the fast model is multiplied: exact at one place, with slopes."""
-
-    def __init__(self, names: Sequence[str], place: NDArray[Any], ratio: NDArray[Any]) -> None:
-        self.names, self._place, self._ratio = tuple(names), place, ratio
-        self._slope = np.zeros((len(ratio), len(place)))
-
-    def set_slope(self, place: NDArray[Any], ratio: NDArray[Any], variable: int) -> None:
-        """Take the slope along one variable from a neighbour."""
-        self._slope[:, variable] = (ratio - self._ratio) / (place - self._place)[variable]
-
-    def learn(self, place: NDArray[Any], ratio: NDArray[Any], *, move: bool) -> None:
-        """Make it exact at another place too, by the least change of slopes; ``move``: make that the place."""
-        away = place - self._place
-        missed = ratio - self._ratio - self._slope @ away
-        if away @ away > 0.0:
-            self._slope += np.outer(missed, away) / (away @ away)
-        if move:
-            self._place, self._ratio = place, ratio
-
-    def __call__(self, place: NDArray[Any], fast: Values) -> Values:
-        """Return the values of the fast model at a place, corrected."""
-        factors = np.exp(self._ratio + self._slope @ (place - self._place))
-        return {name: fast[name] * float(factor) for name, factor in zip(self.names, factors, strict=True)}
 
 
 def manage(
@@ -221,7 +140,7 @@ class _Search:
         looked = neighbours
         while len(self._steps) < self._most:
             place, values = self._place, self._values
-            proposed, promised = _propose(self._fast, self._correction, place, self._radius, self._goal)
+            proposed, promised = propose(self._fast, self._correction, place, self._radius, self._goal)
             gain = self._goal.merit(values) - self._goal.merit(promised)
             if gain >= LEAST_GAIN and self._radius >= LEAST_RADIUS:
                 looked = self._judge(proposed, promised, gain) and looked
@@ -292,38 +211,3 @@ def _neighbours(place: NDArray[Any], far: float) -> list[NDArray[Any]]:
         other[variable] += far if share <= 0.5 else -far
         found.append(other)
     return found
-
-
-def _propose(
-    fast: Fast, correction: Correction, place: NDArray[Any], radius: float, goal: Goal
-) -> tuple[NDArray[Any], Values]:
-    """Return the best design of the corrected fast model near a place, and what it promises.
-
-    A slack lets limits be broken at a price, so that a start outside them has a way back.
-    """
-    from scipy.optimize import minimize
-
-    count = len(place)
-    seen: dict[bytes, Values] = {}
-
-    def model(at: NDArray[Any]) -> Values:
-        key = at.tobytes()
-        if key not in seen:
-            seen[key] = correction(at, fast(at))
-        return seen[key]
-
-    def cost(both: NDArray[Any]) -> float:
-        return goal.cost(model(both[:count])) + PENALTY * both[count]
-
-    def room(both: NDArray[Any]) -> NDArray[Any]:
-        return both[count] - goal.excess(model(both[:count])) - INSIDE
-
-    low, high = np.maximum(place - radius, 0.0), np.minimum(place + radius, 1.0)
-    slack = goal.violation(model(place)) + 2.0 * INSIDE
-    found = minimize(
-        cost, np.append(place, slack), method="SLSQP", bounds=[*zip(low, high, strict=True), (0.0, 10.0)],
-        constraints=[{"type": "ineq", "fun": room}] if goal.limits else [],
-        options={"maxiter": 60, "ftol": 1e-7, "eps": 1e-5},
-    )  # fmt: skip
-    at = np.clip(found.x[:count], low, high)
-    return at, model(at)

@@ -2,12 +2,26 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from clubface.fem.heads.shells import ShellHead
+
+
+def normals(head: ShellHead) -> NDArray[Any]:
+    """Return the outward normal of every shell, as long as its area [m2], shape (shells, 3)."""
+    corners = head.nodes[head.quads]
+    # A quadrilateral is two triangles; outside, its nodes run counterclockwise.
+    return 0.5 * np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+
+
+def on_face(head: ShellHead) -> NDArray[Any]:
+    """Tell which shells are of the face, shape (shells,)."""
+    return np.array([part.face for part in head.parts])[head.part_of_elements()]
 
 
 def rigid_values(head: ShellHead) -> dict[str, float]:
@@ -15,11 +29,9 @@ def rigid_values(head: ShellHead) -> dict[str, float]:
 
     The nodes lie on the middle of the walls; volume and size are those of the outside, half a wall farther out.
     """
-    corners = head.nodes[head.quads]
-    # A quadrilateral is two triangles; outside, its nodes run counterclockwise.
-    diagonals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
-    area = 0.5 * np.linalg.norm(diagonals, axis=1)
-    inner = float((corners.mean(axis=1) * diagonals).sum()) / 6.0
+    outwards = normals(head)
+    area = np.linalg.norm(outwards, axis=1)
+    inner = float((head.nodes[head.quads].mean(axis=1) * outwards).sum()) / 3.0
     size = np.ptp(head.nodes, axis=0) + float(np.average(head.thickness, weights=area))
     return {
         "mass": head.club.mass,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -11,13 +10,14 @@ from typing import Any
 from clubface.design.shells.broken import broken
 from clubface.design.shells.engine import Engine
 from clubface.design.shells.fast import FastModel
-from clubface.design.shells.management import Goal, Managed, Step, manage
+from clubface.design.shells.goal import Goal
+from clubface.design.shells.management import Managed, Step, manage
 from clubface.design.shells.study import NamedMetal, ShellStudy
 from clubface.errors import RangeWarning, RunError, TargetWarning
 from clubface.fem.heads import driver_file
 from clubface.fem.heads.driver import DriverHead
 from clubface.fem.heads.read import from_text
-from clubface.support.resuming import Store, unfinished
+from clubface.support.resuming import kept_beside
 from clubface.support.warning import without_warnings
 
 
@@ -95,7 +95,11 @@ def improve(
     RunError
         The head to start from cannot be run, or no head within the limits was found.
     """
-    with without_warnings(TargetWarning), without_warnings(RangeWarning), _store(study, output, resume) as kept:
+    with (
+        without_warnings(TargetWarning),
+        without_warnings(RangeWarning),
+        kept_beside(output, {"study": study}, resume=resume) as kept,
+    ):
         engine, fast = Engine(study, kept, workers), FastModel(study)
         searches = tuple(
             _search(study, metal, engine, fast, progress, number) for number, metal in enumerate(study.metals)
@@ -112,8 +116,7 @@ def improve(
             )
         judged = design_of(study, chosen.best, chosen.metal)
         head = replace(judged, metal=chosen.metal.metal)
-        if output is not None:
-            assert kept is not None
+        if output is not None and kept is not None:
             with kept.result(Path(output)) as file:
                 # The models that take the head as rigid learn from this line how its face gives.
                 time = chosen.best.values["characteristic_time"]
@@ -156,9 +159,3 @@ def _search(
             f"{study.head.name} of {metal.name}: {error}; try a thicker face, or a slower hardest blow"
         ) from error
     return Search(metal=metal, goal=goal, found=found)
-
-
-def _store(study: ShellStudy, output: str | Path | None, resume: bool) -> AbstractContextManager[Any]:
-    if output is None:
-        return nullcontext(None)
-    return Store(unfinished(Path(output)), {"study": study}, of=Path(output), resume=resume)

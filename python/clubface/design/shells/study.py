@@ -11,7 +11,7 @@ import numpy as np
 
 from clubface import units
 from clubface.design.rules import rules_of
-from clubface.design.shells.management import Goal
+from clubface.design.shells.goal import Goal
 from clubface.errors import InputError
 from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead

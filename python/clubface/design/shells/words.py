@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from clubface.design.shells.run import Improved, Search
 
 SHORT = {"us": "µs"}
+"""Units that are printed in another way than they are read."""
 
 Table = tuple[tuple[str, ...], list[list[str]]]
 
