@@ -165,7 +165,7 @@ def _check(study: Described) -> None:
         number(name, value, inputs()[name].unit)
     swept = {each.name for each in study.design.axes}
     if "speed" not in held and "speed" not in swept:
-        raise InputError("speed", None, 'sweep it, or hold it, as in held = { speed = "113 mph" }')
+        raise InputError("speed", None, 'give it under [sweep], or hold it, as in held = { speed = "113 mph" }')
 
 
 def _models(table: Mapping[str, Any], choices: Mapping[str, Sequence[str]]) -> Sequence[str]:
