@@ -2,8 +2,10 @@
 
 import json
 import os
+import socket
 import subprocess
 import sys
+import threading
 import time
 from concurrent.futures import CancelledError
 from contextlib import contextmanager, suppress
@@ -82,6 +84,40 @@ def test_an_address_without_a_scheduler_is_told(tmp_path, monkeypatch):
     monkeypatch.setattr(cluster, "PATIENCE", 1.0)
     with pytest.raises(LinkError, match=r"127.0.0.1:9 is no scheduler that answers"):
         studies.run(squares(tmp_path), scheduler="127.0.0.1:9")
+
+
+@pytest.mark.parametrize("says", [None, b"HTTP/1.0 400 Bad Request\r\n\r\n", b"\x01" + bytes(7) + b"\xff" * 8])
+def test_a_server_that_is_no_scheduler_is_told_in_time(tmp_path, monkeypatch, says):
+    """One that says nothing, one of the web, and one that announces a message of 2^64 bytes."""
+    monkeypatch.setattr(cluster, "PATIENCE", 1.0)
+    server = socket.create_server(("127.0.0.1", 0))
+
+    def serve():
+        with suppress(OSError):
+            while True:
+                each, _ = server.accept()
+                heard.append(each)
+                if says is not None:
+                    each.sendall(says)
+
+    heard = []
+    threading.Thread(target=serve, daemon=True).start()
+    begun = time.monotonic()
+    with server, pytest.raises(LinkError, match="is no scheduler that answers"):
+        studies.run(squares(tmp_path), scheduler=f"tcp://127.0.0.1:{server.getsockname()[1]}")
+    assert heard
+    assert time.monotonic() - begun < 20.0  # it waited without end
+
+
+def test_the_address_of_a_worker_is_told(tmp_path):
+    with scheduler(tmp_path) as (address, _), workers(address, 1):
+        from distributed import Client
+
+        with Client(address) as client:
+            client.wait_for_workers(1, timeout=60)
+            (worker,) = client.scheduler_info()["workers"]
+        with pytest.raises(LinkError, match="is a worker of the cluster; give the address of its scheduler"):
+            studies.run(squares(tmp_path), scheduler=worker)
 
 
 class Lost:

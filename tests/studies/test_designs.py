@@ -135,7 +135,17 @@ def test_an_axis_that_cannot_be_used_is_told(given, words):
         axis("speed", given, SPEED)
 
 
+@pytest.mark.parametrize("rest", [{}, {"count": 3}, {"step": "1 mm"}])
+def test_a_flat_face_is_no_end_of_an_interval(rest):
+    assert axis("bulge", ["flat", "305 mm"], Swept("m")).values == (math.inf, 0.305)
+    for ends in (("flat", "305 mm"), ("305 mm", "flat")):
+        with pytest.raises(InputError, match='finite from end to end; "flat" is for a list'):
+            axis("bulge", {"from": ends[0], "to": ends[1], **rest}, Swept("m"))
+
+
 def test_designs_and_axes_that_do_not_fit_are_told():
+    with pytest.raises(InputError, match=r'sweep is empty; .* as in speed = \["90 mph"'):
+        design("grid", [], None, 0)
     with pytest.raises(InputError, match="an interval is for samples"):
         design("grid", [BETWEEN[0]], None, 0)
     with pytest.raises(InputError, match="for the design sobol"):

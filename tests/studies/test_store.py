@@ -1,17 +1,19 @@
 """The store is the truth: what is there and whole is done, what is damaged is computed again, and nothing is mixed."""
 
 import shutil
+from contextlib import contextmanager
 
 import pytest
 
 from clubface import studies
-from clubface.errors import ClubfaceError, FileError
-from clubface.studies import sizing
-from clubface.studies.chunks import Chunks, checked_part
+from clubface.errors import ClubfaceError, FileError, RunError
+from clubface.studies import parts, running, sizing
+from clubface.studies.chunks import KEPT, Chunks, checked_part
 from clubface.studies.kinds import Computed
 from clubface.studies.parts import read_part
 from clubface.studies.state import opened
 from clubface.studies.study import read_study
+from clubface.support.whole_file import whole_file
 from study_files import shots, squares, sums
 
 pytest.importorskip("pyarrow")
@@ -48,6 +50,37 @@ def test_two_workers_that_compute_the_same_chunk_write_the_same_bytes(tmp_path):
     part(path, 2).unlink()
     Chunks(read_study(path), opened(path)).ensure(2)
     assert part(path, 2).read_bytes() == before
+
+
+def test_a_run_that_another_tidies_up_after_while_it_writes_finds_the_part_there(tmp_path, monkeypatch):
+    path = shots(tmp_path)
+    studies.run(path, workers=1)
+    part(path, 2).unlink()
+
+    @contextmanager
+    def overtaken(target):
+        with whole_file(target) as file:
+            yield file
+            monkeypatch.undo()
+            Chunks(read_study(path), opened(path)).ensure(2)
+            opened(path).tidy()
+
+    monkeypatch.setattr(parts, "whole_file", overtaken)
+    assert Chunks(read_study(path), opened(path)).ensure(2)["did"] == KEPT
+    assert studies.status(path, check=True).damaged == ()
+
+
+def test_an_interrupted_run_counts_what_earlier_runs_have_finished(tmp_path, monkeypatch):
+    path = squares(tmp_path)
+    studies.run(path, workers=1, shard="1/4")
+    for error in (KeyboardInterrupt, RunError("broken")):
+
+        def stop(*rest, error=error, **options):
+            raise error
+
+        monkeypatch.setattr(running, "work", stop)
+        with pytest.raises((KeyboardInterrupt, ClubfaceError), match="5 of 20 chunks are done and kept"):
+            studies.run(path, workers=1)
 
 
 def test_what_is_finished_is_not_computed_again(tmp_path):
@@ -162,8 +195,12 @@ def test_a_damaged_record_is_told(tmp_path):
     studies.run(path, workers=1)
     record = tmp_path / "squares.store" / "study.json"
     record.write_text(record.read_text().replace('"count": 200', '"count": 300'))
-    with pytest.raises(FileError, match="this record of a study is damaged"):
+    with pytest.raises(
+        FileError, match="this record of a study is damaged; remove it: clubface study run makes it anew"
+    ):
         studies.run(path, workers=1)
+    record.unlink()
+    assert studies.run(path, workers=1).computed == 0
 
 
 def test_an_unfinished_study_is_not_joined(tmp_path):

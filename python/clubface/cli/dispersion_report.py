@@ -11,8 +11,8 @@ from clubface.units import from_si
 
 if TYPE_CHECKING:
     from clubface.design.dispersion import Dispersion
-from clubface.design.hitting import Hitting
     from clubface.design.dispersion_indices import Indices
+    from clubface.design.hitting import Hitting
 
 UNITS = {
     "ball_speed": ("mph", 1), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),

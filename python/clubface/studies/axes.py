@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -105,6 +106,8 @@ def axis(name: str, given: Any, swept: Swept) -> Axis:
     if not ("from" in given and "to" in given) or ("count" in given and "step" in given):
         raise InputError(name, dict(given), f"given as {FORMS}")
     first, last = (number(name, given[key], swept.unit) for key in ("from", "to"))
+    if not math.isfinite(last - first):
+        raise InputError(name, dict(given), f'finite from end to end; "{FLAT}" is for a list')
     if "count" in given:
         if not is_count(given["count"], 1, MOST):
             raise InputError(f"count of {name}", given["count"], f"a whole number from 1 to {MOST}")

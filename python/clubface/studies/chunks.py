@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -42,10 +43,8 @@ class Chunks:
 
     def ensure(self, chunk: int) -> dict[str, Any]:
         """See that the part of a chunk is there and whole; return what was ``did``, and ``NOTES``."""
-        path = self._store.path(chunk)
         try:
-            _, told = checked_part(self._store, chunk)
-            return {"did": KEPT, **{name: told[name] for name in NOTES}}
+            return self._kept(chunk)
         except FileNotFoundError:
             did = COMPUTED
         except FileError:
@@ -63,8 +62,18 @@ class Chunks:
             **self._task.depends_on,
         }
         path = self._store.prepare(chunk)
-        write_part(path, {**columns, **found.columns}, self._units, told)
+        try:
+            write_part(path, {**columns, **found.columns}, self._units, told)
+        except FileError:
+            # Another run may have finished the study meanwhile, and tidied up what it took for remains.
+            with suppress(FileNotFoundError, FileError):
+                return self._kept(chunk)
+            raise
         return {"did": did, **notes}
+
+    def _kept(self, chunk: int) -> dict[str, Any]:
+        _, told = checked_part(self._store, chunk)
+        return {"did": KEPT, **{name: told[name] for name in NOTES}}
 
     def _input(self, name: str, values: NDArray[Any]) -> NDArray[Any] | Names:
         axis = self._axes[name]

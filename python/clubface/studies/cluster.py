@@ -6,6 +6,7 @@ here. What the scheduler forgets or loses is given to it again; what is finished
 
 from __future__ import annotations
 
+import asyncio
 import logging
 import threading
 import time
@@ -59,16 +60,32 @@ def work_on_cluster(
     from distributed import Client
 
     with _quiet(), config.set({"distributed.comm.timeouts.connect": PATIENCE}):
-        try:
-            client = Client(address, timeout=PATIENCE, set_as_default=False)
-        except (OSError, ValueError, TypeError) as error:
-            reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-            raise LinkError(address, f"is no scheduler that answers: {reason}") from None
+        _check_scheduler(address)
+        client = Client(address, timeout=PATIENCE, set_as_default=False)
         try:
             _Cluster(client, address, arguments, done).run(iter(chunks))
         finally:
             with suppress(Exception):
                 client.close(timeout=1.0)
+
+
+def _check_scheduler(address: str) -> None:
+    """Refuse an address at which no scheduler answers: Dask's client waits without end for a server of another kind."""
+    from distributed import rpc
+    from distributed.utils import LoopRunner
+
+    async def asked() -> str:
+        async with rpc(address, timeout=PATIENCE) as peer:
+            told: Any = await peer.identity()
+            return told["type"]
+
+    try:
+        kind = LoopRunner(asynchronous=False).run_sync(lambda: asyncio.wait_for(asked(), PATIENCE + 1.0))
+    except Exception as error:  # whatever an answer that is none is taken for
+        reason = str(error).splitlines()[0] if str(error) else f"{PATIENCE:.0f} s have passed"
+        raise LinkError(address, f"is no scheduler that answers: {reason}") from None
+    if kind != "Scheduler":
+        raise LinkError(address, f"is a {kind.lower()} of the cluster; give the address of its scheduler")
 
 
 class _Cluster:

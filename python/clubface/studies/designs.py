@@ -9,8 +9,8 @@ import warnings
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
-from clubface.errors import InputError
-from clubface.studies.axes import INTERVAL, MOST, Axis
+from clubface.errors import InputError, Told
+from clubface.studies.axes import FORMS, INTERVAL, MOST, Axis
 from clubface.support.checks import is_count
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ class Grid:
         for each in self.axes:
             if each.count is None:
                 wanted = "evenly spaced values, with a count or a step, in a grid; an interval is for samples"
-                raise InputError(each.name, "an interval", wanted)
+                raise InputError(each.name, Told("an interval"), wanted)
         self.count = _checked(math.prod(each.count or 1 for each in self.axes))
 
     def values(self, tasks: range) -> dict[str, NDArray[Any]]:
@@ -158,12 +158,12 @@ class Remembered:
 def design(method: str, axes: Sequence[Axis], samples: Any, seed: int) -> Design:
     """Return a design of axes alone: a grid, or ``samples`` of a generator."""
     if not axes:
-        raise InputError("sweep", "empty", f"a table with at least one input, as in speed = {INTERVAL}")
+        raise InputError("sweep", Told("empty"), "a table with at least one input, as in speed = " + FORMS)
     if method == GRID:
         return Grid(axes)
     for each in axes:
         if each.count is not None and not each.values and not each.choices:
-            raise InputError(each.name, "evenly spaced values", f"{INTERVAL}, for the design {method}")
+            raise InputError(each.name, Told("evenly spaced values"), f"{INTERVAL}, for the design {method}")
     return Samples(axes, samples, method, seed)
 
 

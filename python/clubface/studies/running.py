@@ -166,10 +166,11 @@ def run(
             command = [sys.executable, "-P", "-W", "ignore", "-m", "clubface.studies.worker", *arguments]
             work(command, order(opened, share), workers=min(workers or _processors(), max(whole, 1)), done=ended)
     except (KeyboardInterrupt, ClubfaceError) as stop:
-        kept = f"{done} of {whole} chunks are done and kept in {folder}"
+        there = sum(present for chunk, present in enumerate(opened.present()) if share.has(chunk))
+        kept = f"{there} of {whole} chunks are done and kept in {folder}"
         if isinstance(stop, KeyboardInterrupt):
             raise KeyboardInterrupt(f"{kept}; the same command goes on after them") from None
-        if not done:
+        if not there:
             raise
         raise ClubfaceError(f"{stop}; {kept}") from None
     missing = opened.present().count(0)

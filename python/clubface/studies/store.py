@@ -24,7 +24,7 @@ from clubface.support.whole_file import synced
 RECORD, PARTS, ENDING = "study.json", "parts", ".parquet"
 A_FOLDER = 1000
 """Parts of a folder: file systems slow down with very many."""
-DAMAGED = "this record of a study is damaged; remove the folder it is in, and start again"
+DAMAGED = "this record of a study is damaged; remove it: clubface study run makes it anew, and keeps the parts that fit"
 OTHERWISE = "give another folder with --store, or remove this one"
 
 
