@@ -108,3 +108,11 @@ def test_a_study_of_a_faster_face_is_that_of_its_page():
     page = (EXAMPLES.parent / "docs" / "finite-elements" / "design.md").read_text(encoding="utf-8")
     # The page shows the file, all but its first two lines.
     assert "".join((EXAMPLES / "faster_face.toml").read_text(encoding="utf-8").splitlines(keepends=True)[2:]) in page
+
+
+@pytest.mark.parametrize(("name", "page"), [("fitting", "optimisation"), ("lofts", "studies")])
+def test_an_example_is_that_of_its_page(name, page):
+    text = (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
+    # The page shows the file, all but its first three lines.
+    shown = "".join(text.splitlines(keepends=True)[3:])
+    assert shown in (EXAMPLES.parent / "docs" / f"{page}.md").read_text(encoding="utf-8")

@@ -8,7 +8,7 @@ import pytest
 ROOT = Path(__file__).parent.parent
 PAGES = [
     ROOT / "README.md",
-    *(ROOT / "docs" / f"{name}.md" for name in ("index", "getting-started")),
+    *(ROOT / "docs" / f"{name}.md" for name in ("index", "getting-started", "compare", "face-maps")),
     *sorted((ROOT / "docs" / "tutorials").glob("*.md")),
 ]
 NEEDED = ("typer", "rich", "matplotlib", "pandas", "pyarrow", "ezc3d", "pymoo", "scipy")

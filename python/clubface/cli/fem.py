@@ -22,7 +22,11 @@ from clubface.units import fixed, from_si
 if TYPE_CHECKING:
     from clubface.fem.case import Case
 
-app = typer.Typer(add_completion=False, no_args_is_help=True, help="Finite elements: impacts of meshed balls.")
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    help="Finite elements: impacts of meshed balls and heads, and better heads.",
+)
 app.command("ball")(report_ball)
 app.command("head")(report_head)
 app.command("face")(report_face)

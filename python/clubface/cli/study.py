@@ -20,7 +20,9 @@ from clubface.units import from_si, size
 if TYPE_CHECKING:
     from clubface.studies.summing import Along, Figures, Summary
 
-app = typer.Typer(add_completion=False, no_args_is_help=True, help="Inputs swept over a computation, at any scale.")
+app = typer.Typer(
+    add_completion=False, no_args_is_help=True, help="Studies: any inputs of a shot swept, on one machine or a cluster."
+)
 
 StudyArgument = Annotated[str, typer.Argument(metavar="STUDY", help="TOML file of a study.")]
 StudyOrStore = Annotated[

@@ -221,7 +221,7 @@ def _notes(session: Session, layout: Format, other_encoding: bool) -> Iterator[s
     if measured & {"loft", "face"}:
         yield f"dynamic loft and face angle were taken at {POINTS[layout.face_at]}"
     if session.guessed_hand:
-        yield 'the file does not say the hand: taken as right-handed; if it is not, give hand="left"'
+        yield "the file does not say the hand: taken as right-handed; give the hand, left, if the player is not"
     if session.assumed:
         told = ", ".join(f"{name} in {symbol}" for name, symbol in session.assumed.items())
         yield f"the file does not name these units, which were assumed: {told}"

@@ -29,7 +29,8 @@ CHOSEN = ("model", "club", "ball", "hand")
 CONDITIONS = ("air", "wind", "ground")
 KEYS = (*CHOSEN, "parameters", "accuracy", "held", *CONDITIONS)
 WANTED = {
-    "club": 'give it, as in club = "driver"', "speed": 'give it under [sweep], or hold it, as in held = { speed = "113 mph" }',
+    "club": 'give it, as in club = "driver"',
+    "speed": 'give it under [sweep], or hold it, as in held = { speed = "113 mph" }',
 }  # fmt: skip
 OF_CLUB = {"club_mass": "mass", "static_loft": "loft"}
 OF_CLUB |= {name: name for name in CLUB_PROPERTIES if name not in ("mass", "loft", "cor")}
