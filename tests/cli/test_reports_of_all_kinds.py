@@ -216,6 +216,7 @@ SWAPPED = {"right": "left", "left": "right"}
 def test_a_left_handed_shot_is_told_with_the_sides_of_its_mirror_image(clubface_, tmp_path, right, left):
     one, other = (words_of(clubface_, tmp_path / "report.html", *command) for command in (right, left))
     assert re.search(r"\b(right|left)\b", one)
+    assert "Club driver, left-handed, and ball modern" in (tmp_path / "report.html").read_text()
     assert other == re.sub(r"\b(right|left)\b", lambda each: SWAPPED[each[0]], one)
 
 

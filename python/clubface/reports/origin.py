@@ -50,9 +50,11 @@ def _deliveries(launches: Sequence[Launch]) -> Iterator[tuple[str, str]]:
 
 
 def _by(launches: Sequence[Launch]) -> Iterator[str]:
-    for each in dict.fromkeys((each.club.name, each.ball.name, each.model, each.parameters.name) for each in launches):
-        club, ball, model, parameters = each
-        yield f"Club {club} and ball {ball}, by the model {model} with the parameters {parameters}."
+    for club, hand, ball, model, parameters in dict.fromkeys(
+        (each.club.name, each.club.hand, each.ball.name, each.model, each.parameters.name) for each in launches
+    ):
+        head = f"{club}, left-handed," if hand < 0 else club
+        yield f"Club {head} and ball {ball}, by the model {model} with the parameters {parameters}."
     yield versions()
 
 
