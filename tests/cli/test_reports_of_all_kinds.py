@@ -241,6 +241,21 @@ def test_the_report_of_a_golfer_says_what_is_assumed_and_what_rests_on_it(clubfa
     assert float(rows["spread of face"]["spread of side now (yd)"]) == pytest.approx(now, rel=1e-12)
 
 
+@pytest.mark.parametrize(
+    ("text", "pictures"),
+    [
+        ('club = "my own"\n[mean]\nspeed = "95 mph"\n[spread]\nface = "2 deg"\n', 0),
+        ('club = "driver"\n[mean]\nspeed = "95 mph"\n[spread]\n', 0),
+        ('club = "driver"\n[mean]\nspeed = "95 mph"\n[spread]\nspeed = "1 mph"\n', 1),
+    ],
+)
+def test_a_golfer_of_whom_little_is_told_has_a_report(clubface_, tmp_path, text, pictures):
+    """A club that is not known, shots that are all alike, and shots that all fly straight."""
+    (tmp_path / "mine.toml").write_text(f'title = "Me"\n{text}')
+    assert "95 mph" in words_of(clubface_, tmp_path / "report.html", "golfer", "show", str(tmp_path / "mine.toml"))
+    assert len(Page((tmp_path / "report.html").read_text()).alts) == pictures
+
+
 def test_what_was_measured_is_not_called_assumed(clubface_, files, monkeypatch):
     monkeypatch.chdir(files)
     words = words_of(clubface_, files / "report.html", *COMMANDS["estimate"])
