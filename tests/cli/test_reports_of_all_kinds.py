@@ -216,6 +216,7 @@ SWAPPED = {"right": "left", "left": "right"}
 def test_a_left_handed_shot_is_told_with_the_sides_of_its_mirror_image(clubface_, tmp_path, right, left):
     one, other = (words_of(clubface_, tmp_path / "report.html", *command) for command in (right, left))
     assert re.search(r"\b(right|left)\b", one)
+    assert "Club driver, left-handed, and ball modern" in (tmp_path / "report.html").read_text()
     assert other == re.sub(r"\b(right|left)\b", lambda each: SWAPPED[each[0]], one)
 
 
@@ -238,6 +239,21 @@ def test_the_report_of_a_golfer_says_what_is_assumed_and_what_rests_on_it(clubfa
     )
     now = clubface.dispersion(player, count=8192).spread("side") / 0.9144
     assert float(rows["spread of face"]["spread of side now (yd)"]) == pytest.approx(now, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "pictures"),
+    [
+        ('club = "my own"\n[mean]\nspeed = "95 mph"\n[spread]\nface = "2 deg"\n', 0),
+        ('club = "driver"\n[mean]\nspeed = "95 mph"\n[spread]\n', 0),
+        ('club = "driver"\n[mean]\nspeed = "95 mph"\n[spread]\nspeed = "1 mph"\n', 1),
+    ],
+)
+def test_a_golfer_of_whom_little_is_told_has_a_report(clubface_, tmp_path, text, pictures):
+    """A club that is not known, shots that are all alike, and shots that all fly straight."""
+    (tmp_path / "mine.toml").write_text(f'title = "Me"\n{text}')
+    assert "95 mph" in words_of(clubface_, tmp_path / "report.html", "golfer", "show", str(tmp_path / "mine.toml"))
+    assert len(Page((tmp_path / "report.html").read_text()).alts) == pictures
 
 
 def test_what_was_measured_is_not_called_assumed(clubface_, files, monkeypatch):

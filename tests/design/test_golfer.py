@@ -1,5 +1,8 @@
 """A golfer as a distribution of deliveries: its samples, its file, the golfers that come with the package."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
@@ -212,6 +215,63 @@ def test_a_mistake_in_a_file_is_told_with_its_line(old, new, line, told):
     with pytest.raises(FileError, match=told) as error:
         from_document(Document(text, "my.toml"), "x")
     assert line is None or f"my.toml, line {line}" in str(error.value) or f"my.toml:{line}" in str(error.value)
+
+
+def test_the_page_tells_what_rests_on_each_assumed_figure():
+    """The table of docs/dispersion.md, to the digits that it shows."""
+    import clubface
+    from clubface.design.golfer_doubt import doubts, is_assumed
+
+    page = Path(__file__).parents[2].joinpath("docs", "dispersion.md").read_text()
+    rows = re.findall(r"^\| `(\S+-(?:driver|iron))` \| ([a-z, ]+) \| ([\d.]+) yd \| (.*) \|$", page, re.MULTILINE)
+    assert sorted(row[0] for row in rows) == sorted(golfers())
+    for name, means, side, rest in rows:
+        player = golfer(name)
+        found = doubts(player, clubface.club(player.club))
+        by = {
+            each.figure: {of: each.spread[of][1] / found.spread[of] - 1.0 for of in found.spread}
+            for each in found.figures
+        }
+        sourced = [each for each in ("speed", "attack", "loft") if not is_assumed(player, f"mean of {each}")]
+        assert means == (", ".join(sourced) or "none")
+        assert all(each.assumed for each in found.figures)
+        figures = [f"spread of {each}" for each in ("face", "loft", "attack", "speed", "toe", "high")]
+        told = [by["spread of face"]["side"], *(by[each]["carry"] for each in (*figures, "mishits"))]
+        cells = [f"{100 * each:.0f}%" for each in told]
+        cells.insert(1, f"{found.spread['carry'] / 0.9144:.1f} yd")
+        assert [f"{found.spread['side'] / 0.9144:.1f}", *rest.replace("-0%", "0%").split(" | ")] == [
+            side, *(each.replace("-0%", "0%") for each in cells)
+        ]  # fmt: skip
+        assert max(map(abs, by["correlation"].values())) < 0.075
+        assert max(map(abs, by["spread of path"].values())) < 0.035
+        assert all(abs(by[f"spread of {each}"][of]) < 0.005
+                   for each in ("lie", "closure", "pitch_rate", "lie_rate") for of in found.spread)  # fmt: skip
+
+
+def test_the_page_tells_how_shipped_amateurs_differ_from_measured_golfers():
+    """Least and greatest of each, as docs/dispersion.md has them, of the ball as it starts and of the carry."""
+    import clubface
+
+    table = measurements.table("shot-spreads-2025")
+    told = {
+        "driver": ("2.7 to 4.2", "1.7 to 2.4", "10 to 15", "2.8 to 6.5", "2.5 to 4.7", "13 to 28"),
+        "7-iron": ("2.6 to 4.4", "2.9 to 3.6", "12 to 16", "1.6 to 2.3", "1.9 to 2.9", "9 to 11"),
+    }
+    for club, (*ours, starts, speeds, carries) in told.items():
+        found = [clubface.dispersion(golfer(f"{who}-{club}"), count=2**13)
+                 for who in ("handicap-5", "handicap-10", "bogey", "women-15")]  # fmt: skip
+        spreads = [[each.spread(name) for each in found] for name in ("azimuth", "ball_speed", "carry")]
+        spreads[0] = list(np.degrees(spreads[0]))
+        assert [f"{min(each):.{d}f} to {max(each):.{d}f}" for each, d in zip(spreads, (1, 1, 0), strict=True)] == ours
+        rows = table["club"] == club
+        measured = [
+            np.degrees(table["start_spread"][rows]),
+            table["ball_speed_spread"][rows],
+            table["carry_spread"][rows],
+        ]
+        assert [f"{min(each):.{d}f} to {max(each):.{d}f}" for each, d in zip(measured, (1, 1, 0), strict=True)] == [
+            starts, speeds, carries
+        ]  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from clubface.units import to_si
 DIGESTS = {
     "clubs/7-iron.toml": "6f7b1534",
     "clubs/driver.toml": "1a90914c",
-    "measurements/averages.toml": "8198b2bf",
+    "measurements/averages.toml": "c5c8c525",
     "measurements/ball.toml": "b4afb422",
     "measurements/club-heads.toml": "512e67f9",
     "measurements/heads-irons-2022-2026.csv": "b249cd9c",

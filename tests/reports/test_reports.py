@@ -2,6 +2,7 @@
 
 import base64
 import csv
+import html
 import io
 import re
 
@@ -69,6 +70,8 @@ def test_the_origin_tells_inputs_versions_and_every_source():
     ]
     texts = " ".join(text for each in blocks if isinstance(each, (Paragraph, Bullets)) for text in each.texts)
     assert f"clubface {clubface.__version__}" in texts
+    assert "MASc thesis, University of Waterloo, 2023" in texts  # what the model slip calls Caldwell and McPhee (2023)
+    assert "Roh" not in texts
     for source in (*launch.club.sources.values(), *launch.ball.sources.values(), launch.parameters.source):
         assert source in texts
     for caveat in launch.parameters.caveats:
@@ -110,3 +113,20 @@ def test_a_report_of_another_kind_is_refused_before_any_work(clubface_, tmp_path
     assert ran.status == 2
     assert "--report" in ran.err
     assert ".html" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("text", "links"),
+    [
+        ("after doi 10.3390/proceedings2020049047, Table 1", ["https://doi.org/10.3390/proceedings2020049047"]),
+        ("(golfdigest.com/story/one, 2008).", ["https://golfdigest.com/story/one"]),
+        ("see https://a.org/b?c=1&d=<x>.", ["https://a.org/b?c=1&amp;d="]),
+        ("javascript:alert(1) and data:text/html,x", []),
+        ("5 m/s of driver.com", []),
+        ('https://a.org/"onclick="x', ["https://a.org/"]),
+    ],
+)
+def test_addresses_of_sources_are_links_and_nothing_else_is(text, links):
+    page = as_html([Heading(1, "t"), Bullets([text])])
+    assert re.findall(r'<a href="([^"]*)">', page) == links
+    assert re.sub(r"<[^>]+>", "", page.partition("<li>")[2].partition("</li>")[0]) == html.escape(text)

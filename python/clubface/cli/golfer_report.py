@@ -42,18 +42,20 @@ def write(
     given = {"golfer": of.title or of.name, "hand": "right" if of.hand > 0 else "left"}
     picture, columns, found, launches = None, {}, None, ()
     if club is not None:
-        from clubface.design.golfer_figure import golfer_figure
         from clubface.simulation.impact import impact
 
         found = doubts(of, club)
+        launches = (impact(club, of.for_hand(club.hand).delivery()),)
+    if found is not None and found.figures:
+        from clubface.design.golfer_figure import golfer_figure
+
         shows = f"How much the spread of the landings changes if a figure is {found.off:.0%} smaller or larger"
         picture, columns = (shows, golfer_figure(found)), _columns(found)
         given |= {"shots of each change": str(COUNT), "seed": "0"}
-        launches = (impact(club, of.for_hand(club.hand).delivery()),)
 
     def tables() -> None:
         show()
-        if found is not None:
+        if picture is not None and found is not None:
             print_numbers(*_table(of, found), title=f"If a figure is {found.off:.0%} smaller or larger")
 
     reporting.write(
@@ -87,14 +89,14 @@ def _words(of: Golfer, found: Doubts | None, estimated: Estimate | None) -> Iter
         yield f"Measured or published is how much these differ from shot to shot: {', '.join(sourced)}; {others}."
     else:
         yield (
-            "How much the shots differ from each other is assumed for every part of the delivery: it is typical of "
-            "golfers of this level, and not measured."
+            "How much the shots differ from each other has no source, and counts as assumed for every part of the"
+            " delivery: take it as typical, not as measured."
         )
-    if found is None:
+    if found is None or not found.figures:
         return
     for name, way in (("carry", "The carry"), ("side", "Where the ball lands to the sides")):
         most = max(found.figures, key=lambda each: each.spread[name][1] - found.spread[name])
-        more = 100.0 * (most.spread[name][1] / found.spread[name] - 1.0)
+        more = 100.0 * found.changes(most, name)[1]
         yield (
             f"{way} differs by {from_si(found.spread[name], 'yd'):.1f} yd from shot to shot (standard deviation). It "
             f"rests most on the {most.figure.replace('_', ' ')}{', which is assumed' * most.assumed}: were that "
@@ -106,7 +108,7 @@ def _table(of: Golfer, found: Doubts) -> tuple[list[str], list[list[str]]]:
     heads = ["", "is", *(f"{name} {how}\n%" for name in found.spread for how in ("smaller", "larger"))]
     rows = []
     for each in found.figures:
-        changes = [100.0 * (value / found.spread[name] - 1.0) for name in found.spread for value in each.spread[name]]
+        changes = [100.0 * change for name in found.spread for change in found.changes(each, name)]
         rows.append([
             each.figure.replace("_", " "), "assumed" if each.assumed else "sourced",
             *(output.number(change, 1) for change in changes),

@@ -57,6 +57,11 @@ class Doubts(NamedTuple):
     spread: dict[str, float]
     figures: tuple[Doubt, ...]
 
+    def changes(self, of: Doubt, name: str) -> tuple[float, float]:
+        """Return by which share a quantity spreads more with the figure smaller and larger; 0 if it never differs."""
+        now, (less, more) = self.spread[name], of.spread[name]
+        return (less / now - 1.0, more / now - 1.0) if now > 0.0 else (0.0, 0.0)
+
 
 def is_assumed(golfer: Golfer, figure: str) -> bool:
     """Return whether a figure of a golfer has no published or measured source."""
@@ -88,9 +93,9 @@ def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) 
         less, more = (spreads(changed(player, figure, factor)) for factor in (1.0 - off, 1.0 + off))
         told = {name: (less[name], more[name]) for name in QUANTITIES}
         figures.append(Doubt(figure, is_assumed(golfer, figure), told))
-    now = spreads(player)
-    figures.sort(key=lambda each: -max(abs(each.spread[name][1] / now[name] - 1.0) for name in QUANTITIES))
-    return Doubts(off, now, tuple(figures))
+    found = Doubts(off, spreads(player), tuple(figures))
+    order = sorted(figures, key=lambda each: -max(abs(found.changes(each, name)[1]) for name in QUANTITIES))
+    return found._replace(figures=tuple(order))
 
 
 def changed(golfer: Golfer, figure: str, factor: float) -> Golfer:

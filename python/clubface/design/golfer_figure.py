@@ -18,7 +18,7 @@ def golfer_figure(of: Doubts) -> Figure:
     figure = Figure(figsize=(WIDTH, 0.9 + 0.27 * len(figures)), layout="constrained")
     for axes, name in zip(figure.subplots(1, 2, sharey=True), QUANTITIES, strict=True):
         for row, each in enumerate(figures):
-            less, more = (100.0 * (value / of.spread[name] - 1.0) for value in each.spread[name])
+            less, more = (100.0 * change for change in of.changes(each, name))
             hatch = "////" if each.assumed else None
             for value, colour in ((less, COLOURS[6]), (more, COLOURS[1])):
                 axes.barh(row, value, color=colour, hatch=hatch, edgecolor="white", linewidth=0.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import platform
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
@@ -14,6 +15,19 @@ from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import inputs
 from clubface.support.version import __version__
 from clubface.units import display_unit, show, show_range
+
+WORKS = {
+    "Caldwell and McPhee|Three-dimensional golf clubhead": "Caldwell and McPhee (2023): Three-dimensional golf "
+    "clubhead-ball impact models for drivers and irons, and the thesis it grew out of, A. W. Caldwell, Development and "
+    "comparison of 3D dynamic models of golf clubhead-ball impacts, MASc thesis, University of Waterloo, 2023",
+    "Roh and Lee": "Roh and Lee: W.-J. Roh and C.-W. Lee, Analysis of golf ball spin mechanism at impact by FEM, Center"
+    " for Noise and Vibration Control, KAIST, Daejeon",
+    r"Penner \(2002\)": "Penner (2002): A. R. Penner, The run of a golf ball, Canadian Journal of Physics 80, 931-940",
+    "Broadie and Ko": "Broadie and Ko (2009): A simulation model to analyze the impact of distance and direction on "
+    "golf scores, Proceedings of the Winter Simulation Conference",
+    "TrackMan Combine": "TrackMan (2024): averages of the TrackMan Combine by handicap",
+}
+"""Works that other sources name in short, in full, by a pattern of the short name."""
 
 
 def origin(
@@ -29,7 +43,9 @@ def origin(
     if rows:
         yield Table(("input", "value"), rows, Data("inputs", ("input", "value"), rows))
     yield Paragraph(tuple(_by(found)))
-    if told := list(dict.fromkeys((*_sources(found), *sources))):
+    told = list(dict.fromkeys((*_sources(found), *sources)))
+    named = " ".join([*told, *(given or {}).values()])
+    if told := told + [work for short, work in WORKS.items() if re.search(short, named)]:
         yield Heading(3, "Sources")
         yield Bullets(told)
     if caveats := list(dict.fromkeys(_caveats(found))):
@@ -50,9 +66,11 @@ def _deliveries(launches: Sequence[Launch]) -> Iterator[tuple[str, str]]:
 
 
 def _by(launches: Sequence[Launch]) -> Iterator[str]:
-    for each in dict.fromkeys((each.club.name, each.ball.name, each.model, each.parameters.name) for each in launches):
-        club, ball, model, parameters = each
-        yield f"Club {club} and ball {ball}, by the model {model} with the parameters {parameters}."
+    for club, hand, ball, model, parameters in dict.fromkeys(
+        (each.club.name, each.club.hand, each.ball.name, each.model, each.parameters.name) for each in launches
+    ):
+        head = f"{club}, left-handed," if hand < 0 else club
+        yield f"Club {head} and ball {ball}, by the model {model} with the parameters {parameters}."
     yield versions()
 
 

@@ -10,8 +10,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from clubface import units
+from clubface.design.optimisation.combination import Combination, told
 from clubface.design.optimisation.figures import POINTS, UNIT, ellipse_line
-from clubface.design.optimisation.fitting import Combination, Fitting, landings, told
+from clubface.design.optimisation.fitting import Fitting, landings
 from clubface.design.optimisation.objectives import SHARE
 from clubface.plots.style import COLOURS, DASHES, WIDTH, styled
 

@@ -35,7 +35,8 @@ from typing import Any
 
 from clubface import units
 from clubface.design.feasibility import MASS_PROPERTIES, SHAPES, Volume
-from clubface.design.optimisation.fitting import SETTINGS, Fitting
+from clubface.design.optimisation.combination import SETTINGS
+from clubface.design.optimisation.fitting import Fitting
 from clubface.design.optimisation.landings import FREE, SPEED_EXPONENT, Setting
 from clubface.design.optimisation.objectives import OBJECTIVES
 from clubface.design.optimisation.study import DIMENSIONS, DISTRIBUTION, MOST_SHOTS, DesignStudy, Head, golfers_of

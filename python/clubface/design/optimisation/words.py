@@ -8,7 +8,8 @@ from dataclasses import asdict
 from typing import Any
 
 from clubface import units
-from clubface.design.optimisation.fitting import Combination, Fitting, named, told
+from clubface.design.optimisation.combination import Combination, named, told
+from clubface.design.optimisation.fitting import Fitting
 from clubface.design.optimisation.landings import FREE, own_value
 from clubface.design.optimisation.objectives import Objective
 from clubface.design.optimisation.result import Optimum
