@@ -50,6 +50,8 @@ from clubface.cli.app import run
         (["shot", "driver", "--speed", "50 m/s", "--wind", "1 m/s, 2 m/s, 3 m/s"], ["--wind"]),
         (["shot", "driver", "--speed", "50 m/s", "--accuracy", "fine"], ["--accuracy"]),
         (["shot", "driver", "--speed", "50 m/s", "--accuracy", "5"], ["--accuracy"]),
+        (["shot", "driver", "--speed", "50 m/s", "--accuracy", "1e-6"], ["--accuracy", "leave it out", "volumetric"]),
+        (["shot", "driver", "--speed", "50 m/s", "--model", "rings", "--accuracy", "5"], ["--accuracy", "1e-13"]),
         (["shot", "driver", "--speed", "50 m/s", "--plot", "a.doc"], ["--plot", "a.doc", ".png"]),
         (["shot", "driver", "--speed", "50 m/s", "--plot", "/nowhere/a.png"], ["a.png", "a folder that exists"]),
         (["shot", "driver", "--spede", "50 m/s"], ["--spede", "--speed"]),

@@ -56,7 +56,8 @@ def show(
     found = golfer_named(golfer)
     if target is not None:
         output.write_template(to_toml(found), target, f"clubface dispersion {target} takes it")
-        return
+        if not as_json:
+            return
     if as_json:
         output.print_json(_document(found))
         return
@@ -76,7 +77,7 @@ def _figures(of: Golfer) -> list[str]:
 
 
 @app.command("estimate")
-@options.takes(RECORDED)
+@options.takes({name: each for name, each in RECORDED.items() if name != "ball"})  # no ball is struck
 def estimate(
     file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a table of clubface.")],
     name: Annotated[str, options.option("--name", metavar="NAME", text="What to call the golfer.")] = "my golfer",
@@ -96,7 +97,7 @@ def estimate(
     from clubface.design.golfer_estimate import estimate as compute
     from clubface.design.golfer_file import to_toml
 
-    output.check_target("--output", target, (".toml",), [file, texts["mapping"]])
+    output.check_target("--output", target, (".toml",), [file, texts["mapping"], texts["club"], like])
     found = compute(recorded_shots(file, texts), name=name, like=like)
     if target is not None:
         from clubface.support.whole_file import write_text
