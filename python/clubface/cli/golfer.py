@@ -96,6 +96,7 @@ def estimate(
     """Estimate a golfer from shots in the order in which they were hit."""
     from clubface.design.golfer_estimate import estimate as compute
     from clubface.design.golfer_file import to_toml
+    from clubface.equipment.clubs import CLUB_NAMES
 
     output.check_target("--output", target, (".toml",), [file, texts["mapping"], texts["club"], like])
     found = compute(recorded_shots(file, texts), name=name, like=like)
@@ -103,7 +104,8 @@ def estimate(
         from clubface.support.whole_file import write_text
 
         write_text(target, to_toml(found.golfer))
-        say(f"wrote {target}; clubface dispersion {target} takes it")
+        own = "" if found.golfer.club in CLUB_NAMES else f" --club {texts['club']}"
+        say(f"wrote {target}; clubface dispersion {target}{own} takes it")
     if as_json:
         output.print_json(_document(found.golfer) | _estimated(found))
         return
