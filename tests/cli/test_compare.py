@@ -149,6 +149,12 @@ def test_what_every_row_has_is_not_given_for_all(clubface_, write):
     assert clubface_("compare", "driver", "--deliveries", file, "--toe", "5 mm", "--no-split").status == 0
 
 
+def test_a_column_that_is_nearly_an_input_is_remarked_on(clubface_, write):
+    file = str(write("speed_mph,lofft_deg\n100,12\n101,13\n"))
+    told = clubface_("compare", "driver", "--deliveries", file, "--no-split").err
+    assert "the column 'lofft_deg' is not used; did you mean loft?" in told
+
+
 def test_the_speed_must_be_given(clubface_):
     assert_mistake(clubface_("compare", "driver", "3-wood"), "--speed is missing")
 

@@ -48,6 +48,7 @@ from clubface.cli.app import run
         (["shot", "driver", "--speed", "50 m/s", "--air", "temperatur=3"], ["did you mean temperature"]),
         (["shot", "driver", "--speed", "50 m/s", "--temperature", "3 m"], ["--temperature", "length"]),
         (["shot", "driver", "--speed", "50 m/s", "--wind", "1 m/s, 2 m/s, 3 m/s"], ["--wind"]),
+        (["shot", "driver", "--speed", "50 m/s", "--wind", "1 m/s, 900 m/s"], ["--wind: 900 m/s"]),
         (["shot", "driver", "--speed", "50 m/s", "--accuracy", "fine"], ["--accuracy"]),
         (["shot", "driver", "--speed", "50 m/s", "--accuracy", "5"], ["--accuracy"]),
         (["shot", "driver", "--speed", "50 m/s", "--accuracy", "1e-6"], ["--accuracy", "leave it out", "volumetric"]),

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface.cli import given
+from clubface.cli.failures import say
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError
 
@@ -84,7 +85,7 @@ def _deliveries(
         from clubface.design.comparison import MOST
         from clubface.design.comparison_rows import read_deliveries
 
-        told = read_deliveries(file, MOST)
+        told = read_deliveries(file, MOST, lambda text: say(f"note: {text}"))
         found = {name: {**base, **each} for name, each in told.items()}
     else:
         told, found = {}, {}
