@@ -128,10 +128,31 @@ def test_file_and_picture_are_written(clubface_, heavier, tmp_path):
         (["driver", "3-wood", "--parameters", "penner"], ["penner", "--model standard"]),
         (["driver", "3-wood", "--toe", "90 mm"], ["--toe", "90"]),
         (["driver", "3-wood", "--ball", "x"], ["ball"]),
+        (["driver", "3-wood", "--nodes", "5", "--no-split"], ["--nodes", "--no-split"]),
+        (["driver", "3-wood", "--json", "--unit", "carry=m"], ["--unit", "--json"]),
+        (["driver", "3-wood", "--accuracy", "1e-6"], ["--accuracy", "leave it out", "volumetric"]),
+        (["driver", "3-wood", "--air", "humidity=0.1, humidity=0.2"], ["--air", "given once"]),
+        (["driver", "--delivery", "loft=4 deg", "--delivery", "loft=4deg"], ["--delivery", "given once"]),
+        (["driver", "--delivery", "loft=4 deg, loft=5 deg", "--delivery", "toe=0 mm"], ["--delivery", "given once"]),
+        (["driver", "--delivery", "speed=45 m/s", "--delivery", "speed=46 m/s"], ["--speed has no effect"]),
     ],
 )
 def test_a_mistake_is_one_message(clubface_, arguments, words):
     assert_mistake(clubface_("compare", *arguments, "--speed", "105 mph"), *words)
+
+
+def test_what_every_row_has_is_not_given_for_all(clubface_, write):
+    file = str(write("speed_mph,loft_deg\n100,12\n101,13\n"))
+    assert_mistake(
+        clubface_("compare", "driver", "--deliveries", file, "--loft", "10 deg"), "--loft has no effect", file
+    )
+    assert clubface_("compare", "driver", "--deliveries", file, "--toe", "5 mm", "--no-split").status == 0
+
+
+def test_a_column_that_is_nearly_an_input_is_remarked_on(clubface_, write):
+    file = str(write("speed_mph,lofft_deg\n100,12\n101,13\n"))
+    told = clubface_("compare", "driver", "--deliveries", file, "--no-split").err
+    assert "the column 'lofft_deg' is not used; did you mean loft?" in told
 
 
 def test_the_speed_must_be_given(clubface_):

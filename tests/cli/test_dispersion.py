@@ -75,6 +75,22 @@ def test_a_golfer_is_estimated_from_a_file_and_can_be_hit_with(clubface_, tmp_pa
     face = found.variables.index("face")
     assert found.spread[face] == pytest.approx(golfer("handicap-5-driver").spread[face], rel=0.4)
     assert clubface_("dispersion", str(mine), *FEW).status == 0
+    estimate = ("golfer", "estimate", str(file), "--club", "driver")
+    assert_mistake(clubface_(*estimate, "--like", str(mine), "-o", str(mine)), "--output", "another file")
+    assert_mistake(clubface_(*estimate, "--ball", "distance"), "--ball")
+    written = clubface_("golfer", "show", str(mine), "-o", str(tmp_path / "other.toml"), "--json")
+    assert written.json["name"] == "mine"
+
+
+def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_path):
+    shots, head, mine = (tmp_path / name for name in ("shots.csv", "head.toml", "mine.toml"))
+    assert clubface_("club", "new", "-o", str(head)).status == 0
+    steps = np.random.default_rng(1).standard_normal((30, 2))
+    shots.write_text("club_speed_mph,face_deg\n" + "".join(f"{95 + one:.4f},{two:.4f}\n" for one, two in steps))
+    told = clubface_("golfer", "estimate", str(shots), "--club", str(head), "-o", str(mine)).err
+    assert f"clubface dispersion {mine} --club {head} takes it" in told
+    assert clubface_("dispersion", str(mine), "--club", str(head), *FEW).status == 0
+    assert_mistake(clubface_("dispersion", str(mine), *FEW), "--club is missing", "my-club", "mine")
 
 
 @pytest.mark.parametrize(("spread", "shares"), [("", False), ('face = "2 deg"', True)])

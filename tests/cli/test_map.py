@@ -109,6 +109,17 @@ def test_file_and_picture_are_written(clubface_, stable, tmp_path):
         (["--unit", "carry=rpm"], ["--unit", "rpm"]),
         (["--model", "fem", "--grid", "101x101"], ["at most 1000"]),
         (["--model", "nonsense"], ["model"]),
+        (["--grid", "100000x100000"], ["--grid", "3 to 2001"]),
+        (["--spread", "12 mm x"], ["--spread", "12 mm x 9 mm"]),
+        (["--quantity", ","], ["--quantity", "such as carry"]),
+        (["--quantity", "carry", "--unit", "side=m"], ["--unit", "side", "--quantity"]),
+        (["--json", "--unit", "carry=m"], ["--unit", "--json"]),
+        (["--unit", "carry=m", "--unit", "carry=yd"], ["--unit", "given once"]),
+        (["--workers", "2"], ["--workers", "leave it out"]),
+        (["--minus", "driver"], ["--minus", "another club"]),
+        (["--accuracy", "1e-6"], ["--accuracy", "leave it out", "volumetric"]),
+        (["--temperature", "900 degC"], ["--temperature"]),
+        (["--humidity", "50"], ["--humidity"]),
     ],
 )
 def test_a_mistake_is_one_message(clubface_, arguments, words):

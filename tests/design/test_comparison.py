@@ -312,6 +312,27 @@ def test_points_of_derivatives_are_counted():
     with pytest.raises(InputError, match="1 to 64"):
         clubface.compare(both, nodes=0)
     assert clubface.compare(both, split=False).contributions == {}
+    with pytest.raises(InputError, match="nodes"):
+        clubface.compare(both, nodes=5, split=False)
+
+
+def test_what_is_not_among_the_contributions_is_an_error():
+    found = clubface.compare(
+        {name: {"club": "driver", "delivery": {**DRIVE, "toe": toe}} for name, toe in (("a", 0.0), ("b", 0.01))}
+    ).contributions["b"]
+    for change, quantity in (("loft", "carry"), ("toe", "cary")):
+        with pytest.raises(UnknownNameError):
+            found.of(change, quantity)
+
+
+@pytest.mark.parametrize(
+    ("names", "model", "told"),
+    [((1, 2), "response", "name"), (("", "b"), "response", "name"), ("ab", ["response"], "model"),
+     ("ab", "all", "model")],
+)  # fmt: skip
+def test_names_are_text_and_models_single(names, model, told):
+    with pytest.raises(InputError, match=told):
+        clubface.compare({name: {"club": "driver", "delivery": DRIVE, "model": model} for name in names})
 
 
 def test_rows_of_a_file_are_deliveries(write):

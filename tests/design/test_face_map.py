@@ -8,6 +8,7 @@ import pytest
 import clubface
 from clubface import units
 from clubface.design.comparison_quantities import LAUNCHED, QUANTITIES
+from clubface.design.face_map_difference import FaceMapDifference
 from clubface.design.face_map_forgiveness import forgiveness
 from clubface.design.face_map_outline import Outline, outline_of
 from clubface.design.face_map_surface import Interpolated, _area, _greatest
@@ -304,6 +305,16 @@ def test_points_by_finite_elements_are_kept_when_they_are_interrupted(tmp_path):
         ({"grid": (2, 9)}, InputError, "3 to 2001"),
         ({"grid": "9x7"}, InputError, "grid"),
         ({"speed": [40.0, 50.0]}, InputError, "single"),
+        ({"grid": 9}, InputError, "grid"),
+        ({"points": 3}, InputError, "points"),
+        ({"points": ([0.0, 0.01], [0.0]), "grid": (9, 7)}, InputError, "either"),
+        ({"points": ([0.01, 0.0], [0.0])}, InputError, "rising"),
+        ({"points": ([0.0, math.nan], [0.0])}, InputError, "rising"),
+        ({"points": ([[0.0, 0.01]], [0.0])}, InputError, "rising"),
+        ({"points": ([1.0], [1.0])}, RunError, "no point"),
+        ({"workers": 2}, InputError, "workers"),
+        ({"air": {"temperature": "900 degC"}}, InputError, "temperature"),
+        ({"model": "fem", "wind": ("900 m/s", 0.0, 0.0)}, InputError, "wind"),
         ({"loft": "95 deg"}, ShotError, "loft"),
         ({"model": "fem", "grid": (101, 101)}, InputError, "at most 1000"),
         ({"model": "fem", "loft": "95 deg"}, ShotError, "loft"),
@@ -321,6 +332,36 @@ def test_a_spread_is_two_standard_deviations_on_the_face(driver, spread):
         driver.forgiveness(spread)
     with pytest.raises(InputError, match="on the face"):
         driver.forgiveness(("12 mm", "9 mm"), toe="60 mm")
+
+
+@pytest.mark.parametrize("share", ["carry", 0.0, 1.0])
+def test_an_area_is_of_a_share(driver, share):
+    with pytest.raises(InputError, match="share"):
+        driver.area(share)
+    with pytest.raises(InputError, match="second"):
+        FaceMapDifference(driver, None)  # pyright: ignore[reportArgumentType]
+
+
+def test_points_are_struck_and_remarked_on_alike_however_many_are_in_memory(monkeypatch):
+    struck = {"model": "volumetric", "grid": (11, 9)}
+    monkeypatch.setattr("clubface.support.warning._given", set())
+    with pytest.warns(RangeWarning) as at_once:
+        whole = clubface.map_face("driver", speed=40.0, **struck)
+    monkeypatch.setattr("clubface.design.face_map_shots.CHUNK", 10)
+    monkeypatch.setattr("clubface.support.warning._given", set())
+    done = []
+    with pytest.warns(RangeWarning) as in_parts:
+        parts = clubface.map_face("driver", speed=40.0, progress=lambda some, _: done.append(some), **struck)
+    assert np.array_equal(whole.get("carry"), parts.get("carry"), equal_nan=True)
+    assert [str(each.message) for each in at_once] == [str(each.message) for each in in_parts]
+    assert done == sorted(done)
+    assert done[-1] == 99
+
+
+def test_the_area_of_a_fine_grid_is_that_of_a_coarse_one(driver):
+    """Cells of 0.1 mm whole, and those of 1 mm cut into 64: the edge of the face leaves some 0.1 %."""
+    fine = clubface.map_face("driver", DRIVE, grid=(901, 901))
+    assert fine.area() == pytest.approx(driver.area(), rel=2e-3)
 
 
 def test_a_map_is_a_dataset(driver):

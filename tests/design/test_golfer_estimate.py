@@ -5,6 +5,7 @@ import pytest
 
 from clubface.design.golfer import Golfer
 from clubface.design.golfer_estimate import estimate
+from clubface.design.golfers import golfer
 from clubface.errors import InputError
 from clubface.launch_monitor.reference_points import _normal, _tilted, _turned
 from clubface.measured.ready import ready_shots
@@ -114,6 +115,45 @@ def test_a_left_handers_shots_make_a_left_hander_who_hits_a_left_handed_club():
     assert dispersion(found, count=64).club.hand == -1
     with pytest.raises(InputError, match="one hand"):
         estimate(hit(known(), 60, 3, hand=np.array(["left", "right"] * 30, dtype=object)))
+
+
+def session(**values):
+    count = len(values["speed"])
+    shots = RecordedShots(
+        deliveries=values, launches={}, rows=np.arange(count), source="shots.csv", format="clubface"
+    )  # fmt: skip
+    return ready_shots(shots, club="driver")
+
+
+def test_what_is_the_same_in_every_shot_tells_the_mean_alone():
+    drawn = np.random.default_rng(1).standard_normal((50, 2)) * [0.5, 2.0 * DEG]
+    found = estimate(session(speed=45.0 + drawn[:, 0], face=drawn[:, 1], lie=np.full(50, 3.0 * DEG)))
+    place, like = found.golfer.variables.index("lie"), golfer(found.like)
+    assert found.golfer.mean[place] == 3.0 * DEG
+    assert found.golfer.spread[place] == pytest.approx(like.spread[like.variables.index("lie")])
+    assert found.golfer.source("mean of lie") == "the same in every shot: shots.csv"
+    assert any("the same in every shot" in note and "lie" in note for note in found.notes)
+    assert "lie" not in found.measured
+
+
+RAMP, ZIGZAG = np.arange(50) * 1e-3, np.arange(50) % 2 * 1e-2
+NOISE = np.random.default_rng(1).standard_normal(50)
+
+
+@pytest.mark.parametrize(
+    ("values", "told"),
+    [
+        ({"speed": 45.0 + NOISE, "path": 0.01 * NOISE, "face": 0.02 * NOISE}, "follows from others.*speed, path, face"),
+        ({"speed": 45.0 + RAMP, "path": RAMP}, "follows from others"),
+        ({"speed": 45.0 + ZIGZAG, "face": -ZIGZAG}, "follows from others"),
+        ({"speed": 45.0 + NOISE, "path": np.where(np.arange(50) == 20, 0.02, 0.0)}, "hardly ever changes"),
+        ({"speed": np.full(50, 45.0), "face": 0.02 * NOISE}, "all of one club speed"),
+        ({"speed": np.array([45.0]), "face": np.array([0.02])}, "1 with all of speed, face"),
+    ],
+)
+def test_shots_that_tell_no_spread_are_refused(values, told):
+    with pytest.raises(InputError, match=told):
+        estimate(session(**values))
 
 
 def test_too_few_shots_and_several_players_are_refused():

@@ -45,3 +45,9 @@ def test_a_name_with_a_colon_is_to_be_quoted_even_on_the_last_line(before, after
     with pytest.raises(FileError, match=r'put the name into quotes: "club:HEAD1" = \.\.\.') as told:
         Document(f"{before}club:HEAD1 = 1{after}", "x.toml")
     assert told.value.line == 1 + before.count("\n")
+
+
+def test_a_byte_order_mark_is_no_part_of_the_first_name(tmp_path):
+    file = tmp_path / "x.toml"
+    file.write_bytes(b"\xef\xbb\xbf" + TEXT.encode())
+    assert Document.read(file).data["name"] == "x"

@@ -105,7 +105,8 @@ def _options(arguments: Sequence[str]) -> dict[str, str]:
         if not isinstance(command, TyperGroup) or (found := command.get_command(typer.Context(command), word)) is None:
             break
         command = found
-    return {str(each.name): max(each.opts, key=len) for each in command.params if each.opts[0].startswith("-")}
+    found = {str(each.name): max(each.opts, key=len) for each in command.params if each.opts[0].startswith("-")}
+    return found | {f"wind_{axis}": found["wind"] for axis in "xyz" if "wind" in found}  # its components
 
 
 def _prepare_streams() -> bool:

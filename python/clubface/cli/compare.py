@@ -70,6 +70,8 @@ def compare(
     **texts: Any,
 ) -> None:
     """Compare clubs, balls, models, parameters or deliveries, and tell what makes the difference."""
+    if as_json and unit and plot is None and report is None:
+        raise ClubfaceError("--unit is for tables and pictures; JSON names its units: leave out --unit or --json")
     inputs = [*clubs, *(texts["ball"] or ()), *(texts["parameters"] or ()), deliveries]
     output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
     output.check_picture(plot, inputs)
@@ -80,6 +82,8 @@ def compare(
     from clubface.design.comparison import MOST, compare as computed
 
     alternatives = alternatives_of(clubs, delivery, deliveries, texts)
+    if nodes is not None and not split:
+        raise ClubfaceError("--nodes has no effect with --no-split; leave out one of them")
     if not 2 <= len(alternatives) <= MOST:
         allowed = "give two clubs, or something else twice, as in --ball modern --ball distance"
         raise ClubfaceError(

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface.cli import given
+from clubface.cli.failures import say
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError
 
@@ -20,6 +21,7 @@ def alternatives_of(
     heads = _named([(given.club_of(which, texts["hand"]), which) for which in clubs], "CLUB")
     balls = _named([(ball(which), which) for which in texts["ball"] or [None]], "--ball")
     models = given.model_names(texts["model"], DEFAULT_MODEL)
+    given.check_accuracy(models, texts["accuracy"])
     swings = _deliveries(changes, file, texts)
     combined = []
     for head_name, head in heads.items():
@@ -83,18 +85,25 @@ def _deliveries(
         from clubface.design.comparison import MOST
         from clubface.design.comparison_rows import read_deliveries
 
-        found = {name: {**base, **each} for name, each in read_deliveries(file, MOST).items()}
+        told = read_deliveries(file, MOST, lambda text: say(f"note: {text}"))
+        found = {name: {**base, **each} for name, each in told.items()}
     else:
-        found = {}
+        told, found = {}, {}
         for text in changes or [""]:
-            told = given.pairs(text.split(",") if text else (), "--delivery")
-            check_names("value of --delivery", told, DIMENSIONS)
-            values = {
-                name: given.parsed(f"--{name.replace('_', '-')}", each, DIMENSIONS[name]) for name, each in told.items()
+            pairs = given.pairs(text.split(",") if text else (), "--delivery")
+            check_names("value of --delivery", pairs, DIMENSIONS)
+            told[text] = {
+                name: given.parsed(f"--{name.replace('_', '-')}", each, DIMENSIONS[name])
+                for name, each in pairs.items()
             }
-            if text in found:
+            swing = {**base, **told[text]}
+            if swing in found.values():
                 raise InputError("--delivery", text, "given once: it is compared with itself")
-            found[text] = {**base, **values}
+            found[text] = swing
+    for name in base:
+        if told and all(name in each for each in told.values()):
+            what = f"every row of {file}" if file is not None else "every --delivery"
+            raise ClubfaceError(f"--{name.replace('_', '-')} has no effect: {what} has its own; leave it out")
     if any("speed" not in each for each in found.values()):
         raise ClubfaceError('--speed is missing; give it with its unit, as in --speed "113 mph"')
     return found

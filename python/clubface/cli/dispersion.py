@@ -69,7 +69,7 @@ def dispersion(
 ) -> None:
     """Hit many shots of a golfer and sum up where they go."""
     from clubface.design.dispersion import COUNT, dispersion as compute
-    from clubface.design.golfers import golfer as golfer_named
+    from clubface.design.golfers import club_of, golfer as golfer_named
     from clubface.design.hitting import Hitting
     from clubface.tables.writer import KINDS
 
@@ -81,7 +81,7 @@ def dispersion(
             raise ClubfaceError(f"--{name} has no effect with --no-flight; leave out one of them")
     player = golfer_named(golfer)
     own = None if club is not None else "right" if player.hand > 0 else "left"
-    head = given.club_of(player.club if club is None else club, own if texts["hand"] is None else texts["hand"])
+    head = given.club_of(club_of(player) if club is None else club, own if texts["hand"] is None else texts["hand"])
     _check(player, head, texts["model"], count)
     conditions = given.conditions(texts)
     hitting = {

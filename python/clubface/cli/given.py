@@ -25,6 +25,10 @@ USUAL_OF = {
 """The same of options that are more narrowly known than their dimension."""
 
 
+ONCE = ("--delivery", "--air", "--unit", "--assume")
+"""Options in which no name may be given twice; of those of --set the last wins."""
+
+
 def parsed(option: str, text: str, dimension: str) -> float:
     """Return a value in SI.
 
@@ -97,9 +101,20 @@ def names(texts: Iterable[str] | None) -> list[str]:
     return list(dict.fromkeys(name.strip() for each in texts or () for name in each.split(",") if name.strip()))
 
 
+def check_accuracy(names: Iterable[str], accuracy: float | None) -> None:
+    """Refuse an accuracy of which none of the models makes any use."""
+    from clubface.equipment.models import model, models
+
+    if accuracy is not None and all(model(name).kind == "impulse" for name in names):
+        contact = [name for name in models() if model(name).kind == "contact"]
+        told = f"leave it out: {', '.join(names)} take no steps; those that do are {', '.join(contact)}"
+        raise InputError("--accuracy", accuracy, told)
+
+
 def one_set(head: Any, texts: Mapping[str, Any]) -> Any:
     """Return the parameter set that the options of ``options.ONE_MODEL`` choose for a club."""
     model = texts["model"]
+    check_accuracy([model], texts["accuracy"])
     return parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])[model]
 
 
@@ -191,5 +206,7 @@ def pairs(texts: Iterable[str], option: str) -> dict[str, str]:
         key, equals, value = text.partition("=")
         if not (equals and key.strip() and value.strip()):
             raise InputError(option, text, "of the form name=value")
+        if key.strip() in found and option in ONCE:
+            raise InputError(option, text, f"with {key.strip()} given once")
         found[key.strip()] = value.strip()
     return found

@@ -66,7 +66,8 @@ def show(
         say(f"wrote {report}")
     if target is not None:
         output.write_template(to_toml(found), target, f"clubface dispersion {target} takes it")
-        return
+        if not as_json:
+            return
     if as_json:
         output.print_json(_document(found))
         return
@@ -80,7 +81,7 @@ def show(
 
 
 @app.command("estimate")
-@options.takes(RECORDED)
+@options.takes({name: each for name, each in RECORDED.items() if name != "ball"})  # no ball is struck
 def estimate(
     file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a table of clubface.")],
     name: Annotated[str, options.option("--name", metavar="NAME", text="What to call the golfer.")] = "my golfer",
@@ -100,16 +101,18 @@ def estimate(
     """Estimate a golfer from shots in the order in which they were hit."""
     from clubface.design.golfer_estimate import estimate as compute
     from clubface.design.golfer_file import to_toml
+    from clubface.equipment.clubs import CLUB_NAMES
 
-    output.check_target("--output", target, (".toml",), [file, texts["mapping"]])
-    output.check_report(report, [file, texts["mapping"]])
+    output.check_target("--output", target, (".toml",), [file, texts["mapping"], texts["club"], like])
+    output.check_report(report, [file, texts["mapping"], texts["club"], like])
     shots = recorded_shots(file, texts)
     found = compute(shots, name=name, like=like)
     if target is not None:
         from clubface.support.whole_file import write_text
 
         write_text(target, to_toml(found.golfer))
-        say(f"wrote {target}; clubface dispersion {target} takes it")
+        own = "" if found.golfer.club in CLUB_NAMES else f" --club {texts['club']}"
+        say(f"wrote {target}; clubface dispersion {target}{own} takes it")
     if report is not None:
 
         def tables() -> None:

@@ -66,6 +66,8 @@ def map_(
 ) -> None:
     """Map ball speed, launch, spin and carry over the face, with its sweet spot and what bad strikes cost."""
     inputs = [club, minus, texts["ball"], texts["parameters"]]
+    if as_json and unit and plot is None and report is None:
+        raise ClubfaceError("--unit is for tables and pictures; JSON names its units: leave out --unit or --json")
     output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
     output.check_picture(plot, inputs)
     output.check_report(report, inputs)
@@ -76,9 +78,14 @@ def map_(
         raise ClubfaceError("--toe and --high say about which point impacts scatter; give --spread too")
     shown = shown_units(unit)
     names = _quantities(quantity)
+    listed = {*(names or DEFAULT), "ball_speed", "carry"}  # of the last two the best points are told
+    if hidden := [name for name in given.pairs(unit or (), "--unit") if name not in listed]:
+        raise InputError("--unit", hidden[0], "a quantity that is listed; name it with --quantity")
     counts = None if grid is None else _grid(grid)
     conditions = given.conditions(texts)
     heads = [given.club_of(each, texts["hand"]) for each in (club, minus) if each is not None]
+    if len(heads) == 2 and heads[0] == heads[1]:
+        raise InputError("--minus", minus, "another club than the first")
     sets = [given.one_set(head, texts) for head in heads]
 
     from clubface.design.face_map import map_face
@@ -166,12 +173,14 @@ def _quantities(texts: Sequence[str] | None) -> list[str]:
     from clubface.support.checks import check_names
 
     names = given.names(texts)
+    if texts and not names:
+        raise InputError("--quantity", ",".join(texts), f"a quantity, such as carry: one of {', '.join(VALUES)}")
     check_names("quantity", names, VALUES)
     return names
 
 
 def _grid(text: str) -> tuple[int, int]:
-    found = re.fullmatch(r"\s*(\d{1,5})\s*[x×]\s*(\d{1,5})\s*", text)
+    found = re.fullmatch(r"\s*(\d{1,12})\s*[x×]\s*(\d{1,12})\s*", text)
     if found is None:
         raise InputError("--grid", text, "two whole numbers, as in 101x101")
     return int(found[1]), int(found[2])
@@ -179,7 +188,7 @@ def _grid(text: str) -> tuple[int, int]:
 
 def _spread(text: str) -> tuple[float, float]:
     parts = re.split(r"[x×,]", text)
-    if len(parts) != 2:
+    if len(parts) != 2 or not all(part.strip() for part in parts):
         raise InputError("--spread", text, 'two standard deviations, towards the toe and upwards, as in "12 mm x 9 mm"')
     across, up = (given.parsed("--spread", part, "length") for part in parts)
     return across, up

@@ -58,6 +58,7 @@ def shot(
     output.check_report(report)
     head = given.club_of(club, texts["hand"])
     names = given.model_names(texts["model"], DEFAULT_MODEL)
+    given.check_accuracy(names, texts["accuracy"])
     sets = given.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
     conditions = given.conditions(texts)
 

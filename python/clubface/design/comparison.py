@@ -18,7 +18,7 @@ from clubface.simulation.impact import impact
 from clubface.simulation.inputs import as_values
 from clubface.simulation.launch import Launch
 from clubface.simulation.outside import warn_if_outside
-from clubface.support.checks import check_choice, check_count, check_names
+from clubface.support.checks import check_choice, check_count, check_name, check_names
 from clubface.support.warning import without_warnings
 
 MOST = 24
@@ -46,6 +46,8 @@ class Alternative:
     def launch(self, **changes: Any) -> Launch:
         """Return the launch of it, some of its fields changed."""
         taken = {each.name: getattr(self, each.name) for each in fields(self)} | changes
+        if not isinstance(taken["model"], str) or taken["model"] == "all":
+            raise InputError("model", taken["model"], "the name of one model in each alternative")
         found = impact(taken.pop("club"), taken.pop("delivery"), **taken)
         if found.shape:
             raise InputError("delivery", Told(f"a batch of shape {found.shape}"), "a single shot in each alternative")
@@ -171,6 +173,10 @@ def compare(
         raise InputError("alternatives", count, f"a mapping of names to 2 to {MOST} alternatives")
     if nodes is not None:
         check_count("nodes", nodes, 1, MOST_NODES)
+        if not split:
+            raise InputError("nodes", nodes, "leave it out where nothing is split into contributions")
+    for name in alternatives:
+        check_name(name)
     asked = {name: _alternative(each) for name, each in alternatives.items()}
     conditions = {"air": air, "wind": wind, "ground": ground}
     with without_warnings(RangeWarning):

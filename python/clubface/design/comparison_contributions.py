@@ -17,6 +17,7 @@ from clubface.simulation.flight import fly
 from clubface.simulation.flight_inputs import flight_columns
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import flight_outputs, outputs
+from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -70,6 +71,8 @@ class Contributions(NamedTuple):
     def of(self, name: str, quantity: str) -> float:
         """Return what the change called ``name`` contributes to a quantity [SI]."""
         names = [each.name for each in self.changes]
+        check_choice("change", name, names)
+        check_choice("quantity", quantity, QUANTITIES)
         return float(self.si[names.index(name), QUANTITIES.index(quantity)])
 
 

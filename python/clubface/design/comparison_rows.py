@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 from clubface.errors import FileError
@@ -14,15 +15,21 @@ NAMES = ("name", "label", "delivery", "shot")
 """Headings of a column that names the rows."""
 
 
-def read_deliveries(path: str | os.PathLike[str], most: int) -> dict[str, dict[str, float]]:
+def read_deliveries(
+    path: str | os.PathLike[str], most: int, note: Callable[[str], object] | None = None
+) -> dict[str, dict[str, float]]:
     """Read deliveries [SI] from a CSV or Parquet file of at most so many rows, by what its rows are called.
 
-    A column ``name`` (or label, delivery, shot) names the rows; without one they are called after their lines.
+    A column ``name`` (or label, delivery, shot) names the rows; without one they are called after their lines. ``note``
+    is called with what a reader of the result should know, such as a column whose name is nearly that of an input.
     """
     reader = open_table(Path(path))
     try:
         columns = layout(reader.headings, reader.path, reader.header_line)
         naming = [place for place, each in enumerate(columns.headings) if plain_name(each) in NAMES]
+        if note is not None:
+            for text in columns.notes:
+                note(text)
         found: dict[str, dict[str, float]] = {}
         for chunk in reader.chunks(most + 1, 0):
             for reject in chunk.ragged:

@@ -11,7 +11,7 @@ import numpy as np
 
 from clubface.design.dispersion_tally import FLOWN, LAUNCHED, Tally, forward
 from clubface.design.golfer import Golfer
-from clubface.design.golfers import golfer as golfer_named
+from clubface.design.golfers import club_of, golfer as golfer_named
 from clubface.design.hitting import Hitting
 from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball
@@ -194,7 +194,7 @@ def dispersion(
     """
     check_count("count", count, 1, MOST)
     of_golfer = golfer_named(golfer)
-    of_club = club_named(of_golfer.club).replace(hand=of_golfer.hand) if club is None else club_named(club)
+    of_club = club_named(club_of(of_golfer)).replace(hand=of_golfer.hand) if club is None else club_named(club)
     of_golfer = of_golfer.for_hand(of_club.hand)
     if hole is not None and not isinstance(hole, Hole):
         raise InputError("hole", hole, 'a Hole, as in Hole(length="430 yd")')

@@ -17,12 +17,13 @@ from clubface.design.face_map_surface import Surface, surface_of
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.errors import InputError, RangeWarning, Told
+from clubface.errors import InputError, RangeWarning, RunError, Told
+from clubface.simulation.flight_inputs import check_conditions
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import as_values
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import outputs
-from clubface.support.checks import check_choice, is_count
+from clubface.support.checks import check_choice, check_share, is_count
 from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
@@ -102,8 +103,7 @@ class FaceMap:
 
     def area(self, share: float = SHARE) -> float:
         """Return the area [m2] of the face on which the ball speed is at least a ``share`` of the best."""
-        if not 0.0 < share < 1.0:
-            raise InputError("share", share, "between 0 and 1")
+        check_share(share)
         return self.surface.area(QUANTITIES.index("ball_speed"), share * self.best().value)
 
     def forgiveness(self, spread: tuple[Any, Any], *, toe: Any = 0.0, high: Any = 0.0) -> Forgiveness:
@@ -198,7 +198,7 @@ def map_face(
         Numbers of points towards the toe and upwards, over the box around the face; left out, 101 by 101, or 9 by 7 for
         a model that takes long.
     points
-        Instead of a grid: the places towards the toe and upwards [m].
+        Instead of a grid: the places towards the toe and upwards [m], each rising.
     air, wind, ground
         Of the flights, as for :func:`clubface.fly`.
     output
@@ -212,9 +212,15 @@ def map_face(
     Raises
     ------
     InputError
-        The delivery is no single shot or says where the ball is struck, or the grid is too coarse or too fine.
+        The delivery is no single shot or says where the ball is struck, the grid is too coarse or too fine, or an
+        option has no effect on this model.
+    RunError
+        No point of the face has a shot.
     """
     chosen = club_of(club)
+    check_conditions(air, wind)
+    if workers is not None and model not in MODULES:
+        raise InputError("workers", workers, f"leave it out: {model} computes all points at once")
     given = dict(as_values(delivery, values))
     for name in ("toe", "high"):
         if given.pop(name, None) is not None:
@@ -250,16 +256,27 @@ def map_face(
         table = settled.at(across, up, remark=True, progress=told)
     surface = surface_of(settled, outline, toe, high, table)
     table = np.where(outline.holds(across, up), table, np.nan).reshape(len(QUANTITIES), len(high), len(toe))
+    if not np.isfinite(table).any():
+        raise RunError("no point of the face has a shot")
     return FaceMap(toe, high, table, outline, surface, centre)
 
 
 def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return the places towards the toe and upwards [m]."""
     if points is not None:
+        if grid is not None:
+            raise InputError("grid", grid, "leave out either points or grid")
+        if not isinstance(points, (tuple, list)) or len(points) != 2:
+            raise InputError("points", points, "the places towards the toe and upwards")
         toe, high = (np.atleast_1d(units.parse_values(each, "length", name="points")) for each in points)
+        for each in (toe, high):
+            rising = each.ndim == 1 and np.isfinite(each).all() and (np.diff(each) > 0.0).all()
+            if not rising or not 1 <= each.size <= MOST:
+                raise InputError("points", each, f"1 to {MOST} places one after the other, each rising")
         counts = (len(toe), len(high))
     else:
-        counts = tuple(grid) if isinstance(grid, Iterable) else (COARSE if long else GRID)
+        counts = (COARSE if long else GRID) if grid is None else grid
+        counts = tuple(counts) if isinstance(counts, Iterable) else ()
         if len(counts) != 2 or not all(is_count(each, LEAST, MOST) for each in counts):
             raise InputError("grid", grid, f"two whole numbers from {LEAST} to {MOST}, as in 101 by 101")
         ends = zip(outline.least.tolist(), outline.greatest.tolist(), counts, strict=True)

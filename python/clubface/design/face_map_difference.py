@@ -30,6 +30,9 @@ class FaceMapDifference:
     """
 
     def __init__(self, first: FaceMap, second: FaceMap) -> None:
+        for name, each in (("first", first), ("second", second)):
+            if not isinstance(each, FaceMap):
+                raise InputError(name, each, "a map, as of clubface.map_face")
         if not (np.array_equal(first.toe, second.toe) and np.array_equal(first.high, second.high)):
             told = Told("maps of other points")
             raise InputError("second", told, "a map of the points of the first: points=(first.toe, first.high)")

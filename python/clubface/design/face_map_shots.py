@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -17,12 +18,16 @@ from clubface.errors import RangeWarning, ShotError
 from clubface.simulation.flight import fly
 from clubface.simulation.flight_inputs import BALL, SPIN, VELOCITY
 from clubface.simulation.impact import impact
+from clubface.simulation.outside import Tally
 from clubface.simulation.quantities import outputs
 from clubface.support.resuming import Store, unfinished
-from clubface.support.warning import without_warnings
+from clubface.support.warning import is_silent, without_warnings
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+CHUNK = 2**16
+"""Points in memory at a time."""
 
 
 class Struck(NamedTuple):
@@ -64,13 +69,21 @@ class Struck(NamedTuple):
         With ``remark`` it warns of shots outside the range of the model. ``progress`` is called with the number of
         points done.
         """
-        with nullcontext() if remark else without_warnings(RangeWarning):
-            launch = impact(
-                self.club, {**self.delivery, "toe": toe, "high": high}, model=self.model, parameters=self.parameters,
-                ball=self.ball, accuracy=self.accuracy, on_error="nan", progress=progress,
-            )  # fmt: skip
-            flight = fly(launch, **self.conditions, on_error="nan")
-        return np.array([(launch if name in LAUNCHED else flight).get(name) for name in QUANTITIES])
+        found, outside = np.empty((len(QUANTITIES), toe.size)), Tally()
+        for start in range(0, toe.size, CHUNK):
+            some = slice(start, start + CHUNK)
+            with without_warnings(RangeWarning):
+                launch = impact(
+                    self.club, {**self.delivery, "toe": toe[some], "high": high[some]}, model=self.model,
+                    parameters=self.parameters, ball=self.ball, accuracy=self.accuracy, on_error="nan",
+                    progress=progress and partial(_told, progress, start),
+                )  # fmt: skip
+                flight = fly(launch, **self.conditions, on_error="nan")
+            outside.add(launch)
+            found[:, some] = [(launch if name in LAUNCHED else flight).get(name) for name in QUANTITIES]
+        if remark and not is_silent(RangeWarning):
+            outside.warn()
+        return found
 
 
 def run_points(
@@ -139,6 +152,10 @@ def run_points(
             raise KeyboardInterrupt(f"{len(found)} of {len(places)} points are done{kept}") from None
     table = np.array([[np.nan if each is None else each for each in found[place]] for place in places]).T
     return _with_flights(struck, table)
+
+
+def _told(progress: Callable[[int], object], before: int, done: int) -> None:
+    progress(before + done)
 
 
 def finished(output: str | os.PathLike[str] | None) -> None:

@@ -20,7 +20,7 @@ CLOSER = 5.0
 AROUND = 11
 """Points along a side of such a neighbourhood."""
 PARTS = 8
-"""Into which each side of a cell is cut to measure an area."""
+"""Into which each side of a cell is cut to measure an area, of a grid of ``FINE`` points or fewer."""
 FINE = 101
 """Points along a side of the grid on which an area is measured, at least."""
 
@@ -175,13 +175,15 @@ def _area(outline: Outline, toe: NDArray[Any], high: NDArray[Any], values: NDArr
     """Return the area on which values over a grid, linear in between, are at least so great."""
     if len(toe) < 2 or len(high) < 2:
         return 0.0
-    share = (np.arange(PARTS) + 0.5) / PARTS
+    # Of a fine grid the cells are small enough, and their parts would take a lot of memory.
+    parts = max(1, PARTS * FINE // max(values.shape))
+    share = (np.arange(parts) + 0.5) / parts
     fine_toe = (toe[:-1, None] + share * np.diff(toe)[:, None]).reshape(-1)
     fine_high = (high[:-1, None] + share * np.diff(high)[:, None]).reshape(-1)
     between = values[:, :-1, None] * (1.0 - share) + values[:, 1:, None] * share
     between = between.reshape(len(high), -1)
     whole = between[:-1, None] * (1.0 - share[:, None]) + between[1:, None] * share[:, None]
     whole = whole.reshape(-1, between.shape[1])
-    cells = np.outer(np.repeat(np.diff(high), PARTS), np.repeat(np.diff(toe), PARTS)) / PARTS**2
+    cells = np.outer(np.repeat(np.diff(high), parts), np.repeat(np.diff(toe), parts)) / parts**2
     inside = outline.holds(fine_toe[None, :], fine_high[:, None])
     return float(cells[inside & (whole >= least)].sum())

@@ -10,6 +10,7 @@ covariance C are those of the greatest likelihood. A mishit counts for little in
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -32,6 +33,9 @@ SCALES = np.arange(1.5, 6.01, 0.25)
 GAIN = 4.0
 """Least gain in logarithmic likelihood by which mishits are taken to exist."""
 ROUNDS = 60
+CONDITION = 1e6
+"""Greatest ratio of the singular values of differences, each quantity in its spread: beyond, one of them follows from
+the others."""
 STANDARD_ERROR = 0.75
 """Variance of the estimated spread, in squared spreads over the number of shots: 3/4 from successive differences of
 normally distributed shots, where it is 1/2 about the mean."""
@@ -49,7 +53,7 @@ class Estimate(NamedTuple):
     shots
         The number of shots used.
     measured
-        The variables that were measured; all others are those of ``like``.
+        The variables whose spread was measured; all others spread as those of ``like``.
     error
         Standard error of the spread of each measured variable [SI], shape (measured,). It holds in proportion: the
         spread lies within a factor of exp(1.96 error / spread) either way in 19 of 20 sessions, if it is known
@@ -89,7 +93,7 @@ def estimate(shots: ReadyShots, *, name: str = "my golfer", like: str | None = N
     Raises
     ------
     InputError
-        There are too few shots, or shots of several players.
+        There are too few shots, shots of several players, or quantities of which one follows from the others.
     """
     if shots.groups() is not None:
         raise InputError(
@@ -97,30 +101,37 @@ def estimate(shots: ReadyShots, *, name: str = "my golfer", like: str | None = N
         )
     if shots.hand is not None and len(set(shots.hand)) > 1:
         raise InputError("hand", Told("right and left"), "one hand: take the shots of one player")
-    names, values = _complete(shots)
+    names, values, same = _complete(shots)
     base = golfer_named(like if like is not None else _nearest(shots, names, values))
     base = base.for_hand(shots.club.hand if shots.hand is None else HANDS[str(shots.hand[0])])
     steps = np.diff(values, axis=0)
-    if len(values) < ENOUGH:
-        share, scale = base.mishit_share, base.mishit_scale
-        covariance = _covariance(steps, share, scale)
-    else:
-        covariance, share, scale = _mixture(steps)
-    mean = _mean(values, covariance, share, scale)
-    together = _together(base, names, mean, covariance, shots)
-    spread = np.sqrt(np.diag(covariance))
+    try:
+        if np.linalg.cond(steps / np.sqrt((steps**2).mean(axis=0))) > CONDITION:
+            raise np.linalg.LinAlgError
+        if len(values) < ENOUGH:
+            share, scale = base.mishit_share, base.mishit_scale
+            covariance = _covariance(steps, share, scale)
+        else:
+            covariance, share, scale = _mixture(steps)
+        mean = _mean(values, covariance, share, scale)
+        spread = np.sqrt(np.diag(covariance))
+        error = _error(steps, spread, share, scale)
+    except np.linalg.LinAlgError:
+        told = Told("such that one quantity follows from others or hardly ever changes")
+        raise InputError("shots", told, f"leave out the column of one of {', '.join(names)}") from None
+    together = _together(base, names, mean, covariance, same, shots)
     fitted = Golfer(
         name=name, title=f"{name}, {shots.club.name}", club=shots.club.name, hand=base.hand, mishit_share=share,
         mishit_scale=scale if share > 0.0 else 1.0, **together,
     )  # fmt: skip
     total = np.sqrt(np.diag(fitted.total_covariance))
     drift = values.std(axis=0, ddof=1) / total[[fitted.variables.index(each) for each in names]]
-    error = _error(steps, spread, share, scale)
-    return Estimate(fitted, len(values), names, error, drift, base.name, _notes(shots, len(values), names, base, drift))
+    notes = _notes(shots, len(values), names, base, drift, same)
+    return Estimate(fitted, len(values), names, error, drift, base.name, notes)
 
 
-def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats]:
-    """Return the measured variables and the shots that have all of them, shape (n, k)."""
+def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, float]]:
+    """Return the measured variables, the shots that have all of them, shape (n, k), and what is the same in each."""
     given = {name: values for name, values in shots.deliveries.items() if name in OF_CLUB}
     # What was measured in fewer than half of the shots would leave too few of them.
     names = tuple(name for name in OF_CLUB if name in given and np.isfinite(given[name]).mean() > 0.5)
@@ -130,13 +141,15 @@ def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats]:
         )
     values = np.stack([given[name] for name in names], axis=1)
     values = values[np.isfinite(values).all(axis=1)]
-    # What never changes was set, not measured.
-    varies = np.ptp(values, axis=0) > 0.0 if len(values) else np.zeros(len(names), dtype=bool)
-    names = tuple(name for name, does in zip(names, varies, strict=True) if does)
-    least = max(FEWEST, len(names) + 2)
-    if len(values) < least or "speed" not in names:
+    # What never changes was set, not measured: it tells a mean, but no spread.
+    varies = np.ptp(values, axis=0) > 0.0 if len(values) > 1 else np.ones(len(names), dtype=bool)
+    same = {name: float(row[0]) for name, row, does in zip(names, values.T, varies, strict=True) if not does}
+    least = max(FEWEST, len(names) - len(same) + 2)
+    if len(values) < least:
         raise InputError("shots", Told(f"{len(values)} with all of {', '.join(names)}"), f"at least {least} such shots")
-    return names, values[:, varies]
+    if "speed" in same:
+        raise InputError("shots", Told("all of one club speed"), "shots whose club speed was measured")
+    return tuple(name for name in names if name not in same), values[:, varies], same
 
 
 def _nearest(shots: ReadyShots, names: tuple[str, ...], values: Floats) -> str:
@@ -224,30 +237,37 @@ def _mean(values: Floats, covariance: Floats, share: float, scale: float) -> Flo
 
 
 def _together(
-    base: Golfer, names: tuple[str, ...], mean: Floats, covariance: Floats, shots: ReadyShots
+    base: Golfer, names: tuple[str, ...], mean: Floats, covariance: Floats, same: Mapping[str, float], shots: ReadyShots
 ) -> dict[str, Any]:
     """Return variables, moments and sources: those measured, and of the base what was not."""
-    variables = tuple(name for name in OF_CLUB if name in names or name in base.variables)
+    variables = tuple(name for name in OF_CLUB if name in names or name in same or name in base.variables)
     centre, matrix = np.zeros(len(variables)), np.zeros((len(variables),) * 2)
     sources = {}
     for place, name in enumerate(variables):
         if name in names:
             centre[place] = mean[names.index(name)]
-        else:
+        elif name in base.variables:
             at = base.variables.index(name)
             centre[place], matrix[place, place] = base.mean[at], base.covariance[at, at]
         told = f"measured: {shots.source}" if name in names else f"assumed: as of {base.name}"
         sources |= {f"mean of {name}": told, f"spread of {name}": told}
+        if name in same:
+            centre[place] = same[name]
+            sources[f"mean of {name}"] = f"the same in every shot: {shots.source}"
     own = [variables.index(name) for name in names]
     matrix[np.ix_(own, own)] = covariance
     return {"variables": variables, "mean": centre, "covariance": matrix, "sources": sources}
 
 
-def _notes(shots: ReadyShots, count: int, names: tuple[str, ...], base: Golfer, drift: Floats) -> tuple[str, ...]:
+def _notes(
+    shots: ReadyShots, count: int, names: tuple[str, ...], base: Golfer, drift: Floats, same: Mapping[str, float]
+) -> tuple[str, ...]:
     found = list(shots.notes)
     if left := len(shots) - count:
         found.append(f"{left} of {len(shots)} shots lack some of the club data and were left out")
-    missing = [name for name in base.variables if name not in names]
+    missing = [name for name in base.variables if name not in names and name not in same]
+    if same:
+        found.append(f"the same in every shot, and therefore spread as of {base.name}: {', '.join(same)}")
     if missing:
         found.append(f"not measured, and therefore as of {base.name}: {', '.join(missing)}")
     if count < ENOUGH:

@@ -6,12 +6,23 @@ import os
 
 from clubface.design.golfer import Golfer
 from clubface.design.golfer_file import read
-from clubface.support.shipped import builtin_names
+from clubface.equipment.clubs import CLUB_NAMES
+from clubface.errors import InputError
+from clubface.support.shipped import builtin_names, is_path
 
 
 def golfers() -> tuple[str, ...]:
     """Return the names of the golfers that come with the package."""
     return builtin_names("golfers")
+
+
+def club_of(which: Golfer) -> str:
+    """Return the club of a golfer: a built-in one, or the path of a file; of any other the name alone is known."""
+    if which.club in CLUB_NAMES or is_path(which.club):
+        return which.club
+    raise InputError(
+        "club", None, f"give the file of {which.club}, with which the deliveries of {which.name} were made"
+    )
 
 
 def golfer(which: str | os.PathLike[str] | Golfer) -> Golfer:

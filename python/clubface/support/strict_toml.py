@@ -68,7 +68,7 @@ class Document:
                 name, None, f"this file is larger than {MAXIMUM_SIZE // 1000} kB; it cannot be the right one"
             )
         try:
-            text = content.decode()
+            text = content.decode("utf-8-sig")  # editors of Windows begin with a byte order mark
         except UnicodeDecodeError as error:
             line = content[: error.start].count(b"\n") + 1
             raise FileError(name, line, "this is not UTF-8 text") from None
