@@ -17,7 +17,7 @@ from pathlib import Path
 from clubface import studies
 from clubface.studies.axes import Axis
 from clubface.studies.designs import Grid, Samples
-from clubface.studies.pool import work
+from clubface.studies.pool import Pool
 from clubface.studies.running import Tallied, order
 from clubface.studies.shards import Shard
 from clubface.studies.state import opened
@@ -110,7 +110,12 @@ def handed_out(folder: Path) -> None:
     store = PartStore(folder / "none", {"count": many, "chunk": 1, "content": {}})
     worker = [sys.executable, "-c", ANSWERS]
     tally = Tallied()
-    _, used = measured(lambda: work(worker, order(store, Shard(1, 1)), workers=2, done=tally.add))
+
+    def hand_out() -> None:
+        with Pool(worker, 2) as pool:
+            pool.work(order(store, Shard(1, 1)), tally.add)
+
+    _, used = measured(hand_out)
     print(f"{many} chunks handed out to workers that do nothing: {1e6 * used / many:.0f} us of a processor each")
 
 

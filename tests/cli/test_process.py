@@ -93,6 +93,7 @@ def test_ctrl_c_while_modules_are_loaded_is_told_as_any_other(monkeypatch, capsy
         raise KeyboardInterrupt
 
     monkeypatch.setattr(app, "run", interrupted)
+    monkeypatch.setattr(os, "_exit", sys.exit)  # the command does not wait for libraries to end
     with pytest.raises((SystemExit, KeyboardInterrupt)) as left:
         cli.main()
     assert getattr(left.value, "code", None) == 130

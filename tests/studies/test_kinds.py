@@ -204,6 +204,24 @@ def test_tests_of_a_head_are_those_of_the_package(tmp_path):
     assert found.columns["characteristic_time"][0] == own
 
 
+def test_a_study_of_motion_capture_is_that_of_the_package(tmp_path):
+    pytest.importorskip("scipy")
+    from clubface.motion_capture.reduction import QUANTITIES
+    from clubface.motion_capture.study import study
+    from clubface.motion_capture.synthetic.laboratory import Cameras
+
+    table = 'noise = "0.5 mm"\noutputs = ["speed_error", "face_stated", "touch_error"]'
+    sweep = 'estimator = ["linear", "smoother"]\nrate = [360, 720]\nswing = { from = 0, to = 2, step = 1 }'
+    _, found = computed(tmp_path, "capture", table, sweep)
+    assert not found.failed
+    one = study(3, cameras=Cameras(rate=360.0, noise=5e-4), estimators=("smoother",))
+    assert found.columns["speed_error"][6:9].tolist() == one.errors["smoother"][:, QUANTITIES.index("speed")].tolist()
+    assert (
+        found.columns["face_stated"][6:9].tolist() == one.deviations["smoother"][:, QUANTITIES.index("face")].tolist()
+    )
+    assert found.columns["touch_error"][6:9].tolist() == one.touches["smoother"].tolist()
+
+
 @pytest.mark.parametrize(
     ("name", "table", "sweep", "words"),
     [
@@ -226,6 +244,7 @@ def test_tests_of_a_head_are_those_of_the_package(tmp_path):
         ("optimise", "", "spread_factor = [1]", "file is missing"),
         ("fem", "", "speed = [40]", "case is missing"),
         ("head", "", "toe = [0]", "head is missing"),
+        ("capture", "", "rate = [720]", "swing is missing"),
         ("head", 'head = "papr"', "toe = [0]", "did you mean paper"),
     ],
 )

@@ -216,7 +216,25 @@ def test_an_unfinished_study_is_not_joined(tmp_path):
 def test_a_study_without_any_result_ends_before_it_begins(tmp_path):
     path = shots(tmp_path)
     path.write_text(path.read_text().replace("105 mph", "-105 mph"))
-    with pytest.raises(ClubfaceError, match="no task that was tried has a result: speed"):
+    for _ in range(2):
+        with pytest.raises(ClubfaceError, match="no task that was tried has a result: speed"):
+            studies.run(path, workers=1)
+        assert not (tmp_path / "shots.store").exists()
+        path.write_text(path.read_text().replace("chunk = 5", "seconds = 2"))
+
+
+def test_a_study_with_a_result_in_its_first_or_last_chunk_goes_on(tmp_path):
+    path = shots(tmp_path, chunk=12)
+    path.write_text(
+        path.read_text().replace('held = { speed = "105 mph" }', "").replace("loft = {", "speed = [-1, 45]\nloft = {")
+    )
+    assert studies.run(path, workers=1).failed[0] == 24
+
+
+def test_a_mistake_that_only_a_task_shows_is_told_with_its_file_and_leaves_no_store(tmp_path):
+    path = shots(tmp_path)
+    path.write_text(path.read_text().replace("[sweep]", 'parameters = { friction = -1 }\nmodel = "area"\n[sweep]'))
+    with pytest.raises(FileError, match=r"shots\.toml: friction is"):
         studies.run(path, workers=1)
     assert not (tmp_path / "shots.store").exists()
 

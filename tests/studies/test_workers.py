@@ -11,7 +11,7 @@ import pytest
 
 from clubface import studies
 from clubface.errors import ClubfaceError, RunError
-from clubface.studies.pool import work
+from clubface.studies.pool import Pool
 from study_files import shots, squares, started, sums
 
 pytest.importorskip("pyarrow")
@@ -38,6 +38,11 @@ def undisturbed(tmp_path_factory):
     path = squares(tmp_path_factory.mktemp("undisturbed"))
     studies.run(path, workers=1)
     return sums(path)
+
+
+def compute(command, numbers):
+    with Pool(command, 1) as pool:
+        pool.work(numbers, print)
 
 
 def children(pid):
@@ -103,13 +108,13 @@ def test_a_command_that_is_killed_is_gone_on_with(tmp_path, undisturbed, kill):
 def test_a_chunk_that_kills_its_workers_is_given_up(tmp_path):
     worker = f"read n; echo $n >> {tmp_path}/begun; kill -9 $$"
     with pytest.raises(RunError, match="3 workers died over chunk 5; the last was ended by SIGKILL"):
-        work(["sh", "-c", worker], iter([5]), workers=1, done=print)
+        compute(["sh", "-c", worker], [5])
     assert (tmp_path / "begun").read_text() == "5\n" * 3
 
 
 def test_a_worker_that_cannot_start_is_told(tmp_path):
     with pytest.raises(RunError, match="ended with status 3: no disk"):
-        work(["sh", "-c", "echo no disk >&2; exit 3"], iter([5]), workers=1, done=print)
+        compute(["sh", "-c", "echo no disk >&2; exit 3"], [5])
 
 
 def test_what_a_chunk_cannot_do_ends_the_run_and_keeps_the_others(tmp_path):

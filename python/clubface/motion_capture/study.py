@@ -174,21 +174,12 @@ def study(
     for name in names:
         estimator(name)
     made = random_swing(0, club=club, hand=hand)
-    ready: dict[str, Setup] = {
+    ready = {
         name: prepare(positions_map(made.club, seen), made.club, estimator=name, roughness=roughness) for name in names
     }
     content = {"club": made.club.inputs(), "laboratory": seen, "estimator": [names, roughness], "seed": seed}
 
-    def read(number: int) -> list[Any]:
-        """Return truth, then errors, deviations and error of first touch by estimator, of one swing."""
-        swing = random_swing(np.random.default_rng([seed, number, 0]), club=made.club)
-        truth = np.array([swing.truth[name] for name in QUANTITIES])
-        recording, first = seen.record_from(swing, np.random.default_rng([seed, number, 1]))
-        found = [capture(recording, ready[name]) for name in names]
-        errors = [[getattr(each.delivery, name) for name in QUANTITIES] - truth for each in found]
-        deviations = [[each.uncertainty[name] for name in QUANTITIES] for each in found]
-        return [truth.tolist(), np.array(errors).tolist(), deviations, [float(each.time + first) for each in found]]
-
+    read = partial(read_swing, seed=seed, club=made.club, cameras=seen, ready=tuple(ready.values()))
     rows = []
     with nullcontext() if checkpoint is None else Store(Path(checkpoint), content, otherwise=OTHERWISE) as store:
         try:
@@ -210,6 +201,33 @@ def study(
         touches=dict(zip(names, touches.T, strict=True)),
         truth=truths,
     )
+
+
+def read_swing(number: int, *, seed: int, club: Club, cameras: Cameras, ready: Iterable[Setup]) -> list[Any]:
+    """Return what readings of one synthetic swing give, a function of seed and number alone.
+
+    Parameters
+    ----------
+    number, seed
+        Which swing.
+    club, cameras
+        The club, and the laboratory.
+    ready
+        How it is read.
+
+    Returns
+    -------
+    list
+        The true delivery, shape (11,); then of the readings errors and stated deviations, shape (readings, 11), and
+        errors of the instant of first touch, all SI.
+    """
+    swing = random_swing(np.random.default_rng([seed, number, 0]), club=club)
+    truth = np.array([swing.truth[name] for name in QUANTITIES])
+    recording, first = cameras.record_from(swing, np.random.default_rng([seed, number, 1]))
+    found = [capture(recording, each) for each in ready]
+    errors = [[getattr(each.delivery, name) for name in QUANTITIES] - truth for each in found]
+    deviations = [[each.uncertainty[name] for name in QUANTITIES] for each in found]
+    return [truth.tolist(), np.array(errors).tolist(), deviations, [float(each.time + first) for each in found]]
 
 
 WAYS = ("address", "swing", "address, markers measured")

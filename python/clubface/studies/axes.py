@@ -32,10 +32,13 @@ class Swept(NamedTuple):
         Its SI unit, or None for one that holds names, such as that of a club.
     choices
         The names there are; empty where any text is one, or where it holds numbers.
+    group
+        What a column of a table may name before it, as in ``air_temperature``.
     """
 
     unit: str | None
     choices: tuple[str, ...] = ()
+    group: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)

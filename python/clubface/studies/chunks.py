@@ -7,7 +7,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from clubface.errors import FileError
+from clubface.errors import ClubfaceError, FileError
 from clubface.studies.kinds import Task
 from clubface.studies.parts import Names, read_part, write_part
 from clubface.studies.store import OTHERWISE, PartStore, open_store
@@ -50,7 +50,10 @@ class Chunks:
         except FileError:
             did = MENDED
         tasks = self._store.tasks(chunk)
-        found = self._task.run(tasks)
+        try:
+            found = self._task.run(tasks)
+        except ClubfaceError as error:
+            raise self._study.wrap(error) from None
         columns = {name: self._input(name, each) for name, each in self._study.design.values(tasks).items()}
         notes = {"failed": [len(found.failed), *found.failed[:1]], "outside": found.outside}
         told = {

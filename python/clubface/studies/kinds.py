@@ -29,6 +29,7 @@ MODULES = {
     "optimise": "clubface.studies.optima",
     "fem": "clubface.studies.fem_cases",
     "head": "clubface.studies.fem_heads",
+    "capture": "clubface.studies.captures",
     "empty": "clubface.studies.empty",
 }
 """The module of each kind of study."""

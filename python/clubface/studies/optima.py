@@ -19,7 +19,7 @@ from clubface.errors import InputError
 from clubface.studies.axes import Swept
 from clubface.studies.golfing import changed_golfer, changed_hole, swept_golfers
 from clubface.studies.kinds import Column, Described, chosen_columns
-from clubface.studies.shooting import OF_AIR, OF_WIND, resolved
+from clubface.studies.shooting import OF_AIR, OF_GROUND, OF_WIND, resolved, swept_conditions
 from clubface.studies.singly import Prepared, SinglyKind, Values
 from clubface.support.shipped import is_path
 
@@ -34,7 +34,7 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
     bounds = {f"variables_{name}_{end}": Swept(_unit(known[name])) for name in FREE for end in ENDS}
     limits = {f"limits_{name}_{end}": Swept(_unit(each)) for name, each in known.items() for end in ENDS}
     single = {"speed_exponent": Swept("1"), "discretionary_mass": Swept("kg"), **{name: Swept("1") for name in COUNTED}}
-    air = {name: Swept(unit) for name, unit in {**OF_AIR, **OF_WIND}.items()}
+    air = {name: each for name, each in swept_conditions().items() if name not in OF_GROUND}
     return {**bounds, **limits, **swept_golfers(), **air, **single, **{name: Swept(None) for name in NAMED}}
 
 

@@ -12,9 +12,9 @@ import sys
 import tempfile
 import threading
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
-from typing import Any
+from typing import Any, Self
 
 from clubface.errors import ClubfaceError, RunError
 
@@ -67,8 +67,12 @@ class Worker:
     def give(self, chunk: int) -> None:
         """Give it a chunk; one that has died is noticed when its output ends."""
         self.given = chunk
+        self.tell(f"{chunk}\n")
+
+    def tell(self, text: str) -> None:
+        """Write to it."""
         with suppress(OSError):
-            self._stdin.write(b"%d\n" % chunk)
+            self._stdin.write(text.encode())
 
     def end(self) -> str:
         """End it; return how it had ended by itself, and the last that it said."""
@@ -87,60 +91,77 @@ class Worker:
         return f"ended with status {status}" + (f": {said.splitlines()[-1]}" if said else "")
 
 
-def work(command: Sequence[str], chunks: Iterable[int], *, workers: int, done: Done) -> None:
-    """Have all chunks computed.
+class Pool:
+    """Processes that compute chunks; to be used in a ``with``, which ends those that are left.
 
     Parameters
     ----------
     command
         Of a worker, see :mod:`clubface.studies.worker`.
-    chunks
-        Numbers of chunks.
     workers
-        Processes at a time.
-    done
-        Called with the number of a chunk that is done, and what its worker tells of it.
-
-    Raises
-    ------
-    ClubfaceError
-        A chunk cannot be computed, for the reason that its worker gave.
-    RunError
-        Several workers died over the same chunk.
+        Processes at a time. They start at once, and load what they need while the study is prepared.
     """
-    _Pool(command, iter(chunks), done).run(workers)
 
-
-class _Pool:
-    def __init__(self, command: Sequence[str], chunks: Iterator[int], done: Done) -> None:
-        self._command, self._chunks, self._done = command, chunks, done
+    def __init__(self, command: Sequence[str], workers: int) -> None:
+        self._command = command
         self._again: deque[int] = deque()
         self._deaths: dict[int, int] = {}
-        self._all: set[Worker] = set()
         self._heard: queue.SimpleQueue[Any] = queue.SimpleQueue()
+        self._all = {Worker(command, self._heard) for _ in range(workers)}
 
-    def run(self, workers: int) -> None:
-        try:
-            for _ in range(workers):
-                self._start()
-            while self._all:
-                with suppress(queue.Empty):
-                    self._hear(*self._heard.get(timeout=0.1))
-        finally:
-            for worker in self._all:
-                worker.process.kill()
-            for worker in self._all:
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, *rest: object) -> None:
+        for worker in self._all:
+            worker.process.kill()
+        for worker in self._all:
+            # Who has pressed Ctrl-C does not wait for the last breath of those that are killed.
+            if kind is not None and issubclass(kind, KeyboardInterrupt):
+                threading.Thread(target=worker.end, daemon=True).start()
+            else:
                 worker.end()
+
+    def work(self, chunks: Iterable[int], done: Done, *, first: str = "") -> None:
+        """Have all chunks computed.
+
+        Parameters
+        ----------
+        chunks
+            Numbers of chunks.
+        done
+            Called with the number of a chunk that is done, and what its worker tells of it.
+        first
+            What every worker is told before its first chunk.
+
+        Raises
+        ------
+        ClubfaceError
+            A chunk cannot be computed, for the reason that its worker gave.
+        RunError
+            Several workers died over the same chunk.
+        """
+        self._chunks, self._done, self._first = iter(chunks), done, first
+        for worker in list(self._all):
+            self._begin(worker)
+        while self._all:
+            with suppress(queue.Empty):
+                self._hear(*self._heard.get(timeout=0.1))
 
     def _next(self) -> int | None:
         return self._again.popleft() if self._again else next(self._chunks, None)
 
-    def _start(self) -> None:
-        """Start a worker if there is work for it."""
+    def _begin(self, worker: Worker) -> None:
+        """Give a worker its first chunk; one for which there is none is ended."""
+        worker.tell(self._first)
+        self._go_on(worker)
+
+    def _go_on(self, worker: Worker) -> None:
         if (chunk := self._next()) is not None:
-            worker = Worker(self._command, self._heard)
-            self._all.add(worker)
             worker.give(chunk)
+        else:
+            self._all.discard(worker)
+            worker.end()
 
     def _hear(self, worker: Worker, answer: dict[str, Any] | None) -> None:
         if worker not in self._all:
@@ -155,11 +176,7 @@ class _Pool:
         worker.given = None
         self._deaths.pop(answer["chunk"], None)
         self._done(answer["chunk"], answer)
-        if (chunk := self._next()) is not None:
-            worker.give(chunk)
-        else:
-            self._all.discard(worker)
-            worker.end()
+        self._go_on(worker)
 
     def _bury(self, worker: Worker) -> None:
         """Give the chunk of a worker that has died to another."""
@@ -172,4 +189,8 @@ class _Pool:
             if self._deaths[chunk] >= TRIES:
                 raise RunError(f"{TRIES} workers died over chunk {chunk}; the last {how}")
             self._again.append(chunk)
-        self._start()
+        if (chunk := self._next()) is not None:
+            self._again.appendleft(chunk)
+            worker = Worker(self._command, self._heard)
+            self._all.add(worker)
+            self._begin(worker)

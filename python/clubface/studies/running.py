@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +15,7 @@ from clubface.errors import ClubfaceError, InputError
 from clubface.simulation.outside import Tally
 from clubface.studies.chunks import COMPUTED, MENDED
 from clubface.studies.kinds import Task
-from clubface.studies.pool import work
+from clubface.studies.pool import Pool
 from clubface.studies.shards import Shard, shard as shard_of
 from clubface.studies.sizing import chunk_size
 from clubface.studies.store import PartStore, begin, store_of
@@ -21,8 +23,9 @@ from clubface.studies.study import StudyFile, read_study
 from clubface.support.checks import is_count
 from clubface.support.resuming import fingerprint
 from clubface.support.version import __version__
-from clubface.tables.parquet import pyarrow_for
+from clubface.tables.parquet import check_pyarrow
 
+COMMAND = (sys.executable, "-P", "-W", "ignore", "-m", "clubface.studies.worker")
 MOST_WORKERS = 1024
 LONGEST = 10_000
 """Characters of a table that every part repeats."""
@@ -143,16 +146,36 @@ def run(
     share = Shard(1, 1) if shard is None else shard_of(shard)
     study = which if isinstance(which, StudyFile) else read_study(which)
     folder = Path(store) if store is not None else store_of(study.path)
-    pyarrow_for(folder)
+    check_pyarrow(folder)
+    if scheduler is not None:
+        return _run(study, folder, share, None, scheduler, progress)
+    most = len(share.of_all(-(-study.design.count // (study.chunk or 1))))
+    with Pool(COMMAND, min(workers or _processors(), most)) as pool:
+        return _run(study, folder, share, pool, None, progress)
+
+
+def _run(
+    study: StudyFile, folder: Path, share: Shard, pool: Pool | None, scheduler: str | None,
+    progress: Callable[[int, int], object] | None,
+) -> Outcome:  # fmt: skip
+    """Compute the chunks of a share by a pool or on a cluster."""
     task = study.kind.prepare(study)
+    fresh = not folder.exists()
     opened = begin(folder, study, lambda: _description(study, task))
-    whole = sum(1 for chunk in range(opened.chunks) if share.has(chunk))
-    tally, done = Tallied(), 0
+    mine = share.of_all(opened.chunks)
+    whole, ends = len(mine), {*mine[:1], *mine[-1:]}
+    tally, done, results = Tallied(), 0, 0
 
     def ended(chunk: int, told: Mapping[str, Any]) -> None:
-        nonlocal done
+        nonlocal done, results
         done += 1
         tally.add(chunk, told)
+        failed, *first = told["failed"]
+        results += (tried := len(opened.tasks(chunk))) - failed
+        if told["did"] == COMPUTED and failed == tried and chunk in ends:
+            ends.discard(chunk)
+            if not ends:
+                raise ClubfaceError(f"no task that was tried has a result: {first[0][1]}")
         if progress is not None:
             progress(done, whole)
 
@@ -162,21 +185,22 @@ def run(
             from clubface.studies.cluster import work_on_cluster
 
             work_on_cluster(scheduler, arguments, order(opened, share), done=ended)
-        else:
-            command = [sys.executable, "-P", "-W", "ignore", "-m", "clubface.studies.worker", *arguments]
-            work(command, order(opened, share), workers=min(workers or _processors(), max(whole, 1)), done=ended)
+        elif pool is not None:
+            pool.work(order(opened, share), ended, first=json.dumps(arguments) + "\n")
     except (KeyboardInterrupt, ClubfaceError) as stop:
         there = sum(present for chunk, present in enumerate(opened.present()) if share.has(chunk))
         kept = f"{there} of {whole} chunks are done and kept in {folder}"
         if isinstance(stop, KeyboardInterrupt):
             raise KeyboardInterrupt(f"{kept}; the same command goes on after them") from None
         if not there:
+            if fresh:
+                opened.remove()
             raise
         raise ClubfaceError(f"{stop}; {kept}") from None
     missing = opened.present().count(0)
     if not missing:
         opened.tidy()
-    tasks = sum(len(opened.tasks(chunk)) for chunk in range(opened.chunks) if share.has(chunk))
+    tasks = sum(len(opened.tasks(chunk)) for chunk in mine)
     return Outcome(
         store=str(folder), chunks=whole, tasks=tasks, computed=tally.computed,
         mended=(tally.mended, tuple(tally.shown)), failed=(tally.failed, tally.reason), remark=tally.remark,
@@ -185,10 +209,13 @@ def run(
 
 
 def order(store: PartStore, share: Shard) -> Iterator[int]:
-    """Yield the chunks of a share: first those that are missing, then those that are there, to be checked."""
-    there = store.present()
+    """Yield the chunks of a share: first those that are missing, then those that are there, to be checked.
+
+    Of each the last comes right after the first, since a study that has no result at both ends is not gone on with.
+    """
+    there, mine = store.present(), share.of_all(store.chunks)
     for wanted in (0, 1):
-        yield from (chunk for chunk in range(store.chunks) if there[chunk] == wanted and share.has(chunk))
+        yield from (chunk for chunk in chain(mine[:1], mine[1:][-1:], mine[1:-1]) if there[chunk] == wanted)
 
 
 def _description(study: StudyFile, task: Task) -> dict[str, Any]:

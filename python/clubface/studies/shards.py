@@ -27,9 +27,9 @@ class Shard(NamedTuple):
     number: int
     of: int
 
-    def has(self, chunk: int) -> bool:
-        """Tell whether a chunk falls to it."""
-        return chunk % self.of == self.number - 1
+    def of_all(self, chunks: int) -> range:
+        """Return which of all chunks fall to it."""
+        return range(self.number - 1, chunks, self.of)
 
 
 def shard(text: str, environment: Mapping[str, str] = os.environ) -> Shard:

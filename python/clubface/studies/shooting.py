@@ -44,7 +44,7 @@ BY_GROUP = dict(zip(CONDITIONS, (OF_AIR, OF_WIND, OF_GROUND), strict=True))
 
 def swept_conditions() -> dict[str, Swept]:
     """Return the numbers of air, wind and ground that may be swept."""
-    return {name: Swept(unit) for group in BY_GROUP.values() for name, unit in group.items()}
+    return {name: Swept(unit, group=group) for group, known in BY_GROUP.items() for name, unit in known.items()}
 
 
 def swept_shots(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:

@@ -19,19 +19,19 @@ STEPS = (5, 2, 1)
 def chunk_size(study: StudyFile, task: Task) -> int:
     """Return the tasks of a chunk: as the study says, or as many as take the time that a chunk should take.
 
-    The results do not depend on it. Some tasks are computed in any case, so that a study none of whose tasks can be
-    computed ends before it begins.
+    The results do not depend on it. Where it is measured, a study none of whose tasks can be computed ends before it
+    begins.
 
     Raises
     ------
     ClubfaceError
         The tasks that were tried have no result; the message says why.
     """
+    if study.chunk is not None:
+        return min(study.chunk, study.design.count)
     begun = time.process_time()
     _check(study, task)
     seconds, tasks = time.process_time() - begun, 1
-    if study.chunk is not None:
-        return min(study.chunk, study.design.count)
     # Libraries are loaded in the first time, which tells the time of a task only where that is much longer.
     if seconds < LOADING:
         seconds, tasks = 0.0, 0

@@ -8,6 +8,7 @@ all of it is on the disk.
 from __future__ import annotations
 
 import os
+import shutil
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -104,6 +105,13 @@ class PartStore:
             if each.name.startswith("."):
                 with suppress(OSError):
                     os.unlink(each.path)
+
+    def remove(self) -> None:
+        """Remove a store in which nothing has a result."""
+        shutil.rmtree(self.folder / PARTS, ignore_errors=True)
+        with suppress(OSError):
+            (self.folder / RECORD).unlink()
+            self.folder.rmdir()
 
     def _files(self) -> Iterator[os.DirEntry[str]]:
         try:

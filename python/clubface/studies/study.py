@@ -210,7 +210,6 @@ def _design(
 
 def _generators() -> tuple[str, str]:
     """Return the versions of what draws samples: another may draw others."""
-    import numpy
-    import scipy
+    from importlib.metadata import version
 
-    return numpy.__version__, scipy.__version__
+    return version("numpy"), version("scipy")

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.errors import FileError
 from clubface.studies.axes import Swept
-from clubface.studies.shooting import BY_GROUP
 from clubface.tables.headings import Vocabulary, delivery_words, layout
 from clubface.tables.reader import open_table
 
@@ -59,5 +58,5 @@ def _words(known: Mapping[str, Swept]) -> Vocabulary:
     """Return the words for the inputs that hold numbers: their names, and those that launch monitors have for them."""
     numbers = {name: units.unit(each.unit).dimension for name, each in known.items() if each.unit is not None}
     others = {word: name for word, name in delivery_words().names.items() if name in numbers}
-    grouped = {f"{group}_{name}": name for group, names in BY_GROUP.items() for name in names if name in numbers}
+    grouped = {f"{known[name].group}_{name}": name for name in numbers}
     return Vocabulary({**others, **grouped, **{name: name for name in numbers}}, numbers)

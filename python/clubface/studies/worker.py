@@ -1,4 +1,4 @@
-"""A process that computes chunks of a study: numbers come in, one a line, and what was done goes out as JSON.
+"""A process that computes chunks of a study: what it is and then numbers come in, a line each; answers go out as JSON.
 
 It ends with its input, so that no worker outlives the command that started it by more than the chunk it computes.
 """
@@ -9,16 +9,22 @@ import json
 import os
 import sys
 import traceback
+from contextlib import suppress
 from typing import Any
 
 
-def main(study: str, folder: str, identity: str) -> None:
-    """Answer until the input ends; what a library prints goes to the error stream."""
+def main() -> None:
+    """Answer until the input ends, whose first line names the study; what libraries print goes to the error stream."""
     answers = os.fdopen(os.dup(1), "w", buffering=1)
     os.dup2(2, 1)
+    # Loaded while the command prepares the study.
     from clubface.errors import ClubfaceError
     from clubface.studies.chunks import ensure
+    from clubface.tables.parquet import pyarrow_for
 
+    with suppress(ClubfaceError):
+        pyarrow_for("")
+    study, folder, identity = json.loads(sys.stdin.readline() or "[0, 0, 0]")
     for line in sys.stdin:
         answer: dict[str, Any] = {"chunk": int(line)}
         try:
@@ -33,4 +39,4 @@ def main(study: str, folder: str, identity: str) -> None:
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main()

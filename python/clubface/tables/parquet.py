@@ -7,6 +7,7 @@ import io
 import json
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -24,9 +25,18 @@ def pyarrow_for(path: Path | str) -> Any:
         import pyarrow
         import pyarrow.parquet
     except ImportError:
-        message = 'a Parquet file needs pyarrow: pip install "clubface[tables]"'
-        raise FileError(str(path), None, message) from None
+        raise _missing(path) from None
     return pyarrow
+
+
+def check_pyarrow(path: Path | str) -> None:
+    """Say what ``path`` needs pyarrow for where it is not installed, without the time that loading it takes."""
+    if find_spec("pyarrow") is None:
+        raise _missing(path)
+
+
+def _missing(path: Path | str) -> FileError:
+    return FileError(str(path), None, 'a Parquet file needs pyarrow: pip install "clubface[tables]"')
 
 
 class ParquetReader:
