@@ -188,13 +188,15 @@ def _run(
         elif pool is not None:
             pool.work(order(opened, share), ended, first=json.dumps(arguments) + "\n")
     except (KeyboardInterrupt, ClubfaceError) as stop:
-        there = sum(present for chunk, present in enumerate(opened.present()) if share.has(chunk))
+        present = opened.present()
+        there = sum(present[chunk] for chunk in mine)
         kept = f"{there} of {whole} chunks are done and kept in {folder}"
         if isinstance(stop, KeyboardInterrupt):
             raise KeyboardInterrupt(f"{kept}; the same command goes on after them") from None
+        if fresh and not results:
+            opened.remove()
+            raise
         if not there:
-            if fresh:
-                opened.remove()
             raise
         raise ClubfaceError(f"{stop}; {kept}") from None
     missing = opened.present().count(0)
