@@ -32,7 +32,7 @@ _CLUB = options.option(
 
 
 @app.command()
-@options.takes(options.EQUIPMENT, options.ONE_MODEL, options.AIR)
+@options.takes(options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND)
 def dispersion(
     golfer: GolferArgument,
     club: Annotated[str | None, _CLUB] = None,
@@ -79,10 +79,9 @@ def dispersion(
     own = None if club else "right" if player.hand > 0 else "left"
     head = given.club_of(club or player.club, texts["hand"] or own)
     _check(player, head, texts["model"], count)
-    conditions = given.conditions(texts)
     hitting = {
         "model": texts["model"], "parameters": given.one_set(head, texts), "ball": texts["ball"],
-        "air": conditions["air"], "wind": conditions["wind"], "flight": not no_flight, "accuracy": texts["accuracy"],
+        "flight": not no_flight, "accuracy": texts["accuracy"], **given.conditions(texts),
     }  # fmt: skip
     played = _hole(hole, fairway, rough, lie)
     with progress_bar("shots") as progress, _file(target) as each:

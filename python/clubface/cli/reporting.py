@@ -11,8 +11,8 @@ from clubface.cli import options, output
 
 
 def told_conditions(texts: Mapping[str, Any]) -> dict[str, str]:
-    """Return the air and wind that were given, as they were typed, by name."""
-    return {name: str(texts[name]) for name in options.AIR if texts.get(name) is not None}
+    """Return the air, wind and ground that were given, as they were typed, by name."""
+    return {name: str(texts[name]) for name in (*options.AIR, *options.GROUND) if texts.get(name) is not None}
 
 
 def write(

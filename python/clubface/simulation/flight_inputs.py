@@ -10,6 +10,7 @@ from clubface import units
 from clubface.equipment.balls import ball
 from clubface.errors import InputError, ShotError
 from clubface.simulation.air import Air, air_of
+from clubface.simulation.grounds import ground_of
 from clubface.simulation.inputs import common_shape
 from clubface.simulation.launch import Launch
 from clubface.simulation.launch_terms import vectors
@@ -48,7 +49,7 @@ def flight_columns(
     launch: Launch | Mapping[str, Any],
     air: Air | Mapping[str, Any] | None,
     wind: Any,
-    ground: Mapping[str, Any] | None,
+    ground: str | Mapping[str, Any] | None,
 ) -> FlightColumns:
     """Lay out flights; the arguments are those of :func:`clubface.fly`."""
     import numpy as np
@@ -64,7 +65,7 @@ def flight_columns(
     else:
         raise InputError("launch", launch, "a Launch or a mapping of values")
     given |= conditions(air, wind)
-    given |= _group("ground", ground or {}, [name for name, each in inputs.items() if each.group == "ground"])
+    given |= ground_of(ground)
     parsed: dict[str, Any] = {name: each.default for name, each in inputs.items()} | ball().inputs()
     varied: dict[str, NDArray[Any]] = {}
     for name, value in given.items():
@@ -86,7 +87,7 @@ def flight_columns(
 
 def conditions(air: Air | Mapping[str, Any] | None, wind: Any) -> dict[str, Any]:
     """Return the inputs of a flight that air and wind give, by name."""
-    return {**air_of(air).values(), **_group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))}
+    return {**air_of(air).values(), **_wind(wind)}
 
 
 def check_conditions(air: Air | Mapping[str, Any] | None, wind: Any) -> None:
@@ -115,16 +116,12 @@ def _of_shape(value: Any, shape: tuple[int, ...]) -> Any:
 
 
 def _wind(wind: Any) -> Mapping[str, Any]:
-    if wind is None or isinstance(wind, Mapping):
-        return wind or {}
+    if wind is None:
+        return {}
+    if isinstance(wind, Mapping):
+        check_names("value of the wind", wind, [f"wind_{axis}" for axis in AXES])
+        return {name: value for name, value in wind.items() if value is not None}
     scalar = isinstance(wind, str) or not hasattr(wind, "__len__") or getattr(wind, "ndim", 1) == 0
     if scalar or len(wind) != 3:
         raise InputError("wind", wind, 'three values: to the target, up and right, as in ("-10 mph", 0, 0)')
     return {f"wind_{axis}": value for axis, value in zip(AXES, wind, strict=True)}
-
-
-def _group(what: str, values: Any, known: Any) -> dict[str, Any]:
-    if not isinstance(values, Mapping):
-        raise InputError(what, values, f"a mapping of {', '.join(known)}")
-    check_names(f"value of the {what}", values, known)
-    return {name: value for name, value in values.items() if value is not None}
