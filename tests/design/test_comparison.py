@@ -23,7 +23,7 @@ pytestmark = [
 DRIVE = {"speed": "105 mph", "attack": "3 deg", "loft": "13 deg", "toe": "20 mm", "high": "-4 mm", "path": "-2 deg"}
 INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 SMOOTH = (*LAUNCHED, "carry", "side", "apex", "landing_angle")
-"""All but the ends of the roll, which jump where the ball makes a bounce more."""
+"""All but the ends of the roll, which have kinks."""
 
 
 def scaled(club, factor, names=INERTIA):

@@ -47,7 +47,7 @@ COMPARED: options.Group = {
 
 
 @app.command()
-@options.takes(options.DELIVERY, COMPARED, options.AIR)
+@options.takes(options.DELIVERY, COMPARED, options.AIR, options.GROUND)
 def compare(
     clubs: Annotated[list[str], typer.Argument(metavar="CLUB...", help="Built-in clubs, or TOML files.")],
     delivery: Annotated[

@@ -32,7 +32,7 @@ _CLUB = options.option(
 
 
 @app.command()
-@options.takes(options.EQUIPMENT, options.ONE_MODEL, options.AIR)
+@options.takes(options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND)
 def dispersion(
     golfer: GolferArgument,
     club: Annotated[str | None, _CLUB] = None,
@@ -86,7 +86,7 @@ def dispersion(
     conditions = given.conditions(texts)
     hitting = {
         "model": texts["model"], "parameters": given.one_set(head, texts), "ball": texts["ball"],
-        "air": conditions["air"], "wind": conditions["wind"], "flight": not no_flight, "accuracy": texts["accuracy"],
+        "flight": not no_flight, "accuracy": texts["accuracy"], **conditions,
     }  # fmt: skip
     played = _hole(hole, fairway, rough, lie)
     with progress_bar("shots") as progress, _file(target) as each:

@@ -29,7 +29,7 @@ def write(
     conditions: Mapping[str, Any],
     show: Callable[[], None],
 ) -> None:
-    """Write the report; ``conditions`` are air and wind, ``show`` prints the tables."""
+    """Write the report; ``conditions`` are air, wind and ground, ``show`` prints the tables."""
     from clubface.design.dispersion_figure import dispersion_figure
 
     drawn = None

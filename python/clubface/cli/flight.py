@@ -21,7 +21,7 @@ SHOWN = {
 
 
 @app.command()
-@options.takes(options.LAUNCH, options.BALL, options.AIR)
+@options.takes(options.LAUNCH, options.BALL, options.AIR, options.GROUND)
 def flight(as_json: options.Json = False, **texts: Any) -> None:
     """Compute where a launched ball flies, bounces and rolls."""
     from clubface.equipment.balls import ball

@@ -174,14 +174,15 @@ def _models_to_name(having: Iterable[str]) -> str:
 
 
 def conditions(given: Mapping[str, str | None]) -> dict[str, Any]:
-    """Return the air and wind of a flight, from the one text ``air`` and from single options, which win."""
+    """Return air, wind and, for a command that takes one, ground; single options win over the one text ``air``."""
     told = pairs(given["air"].split(","), "--air") if given["air"] is not None else {}
     single = [name for name in options.AIR if name != "air"]
     check_names("value of --air", told, single)
     told.update({name: text for name in single if (text := given[name]) is not None})
     wind = told.pop("wind", None)
     air = {name: parsed(f"--{name}", text, _air_dimension(name)) for name, text in told.items()}
-    return {"air": air, "wind": _wind(wind) if wind is not None else None}
+    ground = {"ground": given["ground"]} if "ground" in given else {}
+    return {"air": air, "wind": _wind(wind) if wind is not None else None, **ground}
 
 
 def _air_dimension(name: str) -> str:

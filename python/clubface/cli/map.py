@@ -31,7 +31,7 @@ STRUCK = 0.02
 
 
 @app.command()
-@options.takes(options.DELIVERY, options.EQUIPMENT, options.ONE_MODEL, options.AIR)
+@options.takes(options.DELIVERY, options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND)
 def map_(
     club: options.ClubArgument,
     minus: Annotated[

@@ -148,6 +148,10 @@ AIR: Group = {
     "wind": text_option("--wind", _AIR, '"5 m/s"', 'Tailwind, or wind along and to the right: "5 m/s, -2 m/s".'),
 }
 
+GROUND: Group = {
+    "ground": text_option("--ground", "Ground", '"firm fairway"', "Where the ball lands; a fairway unless given."),
+}
+
 
 def takes(*groups: Group) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command the options of ``groups``, which reach its keyword arguments, after its own required ones."""

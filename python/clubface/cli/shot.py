@@ -44,7 +44,7 @@ DRAWN = 1e-8
 
 
 @app.command()
-@options.takes(options.DELIVERY, options.EQUIPMENT, options.MODELS, options.AIR)
+@options.takes(options.DELIVERY, options.EQUIPMENT, options.MODELS, options.AIR, options.GROUND)
 def shot(
     club: options.ClubArgument,
     plot: Annotated[str | None, options.picture("forces and flight")] = None,

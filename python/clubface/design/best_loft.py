@@ -1,6 +1,6 @@
 """The dynamic loft of the longest carry, by club speed and attack angle, beside the charts that fitters use.
 
-Total distances have no such optimum here: on flat, hard ground a ball that is hardly lifted rolls farthest.
+Total distances have no such optimum here: on level ground a ball that is hardly lifted rolls farthest.
 """
 
 from __future__ import annotations

@@ -133,7 +133,7 @@ def compare(
     *,
     air: Any = None,
     wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
+    ground: str | Mapping[str, Any] | None = None,
     split: bool = True,
     nodes: int | None = None,
     progress: Callable[[int, int], object] | None = None,

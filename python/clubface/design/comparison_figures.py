@@ -27,7 +27,7 @@ def comparison_figure(
     *,
     air: Any = None,
     wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
+    ground: str | Mapping[str, Any] | None = None,
     units: Mapping[str, str] | None = None,
 ) -> Figure:
     """Draw the flights from the side and from above, and under them the contributions to each difference.

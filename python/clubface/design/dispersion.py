@@ -156,7 +156,7 @@ def dispersion(
     ball: str | os.PathLike[str] | Ball | None = None,
     air: Any = None,
     wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
+    ground: str | Mapping[str, Any] | None = None,
     flight: bool = True,
     hole: Hole | None = None,
     threads: int | None = None,

@@ -12,7 +12,7 @@ fourth ones m4 = 1 - s + s c^4 times as large:
     mean = f + m2 tr(H C) / 2,    variance = m2 g' C g + m4 tr(H C H C) / 2 + (m4 - m2^2) tr(H C)^2 / 4.
 
 The gradients are exact; the second derivatives are differences of gradients on both sides of the mean. Where a ball
-comes to rest is left out: its bounces begin and end at once, so that a series about the mean says little of it.
+comes to rest is left out: it has derivatives, but kinks too near to one another for a series about the mean.
 """
 
 from __future__ import annotations

@@ -178,7 +178,7 @@ def map_face(
     points: tuple[Any, Any] | None = None,
     air: Any = None,
     wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
+    ground: str | Mapping[str, Any] | None = None,
     output: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,

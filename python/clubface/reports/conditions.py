@@ -6,6 +6,7 @@ from typing import Any
 
 from clubface.simulation.air import air_of
 from clubface.simulation.flight_inputs import conditions
+from clubface.simulation.grounds import ground_of
 from clubface.simulation.quantities import flight_inputs
 from clubface.units import from_si, parse, show
 
@@ -20,7 +21,7 @@ def flight_conditions(air: Any = None, wind: Any = None, ground: Any = None) -> 
     """
     known = flight_inputs()
     values = {name: each.default for name, each in known.items()} | conditions(air, wind)
-    values |= {name: parse(each, known[name].dimension, name=name) for name, each in (ground or {}).items()}
+    values |= {name: parse(each, known[name].dimension, name=name) for name, each in ground_of(ground).items()}
     altitude = air_of(air).altitude
     told = [show(values["temperature"], "degC"), show(values["pressure"], "hPa", 5)]
     told.append(f"{100.0 * values['humidity']:g} % humidity")

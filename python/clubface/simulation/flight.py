@@ -117,7 +117,7 @@ def fly(  # pyright: ignore[reportOverlappingOverload]
     *,
     air: Air | Mapping[str, Any] | None = None,
     wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
+    ground: str | Mapping[str, Any] | None = None,
     threads: int | None = None,
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
@@ -128,7 +128,7 @@ def fly(
     *,
     air: Air | Mapping[str, Any] | None = None,
     wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
+    ground: str | Mapping[str, Any] | None = None,
     threads: int | None = None,
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
@@ -138,7 +138,7 @@ def fly(
     *,
     air: Air | Mapping[str, Any] | None = None,
     wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
+    ground: str | Mapping[str, Any] | None = None,
     threads: int | None = None,
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
@@ -159,7 +159,8 @@ def fly(
         mapping of ``wind_x``, ``wind_y``, ``wind_z``, or of ``wind_speed`` and ``wind_direction`` [rad], whereto a
         level wind blows: 0 to the target, 90 degrees to the right, 180 degrees against the ball. No wind if left out.
     ground
-        A mapping of ``restitution_factor``, ``ground_tilt``, ``ground_friction``, ``rolling_friction``.
+        "fairway" (so if left out), "firm fairway", "soft fairway", "green", "firm green", "soft green", or a mapping of
+        ``restitution_factor``, ``ground_tilt``, ``ground_friction``, ``rolling_friction``.
     threads
         How many threads compute; all cores if left out. The result does not depend on it.
     progress

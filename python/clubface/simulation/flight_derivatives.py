@@ -44,7 +44,7 @@ def flight_derivatives(
     *,
     air: Air | Mapping[str, Any] | None = None,
     wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
+    ground: str | Mapping[str, Any] | None = None,
 ) -> FlightDerivatives:
     """Differentiate one flight; the arguments are those of :func:`fly`, of a single launch."""
     columns, shape, varied = flight_columns(launch, air, wind, ground)

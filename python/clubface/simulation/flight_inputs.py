@@ -10,6 +10,7 @@ from clubface import units
 from clubface.equipment.balls import ball
 from clubface.errors import InputError, ShotError
 from clubface.simulation.air import Air, air_of
+from clubface.simulation.grounds import ground_of
 from clubface.simulation.inputs import common_shape
 from clubface.simulation.launch import Launch
 from clubface.simulation.launch_terms import vectors
@@ -50,7 +51,7 @@ def flight_columns(
     launch: Launch | Mapping[str, Any],
     air: Air | Mapping[str, Any] | None,
     wind: Any,
-    ground: Mapping[str, Any] | None,
+    ground: str | Mapping[str, Any] | None,
 ) -> FlightColumns:
     """Lay out flights; the arguments are those of :func:`clubface.fly`."""
     import numpy as np
@@ -66,7 +67,7 @@ def flight_columns(
     else:
         raise InputError("launch", launch, "a Launch or a mapping of values")
     given |= conditions(air, wind)
-    given |= _group("ground", ground or {}, [name for name, each in inputs.items() if each.group == "ground"])
+    given |= ground_of(ground)
     parsed: dict[str, Any] = {name: each.default for name, each in inputs.items()} | ball().inputs()
     varied: dict[str, NDArray[Any]] = {}
     for name, value in given.items():

@@ -56,7 +56,7 @@ def trajectory(
     *,
     air: Air | Mapping[str, Any] | None = None,
     wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
+    ground: str | Mapping[str, Any] | None = None,
 ) -> Trajectory:
     """Compute the path of one ball, at times at most 0.02 s apart; the arguments are those of :func:`fly`."""
     columns, shape, varied = flight_columns(launch, air, wind, ground)

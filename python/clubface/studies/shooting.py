@@ -15,6 +15,7 @@ from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, Told
 from clubface.simulation.air import Air
 from clubface.simulation.flight_inputs import check_conditions, conditions
+from clubface.simulation.grounds import ground_of
 from clubface.simulation.inputs import parameter_set
 from clubface.simulation.quantities import flight_inputs, inputs
 from clubface.simulation.run_options import tolerance
@@ -81,7 +82,7 @@ class Conditions:
                 raise InputError(group, held, f"a table of {', '.join(known)}, since {swept[0]} is swept")
             for name in swept if held else ():
                 _refuse_twice(name, held)
-        check_names("value of the ground", self._held["ground"] or {}, OF_GROUND)
+        ground_of(self._held["ground"])
         # What is swept may leave its range here and there; whether it goes with what is held is known now.
         first = self.at({name: float(each[0]) for name, each in study.design.values(range(1)).items()})
         conditions(first["air"], first["wind"])

@@ -8,14 +8,19 @@
 //! rolls, slowed by 5/7 rho_g g. The two laws come from Haake's measurements on greens around 18.6 m/s and 44.4 deg.
 //!
 //! The paper itself was not at hand: constants and equations, the friction 0.40, rho_g = 0.131 (0.065 on the fastest
-//! greens to 0.196) and the 10 mm are as several independent programs restate it. A fairway slows the ball more.
+//! greens to 0.196 on the slowest) and the 10 mm are as several independent programs restate it. The default ground is
+//! a fairway: it bounces like Penner's greens, and rolls like the slowest of them (assumed).
 //!
 //! Ours, where Penner is silent: friction acts in three dimensions, against the sliding of the contact point, so that
 //! a tilted spin axis kicks sideways and 5/7 follows from the ball's own inertia; a ball still sliding when bounces end
-//! slides on under the same friction until it rolls; the air is left out of bounces and roll. And two bounds for fast
-//! skimming balls, far outside the measurements and not reached by the tour averages: theta_c stays below the angle of
-//! descent (else it would stop a topped ball dead), and no ball goes up faster than it came down (else the tilt would
-//! throw it ever higher). Such a ball rolls at tens of m/s, where constant deceleration takes it much too far.
+//! slides on under the same friction until it rolls; the air is left out of bounces and roll. And two bounds for
+//! skimming balls: theta_c stays below the angle of descent (else it would stop a topped ball dead), which tells in low
+//! drives that come down at less than some 33 deg; and no ball goes up faster than it came down (else the tilt would
+//! throw it ever higher). A topped ball rolls at tens of m/s, where constant deceleration takes it much too far.
+//!
+//! So that the place of rest never jumps, bounces give way to rolling not at 10 mm but between 5 and
+//! 15 mm, where the ball rests at the mean of the two, as it does on turf whose grass is as long; and the restitution is
+//! constant from the lowest point of its parabola on, 0.1207 at 20.8 m/s, instead of falling to 0.120 at 20 m/s at once.
 
 use super::trajectory::GRAVITY;
 use crate::ball::Ball;
@@ -25,12 +30,12 @@ use clubface_math::{Mask, Scalar, Vec3};
 const TILT_SPEED: f64 = 18.6;
 /// Angle of the path from the vertical at which the tilt is given, rad.
 const TILT_ANGLE: f64 = 44.4 * core::f64::consts::PI / 180.0;
-/// Normal speed above which the restitution is constant, m/s.
-const FAST: f64 = 20.0;
-/// Height a bounce must reach to count as one, m.
-const LOWEST_BOUNCE: f64 = 0.01;
-/// Bounces after which a ball is taken to roll; a drive makes some fifteen.
-const MAX_BOUNCES: usize = 40;
+/// Normal speed above which the restitution is constant, m/s: the lowest point of its parabola.
+const FAST: f64 = 0.0375 / (2.0 * 0.000_903);
+/// Heights of a bounce between which it gives way to rolling, m; in the middle Penner's 10 mm.
+const LOWEST_BOUNCE: [f64; 2] = [0.005, 0.015];
+/// Bounces after which a ball is taken to roll; a drive makes some thirty.
+const MAX_BOUNCES: usize = 60;
 /// Length or speed that stands for zero in a denominator.
 const TINY: f64 = 1e-12;
 
@@ -59,8 +64,8 @@ pub fn rolling_friction_of_stimp(distance: f64) -> f64 {
 /// Penner's coefficient of restitution at a normal speed, m/s.
 #[inline(always)]
 pub fn restitution<S: Scalar>(normal_speed: S) -> S {
-    let slow = (normal_speed * 0.000_903 - 0.0375) * normal_speed + 0.510;
-    S::select(normal_speed.le(S::from_f64(FAST)), slow, S::from_f64(0.120))
+    let speed = normal_speed.min(S::from_f64(FAST));
+    (speed * 0.000_903 - 0.0375) * speed + 0.510
 }
 
 /// Part of the sliding speed of the contact point that changes into rolling: 2/7 for a homogeneous ball.
@@ -100,6 +105,14 @@ pub fn bounce<S: Scalar>(
     (after, spin + normal.cross(sliding) * turning)
 }
 
+/// Part of a bounce of a height, m, that leaves the ground: from 0 to 1, with a derivative that does not jump.
+#[inline(always)]
+fn lifted<S: Scalar>(height: S) -> S {
+    let [low, high] = LOWEST_BOUNCE;
+    let x = ((height - low) / (high - low)).max(S::zero()).min(S::one());
+    x.squared() * (x * -2.0 + 3.0)
+}
+
 /// Place where a ball that lands at `position` comes to rest, m.
 #[inline(always)]
 pub fn run<S: Scalar>(
@@ -109,25 +122,30 @@ pub fn run<S: Scalar>(
     velocity: Vec3<S>,
     spin: Vec3<S>,
 ) -> Vec3<S> {
+    let (zero, one) = (S::zero(), S::one());
     let (mut place, mut velocity, mut spin) = (position, velocity, spin);
-    let zero = S::zero();
-    let mut bouncing = S::Mask::splat(true);
-    for _ in 0..MAX_BOUNCES {
+    // The mean over where the ball begins to roll, and the part of it that still bounces.
+    let (mut rest, mut bouncing) = (Vec3::zero(), one);
+    for count in 1..=MAX_BOUNCES {
         let (after, spin_after) = bounce(ball, ground, velocity, spin);
-        let high = after.y.gt(zero).and((after.y.squared() / (2.0 * GRAVITY)).ge(S::from_f64(LOWEST_BOUNCE)));
-        let again = bouncing.and(high);
+        let rising = after.y.max(zero);
         let level = Vec3::new(after.x, zero, after.z);
-        let hop = level * (after.y * (2.0 / GRAVITY));
-        place = Vec3::select(again, place + hop, place);
-        let next = Vec3::select(again, level - Vec3::new(zero, after.y, zero), level);
-        velocity = Vec3::select(bouncing, next, velocity);
-        spin = Vec3::select(bouncing, spin_after, spin);
-        bouncing = again;
-        if !bouncing.any() {
+        let part = if count < MAX_BOUNCES { lifted(rising.squared() / (2.0 * GRAVITY)) } else { zero };
+        let rolls = bouncing.gt(zero).and(part.lt(one));
+        if rolls.any() {
+            let end = rest + (place + roll(ball, ground, level, spin_after)) * (bouncing * (-part + 1.0));
+            rest = Vec3::select(rolls, end, rest);
+        }
+        bouncing = bouncing * part;
+        let again = bouncing.gt(zero);
+        if !again.any() {
             break;
         }
+        place = Vec3::select(again, place + level * (rising * (2.0 / GRAVITY)), place);
+        velocity = Vec3::select(again, level - Vec3::new(zero, rising, zero), velocity);
+        spin = Vec3::select(again, spin_after, spin);
     }
-    place + roll(ball, ground, Vec3::new(velocity.x, zero, velocity.z), spin)
+    rest
 }
 
 /// Way of a ball on the ground until it rests, m; `velocity` is level.

@@ -52,7 +52,7 @@ impl FlightSensitivities<'_> {
     /// Computes `rows` into `results`, one slice a column, each as long as `rows`, on the calling thread. Rows that
     /// cannot be flown are NaN and returned with reasons. Rows may be shared out among threads, [`CHUNK`] at a time.
     ///
-    /// They go through the landing exactly; what jumps with an input has the derivatives of the side the shot is on.
+    /// They go through the landing exactly; where one has a kink, it has the derivative of the side the shot is on.
     #[must_use]
     pub fn run(&self, rows: Range<usize>, mut results: Vec<&mut [f64]>) -> Vec<Reject> {
         dispatch(Derivatives { wanted: *self, rows, results: &mut results })

@@ -17,8 +17,8 @@ pub struct FlightSensitivity {
 
 /// Outputs of one shot with their exact derivatives with respect to every input.
 ///
-/// They go through the landing exactly. What jumps with an input (the number of bounces, a held spin parameter) has the
-/// derivatives of the side the shot is on.
+/// They go through the landing exactly. Where one has a kink (a held spin parameter, a ball that begins to
+/// slide as it bounces), it has the derivative of the side the shot is on.
 ///
 /// # Errors
 /// An input that is not allowed, or a ball that does not come down.

@@ -21,7 +21,7 @@ SHARE = 0.9
 
 FINE, ROUGH = 1e-8, 1e-6
 """Precisions: of what is smooth, but for 1e-9 that the steps of flights leave in a mean, and of expected strokes, which
-jump with the number of bounces of a single ball."""
+have kinks in distance and where a single ball begins to slide as it bounces."""
 
 Judged = tuple[float, "NDArray[Any]"]
 """A value, and its derivatives by every landing, of the shape of the landings."""

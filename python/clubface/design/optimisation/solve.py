@@ -17,8 +17,8 @@ SLACK = 1e-6
 """What every margin keeps above 0 while it is solved, so that rounding of the solver breaks no limit."""
 MOST_STEPS = 200
 PATIENCE = 12
-"""Steps without progress after which a solver stops: the number of bounces jumps from shot to shot, so that expected
-strokes are smooth only to some 1e-6."""
+"""Steps without progress after which a solver stops: balls come to lie in another lie, and the strokes expected
+from it have kinks, so that they are smooth only to some 1e-6."""
 PENALTIES = (0.03, 0.3, 3.0)
 """Costs of a broken limit, in parts of the cost at the start, with which progress is looked for."""
 ALIKE = 1e-4

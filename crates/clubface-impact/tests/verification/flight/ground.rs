@@ -21,13 +21,14 @@ fn energy(velocity: Vec3<f64>, spin: Vec3<f64>) -> f64 {
     0.5 * BALL.mass * velocity.norm_squared() + 0.5 * BALL.inertia * spin.norm_squared()
 }
 
-/// 0.510 at rest, and the curve meets its plateau of 0.120 at 20 m/s to within its three digits.
+/// 0.510 at rest, then Penner's parabola to its lowest point, which is his plateau of 0.120 above 20 m/s to its digits.
 #[test]
 fn restitution_is_penners_curve() {
     assert_eq!(restitution(0.0), 0.510);
     assert_close(restitution(10.0), 0.510 - 0.375 + 0.0903, 1e-15);
     assert!((restitution(20.0) - 0.120).abs() < 0.0015);
-    assert_eq!(restitution(30.0), 0.120);
+    assert!((restitution(30.0) - 0.120).abs() < 0.0015);
+    assert_eq!(restitution(30.0), restitution(21.0));
 }
 
 #[test]
@@ -114,6 +115,21 @@ fn a_sliding_ball_slides_until_it_rolls() {
     let slid = 12.0 * v * v / (49.0 * TURF.friction * GRAVITY);
     let rolled = (5.0 * v / 7.0_f64).powi(2) / (2.0 * 5.0 / 7.0 * TURF.rolling_friction * GRAVITY);
     assert_close(way.z, slid + rolled, 1e-14);
+}
+
+/// Between one bounce more and one less the place of rest does not jump. A step of 0.1 mm/s in the speed of landing
+/// moves it by about the same in millimetres; where bounces ended at 10 mm at once, it jumped by 80 to 150 mm.
+#[test]
+fn the_place_of_rest_does_not_jump_with_the_number_of_bounces() {
+    let rest = |step: u32| {
+        let speed = 27.0 + 1e-4 * f64::from(step);
+        let angle = 36f64.to_radians();
+        let velocity = Vec3::new(speed * angle.cos(), -speed * angle.sin(), 0.0);
+        run(&BALL, &TURF, Vec3::zero(), velocity, Vec3::new(0.0, 0.0, 220.0)).x
+    };
+    let largest = (0..20_000).map(|step| (rest(step + 1) - rest(step)).abs()).fold(0.0, f64::max);
+    assert!(largest < 1e-3, "{largest} m");
+    assert!(largest > 1e-5, "{largest} m");
 }
 
 /// A drive runs out 10 to 40 yards on firm turf, a wedge hardly at all.

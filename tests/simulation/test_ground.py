@@ -1,0 +1,152 @@
+"""Bounces and roll: against the equations written out once more, against published totals, and without jumps."""
+
+import math
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface import measurements
+from clubface.errors import InputError, UnknownNameError
+from clubface.simulation import core
+from clubface.simulation.flight_inputs import flight_columns
+from clubface.simulation.grounds import DEFAULT_GROUND, GROUNDS
+from clubface.simulation.quantities import flight_inputs, flight_outputs
+
+G, YARD, MPH, RPM = 9.80665, 0.9144, 0.44704, math.pi / 30.0
+MASS, RADIUS = 0.0459, 0.0213
+FRICTION, ROLLING = 0.40, 0.196
+TOUR_DRIVES = {"pga-2023": ("171 mph", "10.4 deg", "2545 rpm"), "lpga-2023": ("143 mph", "12.6 deg", "2506 rpm")}
+MISPRINTED = {("carry", 95, -5), ("carry", 100, 0), ("carry", 120, 5)}
+"""Rows of TrackMan's chart whose run is some 12 to 15 yards longer than those of their neighbours."""
+
+
+def drive(launch, **options):
+    speed, angle, spin = launch
+    return clubface.fly({"ball_speed": speed, "launch": angle, "backspin": spin}, **options)
+
+
+def run_of(flight):
+    return np.asarray(flight.total - flight.carry) / YARD
+
+
+def penner(speed, descent, spin):
+    """The run [m] of a homogeneous ball without sidespin, by Penner's plane equations and nothing of the package."""
+    forward, sinking, done, place, part = speed * math.cos(descent), speed * math.sin(descent), 0.0, 0.0, 1.0
+    for _ in range(200):
+        speed, theta = math.hypot(forward, sinking), math.atan2(forward, sinking)
+        turned = min(math.radians(15.4) * (speed / 18.6) * (theta / math.radians(44.4)), math.pi / 2.0 - theta)
+        along, into = speed * math.sin(theta - turned), speed * math.cos(theta - turned)
+        held = min(into, 0.0375 / (2.0 * 0.000903))
+        e = 0.510 - 0.0375 * held + 0.000903 * held**2
+        critical = 2.0 * (along + RADIUS * spin) / (7.0 * (1.0 + e) * into)
+        if abs(critical) > FRICTION:
+            lost = math.copysign(FRICTION, critical) * (1.0 + e) * into
+            along, spin = along - lost, spin - 2.5 * lost / RADIUS
+        else:
+            along = 5.0 / 7.0 * along - 2.0 / 7.0 * RADIUS * spin
+            spin = -along / RADIUS
+        rising = min(along * math.sin(turned) + e * into * math.cos(turned), sinking)
+        forward = along * math.cos(turned) - e * into * math.sin(turned)
+        rolled = (5.0 * forward - 2.0 * RADIUS * spin) / 7.0
+        slid = 0.5 * (forward + rolled) * abs(forward - rolled) / (FRICTION * G)
+        end = place + slid + rolled * abs(rolled) / (2.0 * 5.0 / 7.0 * ROLLING * G)
+        x = min(max((max(rising, 0.0) ** 2 / (2.0 * G) - 0.005) / 0.010, 0.0), 1.0)
+        lifted = x * x * (3.0 - 2.0 * x)
+        done, part = done + part * (1.0 - lifted) * end, part * lifted
+        if part == 0.0:
+            return done
+        place, sinking = place + 2.0 * forward * rising / G, rising
+    raise AssertionError("the ball bounces for ever")
+
+
+def test_the_run_is_that_of_penners_equations():
+    """Written out again in the plane; 60 shots from chips to low drives, to rounding."""
+    rng = np.random.default_rng(3)
+    low, high = np.array([15.0, 5.0, 1000.0]), np.array([80.0, 45.0, 9000.0])
+    speed, angle, spin = (low + (high - low) * rng.random((60, 3))).T
+    ball = {"ball_mass": MASS, "ball_radius": RADIUS, "ball_inertia": 0.4 * MASS * RADIUS**2}
+    shots = {"ball_speed": speed, "launch": np.radians(angle), "backspin": spin * RPM, "sidespin": 0.0, "azimuth": 0.0}
+    flights = clubface.fly({**shots, **ball})
+    assert np.abs(flights.side).max() == 0.0
+    for i in range(60):
+        expected = penner(flights.landing_speed[i], flights.landing_angle[i], flights.landing_spin[i])
+        assert flights.total[i] - flights.carry[i] == pytest.approx(expected, abs=1e-9)
+
+
+def trackman():
+    """Rows of the chart of 2010 without what looks like a misprint: optimum of, published run [yd], our run [yd]."""
+    table = measurements.table("optimum-trackman-2010").columns
+    speeds, attacks = np.rint(table["club_speed"] / MPH), np.rint(np.degrees(table["attack"]))
+    keys = list(zip(table["optimum_of"], speeds, attacks, strict=True))
+    # At 80 mph the totals of both optima are some 10 yards shorter than the rows before and after have them.
+    kept = np.array([key[1] != 80 and key not in MISPRINTED for key in keys])
+    value = {name: each[kept] for name, each in table.items()}
+    flights = clubface.fly({"ball_speed": value["ball_speed"], "launch": value["launch"], "backspin": value["spin"]})
+    return value["optimum_of"], (value["total"] - value["carry"]) / YARD, run_of(flights)
+
+
+def test_runs_are_those_of_trackmans_chart():
+    """51 drives from 75 to 120 mph, by TrackMan's own model of the ground: 24 yards for those of the longest carry and
+    50 for the flatter ones of the longest total. Means within 4 yards: flights descend 3 deg too flat, worth 2 to 3
+    yards, and the rolling friction of a fairway is assumed, worth 1.5. Single drives within 17 yards: slow, low ones
+    run too far, fast ones not far enough, since the tilt grows with the speed."""
+    optimum, published, found = trackman()
+    assert len(found) == 51
+    for which in ("carry", "total"):
+        rows = optimum == which
+        assert found[rows].mean() == pytest.approx(published[rows].mean(), abs=4.0), which
+    assert np.sqrt(np.mean((found - published) ** 2)) < 6.5
+    assert np.abs(found - published).max() < 17.0
+
+
+@pytest.mark.parametrize(("tour", "published"), [("pga-2023", (15.0, 25.0)), ("lpga-2023", (28.0, 37.0))])
+def test_the_average_drives_of_the_tours_run_as_far_as_published(tour, published):
+    """Driving distance less carry. PGA Tour: 292 less 277 yards (2017), 288 less 266 (2007), 300 less 275 (2023).
+    LPGA Tour: 260 (2021) less TrackMan's 223. Two yards more are allowed, since the ball descends 3 deg too flat."""
+    found = run_of(drive(TOUR_DRIVES[tour]))
+    assert published[0] - 2.0 < found < published[1] + 2.0
+
+
+def test_named_grounds_go_from_firm_to_soft_and_from_green_to_fairway():
+    runs = {name: run_of(drive(TOUR_DRIVES["pga-2023"], ground=name)) for name in GROUNDS}
+    for surface in ("green", "fairway"):
+        firm, average, soft = (runs[each + surface] for each in ("firm ", "", "soft "))
+        # As assumed: 1.5 deg more or less tilt is worth some 10 yards.
+        assert firm - average == pytest.approx(10.0, abs=3.0)
+        assert average - soft == pytest.approx(10.0, abs=3.0)
+    assert all(runs[f"{firmness}green"] > runs[f"{firmness}fairway"] for firmness in ("firm ", "", "soft "))
+    assert runs[DEFAULT_GROUND] == run_of(drive(TOUR_DRIVES["pga-2023"]))
+    assert all(flight_inputs()[name].default == value for name, value in GROUNDS[DEFAULT_GROUND].items())
+    spelled = drive(TOUR_DRIVES["pga-2023"], ground=dict(GROUNDS["soft green"]))
+    assert run_of(spelled) == runs["soft green"]
+
+
+def test_a_ground_is_a_known_name_or_a_mapping():
+    with pytest.raises(UnknownNameError, match="firm fairway"):
+        drive(TOUR_DRIVES["pga-2023"], ground="firm fairwy")
+    with pytest.raises(UnknownNameError, match="ground_tilt"):
+        drive(TOUR_DRIVES["pga-2023"], ground={"tilt": 0.2})
+    with pytest.raises(InputError, match="soft green, or a mapping"):
+        drive(TOUR_DRIVES["pga-2023"], ground=3.0)
+
+
+@pytest.mark.parametrize("quantity", ["total", "total_side"])
+@pytest.mark.parametrize("launch", [(70.0, 9.0, 2200.0), (76.0, 10.4, 2545.0), (55.0, 16.0, 7000.0)])
+def test_where_a_ball_comes_to_rest_has_derivatives_and_does_not_jump(launch, quantity):
+    """Along 2000 shots a little faster each, the number of bounces changes several times. The change from shot to shot
+    is the mean derivative times the step, to 0.05 mm; bounces that ended at one height made it jump by 110 mm."""
+    speed, angle, spin = launch
+    shots = {"ball_speed": np.linspace(speed, 1.02 * speed, 2001), "launch": math.radians(angle),
+             "backspin": spin * RPM, "sidespin": 300.0 * RPM, "azimuth": 0.02}  # fmt: skip
+    columns = flight_columns(shots, None, None, None).columns
+    outputs, inputs = list(flight_outputs()), list(columns)
+    wanted = [inputs.index(f"velocity_{axis}") for axis in "xyz"]
+    found, rejects = core.fly_sensitivities(list(columns.values()), 2001, [outputs.index(quantity)], wanted)
+    assert not rejects
+    velocity = np.array([columns[f"velocity_{axis}"] for axis in "xyz"])
+    slope = (found[1:] * velocity / np.linalg.norm(velocity, axis=0)).sum(axis=0)
+    step = np.diff(np.linalg.norm(velocity, axis=0))
+    left = np.diff(found[0]) - 0.5 * (slope[1:] + slope[:-1]) * step
+    assert np.abs(left).max() < 5e-5
+    assert np.abs(np.diff(found[0])).max() > 1e-5
