@@ -17,6 +17,13 @@ pub const SPIN_DECAY: f64 = 0.01;
 /// Speed below which the spin parameter is that of this speed, m/s: no force is left there, and nothing divides by 0.
 const STILL: f64 = 1e-9;
 
+/// Spin parameter r omega / v, held within the range of the fit.
+#[inline(always)]
+pub fn held_spin_parameter<S: Scalar>(radius: S, spin: S, speed: S) -> S {
+    let (low, high) = (S::from_f64(LOWEST_SPIN_PARAMETER), S::from_f64(HIGHEST_SPIN_PARAMETER));
+    spin_parameter(radius, spin, speed).max(low).min(high)
+}
+
 /// Drag coefficient at a spin parameter within the fit.
 #[inline(always)]
 pub fn drag_coefficient<S: Scalar>(s: S) -> S {
@@ -54,10 +61,7 @@ pub struct AirLoad<S> {
 #[inline(always)]
 pub fn air_load<S: Scalar>(radius: S, velocity: Vec3<S>, spin: Vec3<S>, spin_speed: S) -> AirLoad<S> {
     let speed = velocity.norm().max(S::from_f64(STILL));
-    let s = spin_parameter(radius, spin_speed, speed);
-    let low = S::from_f64(LOWEST_SPIN_PARAMETER);
-    let high = S::from_f64(HIGHEST_SPIN_PARAMETER);
-    let held = s.max(low).min(high);
+    let held = held_spin_parameter(radius, spin_speed, speed);
     let drag = drag_coefficient(held) * speed;
     // Lift C_L v^2 along the unit vectors' product; below the fit, 1 / omega becomes that of its lower end.
     let slowest = speed * LOWEST_SPIN_PARAMETER / radius;

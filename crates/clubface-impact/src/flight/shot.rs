@@ -93,7 +93,7 @@ pub const INPUTS: [FlightInput; INPUT_COUNT] = inputs! {
     "ground" restitution_factor ["1"] = 1.0, 0.01..=1.5, "factor on Penner's coefficient of restitution of ball and turf", "firmer";
     "ground" ground_tilt ["rad"] = 15.4 * PI / 180.0, 0.0..=1.0, "tilt of the effective plane of a bounce at 18.6 m/s, 44.4 deg (Penner: 15.4 deg)", "softer";
     "ground" ground_friction ["1"] = 0.40, 0.01..=2.0, "sliding friction of ball and turf (Penner: 0.40)", "";
-    "ground" rolling_friction ["1"] = 0.196, 0.005..=2.0, "rolling friction rho_g of a fairway, assumed that of Penner's slowest green (average green: 0.131)", "";
+    "ground" rolling_friction ["1"] = 0.131, 0.005..=2.0, "rolling friction rho_g of a fairway, assumed that of Penner's average green, on which a ball runs 6 ft off a Stimpmeter", "";
 };
 
 /// Number of outputs.
@@ -188,6 +188,6 @@ impl<S: Scalar> Flown<S> {
 pub fn fly<S: Scalar>(shot: &FlightShot<S>, tolerance: f64) -> Flown<S> {
     let flight = Flight::new(&shot.ball, shot.spin, &shot.air);
     let landing = fly_to_ground(&flight, shot.velocity, tolerance, f64::INFINITY, |_, _| {});
-    let rest = run(&shot.ball, &shot.ground, landing.position, landing.velocity, landing.spin);
+    let rest = run(&shot.ball, &shot.ground, &flight, landing.position, landing.velocity, landing.spin);
     Flown { landing, rest }
 }

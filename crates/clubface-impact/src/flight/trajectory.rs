@@ -5,7 +5,7 @@
 //! own; the last is shortened by Newton's method until it ends on the ground. The final Newton correction is made in
 //! full arithmetic, so derivatives go through the landing event exactly.
 
-use super::aerodynamics::{air_load, outside_fit, spin_parameter};
+use super::aerodynamics::{air_load, drag_coefficient, held_spin_parameter, outside_fit, spin_parameter};
 use super::event::Step;
 use crate::ball::Ball;
 use clubface_math::ode::{integrate, Control, Observer, System, DORMAND_PRINCE};
@@ -64,6 +64,12 @@ impl<S: Scalar> Flight<S> {
             per_mass: half_density_area / ball.mass,
             per_inertia: half_density_area / ball.inertia,
         }
+    }
+
+    /// Deceleration by drag in still air over the square of the speed, 1/m; `spin` and `speed` are magnitudes.
+    #[inline(always)]
+    pub fn drag(&self, spin: S, speed: S) -> S {
+        drag_coefficient(held_spin_parameter(self.radius, spin, speed)) * self.per_mass
     }
 
     /// Spin parameter of a state.
