@@ -78,7 +78,7 @@ def test_an_interrupted_run_counts_what_earlier_runs_have_finished(tmp_path, mon
         def stop(*rest, error=error, **options):
             raise error
 
-        monkeypatch.setattr(running, "work", stop)
+        monkeypatch.setattr(running.Pool, "work", stop)
         with pytest.raises((KeyboardInterrupt, ClubfaceError), match="5 of 20 chunks are done and kept"):
             studies.run(path, workers=1)
 

@@ -173,6 +173,6 @@ def _asked(asked: Any) -> dict[str, Any]:
     if asked.hole is not None:
         given["hole"] = asked.hole.told()
     return {
-        "given": given, "conditions": {"air": asked.setting.air, "wind": asked.setting.wind},
+        "given": given, "conditions": {name: getattr(asked.setting, name) for name in ("air", "wind", "ground")},
         "sources": [each for golfer, _ in asked.golfers for each in golfer_sources(golfer)],
     }  # fmt: skip

@@ -218,7 +218,7 @@ def map_face(
         No point of the face has a shot.
     """
     chosen = club_of(club)
-    check_conditions(air, wind)
+    check_conditions(air, wind, ground)
     if workers is not None and model not in MODULES:
         raise InputError("workers", workers, f"leave it out: {model} computes all points at once")
     given = dict(as_values(delivery, values))

@@ -6,9 +6,8 @@ from typing import Any
 
 from clubface.simulation.air import air_of
 from clubface.simulation.flight_inputs import conditions
-from clubface.simulation.grounds import ground_of
 from clubface.simulation.quantities import flight_inputs
-from clubface.units import from_si, parse, show
+from clubface.units import from_si, show
 
 
 def flight_conditions(air: Any = None, wind: Any = None, ground: Any = None) -> dict[str, str]:
@@ -20,8 +19,7 @@ def flight_conditions(air: Any = None, wind: Any = None, ground: Any = None) -> 
         As for :func:`clubface.fly`; single values.
     """
     known = flight_inputs()
-    values = {name: each.default for name, each in known.items()} | conditions(air, wind)
-    values |= {name: parse(each, known[name].dimension, name=name) for name, each in ground_of(ground).items()}
+    values = {name: each.default for name, each in known.items()} | conditions(air, wind, ground)
     altitude = air_of(air).altitude
     told = [show(values["temperature"], "degC"), show(values["pressure"], "hPa", 5)]
     told.append(f"{100.0 * values['humidity']:g} % humidity")

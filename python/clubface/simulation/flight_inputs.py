@@ -66,8 +66,7 @@ def flight_columns(
         given |= vectors({name: value for name, value in launch.items() if value is not None})
     else:
         raise InputError("launch", launch, "a Launch or a mapping of values")
-    given |= conditions(air, wind)
-    given |= ground_of(ground)
+    given |= conditions(air, wind, ground)
     parsed: dict[str, Any] = {name: each.default for name, each in inputs.items()} | ball().inputs()
     varied: dict[str, NDArray[Any]] = {}
     for name, value in given.items():
@@ -87,15 +86,16 @@ def flight_columns(
     return FlightColumns(flat, shape, varied)
 
 
-def conditions(air: Air | Mapping[str, Any] | None, wind: Any) -> dict[str, Any]:
-    """Return the inputs of a flight that air and wind give [SI], by name."""
-    given = {**air_of(air).values(), **_group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))}
+def conditions(air: Air | Mapping[str, Any] | None, wind: Any, ground: Any = None) -> dict[str, Any]:
+    """Return the inputs of a flight that air, wind and ground give [SI], by name."""
+    blowing = _group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))
+    given = {**air_of(air).values(), **blowing, **ground_of(ground)}
     return {name: _parsed(value, name) for name, value in given.items()}
 
 
-def check_conditions(air: Air | Mapping[str, Any] | None, wind: Any) -> None:
-    """Refuse air and wind, single numbers both, that no flight takes."""
-    for name, given in conditions(air, wind).items():
+def check_conditions(air: Air | Mapping[str, Any] | None, wind: Any, ground: Any = None) -> None:
+    """Refuse air, wind and ground, single numbers all, that no flight takes."""
+    for name, given in conditions(air, wind, ground).items():
         value, allowed = _parsed(given, name), flight_inputs()[name]
         if not isinstance(value, float):
             raise InputError(name, "an array", "a single number")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from clubface.equipment.backends import MODULES
 from clubface.errors import InputError
 from clubface.studies.axes import Swept, number
 from clubface.studies.kinds import Column, Described, chosen_columns
@@ -60,7 +61,9 @@ def _begin(study: Described) -> Prepared:
 
     def compute(task: Values) -> dict[str, Any]:
         place = {**held, **task}
-        found = map_face(**shooting.single(task), **shooting.conditions.at(task), grid=grid, workers=1)
+        shot = shooting.single(task)
+        alone = {"workers": 1} if shot["model"] in MODULES else {}
+        found = map_face(**shot, **shooting.conditions.at(task), grid=grid, **alone)
         best, longest = found.best(), found.best("carry")
         figures: dict[str, Any] = {
             "face_area": found.outline.area, "area": lambda: found.area(place["share"]),

@@ -19,7 +19,7 @@ from clubface.errors import InputError
 from clubface.studies.axes import Swept
 from clubface.studies.golfing import changed_golfer, changed_hole, swept_golfers
 from clubface.studies.kinds import Column, Described, chosen_columns
-from clubface.studies.shooting import OF_AIR, OF_GROUND, OF_WIND, resolved, swept_conditions
+from clubface.studies.shooting import BY_GROUP, resolved, swept_conditions
 from clubface.studies.singly import Prepared, SinglyKind, Values
 from clubface.support.shipped import is_path
 
@@ -29,13 +29,13 @@ COUNTED = ("shots", "seed", "starts")
 
 
 def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
-    """Return both ends of every bound and limit, figures of golfers and holes, the air, and what has names."""
+    """Return both ends of every bound and limit, figures of golfers and holes, the conditions, and what has names."""
     known = {**JUDGED, **DIMENSIONS}
     bounds = {f"variables_{name}_{end}": Swept(_unit(known[name])) for name in FREE for end in ENDS}
     limits = {f"limits_{name}_{end}": Swept(_unit(each)) for name, each in known.items() for end in ENDS}
     single = {"speed_exponent": Swept("1"), "discretionary_mass": Swept("kg"), **{name: Swept("1") for name in COUNTED}}
-    air = {name: each for name, each in swept_conditions().items() if name not in OF_GROUND}
-    return {**bounds, **limits, **swept_golfers(), **air, **single, **{name: Swept(None) for name in NAMED}}
+    conditions, named = swept_conditions(), {name: Swept(None) for name in NAMED}
+    return {**bounds, **limits, **swept_golfers(), **conditions, **single, **named}
 
 
 def _unit(dimension: str) -> str:
@@ -99,7 +99,7 @@ def changed_study(of: DesignStudy, task: Values, folder: Path) -> DesignStudy:
         head = replace(head, discretionary=task["discretionary_mass"])
     golfers = of.golfers if "golfer" not in task else ((golfer_of(resolved(task["golfer"], folder)), 1.0),)
     setting = replace(of.setting, threads=1)
-    for group, known in (("air", OF_AIR), ("wind", OF_WIND)):
+    for group, known in BY_GROUP.items():
         if changes := {name: task[name] for name in known if name in task}:
             setting = replace(setting, **{group: {**_mapping(group, getattr(setting, group)), **changes}})
     if "ball" in task:

@@ -39,13 +39,13 @@ LAUNCH = (*VELOCITY, *SPIN)
 
 @dataclass(frozen=True, kw_only=True)
 class Setting:
-    """What is the same for all clubs: model, ball, air, threads.
+    """What is the same for all clubs: model, ball, air, ground, threads.
 
     Attributes
     ----------
     model, parameters, ball
         As for :func:`clubface.impact`.
-    air, wind
+    air, wind, ground
         As for :func:`clubface.fly`.
     speed_exponent
         Clubhead speed is proportional to the mass of the head to minus this power.
@@ -58,6 +58,7 @@ class Setting:
     ball: str | Ball | None = None
     air: Any = None
     wind: Any = None
+    ground: Any = None
     speed_exponent: float = SPEED_EXPONENT
     threads: int = 0
 
@@ -162,7 +163,7 @@ class Landings:
         place = input_columns()
         given: dict[str, Any] = {name: each.default for name, each in flight_inputs().items()}
         given |= {name: columns[place[name]] for name in BALL}
-        given |= conditions(self.setting.air, self.setting.wind)
+        given |= conditions(self.setting.air, self.setting.wind, self.setting.ground)
         given |= dict(zip(LAUNCH, launches, strict=True))
         return list(given.values())
 

@@ -53,7 +53,7 @@ from clubface.support.strict_toml import Document
 OPEN = "none"
 """The word for a limit that is not there."""
 JUDGED = {**{name: each.dimension for name, each in OBJECTIVES.items()}, "strokes": units.DIMENSIONLESS}
-_COMMON = ("title", "golfer", "objective", "model", "shots", "seed", "hole", "air", "wind")
+_COMMON = ("title", "golfer", "objective", "model", "shots", "seed", "hole", "air", "wind", "ground")
 _STUDY = (*_COMMON, "club", "ball", "starts", "points", "variables", "head", "limits", "rules", "mass")
 _FIT = (*_COMMON, "fit")
 
@@ -97,15 +97,15 @@ def _common(document: Document, folder: Path) -> dict[str, Any]:
             found[name] = data[name]
     model = data.get("model", DEFAULT_MODEL)
     reduced_model(model, "one with derivatives")
-    air, wind = data.get("air"), data.get("wind")
-    check_conditions(air, wind)
+    flown: dict[str, Any] = {name: data.get(name) for name in ("air", "wind", "ground")}
+    check_conditions(**flown)
     mass = data.get("mass", {})
     document.check_keys(mass, ("speed_exponent",), (), "mass")
     exponent = mass.get("speed_exponent", SPEED_EXPONENT)
     if isinstance(exponent, bool) or not isinstance(exponent, int | float) or not 0.0 <= exponent <= 1.0:
         raise InputError("mass.speed_exponent", exponent, "a number from 0 to 1")
     ball = ball_of(beside(data["ball"], folder)) if "ball" in data else None
-    found["setting"] = Setting(model=model, ball=ball, air=air, wind=wind, speed_exponent=float(exponent))
+    found["setting"] = Setting(model=model, ball=ball, speed_exponent=float(exponent), **flown)
     return found
 
 
