@@ -124,6 +124,15 @@ def test_wind_blows_as_over_a_single_shot():
     assert one.value == pytest.approx(np.nanmean(fly(launch, wind=(-3.0, 0.0, 1.0), on_error="nan").carry), rel=1e-12)
 
 
+def test_the_ground_is_that_of_a_single_shot():
+    of = from_text(BEGIN + 'ground = "soft fairway"\n[fit]\nclubs = ["driver"]\n')
+    launch = impact("driver", golfer("bogey-driver").sample(64, seed=1), on_error="nan")
+    expected = np.nanmean(fly(launch, ground="soft fairway", on_error="nan").total)
+    assert landings(of, fit(of)[0])[0][2].mean() == pytest.approx(expected, rel=1e-12)
+    with pytest.raises(FileError, match="unknown ground 'soft'"):
+        from_text(BEGIN + 'ground = "soft"\n[fit]\nclubs = ["driver"]\n')
+
+
 def test_the_landings_of_a_combination_are_those_that_it_was_judged_by():
     of = from_text(BEGIN + '[fit]\nclubs = ["driver", "3-wood"]\nloft = ["-2 deg", "2 deg"]\n')
     for each in fit(of):

@@ -62,7 +62,7 @@ def _begin(study: Described) -> Prepared:
     def compute(task: Values) -> dict[str, Any]:
         place = {**held, **task}
         shot = shooting.single(task)
-        alone = {"workers": 1} if shot["model"] in MODULES else {}
+        alone: dict[str, Any] = {"workers": 1} if shot["model"] in MODULES else {}
         found = map_face(**shot, **shooting.conditions.at(task), grid=grid, **alone)
         best, longest = found.best(), found.best("carry")
         figures: dict[str, Any] = {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -40,17 +41,30 @@ def optimum_figure(of: Optimum) -> Figure:
 
 def _draw_landings(axes: Axes, of: Optimum) -> None:
     golfers = of.study.landings(of.study.shots, seed=of.study.seed + 1)
+    clubs: dict[str, Any] = {"start": {}, "optimum": of.club}
+    landed = {name: np.concatenate([each.of(club) for each, _ in golfers], axis=1) for name, club in clubs.items()}
+    draw_landings(axes, landed, ("--", "-"))
+
+
+def draw_landings(axes: Axes, landed: Mapping[str, NDArray[Any]], lines: Sequence[Any]) -> None:
+    """Draw where shots come down and the ellipses that hold ``SHARE`` of them.
+
+    Parameters
+    ----------
+    landed
+        Carry and side [m] by what made them, each of shape (landings, shots).
+    lines
+        The line style of each ellipse.
+    """
     ellipses: list[NDArray[Any]] = []
-    for place, (name, club) in enumerate((("start", {}), ("optimum", of.club))):
-        landed = np.concatenate([each.of(club) for each, _ in golfers], axis=1)
-        side = units.from_si(landed[1], UNIT)
-        down = units.from_si(np.sqrt(np.maximum(landed[0] ** 2 - landed[1] ** 2, 0.0)), UNIT)
-        colour = COLOURS[place]
+    for (name, values), line, colour in zip(landed.items(), lines, COLOURS, strict=False):
+        side = units.from_si(values[1], UNIT)
+        down = units.from_si(np.sqrt(np.maximum(values[0] ** 2 - values[1] ** 2, 0.0)), UNIT)
         axes.plot(
             side[:POINTS], down[:POINTS], ".", color=colour, markersize=2.0, alpha=0.35, markeredgewidth=0.0
         )  # fmt: skip
-        ellipses.append(ellipse_line(side, down))
-        axes.plot(*ellipses[-1], color=colour, label=name, linestyle="--" if place == 0 else "-")
+        ellipses.append(_ellipse(side, down))
+        axes.plot(*ellipses[-1], color=colour, label=name, linestyle=line)
     # The ellipses set the frame: a topped ball far behind would make all others small.
     drawn = np.hstack(ellipses)
     middle, half = 0.5 * (drawn.min(axis=1) + drawn.max(axis=1)), 0.55 * np.ptp(drawn, axis=1).max()
@@ -60,10 +74,10 @@ def _draw_landings(axes: Axes, of: Optimum) -> None:
     axes.set_xlabel(f"side ({UNIT}), right is positive")
     axes.set_ylabel(f"distance down the line ({UNIT})")
     axes.set_title(f"Landings, with the ellipses of {SHARE:.0%}")
-    axes.legend(loc="upper left", ncols=2)
+    axes.legend(loc="upper left", ncols=len(ellipses))
 
 
-def ellipse_line(side: NDArray[Any], down: NDArray[Any]) -> NDArray[Any]:
+def _ellipse(side: NDArray[Any], down: NDArray[Any]) -> NDArray[Any]:
     """Return points of the ellipse that holds ``SHARE`` of normal shots with this covariance, shape (2, points)."""
     values, vectors = np.linalg.eigh(np.cov(np.array([side, down])))
     angle = np.linspace(0.0, 2.0 * math.pi, 200)

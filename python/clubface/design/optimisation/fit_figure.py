@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.figure import Figure
 
 from clubface import units
 from clubface.design.optimisation.combination import Combination, told
-from clubface.design.optimisation.figures import POINTS, UNIT, ellipse_line
+from clubface.design.optimisation.figures import draw_landings
 from clubface.design.optimisation.fitting import Fitting, landings
-from clubface.design.optimisation.objectives import SHARE
 from clubface.plots.style import COLOURS, DASHES, WIDTH, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
 LANDINGS, BARS = 3, 10
 """The best combinations whose landings are drawn, and that are compared."""
@@ -33,30 +31,10 @@ def fit_figure(of: Fitting, found: Sequence[Combination]) -> Figure:
     """Draw landings and ellipses of the best combinations, and how far behind the best the others are."""
     figure = Figure(figsize=(WIDTH, max(3.2, 0.8 + 0.42 * min(len(found), BARS))), layout="constrained")
     left, right = figure.subplots(1, 2, width_ratios=(1.0, 1.1))
-    _draw_landings(left, of, found[:LANDINGS])
+    best = enumerate(found[:LANDINGS], 1)
+    draw_landings(left, {f"{rank}": np.concatenate(landings(of, each), axis=1) for rank, each in best}, DASHES)
     _draw_bars(right, of, found[:BARS])
     return figure
-
-
-def _draw_landings(axes: Axes, of: Fitting, found: Sequence[Combination]) -> None:
-    lines: list[NDArray[Any]] = []
-    for place, each in enumerate(found):
-        landed = np.concatenate(landings(of, each), axis=1)
-        side = units.from_si(landed[1], UNIT)
-        down = units.from_si(np.sqrt(np.maximum(landed[0] ** 2 - landed[1] ** 2, 0.0)), UNIT)
-        colour = COLOURS[place]
-        axes.plot(side[:POINTS], down[:POINTS], ".", color=colour, markersize=2.0, alpha=0.35, markeredgewidth=0.0)
-        lines.append(ellipse_line(side, down))
-        axes.plot(*lines[-1], color=colour, linestyle=DASHES[place], label=f"{place + 1}")
-    drawn = np.hstack(lines)
-    middle, half = 0.5 * (drawn.min(axis=1) + drawn.max(axis=1)), 0.55 * np.ptp(drawn, axis=1).max()
-    axes.set_xlim(middle[0] - half, middle[0] + half)
-    axes.set_ylim(middle[1] - half, middle[1] + half)
-    axes.set_aspect("equal", adjustable="box")
-    axes.set_xlabel(f"side ({UNIT}), right is positive")
-    axes.set_ylabel(f"distance down the line ({UNIT})")
-    axes.set_title(f"Landings, with the ellipses of {SHARE:.0%}")
-    axes.legend(loc="upper left", ncols=len(found))
 
 
 def _draw_bars(axes: Axes, of: Fitting, found: Sequence[Combination]) -> None:
@@ -69,7 +47,7 @@ def _draw_bars(axes: Axes, of: Fitting, found: Sequence[Combination]) -> None:
     axes.set_yticks(range(len(found)), [_label(place + 1, each) for place, each in enumerate(found)], fontsize=6.5)
     axes.set_ylim(len(found) - 0.4, -0.6)
     axes.set_xlim(left=1.05 * min(0.0, float(np.nanmin(np.subtract(behind, errors)))))
-    axes.set_xlabel(f"behind the best{'' if judge.unit == '1' else f' ({judge.unit})'}, with what chance leaves open")
+    axes.set_xlabel(f"behind the best{'' if judge.unit == '1' else f' ({judge.unit})'}")
     axes.set_title(textwrap.fill(f"By the {judge.meaning}", LETTERS))
 
 

@@ -205,11 +205,6 @@ def landings(of: Fitting, found: Combination) -> list[Any]:
     return [each.of(club) for each, _ in _landings(of, head, ball, of.samples())]
 
 
-def of_all(of: Fitting) -> list[Objective]:
-    """Return all objectives that a fitting can compute."""
-    return list(objectives(of.hole))
-
-
 def _landings(of: Fitting, head: Club, ball: Ball | None, samples: Any) -> list[tuple[Landings, float]]:
     """Return the shots of the golfers with a head and a ball."""
     own, base_loft = replace(of.setting, ball=ball), of.clubs[0].loft
@@ -247,7 +242,7 @@ def _tried(of: Fitting, head: Club, ball: Ball | None, setting: str, samples: An
         each.name: sum(
             weight * each.judge(one)[0] for (_, weight), one in zip(golfers, landed, strict=True)
         ) / total
-        for each in of_all(of)
+        for each in objectives(of.hole)
     }  # fmt: skip
     parts = [
         [judge.judge(part)[0] for part in np.array_split(one, BLOCKS, axis=1)] if one.shape[1] >= 2 * BLOCKS else []
