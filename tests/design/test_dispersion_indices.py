@@ -37,6 +37,12 @@ def test_shapley_effects_of_ishigamis_function():
     assert effects.sum() == pytest.approx(1.0, rel=1e-12)
 
 
+def test_progress_is_told_order_by_order():
+    told = []
+    shapley(ishigami, np.zeros(3), np.eye(3), count=2, seed=1, progress=lambda *each: told.append(each))
+    assert told == [(place, 6) for place in range(1, 7)]  # 3! orders of three variables
+
+
 @pytest.mark.parametrize("rho", [0.0, 0.5, -0.8])
 def test_shapley_effects_of_a_sum_of_two_correlated_variables(rho):
     """Owen and Prieur (2017): of b1 X1 + b2 X2, the first has (b1^2 (1 - rho^2 / 2) + b1 b2 rho + b2^2 rho^2 / 2)."""

@@ -101,7 +101,8 @@ def dispersion(
     if not (no_shares or no_flight) and found.golfer.spread.any():
         from clubface.design.dispersion_indices import indices
 
-        shares = indices(found.golfer, hit, seed=seed)
+        with progress_bar("orders of what varies") as progress:
+            shares = indices(found.golfer, hit, seed=seed, progress=progress)
     if picture is not None:
         from clubface import plots
         from clubface.design.dispersion_figure import dispersion_figure

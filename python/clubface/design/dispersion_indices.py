@@ -11,7 +11,7 @@ All are of shots that are no mishits: a mishit is further off in all variables a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import permutations
 from math import factorial
 from typing import NamedTuple
@@ -35,6 +35,7 @@ CORRELATED = 1e-9
 Places = NDArray[np.intp]
 Function = Callable[[Floats], Floats]
 """Outcomes, shape (outcomes, n), of values of the variables, shape (k, n)."""
+Progress = Callable[[int, int], object]
 
 
 class Indices(NamedTuple):
@@ -59,7 +60,13 @@ class Indices(NamedTuple):
 
 
 def indices(
-    of: Golfer, hit: Hitting, outcomes: Sequence[str] = ("carry", "side"), *, count: int = COUNT, seed: int = 0
+    of: Golfer,
+    hit: Hitting,
+    outcomes: Sequence[str] = ("carry", "side"),
+    *,
+    count: int = COUNT,
+    seed: int = 0,
+    progress: Progress | None = None,
 ) -> Indices:
     """Return the shares of the variables by sampling.
 
@@ -75,6 +82,8 @@ def indices(
         Shots for each variable or set of variables, a power of two.
     seed
         Of the quasi-random numbers.
+    progress
+        For Shapley effects: called with the number of orders of the variables done and that of all.
     """
     if not hit.flight and (flown := [name for name in outcomes if name not in LAUNCHED]):
         raise InputError("outcomes", flown[0], "of a launch, where the balls do not fly")
@@ -96,7 +105,8 @@ def indices(
     if np.abs(of.correlation[np.ix_(varies, varies)] - np.eye(len(names))).max(initial=0.0) < CORRELATED:
         first, total = sobol(outcome, mean, spread, count=count, seed=seed)
         return Indices("sobol", names, dict(zip(outcomes, first, strict=True)), dict(zip(outcomes, total, strict=True)))
-    effects = dict(zip(outcomes, shapley(outcome, mean, covariance, count=count, seed=seed), strict=True))
+    found = shapley(outcome, mean, covariance, count=count, seed=seed, progress=progress)
+    effects = dict(zip(outcomes, found, strict=True))
     return Indices("shapley", names, effects, effects)
 
 
@@ -138,7 +148,9 @@ def sobol(function: Function, mean: Floats, spread: Floats, *, count: int, seed:
     return first, total
 
 
-def shapley(function: Function, mean: Floats, covariance: Floats, *, count: int, seed: int) -> Floats:
+def shapley(
+    function: Function, mean: Floats, covariance: Floats, *, count: int, seed: int, progress: Progress | None = None
+) -> Floats:
     """Return the Shapley effects, shape (outcomes, k), of jointly normally distributed variables.
 
     The variance of the expectation given some variables is the covariance of the outcome with that of a second shot,
@@ -164,16 +176,18 @@ def shapley(function: Function, mean: Floats, covariance: Floats, *, count: int,
         return known[told]
 
     if factorial(size) <= ORDERS:
-        return _effects(variance, size, permutations(range(size)))
+        return _effects(variance, size, list(permutations(range(size))), progress)
     drawn = np.random.default_rng(seed)
     some = [tuple(drawn.permutation(size).tolist()) for _ in range(ORDERS // 2)]
-    return _effects(variance, size, [each for order in some for each in (order, order[::-1])])
+    return _effects(variance, size, [each for order in some for each in (order, order[::-1])], progress)
 
 
-def _effects(variance: Callable[[int], Floats], size: int, orders: Iterable[Sequence[int]]) -> Floats:
+def _effects(
+    variance: Callable[[int], Floats], size: int, orders: Sequence[Sequence[int]], progress: Progress | None
+) -> Floats:
     """Return the effects as the mean over orders of what each variable adds; ``variance`` takes a set as bits."""
     found = []
-    for order in orders:
+    for number, order in enumerate(orders, start=1):
         told, before, added = 0, variance(0), np.empty((size, len(variance(0))))
         for place in order:
             told |= 1 << place
@@ -181,6 +195,8 @@ def _effects(variance: Callable[[int], Floats], size: int, orders: Iterable[Sequ
             added[place] = after - before
             before = after
         found.append(added.T)
+        if progress is not None:
+            progress(number, len(orders))
     return np.mean(found, axis=0) / variance(2**size - 1)[:, None]
 
 
