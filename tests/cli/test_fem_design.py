@@ -93,3 +93,11 @@ def test_mistakes_are_told_in_one_line(clubface_, files, old, new, told):
 
 def test_resume_needs_a_file(clubface_, files):
     assert_mistake(clubface_("fem", "design", str(files / "study.toml"), "--resume"), "--output is missing")
+
+
+def test_the_head_to_start_from_is_not_written_over(clubface_, files):
+    before = (files / "head.toml").read_bytes()
+    assert_mistake(
+        clubface_("fem", "design", str(files / "study.toml"), "-o", str(files / "head.toml")), "another file"
+    )
+    assert (files / "head.toml").read_bytes() == before

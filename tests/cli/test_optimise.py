@@ -4,7 +4,7 @@ import csv
 
 import pytest
 
-from clubface import Club
+from clubface import Club, club
 from command_line import assert_mistake
 
 pytest.importorskip("typer")
@@ -130,6 +130,11 @@ def test_mistakes_on_the_command_line_are_told_before_any_work(clubface_, study,
     assert_mistake(clubface_("optimise", str(study), "--resume"), "--output")
     assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.csv")), ".toml")
     assert_mistake(clubface_("optimise", str(study), "-o", str(study)), "another file")
+    mine, text = tmp_path / "mine.toml", study.read_text()
+    mine.write_text(club("driver").to_toml())
+    study.write_text(text.replace('club = "driver"', 'club = "mine.toml"'))
+    assert_mistake(clubface_("optimise", str(study), "-o", str(mine)), "another file")
+    assert mine.read_text() == club("driver").to_toml()
     assert_mistake(clubface_("optimise", str(tmp_path / "none.toml")), "none.toml")
     assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.csv")), ".toml")
     study.write_text(FIT)

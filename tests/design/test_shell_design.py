@@ -296,6 +296,7 @@ def test_a_file_is_read(tmp_path):
         ("safety = 1.2", "safety = 0.5", 4, "1 to 10"),
         ('yield = "1100 MPa"', "", None, "the yield stress of titanium"),
         ('mass = ["none", "205 g"]', 'stress = ["none", "205 MPa"]', 13, "stress"),
+        ('mass = ["none", "205 g"]', 'mass = ["none", "none"]', 13, "the least value, then a greater one"),
         ('"./driver.toml"', '"./none.toml"', 2, "none.toml"),
         ('[["0 mm", "0 mm"], ["10 mm", "4 mm"]]', "[]", 9, "1 to 100 points"),
         ('[["0 mm", "0 mm"], ["10 mm", "4 mm"]]', '[["0 mm", "90 mm"]]', 9, "within 60 mm"),

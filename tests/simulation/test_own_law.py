@@ -160,7 +160,7 @@ def test_what_other_models_refuse_is_refused():
 @pytest.mark.parametrize(
     ("law", "message"),
     [
-        (lambda touch, values: 1.0, "TypeError"),
+        (lambda touch, values: 1.0, r"at Touch\(depth=\d.*TypeError"),
         (lambda touch, values: (1.0, math.nan, 0.0), "three finite forces"),
         (lambda touch, values: (values["stiffness"], 0.0, 0.0), "KeyError"),
         (lambda touch, values: (math.sqrt(-1.0), 0.0, 0.0), "ValueError"),
@@ -191,6 +191,9 @@ def test_what_is_no_law_or_parameter_is_refused():
         registered(stiffness="3 bananas")
     with pytest.raises(InputError, match="stiffness"):
         registered(stiffness=math.nan)
+    for given in (5, [1.0], {5: 1.0}, {"": 1.0}, {"a b": 1.0}):
+        with pytest.raises(InputError, match=r"^(parameters|name of a parameter) is"):
+            clubface.register_law("mine", hertz, parameters=given)
 
 
 def test_what_design_asks_of_a_model_a_law_answers():

@@ -104,3 +104,14 @@ def test_another_quantity_than_those_of_the_study_is_told(study, tmp_path):
     path = squares(tmp_path)
     study("run", path)
     assert_mistake(study("summary", path, "--output", "carry"), "unknown quantity of the study 'carry'")
+
+
+def test_the_table_of_a_study_is_not_written_over(study, tmp_path):
+    table, path = tmp_path / "drives.csv", tmp_path / "drives.toml"
+    table.write_text("speed (mph)\n100\n")
+    path.write_text(
+        '[study]\ndesign = "table"\n[impact]\nclub = "driver"\noutputs = ["carry"]\n[sweep]\ntable = "drives.csv"\n'
+    )
+    study("run", path)
+    assert_mistake(study("join", path, "-o", table), "another file than those that are read")
+    assert table.read_text() == "speed (mph)\n100\n"

@@ -35,7 +35,7 @@ def design(
     as_json: options.Json = False,
 ) -> None:
     """Find the walls of a head: a fast model proposes them, finite elements judge ball speed, stress and limits."""
-    output.check_target("--output", target, (".toml",), (study,))
+    output.check_written_from(target, (".toml",), study)
     output.check_picture(picture, (study,))
     output.check_report(report, (study,))
     if resume and target is None:

@@ -33,7 +33,7 @@ def optimise(
     as_json: options.Json = False,
 ) -> None:
     """Find the club that is best for golfers within limits, or the parts that fit them."""
-    output.check_target("--output", target, (".toml", ".csv"), (study,))
+    output.check_written_from(target, (".toml", ".csv"), study)
     output.check_picture(picture, (study,))
     output.check_report(report, (study,))
     if resume and target is None:

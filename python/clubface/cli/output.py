@@ -78,6 +78,15 @@ def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: It
             raise InputError(name, target, "another file than those that are read")
 
 
+def check_written_from(target: str | None, kinds: Sequence[str], study: str) -> None:
+    """Refuse ``--output`` in the same way; what the file of a study names, such as a club, is an input, too."""
+    check_target("--output", target, kinds, (study,))
+    if target is not None:
+        from clubface.studies.referred import files_of
+
+        check_target("--output", target, kinds, map(str, files_of(Path(study))))
+
+
 def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None:
     """Refuse a picture to write in the same way; a missing library is told as well."""
     if target is not None:

@@ -131,8 +131,8 @@ class TwoBodies:
         face_velocity = state[CLUB_VELOCITY] + _cross(club_spin, point)
         sliding = state[BALL_VELOCITY] + _cross(state[BALL_SPIN], arm) - face_velocity
         rate = -float(normal @ (state[BALL_VELOCITY] - face_velocity))
-        depth = max(self.radius - distance, 0.0)
-        touch = Touch(depth, rate, float(sliding @ up), float(sliding @ toe), curvature, self.radius)
+        depth = max(float(self.radius - distance), 0.0)
+        touch = Touch(depth, rate, float(sliding @ up), float(sliding @ toe), float(curvature), self.radius)
         pressed, along_up, along_toe = self.forces(touch)
         force = pressed * normal + along_up * up + along_toe * toe
         return Instant(touch, (pressed, along_up, along_toe), force, arm, point, club_spin, attitude)

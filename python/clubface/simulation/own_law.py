@@ -79,6 +79,8 @@ def register_law(
         raise InputError("law", law, "a function of a Touch and the values of the parameters")
     for what, text in (("title", title), ("summary", summary), ("reference", reference)):
         check_text(what, text)
+    if not isinstance(parameters, Mapping | None):
+        raise InputError("parameters", parameters, 'values by name, as in {"stiffness": "3e6 N/m"}')
     declared = tuple(_parameter(key, value) for key, value in (parameters or {}).items())
     model = Model(
         name=name, title=title or name, kind="contact", summary=summary, reference=reference,
@@ -90,6 +92,8 @@ def register_law(
 
 
 def _parameter(name: str, given: Any) -> Parameter:
+    if not (isinstance(name, str) and name.isidentifier()):
+        raise InputError("name of a parameter", name, "a word of letters, digits and underscores")
     if isinstance(given, Parameter):
         return replace(given, name=name)
     dimension = units.dimension_of(given, name=name)

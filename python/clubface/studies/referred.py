@@ -15,6 +15,11 @@ def fingerprints_of(path: Path) -> list[str]:
     return list(dict.fromkeys(fingerprint_of_file(each) for each in _files(path, set())))
 
 
+def files_of(path: Path) -> list[Path]:
+    """Return a file, and all files it names; a folder names none."""
+    return list(_files(path, set())) if path.is_file() else [path]
+
+
 def _files(path: Path, seen: set[Path]) -> Iterator[Path]:
     if (real := path.resolve()) in seen:
         return

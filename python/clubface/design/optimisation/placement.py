@@ -59,21 +59,19 @@ def placement(envelope: Envelope, pseudo: NDArray[Any]) -> list[PointMass]:
     inverse = np.linalg.inv(frame)
     own = inverse @ placed @ inverse.T / placed[3, 3]
     step = 2.0 / (STEPS - 1)
-    tried = _inside(volume, _lattice(STEPS) * step)
-    rounds = 0
-    while True:
-        found, missed = _least_missed(tried, own)
-        rounds += 1
-        taken = found > NEGLIGIBLE
-        parts, masses = tried[taken], found[taken]
-        if missed <= 1e-3 * NEAR or rounds == ROUNDS or not taken.any():
+    parts = _inside(volume, _lattice(STEPS) * step)
+    masses, missed = _least_missed(parts, own)
+    for _ in range(ROUNDS):
+        if not 1e-3 * NEAR < missed < np.inf:
             break
         step *= 0.5
-        tried = np.vstack([parts, _inside(volume, (parts[:, None] + _lattice(3) * step).reshape(-1, 3))])
+        parts = parts[masses > NEGLIGIBLE]
+        parts = np.vstack([parts, _inside(volume, (parts[:, None] + _lattice(3) * step).reshape(-1, 3))])
+        masses, missed = _least_missed(parts, own)
     if missed > NEAR:
         return []
     places = np.array(volume.centre) + parts * 0.5 * np.array(volume.size)
-    order = np.argsort(-masses, kind="stable")
+    order = [each for each in np.argsort(-masses, kind="stable") if masses[each] > NEGLIGIBLE]
     return [
         PointMass(float(mass), (float(x), float(y), float(z)))
         for mass, (x, y, z) in zip(masses[order] * placed[3, 3], places[order], strict=True)

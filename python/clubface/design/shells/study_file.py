@@ -135,7 +135,7 @@ def _limit(document: Document, name: str, given: Any) -> tuple[float, float]:
         side if each == OPEN else units.parse(each, dimension, name=place)
         for each, side in zip(given, (0.0, math.inf), strict=True)
     )
-    if not 0.0 <= low < high:
+    if not 0.0 <= low < high or (low, high) == (0.0, math.inf):
         raise InputError(place, given, f'the least value, then a greater one; "{OPEN}" is no limit')
     return low, high
 
