@@ -1,6 +1,7 @@
 """What the pages show runs, and the figures the README gives are those the package computes."""
 
 import re
+import shlex
 from pathlib import Path
 
 import pytest
@@ -49,6 +50,20 @@ def test_the_command_line_page_names_every_option_and_command():
     for group in (options.DELIVERY, options.LAUNCH, options.EQUIPMENT, options.MODELS, options.AIR):
         for name in group:
             assert f"--{renamed.get(name, name).replace('_', '-')}" in text, name
+
+
+def test_the_commands_of_the_readme_name_files_and_options_that_exist(clubface_):
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    commands = [shlex.split(line, comments=True) for line in re.findall(r"^clubface .*$", text, re.MULTILINE)]
+    assert len(commands) > 10
+    for _, *words in commands:
+        nested = words[0] in ("monitor", "golfer", "club", "fem", "study")
+        told = clubface_(*words[: 1 + nested], "--help").out
+        for word in words:
+            if word.startswith("-"):
+                assert word in told, (words, word)
+            elif word.startswith(("examples/", "notebooks/")):
+                assert (ROOT / word).exists(), word
 
 
 def test_the_readme_gives_the_errors_of_this_version():

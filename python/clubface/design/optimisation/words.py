@@ -239,7 +239,7 @@ def fit_advice(of: Fitting, found: list[Combination]) -> list[str]:
 def fit_notes(of: Fitting, found: list[Combination]) -> list[str]:
     """Return what a reader should know about a fitting."""
     said = [
-        f"{len(found)} combinations, all judged on the same {of.shots} shots of a golfer, who delivers every club as"
+        f"{len(found)} combinations, all judged on the same {of.shots} shots of a golfer, who delivers every club like"
         f" {of.clubs[0].name}, with more dynamic loft where the club has more loft.",
     ]
     if any(math.isnan(each.error) for each in found):
