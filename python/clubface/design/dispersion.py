@@ -12,7 +12,7 @@ import numpy as np
 from clubface.design.dispersion_tally import FLOWN, LAUNCHED, Tally, forward
 from clubface.design.golfer import Golfer
 from clubface.design.golfers import golfer as golfer_named
-from clubface.design.hitting import Hitting
+from clubface.design.hitting import Hitting as Hitting
 from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
