@@ -33,8 +33,7 @@ def optimise(
     output.check_target("--output", target, (".toml",), (study,))
     output.check_picture(picture, (study,))
     output.check_report(report, (study,))
-    if resume and target is None:
-        raise ClubfaceError("--output is missing; what is finished is kept beside it, so --resume needs it")
+    output.check_resume(resume, target)
     from clubface.design.optimisation.fitting import Fitting
     from clubface.design.optimisation.study_file import read
 
