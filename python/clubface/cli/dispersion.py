@@ -8,10 +8,11 @@ import typer
 
 from clubface.cli import given, options, output
 from clubface.cli.dispersion_document import QUANTILES, document
-from clubface.cli.dispersion_report import UNITS, write as write_report
+from clubface.cli.dispersion_report import write as write_report
 from clubface.cli.failures import say
 from clubface.cli.golfer import GolferArgument
 from clubface.cli.progress import progress_bar
+from clubface.cli.quantity_units import VALUES
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError, InputError
 from clubface.units import from_si
@@ -176,7 +177,7 @@ def _print(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None)
         heads += ["by derivatives\nmean", "\n±"]
     rows = []
     for name in of.quantities:
-        unit, digits = UNITS[name]
+        unit, digits = VALUES[name]
         values = [of.mean(name), of.spread(name), *(of.quantile(name, share) for share in QUANTILES)]
         row = [name.replace("_", " "), unit, *(output.number(from_si(each, unit), digits) for each in values)]
         if slopes is not None:

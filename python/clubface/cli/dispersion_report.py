@@ -7,18 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 from clubface.cli import reporting
 from clubface.cli.golfer_report import golfer_sources
+from clubface.cli.quantity_units import VALUES
 from clubface.units import from_si
 
 if TYPE_CHECKING:
     from clubface.design.dispersion import Dispersion
     from clubface.design.dispersion_indices import Indices
     from clubface.design.hitting import Hitting
-
-UNITS = {
-    "ball_speed": ("mph", 1), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
-    "sidespin": ("rpm", 0), "carry": ("yd", 1), "side": ("yd", 1), "total": ("yd", 1), "total_side": ("yd", 1),
-}  # fmt: skip
-"""Unit and digits in which a quantity is shown."""
 
 
 def write(
@@ -51,7 +46,7 @@ def _words(of: Dispersion) -> Iterator[str]:
     """Say where shots go, in sentences."""
 
     def told(name: str, share: float) -> str:
-        return f"{from_si(of.quantile(name, share), UNITS[name][0]):.0f}"
+        return f"{from_si(of.quantile(name, share), VALUES[name][0]):.0f}"
 
     yield f"Half of {of.count} shots leave at {told('ball_speed', 0.25)} to {told('ball_speed', 0.75)} mph."
     if not of.points.size:

@@ -11,7 +11,6 @@ from clubface.cli import options, output, reporting
 from clubface.cli.failures import say
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
-from clubface.errors import ClubfaceError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -38,8 +37,7 @@ def design(
     output.check_written_from(target, (".toml",), study)
     output.check_picture(picture, (study,))
     output.check_report(report, (study,))
-    if resume and target is None:
-        raise ClubfaceError("--output is missing; what is finished is kept beside it, so --resume needs it")
+    output.check_resume(resume, target)
     from clubface.design import shells
     from clubface.design.shells import words
 

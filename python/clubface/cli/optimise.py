@@ -12,7 +12,6 @@ from clubface.cli import options, output, reporting
 from clubface.cli.failures import say
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
-from clubface.errors import ClubfaceError
 
 app = typer.Typer(add_completion=False)
 
@@ -36,8 +35,7 @@ def optimise(
     output.check_written_from(target, (".toml", ".csv"), study)
     output.check_picture(picture, (study,))
     output.check_report(report, (study,))
-    if resume and target is None:
-        raise ClubfaceError("--output is missing; what is finished is kept beside it, so --resume needs it")
+    output.check_resume(resume, target)
     from clubface.design.optimisation.fitting import Fitting
     from clubface.design.optimisation.study_file import read
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface.cli.failures import say
-from clubface.errors import InputError, in_a_line
+from clubface.errors import ClubfaceError, InputError, in_a_line
 from clubface.support.folders import prepared_folder
 from clubface.support.plain_json import plain
 from clubface.support.whole_file import write_text
@@ -102,6 +102,12 @@ def check_report(target: str | None, inputs: Iterable[str | None] = ()) -> None:
 
         check_target("--report", target, ENDINGS, inputs)
         import clubface.plots  # noqa: F401  (a missing library is told before any work)
+
+
+def check_resume(resume: bool, target: str | None) -> None:
+    """Refuse to go on with work of which nothing was kept, as no file is written."""
+    if resume and target is None:
+        raise ClubfaceError("--output is missing; what is finished is kept beside it, so --resume needs it")
 
 
 def prepare_folder(folder: str | None) -> None:

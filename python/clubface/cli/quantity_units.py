@@ -7,13 +7,8 @@ from collections.abc import Iterable, Mapping
 from typing import Annotated
 
 from clubface.cli import given, options
+from clubface.reports.quantity_units import SHOWN
 
-VALUES = {
-    "ball_speed": ("mph", 1), "smash": ("1", 3), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
-    "sidespin": ("rpm", 0), "total_spin": ("rpm", 0), "spin_axis": ("deg", 1), "carry": ("yd", 1), "side": ("yd", 1),
-    "total": ("yd", 1), "total_side": ("yd", 1), "apex": ("yd", 1), "landing_angle": ("deg", 1),
-}  # fmt: skip
-"""Unit and digits of what is listed."""
 KEYS = {
     "ball_speed_mps": ("ball_speed", "m/s"), "smash": ("smash", "1"), "launch_deg": ("launch", "deg"),
     "azimuth_deg": ("azimuth", "deg"), "backspin_rpm": ("backspin", "rpm"), "sidespin_rpm": ("sidespin", "rpm"),
@@ -22,6 +17,8 @@ KEYS = {
     "landing_deg": ("landing_angle", "deg"),
 }  # fmt: skip
 """Keys of JSON and columns of a file: quantity and unit."""
+VALUES = {name: SHOWN[name] for name, _ in KEYS.values()}
+"""Unit and digits of what is listed."""
 
 Units = Annotated[
     list[str] | None,

@@ -9,7 +9,9 @@ import typer
 
 from clubface.cli import given, options, output, reporting
 from clubface.cli.failures import say, say_written
+from clubface.cli.quantity_units import KEYS
 from clubface.equipment.models import DEFAULT_MODEL
+from clubface.reports.quantity_units import SHOWN
 
 app = typer.Typer(add_completion=False)
 
@@ -18,23 +20,19 @@ HEADS = (
     "total\nspin\nrpm", "spin\naxis\ndeg", "carry\nyd", "side\nyd", "con-\ntact\nµs", "peak\nforce\nkN",
 )  # fmt: skip
 CELLS = (
-    ("ball_speed", "mph", 1), ("smash", "1", 3), ("launch", "deg", 1), ("azimuth", "deg", 1), ("backspin", "rpm", 0),
-    ("sidespin", "rpm", 0), ("total_spin", "rpm", 0), ("spin_axis", "deg", 1), ("carry", "yd", 1), ("side", "yd", 1),
-    ("contact_time", "us", 0), ("peak_force", "kN", 1),
+    "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis", "carry", "side",
+    "contact_time", "peak_force",
 )  # fmt: skip
-"""Quantity, unit and digits of the columns after the first."""
-ALONE = (*CELLS[:10], ("apex", "yd", 1), ("landing_angle", "deg", 1), *CELLS[10:])
-"""The same of what is listed for one model."""
+"""The quantities of the columns after the first."""
+ALONE = (*CELLS[:10], "apex", "landing_angle", *CELLS[10:])
+"""What is listed for one model."""
 SIDED = ("azimuth", "sidespin", "spin_axis", "side")
 """The quantities of which positive means to the right."""
 UNITS = {"1": "", "us": "µs"}
 """The units that are written in another way."""
 
 JSON_KEYS = {
-    "ball_speed_mps": ("ball_speed", "m/s"), "smash": ("smash", "1"), "launch_deg": ("launch", "deg"),
-    "azimuth_deg": ("azimuth", "deg"), "backspin_rpm": ("backspin", "rpm"), "sidespin_rpm": ("sidespin", "rpm"),
-    "total_spin_rpm": ("total_spin", "rpm"), "spin_axis_deg": ("spin_axis", "deg"), "carry_m": ("carry", "m"),
-    "side_m": ("side", "m"), "apex_m": ("apex", "m"), "landing_deg": ("landing_angle", "deg"),
+    **{key: of for key, of in KEYS.items() if of[0] not in ("total", "total_side")},
     "contact_time_s": ("contact_time", "s"), "peak_force_n": ("peak_force", "N"),
 }  # fmt: skip
 """Keys of the JSON objects after "model": quantity and unit."""
@@ -90,6 +88,12 @@ def value(launch: Any, flight: Any, quantity: str, unit: str) -> float:
     return float(of.get(quantity, unit))
 
 
+def number(launch: Any, flight: Any, quantity: str) -> str:
+    """Return a quantity of a launch, or else of its flight, as people read it; nothing where there is none."""
+    unit, digits = SHOWN[quantity]
+    return output.number(value(launch, flight, quantity, unit), digits)
+
+
 def _print(launches: Mapping[str, Any], flights: Mapping[str, Any], as_json: bool) -> None:
     from clubface.cli import tables
 
@@ -106,7 +110,7 @@ def _print(launches: Mapping[str, Any], flights: Mapping[str, Any], as_json: boo
         tables.print_list(_listed(launch, flights[launch.model]), title=title)
     else:
         rows = [
-            [name, *(output.number(value(launch, flights[name], of, unit), digits) for of, unit, digits in CELLS)]
+            [name, *(number(launch, flights[name], quantity) for quantity in CELLS)]
             for name, launch in launches.items()
         ]
         tables.print_numbers(HEADS, rows)
@@ -117,8 +121,9 @@ def _print(launches: Mapping[str, Any], flights: Mapping[str, Any], as_json: boo
 def _listed(launch: Any, flight: Any) -> list[tuple[str, str, str]]:
     """Return quantity, number, and unit with the side to which it is, of what one model gives."""
     rows = []
-    for quantity, unit, digits in ALONE:
-        if text := output.number(value(launch, flight, quantity, unit), digits):
+    for quantity in ALONE:
+        if text := number(launch, flight, quantity):
+            unit = SHOWN[quantity][0]
             side = f"to the {'left' if text.startswith('-') else 'right'}" if quantity in SIDED and float(text) else ""
             rows.append((quantity.replace("_", " "), text, f"{UNITS.get(unit, unit)} {side}".strip()))
     return rows

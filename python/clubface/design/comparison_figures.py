@@ -95,11 +95,11 @@ def _bars(figure: Any, found: Compared, name: str, shown: Mapping[str, str]) -> 
     for column, (panel, (quantity, unit)) in enumerate(zip(panels, shown.items(), strict=True)):
         panel.barh(range(len(table)), table[:, column], color="0.5", height=0.7)
         panel.axvline(0.0, color="0.3", linewidth=0.6)
-        panel.invert_yaxis() if column == 0 else None
         panel.grid(visible=False, axis="y")
         total = found.difference(name, quantity, unit)
         digits = 0 if unit == "rpm" else 1
         panel.set_title(f"{quantity.replace('_', ' ')} {total:+.{digits}f} {unit}")
         panel.set_xlabel(unit)
+    panels[0].invert_yaxis()
     panels[0].set_yticks(range(len(labels)), labels)
     figure.suptitle(f"what makes {name} differ from {found.names[0]}", fontsize=8.5, x=0.01, ha="left")

@@ -32,17 +32,25 @@ class Surface(Protocol):
     ----------
     interpolated
         Whether it is interpolated between the points of the grid.
+    outline
+        The outline of the face.
     """
 
     interpolated: bool
+    outline: Outline
 
     def at(self, toe: NDArray[Any], high: NDArray[Any]) -> NDArray[Any]:
         """Return the quantities [SI] at points of the face [m], shape (quantities, points)."""
         ...
 
     def greatest(self, quantity: int) -> tuple[float, float, float]:
-        """Return the point [m] where a quantity is greatest, and its value there [SI]."""
-        ...
+        """Return the point [m] where a quantity is greatest, and its value there [SI].
+
+        The neighbourhood of the greatest value of the box is looked at more and more closely.
+        """
+        toe, high, table = self.box()
+        values = np.where(self.outline.holds(*np.meshgrid(toe, high)), table[quantity], np.nan)
+        return _greatest(self, quantity, self.outline, toe, high, values)
 
     def area(self, quantity: int, least: float) -> float:
         """Return the area [m2] of the face on which a quantity is at least so great."""
@@ -56,7 +64,7 @@ class Surface(Protocol):
         ...
 
 
-class Computed:
+class Computed(Surface):
     """A face on which every point can be computed at once."""
 
     interpolated = False
@@ -64,34 +72,27 @@ class Computed:
     def __init__(
         self, struck: Struck, outline: Outline, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any]
     ) -> None:
-        self._struck, self._outline, self._toe, self._high = struck, outline, toe, high
+        self._struck, self.outline, self._toe, self._high = struck, outline, toe, high
         self._table = table.reshape(len(QUANTITIES), len(high), len(toe))
 
     def at(self, toe: NDArray[Any], high: NDArray[Any]) -> NDArray[Any]:
         """Return the quantities at points of the face."""
         return self._struck.at(toe, high)
 
-    def greatest(self, quantity: int) -> tuple[float, float, float]:
-        """Look more and more closely around the greatest value of the grid."""
-        inside = self._outline.holds(*np.meshgrid(self._toe, self._high))
-        return _greatest(
-            self, quantity, self._outline, self._toe, self._high, np.where(inside, self._table[quantity], np.nan)
-        )
-
     def area(self, quantity: int, least: float) -> float:
         """Measure it between the points of the grid, or of a finer one where that is coarse."""
         if min(len(self._toe), len(self._high)) >= FINE:
-            return _area(self._outline, self._toe, self._high, self._table[quantity], least)
-        toe, high = _fine(self._outline)
+            return _area(self.outline, self._toe, self._high, self._table[quantity], least)
+        toe, high = _fine(self.outline)
         values = self.at(*(each.reshape(-1) for each in np.meshgrid(toe, high)))[quantity]
-        return _area(self._outline, toe, high, values.reshape(len(high), len(toe)), least)
+        return _area(self.outline, toe, high, values.reshape(len(high), len(toe)), least)
 
     def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return the grid."""
         return self._toe, self._high, self._table
 
 
-class Interpolated:
+class Interpolated(Surface):
     """A face of which some points are known: radial basis functions through them (cubic, about a parabola)."""
 
     interpolated = True
@@ -99,7 +100,7 @@ class Interpolated:
     def __init__(self, outline: Outline, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any]) -> None:
         from scipy.interpolate import RBFInterpolator
 
-        self._outline = outline
+        self.outline = outline
         across, up = (each.reshape(-1) for each in np.meshgrid(toe, high))
         known = np.isfinite(table).all(axis=0)
         self._scale = (outline.greatest - outline.least) / 2.0
@@ -117,16 +118,10 @@ class Interpolated:
         """Return the quantities at points of the face."""
         return self._through(np.stack([toe, high], axis=1) / self._scale).T
 
-    def greatest(self, quantity: int) -> tuple[float, float, float]:
-        """Look more and more closely around the greatest value of a fine grid."""
-        toe, high, table = self.box()
-        values = np.where(self._outline.holds(*np.meshgrid(toe, high)), table[quantity], np.nan)
-        return _greatest(self, quantity, self._outline, toe, high, values)
-
     def area(self, quantity: int, least: float) -> float:
         """Measure it on a fine grid."""
         toe, high, table = self.box()
-        return _area(self._outline, toe, high, table[quantity], least)
+        return _area(self.outline, toe, high, table[quantity], least)
 
     def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return a fine grid."""

@@ -200,12 +200,12 @@ class Envelope:
     @property
     def scale(self) -> NDArray[Any]:
         """Factors of rows and columns that make the moments of the discretionary mass numbers near 1, shape (4,)."""
-        return np.array([*(2.0 / np.array(self.volume.size)), 1.0]) / np.sqrt(self.budget)
+        return self._scale(self.budget)
 
     def margins(self, pseudo: NDArray[Any]) -> list[Margin]:
         """Return all conditions on a head with this pseudo-inertia, beside the whole head's."""
         placed = self.placed(pseudo)
-        found = [_positive("the mass of the head", pseudo, self._whole_scale(pseudo))]
+        found = [_positive("the mass of the head", pseudo, self._scale(max(pseudo[3, 3], 1e-6)))]
         found += _inside("the head", pseudo, self.volume, pseudo[3, 3])
         found.append(_positive("the discretionary mass", placed, self.scale))
         found += _inside("the discretionary mass", placed, self.volume, self.budget)
@@ -216,8 +216,8 @@ class Envelope:
         )
         return [*found, Margin("the budget of discretionary mass", over, told)]
 
-    def _whole_scale(self, pseudo: NDArray[Any]) -> NDArray[Any]:
-        return np.array([*(2.0 / np.array(self.volume.size)), 1.0]) / np.sqrt(max(pseudo[3, 3], 1e-6))
+    def _scale(self, mass: float) -> NDArray[Any]:
+        return np.array([*(2.0 / np.array(self.volume.size)), 1.0]) / np.sqrt(mass)
 
 
 def _positive(of: str, pseudo: NDArray[Any], scale: NDArray[Any]) -> Margin:

@@ -11,17 +11,16 @@ from clubface.equipment.models import model
 from clubface.plots.style import svg
 from clubface.reports.blocks import Block, Data, Heading, Paragraph, Picture, Table
 from clubface.reports.origin import origin
+from clubface.reports.quantity_units import SHOWN
 from clubface.simulation.flight import Flight
 from clubface.simulation.launch import Launch
-from clubface.simulation.quantities import flight_outputs, outputs
-from clubface.units import display_unit, from_si
+from clubface.simulation.quantities import outputs
+from clubface.units import from_si
 
 LISTED = (
     "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "spin_axis", "carry", "side", "total", "apex",
     "landing_angle", "contact_time", "peak_force",
 )  # fmt: skip
-UNITS = {"carry": "yd", "side": "yd", "total": "yd", "apex": "yd", "ball_speed": "mph", "contact_time": "us"}
-DIGITS = {"smash": 3, "backspin": 0, "sidespin": 0, "contact_time": 0}
 
 
 def shot_blocks(
@@ -65,28 +64,23 @@ def _words(launch: Launch, flight: Flight) -> Iterator[str]:
         f"and spins with {told(launch.total_spin, 'rpm')} rpm."
     )
     aside = abs(from_si(flight.side, "yd"))
-    place = "on the line to the target" if aside < 0.5 else f"{aside:.0f} yd {_side(flight.side)} of the line"
+    way = "right" if flight.side > 0.0 else "left"
+    place = "on the line to the target" if aside < 0.5 else f"{aside:.0f} yd {way} of the line"
     yield (
         f"It carries {told(flight.carry, 'yd')} yd and lands {place}, after it has risen to "
         f"{told(flight.apex, 'yd')} yd; it comes down at {told(flight.landing_angle, 'deg')} degrees."
     )
 
 
-def _side(value: float) -> str:
-    return "right" if value > 0.0 else "left"
-
-
 def _table(launches: Mapping[str, Launch], flights: Mapping[str, Flight]) -> Table:
-    known = {**outputs(), **flight_outputs()}
     shown, exact = [], []
     for quantity in LISTED:
-        unit = UNITS.get(quantity) or display_unit(quantity, known[quantity].unit)
+        unit, digits = SHOWN[quantity]
         values = [
             float((each if quantity in outputs() else flights[name]).get(quantity, unit))
             for name, each in launches.items()
         ]
         label = quantity.replace("_", " ") + ("" if unit == "1" else f" ({unit})")
-        digits = DIGITS.get(quantity, 1)
         shown.append((label, *("" if np.isnan(value) else f"{value:.{digits}f}" for value in values)))
         exact.append((label, *values))
     headings = ("quantity", *(model(name).name for name in launches))

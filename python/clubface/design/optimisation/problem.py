@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from clubface.design.optimisation.landings import Landings, Slopes
+from clubface.design.optimisation.landings import Landings
 from clubface.design.optimisation.objectives import Objective
 from clubface.design.optimisation.variables import Variables
 
@@ -131,8 +131,8 @@ class Problem:
             for name, each in self.judges.items():
                 values = [each.judge(landed) for landed, _ in found]
                 judged[name] = self._mean([value for value, _ in values])
-                by_fields = self._mean([_gradient(by, one[1]) for one, by in zip(values, found, strict=True)])
-                gradients[name] = by_fields @ slopes
+                each_by_fields = [by.gradient(weights) for (_, weights), (_, by) in zip(values, found, strict=True)]
+                gradients[name] = self._mean(each_by_fields) @ slopes
             _keep(self._slopes, key, State(np.array(point), club, slopes, judged, gradients))
         return self._slopes[key]
 
@@ -156,10 +156,6 @@ class Problem:
         """Return their derivatives, shape (margins, numbers)."""
         state = self.differentiated(point)
         return np.concatenate([np.empty((0, self.variables.count)), *(each.gradients(state) for each in self.limits)])
-
-
-def _gradient(found: tuple[NDArray[Any], Slopes], weights: NDArray[Any]) -> NDArray[Any]:
-    return found[1].gradient(weights)
 
 
 def _keep(kept: dict[bytes, State], key: bytes, state: State) -> None:

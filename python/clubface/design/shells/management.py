@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface.design.shells.correction import Correction, Fast, propose
-from clubface.design.shells.goal import Goal, Values
+from clubface.design.shells.goal import Goal as Goal, Values
 from clubface.errors import RunError
 
 if TYPE_CHECKING:

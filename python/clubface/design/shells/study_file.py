@@ -86,7 +86,7 @@ def from_document(document: Document, folder: Path) -> ShellStudy:
         return ShellStudy(
             title=data["title"], head=_head(document, folder), objective=data["objective"], bounds=_variables(document),
             delivery=delivery, hardest=_hardest(document, delivery) if "hardest" in data else None,
-            limits={name: _limit(document, name, each) for name, each in data.get("limits", {}).items()},
+            limits=_limits(document),
             metals=_metals(document), **found,
         )  # fmt: skip
     except FileError:
@@ -126,8 +126,13 @@ def _variables(document: Document) -> dict[str, tuple[float, float]]:
     return found
 
 
-def _limit(document: Document, name: str, given: Any) -> tuple[float, float]:
-    document.check_keys({name: given}, [each for each in QUANTITIES if each != "stress"], (), "limits")
+def _limits(document: Document) -> dict[str, tuple[float, float]]:
+    given = document.data.get("limits", {})
+    document.check_keys(given, [each for each in QUANTITIES if each != "stress"], (), "limits")
+    return {name: _limit(name, each) for name, each in given.items()}
+
+
+def _limit(name: str, given: Any) -> tuple[float, float]:
     place, dimension = f"limits.{name}", QUANTITIES[name][1]
     if not (isinstance(given, list) and len(given) == 2):
         raise InputError(place, given, f'two values, least and greatest, as in ["{OPEN}", "..."]; "{OPEN}" is no limit')
