@@ -207,7 +207,10 @@ def test_a_quantity_is_shown_in_the_unit_it_is_read_in(name, unit):
 
 @pytest.mark.parametrize(
     ("name", "si", "unit"),
-    [("sweet_spot_toe", "m", "mm"), ("thickness_crown", "m", "mm"), ("target_mass", "kg", "g"), ("carry", "m", "m")],
-)
-def test_lengths_of_a_head_are_read_in_millimetres(name, si, unit):
+    [
+        ("sweet_spot_toe", "m", "mm"), ("thickness_crown", "m", "mm"), ("target_mass", "kg", "g"), ("carry", "m", "m"),
+        ("toe_error", "m", "mm"), ("closure_mean", "rad/s", "deg/s"), ("toe_speed", "m/s", "m/s"),
+    ],
+)  # fmt: skip
+def test_lengths_of_a_head_and_what_is_computed_of_a_quantity_have_their_usual_unit(name, si, unit):
     assert units.display_unit(name, si) == unit

@@ -283,6 +283,10 @@ def display_unit(quantity: str, si_unit: str) -> str:
     if quantity in _DISPLAY_UNITS_BY_NAME:
         return _DISPLAY_UNITS_BY_NAME[quantity]
     found = unit(si_unit)
+    # What is computed of a quantity, such as its mean, is read in its unit.
+    of = _DISPLAY_UNITS_BY_NAME.get(quantity.rpartition("_")[0])
+    if of is not None and unit(of).dimension == found.dimension:
+        return of
     begins, ends = _OF_A_HEAD
     if found.dimension == "length" and (quantity.startswith(begins) or quantity.endswith(ends)):
         return "mm"
