@@ -119,18 +119,19 @@ class TwoBodies:
     def at(self, state: NDArray[Any]) -> Instant:
         """Return what a state says, and the forces of the law."""
         attitude = self.attitude @ _matrix(state[ATTITUDE])
-        club_spin = attitude @ (self.inverse_inertia @ (attitude.T @ state[CLUB_MOMENTUM]))
+        club_spin = attitude @ (self.inverse_inertia @ (state[CLUB_MOMENTUM] @ attitude))
         apart = state[BALL] - state[CLUB]
-        distance, face_normal, curvature = self.nearest(attitude.T @ apart - self.lever)
-        up = np.array([0.0, 1.0, 0.0]) - face_normal[1] * face_normal
-        up = attitude @ (up / math.sqrt(up @ up))
+        distance, face_normal, curvature = self.nearest((apart @ attitude - self.lever).tolist())
         normal = attitude @ face_normal
+        _, upward, _ = face_normal.tolist()
+        up = (attitude[:, 1] - upward * normal) / math.sqrt(1.0 - upward * upward)
         toe = _cross(normal, up)
         arm = -distance * normal
         point = apart + arm
         face_velocity = state[CLUB_VELOCITY] + _cross(club_spin, point)
-        sliding = state[BALL_VELOCITY] + _cross(state[BALL_SPIN], arm) - face_velocity
-        rate = -float(normal @ (state[BALL_VELOCITY] - face_velocity))
+        leaving = state[BALL_VELOCITY] - face_velocity
+        sliding = leaving + _cross(state[BALL_SPIN], arm)
+        rate = -float(normal @ leaving)
         depth = max(float(self.radius - distance), 0.0)
         touch = Touch(depth, rate, float(sliding @ up), float(sliding @ toe), float(curvature), self.radius)
         pressed, along_up, along_toe = self.forces(touch)

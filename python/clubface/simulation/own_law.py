@@ -45,7 +45,7 @@ def register_law(
     Clubhead and ball are two free rigid bodies; the law says what forces act between them, and scipy's ``solve_ivp``
     follows the motion until they part. The law describes ball and face together, so that the characteristic time of
     the club is not used. It is known in this process alone, and registering a name again replaces its law. It takes
-    some 10 ms a shot and has no exact derivatives: a model for every day is a file in Rust.
+    10 to 25 ms a shot and has no exact derivatives: a model for every day is a file in Rust.
 
     Parameters
     ----------

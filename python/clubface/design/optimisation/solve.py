@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 SLACK = 1e-6
 """What every margin keeps above 0 while it is solved, so that rounding of the solver breaks no limit."""
 MOST_STEPS = 200
-PATIENCE = 12
+PATIENCE = 6
 """Steps without progress after which a solver stops: balls come to lie in another lie, and the strokes expected
 from it have kinks, so that they are smooth only to some 1e-6."""
 PENALTIES = (0.03, 0.3, 3.0)
@@ -130,7 +130,7 @@ class _Best:
         found = np.isfinite(self.cost)
         if not found:
             self.point = np.array(point)  # where it looks for one within all limits
-        if self._idle > (PATIENCE if found else 4 * PATIENCE):
+        if self._idle > (PATIENCE if found else 8 * PATIENCE):
             raise _StalledError
 
 
