@@ -83,6 +83,20 @@ def test_an_interrupted_run_counts_what_earlier_runs_have_finished(tmp_path, mon
             studies.run(path, workers=1)
 
 
+def test_a_run_without_a_result_leaves_what_others_have_finished(tmp_path, monkeypatch):
+    path = squares(tmp_path)
+
+    def stop(*rest, **options):
+        monkeypatch.undo()
+        studies.run(path, workers=1, shard="1/4")
+        raise RunError("no task that was tried has a result")
+
+    monkeypatch.setattr(running.Pool, "work", stop)
+    with pytest.raises(ClubfaceError, match="no task that was tried has a result"):
+        studies.run(path, workers=1, shard="2/4")
+    assert studies.status(path, check=True).done == 5
+
+
 def test_what_is_finished_is_not_computed_again(tmp_path):
     path = squares(tmp_path)
     assert studies.run(path, workers=1).computed == 20

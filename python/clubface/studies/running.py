@@ -193,7 +193,8 @@ def _run(
         kept = f"{there} of {whole} chunks are done and kept in {folder}"
         if isinstance(stop, KeyboardInterrupt):
             raise KeyboardInterrupt(f"{kept}; the same command goes on after them") from None
-        if fresh and not results:
+        # Parts that nobody told of here are those of other runs, such as other shards, and may have results.
+        if fresh and not results and sum(present) == done:
             opened.remove()
             raise
         if not there:
