@@ -40,6 +40,12 @@ def needs_pyarrow(request):
         pytest.importorskip("pyarrow")
 
 
+def part(output, name):
+    """Return a part of the one unfinished work of an output."""
+    (found,) = output.with_name(f"{output.name}.unfinished").glob(f"*/parts/{name}")
+    return found
+
+
 def begin(path, output, **options):
     with pytest.raises(StoppedError):
         predict(path, club="driver", output=output, chunk_rows=10, progress=half_way(40, StoppedError), **options)
@@ -55,7 +61,7 @@ def test_an_interrupted_run_keeps_what_is_finished_and_goes_on_from_there(write,
         predict(path, output=output, progress=half_way(40, error), **options)
     assert not output.exists()
     if error is KeyboardInterrupt:
-        assert f"40 rows are done and kept in {output}.unfinished; resume" in str(caught.value)
+        assert f"40 rows are done and kept in {output}.unfinished; the same command" in str(caught.value)
     report = predict(path, output=output, resume=True, **options)
     assert report.resumed == 40
     for name in ("rows", "written", "rejected", "notes", "first_rejects"):
@@ -79,24 +85,34 @@ def test_a_run_over_parquet_goes_on_with_pieces_of_another_size(write, tmp_path)
     assert found == [str(number) for number in range(100)]
 
 
-@pytest.mark.parametrize("name", ["00000002.csv", "00000002.rejects.csv"])
-def test_a_damaged_piece_is_told_and_not_put_into_the_output(write, tmp_path, name):
+@pytest.mark.parametrize("name", ["000000000020+10.csv", "000000000020+10.rejects.csv"])
+@pytest.mark.parametrize("harm", ["bit", "gone"])
+def test_a_damaged_piece_is_computed_anew_and_no_other(write, tmp_path, name, harm, monkeypatch):
     path, output = write(MANY), tmp_path / "out.csv"
+    predict(path, club="driver", output=tmp_path / "whole.csv", chunk_rows=10)
     begin(path, output)
-    piece = tmp_path / "out.csv.unfinished" / name
+    piece = part(output, name)
     content = bytearray(piece.read_bytes())
     content[len(content) // 2] ^= 1
-    piece.write_bytes(content)
-    with pytest.raises(FileError, match=f"{name}: this part of the unfinished work is damaged"):
-        predict(path, club="driver", output=output, resume=True)
-    assert not output.exists()
+    if harm == "bit":
+        piece.write_bytes(content)
+    else:
+        piece.unlink()
+    computed, compute = [], runs.Task.compute
+    monkeypatch.setattr(
+        runs.Task, "compute", lambda task, chunk: computed.append(chunk.lines[0]) or compute(task, chunk)
+    )
+    assert predict(path, club="driver", output=output, chunk_rows=10).resumed == 20
+    assert computed == [22, 42, 52, 62, 72, 82, 92]  # the first line of a chunk; the header is line 1
+    assert output.read_bytes() == (tmp_path / "whole.csv").read_bytes()
+    assert (tmp_path / "out.rejects.csv").read_bytes() == (tmp_path / "whole.rejects.csv").read_bytes()
 
 
 @pytest.mark.parametrize("ending", ENDINGS)
 def test_a_piece_written_but_not_recorded_is_written_anew(write, tmp_path, ending):
     path, output = write(MANY), tmp_path / f"out.{ending}"
     begin(path, output)
-    (tmp_path / f"out.{ending}.unfinished" / f"00000004.{ending}").write_bytes(b"half a row")
+    part(output, f"000000000030+10.{ending}").with_name(f"000000000040+10.{ending}").write_bytes(b"half a row")
     predict(path, club="driver", output=output, chunk_rows=10, resume=True)
     predict(path, club="driver", output=tmp_path / f"whole.{ending}", chunk_rows=10)
     assert output.read_bytes() == (tmp_path / f"whole.{ending}").read_bytes()
@@ -155,21 +171,24 @@ def test_a_run_is_not_resumed_with_other_settings_or_another_file(write, tmp_pat
     with pytest.raises(FileError, match="begun with another source; start again without resuming"):
         predict(path, club="driver", output=output, resume=True)
     assert predict(path, club="driver", output=output).rows == 100
+
+
+def test_a_run_goes_on_by_itself_and_another_begins_anew_in_its_place(write, tmp_path):
+    path, output = write(MANY), tmp_path / "out.csv"
     begin(path, output)
-    (tmp_path / "out.csv.unfinished" / "00000002.csv").unlink()
-    with pytest.raises(FileError, match="is gone"):
-        predict(path, club="driver", output=output, resume=True)
-    (tmp_path / "out.csv.unfinished" / "work.json").write_text("{")
-    with pytest.raises(FileError, match="is damaged; remove the folder"):
-        predict(path, club="driver", output=output, resume=True)
+    part(output, "../record.json").write_text("{")  # the folder is named by the content, the record tells it to people
+    assert predict(path, club="driver", output=output).resumed == 40
+    begin(path, output)
+    assert predict(path, club="driver", output=output, model="slip").resumed == 0
+    assert not output.with_name("out.csv.unfinished").exists()
 
 
 def test_a_file_of_another_version_is_not_resumed(write, tmp_path, monkeypatch):
-    from clubface.support import resuming
+    from clubface.support import fingerprint
 
     path, output = write(MANY), tmp_path / "out.csv"
     begin(path, output)
-    monkeypatch.setattr(resuming, "__version__", "9.9.9")
+    monkeypatch.setattr(fingerprint, "__version__", "9.9.9")
     with pytest.raises(FileError, match="begun with another version"):
         predict(path, club="driver", output=output, resume=True)
 
@@ -216,24 +235,54 @@ def test_a_file_or_folder_that_is_no_record_of_a_run_is_left_alone(write, tmp_pa
     assert (mine / "diary.txt").read_text() == "mine"
 
 
-def test_two_runs_do_not_write_the_same_file_and_the_dead_hold_nothing(write, tmp_path):
+def run(*arguments):
+    ran = subprocess.run(
+        [sys.executable, "-c", MAIN, *arguments], capture_output=True, text=True, timeout=50, check=False
+    )
+    return ran.returncode, ran.stderr
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+@pytest.mark.parametrize("rows", [10, 100])
+def test_a_run_that_another_of_the_same_overtakes_ends_as_well(write, tmp_path, ending, rows):
+    """The other one ends and removes what both have kept, in the midst of this one, or before it writes the result."""
+    path, output = write(MANY), tmp_path / f"out.{ending}"
+    told = []
+
+    def meanwhile(part, done):
+        if done == rows and not told:
+            told.append(run("predict", str(path), "--club", "driver", "-o", str(output)))
+
+    begun = predict(path, club="driver", output=output, chunk_rows=10, progress=meanwhile)
+    assert told == [(0, "")] or told[0][0] == 0
+    predict(path, club="driver", output=tmp_path / f"whole.{ending}", chunk_rows=10)
+    assert (begun.rows, begun.written, begun.rejected) == (100, 90, 10)
+    assert table_of(output) == table_of(tmp_path / f"whole.{ending}")
+    assert not output.with_name(f"{output.name}.unfinished").exists()
+
+
+def test_a_file_that_another_process_writes_with_other_options_is_refused_and_the_dead_hold_nothing(write, tmp_path):
     path, output = write(MANY), tmp_path / "out.csv"
     told = []
 
     def meanwhile(part, done):
         if not told:
-            arguments = ["predict", str(path), "--club", "driver", "-o", str(output)]
-            ran = subprocess.run(
-                [sys.executable, "-c", MAIN, *arguments], capture_output=True, text=True, timeout=50, check=False
-            )
-            told.append((ran.returncode, ran.stdout, ran.stderr))
+            told.append(run("predict", str(path), "--club", "driver", "--model", "slip", "-o", str(output)))
 
     predict(path, club="driver", output=output, chunk_rows=10, progress=meanwhile)
-    said = f"clubface: {output}: process {os.getpid()} is writing this; wait until it ends, or give another name\n"
-    assert told == [(2, "", said)]
+    said = f"process {os.getpid()} is writing this with other options; wait until it ends, or give another name"
+    assert told == [(2, f"clubface: {output}: {said}\n")]
     assert len(table(output)) == 90
     child = os.fork()
     if not child:
         predict(path, club="driver", output=output, chunk_rows=10, progress=lambda *_: os.kill(os.getpid(), 9))
     os.waitpid(child, 0)
-    assert predict(path, club="driver", output=output, resume=True).rows == 100
+    assert predict(path, club="driver", output=output, model="slip").rows == 100
+
+
+def table_of(path):
+    if path.suffix == ".csv":
+        return path.read_bytes()
+    import pyarrow.parquet
+
+    return pyarrow.parquet.read_table(path).to_pylist()

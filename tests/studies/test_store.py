@@ -207,7 +207,7 @@ def test_other_folders_are_left_alone(tmp_path):
 def test_a_damaged_record_is_told(tmp_path):
     path = squares(tmp_path)
     studies.run(path, workers=1)
-    record = tmp_path / "squares.store" / "study.json"
+    record = tmp_path / "squares.store" / "record.json"
     record.write_text(record.read_text().replace('"count": 200', '"count": 300'))
     with pytest.raises(
         FileError, match="this record of a study is damaged; remove it: clubface study run makes it anew"

@@ -45,7 +45,9 @@ Format = Annotated[str | None, option("--format", metavar="NAME", text="Layout o
 ColumnsFile = Annotated[
     str | None, option("--mapping", metavar="FILE", text="TOML file that names the columns of any other CSV file.")
 ]
-Resume = Annotated[bool, typer.Option("--resume", help="Go on where an interrupted run stopped.")]
+Resume = Annotated[
+    bool, typer.Option("--resume", help="Refuse to begin anew where a run with other inputs was interrupted.")
+]
 Seed = Annotated[int, typer.Option("--seed", metavar="N", help="Seed of the random numbers.")]
 
 Report = Annotated[

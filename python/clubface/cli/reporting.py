@@ -81,7 +81,7 @@ def flown(conditions: Mapping[str, Any] | None) -> dict[str, str]:
 def repeat(files: Mapping[str, str] | None = None) -> list[Any]:
     """Return the end of a report: the command that was typed, the files that it read, and other ``files`` by name."""
     from clubface.reports.blocks import Heading, Listing, Paragraph, Table
-    from clubface.support.resuming import fingerprint_of_file
+    from clubface.support.fingerprint import fingerprint_of_file
 
     read = asked.read_files()
     blocks: list[Any] = [Heading(2, "To compute it again"), Listing("The command", asked.command())]

@@ -242,7 +242,7 @@ def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch
 def _meshed(which: Any) -> Any:
     """Return what tells one ball of finite elements from another."""
     from clubface.fem.balls import ball
-    from clubface.support.resuming import fingerprint
+    from clubface.support.fingerprint import fingerprint
 
     return fingerprint(ball(which).values())
 

@@ -13,8 +13,9 @@ from typing import Any, TypeVar
 from clubface.errors import FileError
 from clubface.fem.core import Progress
 from clubface.fem.side_by_side import side_by_side
+from clubface.support.fingerprint import fingerprint
 from clubface.support.folders import prepared_folder
-from clubface.support.resuming import Store, fingerprint, unfinished
+from clubface.support.resuming import Store, unfinished
 
 P = TypeVar("P")
 

@@ -26,7 +26,7 @@ class Checkpoint:
     effort
         Counts what is computed.
     resume
-        Whether to go on from the store, if there is one; otherwise it is begun anew.
+        Whether to refuse a store of something else, instead of beginning anew in its place.
 
     Attributes
     ----------

@@ -120,7 +120,7 @@ def identify(
     checkpoint
         A folder that keeps what is finished. It is removed when everything is finished.
     resume
-        Continue from the checkpoint, if there is one.
+        Refuse a checkpoint of other shots or settings, instead of beginning anew in its place.
     progress
         Called with the name of the stage, how much of it is done, of how much, and the least cost so far.
 
@@ -135,7 +135,8 @@ def identify(
         The shots cannot be used, belong to another club, or hold less information than there are free parameters; or an
         option is out of range.
     FileError
-        A file cannot be read, or a checkpoint belongs to other shots or settings, or to a process that is running.
+        A file cannot be read, or a checkpoint belongs to other shots or settings, and is to be resumed or is still
+        worked on.
     """
     reduced_model(model, "one with derivatives")
     counts = {
@@ -195,7 +196,7 @@ def identify(
     except KeyboardInterrupt:
         if checkpoint is None or not kept.parts:
             raise
-        message = f"interrupted: what is finished is kept in {os.fspath(checkpoint)}; resume goes on after it"
+        message = f"interrupted: what is finished is kept in {os.fspath(checkpoint)}; the same command goes on after it"
         raise KeyboardInterrupt(message) from None
     finally:
         kept.close()

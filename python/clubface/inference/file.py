@@ -6,13 +6,15 @@ import csv
 import io
 import os
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from clubface.errors import FileError, InputError
 from clubface.inference.rows import Rows
 from clubface.recorded.shots import RecordedShots
-from clubface.support.resuming import Store, fingerprint_of_file, unfinished
+from clubface.support.fingerprint import fingerprint_of_file
+from clubface.support.resuming import Store, unfinished
 
 
 class InferReport(NamedTuple):
@@ -61,7 +63,7 @@ def infer_shots(
     output
         Path of a CSV file.
     resume
-        Continue where an interrupted run with the same settings stopped.
+        Whether to refuse to begin anew where a run with other settings was interrupted; that of the same ones goes on.
     progress
         Called with the number of shots done and the number of shots.
     **options
@@ -92,12 +94,12 @@ def infer_shots(
     with Store(folder, content, of=target, resume=resume) as store:
         resumed = len(store)
         try:
-            for place in range(resumed, len(shots)):
-                store.keep(str(place), rows.of(place))
+            for place in range(len(shots)):
+                store.once(str(place), partial(rows.of, place))
                 if progress is not None:
                     progress(place + 1, len(shots))
         except KeyboardInterrupt:
-            message = f"interrupted: {len(store)} finished shots are in {folder}; --resume goes on after them"
+            message = f"interrupted: {len(store)} finished shots are in {folder}; the same command goes on after them"
             raise KeyboardInterrupt(message) if len(store) else KeyboardInterrupt from None
         written = [store[str(place)] for place in range(len(shots))]
         text = io.StringIO()

@@ -123,7 +123,7 @@ def predict(
     that was taken elsewhere is referred to the points of clubface.
 
     Both files have their names only once they are complete. Until then, what is finished is kept in the folder
-    ``<output>.unfinished``, and ``resume=True`` goes on after it, however the run ended.
+    ``<output>.unfinished``, and the same call goes on after it, however the run ended.
 
     Parameters
     ----------
@@ -151,8 +151,8 @@ def predict(
     progress
         Called with the part of the file read, 0 to 1, and the rows done.
     resume
-        Whether to go on where an interrupted run of the same content and settings stopped; where there was none, it
-        starts at the beginning.
+        Whether to refuse to begin anew where a run of other content or settings was interrupted; that of the same ones
+        goes on where it stopped.
 
     Returns
     -------
@@ -163,8 +163,8 @@ def predict(
     ------
     FileError
         A file cannot be read or written; the message names the line. It is empty, has no column for the speed or one
-        column twice, a unit has another dimension, or the text is not UTF-8. Another process is writing the output, or
-        what is to be resumed was begun with another source or other settings.
+        column twice, a unit has another dimension, or the text is not UTF-8. Another process is writing the output with
+        other settings, or what is to be resumed was begun with another source or other settings.
     KeyboardInterrupt
         Ctrl-C was pressed; the message says where the finished rows are.
     """

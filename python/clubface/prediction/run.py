@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -14,11 +15,12 @@ from clubface.simulation.flight import fly
 from clubface.simulation.flight_inputs import conditions
 from clubface.simulation.impact import impact
 from clubface.simulation.outside import Tally
-from clubface.support.resuming import Store, fingerprint_of_file, unfinished
+from clubface.simulation.own_law import source_of
+from clubface.support.fingerprint import fingerprint_of_file
+from clubface.support.resuming import Store, unfinished
 from clubface.support.warning import without_warnings
-from clubface.support.whole_file import whole_file
 from clubface.tables.headings import HAND, Layout
-from clubface.tables.rows import Chunk, Reader, Reject
+from clubface.tables.rows import GONE, Chunk, Reader, Reject
 from clubface.tables.writer import CsvForm, Form, RejectsForm, is_parquet
 from clubface.units import from_si, to_si
 
@@ -88,13 +90,14 @@ class Task:
     def content_of(self, source: Path) -> dict[str, Any]:
         """Return what a run is of, by what a person calls it."""
         shot, ball = self.shot, self.shot["ball"]
+        law = source_of(shot["model"])
         # The club itself and not its inputs: a meshed one is more than the mass and inertia of its mesh.
         equipment = [shot["club"], ball.inputs() if isinstance(ball, Ball) else ball.values()]
         return {
             "source": fingerprint_of_file(source),
             "choice of shots": self.content,
             "layout of columns": [self.columns, list(self.results.items())],
-            "model": [shot["model"], dict(shot["parameters"].values), shot["parameters"].characteristic_time],
+            "model": [shot["model"], dict(shot["parameters"].values), shot["parameters"].characteristic_time, law],
             "club or ball": [equipment, self.hand, json.dumps(self.provenance, default=str)],
             "accuracy": shot["accuracy"],
             "air or wind": self.flight and conditions(self.flight["air"], self.flight["wind"]),
@@ -176,54 +179,77 @@ def run(
     form, rejects_form = _form(target, reader, task), RejectsForm(task.columns.headings, reader)
     folder = unfinished(target, [source, aside])
     with Store(folder, task.content_of(source), of=target, resume=resume) as store:
-        resumed = done = sum(store[each]["rows"] for each in store)
+        names = _kept(store, target.suffix)
+        resumed = done = sum(store[each]["rows"] for each in names)
         try:
             for chunk in reader.chunks(chunk_rows, done):
-                rows, results, rejects, tally = task.compute(chunk)
-                name = f"{len(store):08d}"
-                with whole_file(store.file(name + target.suffix)) as file:
-                    form.piece(file, chunk, rows, results)
-                sums = [fingerprint_of_file(store.file(name + target.suffix))]
-                if rejects:
-                    with whole_file(store.file(name + REJECTS)) as file:
-                        rejects_form.piece(file, rejects)
-                    sums.append(fingerprint_of_file(store.file(name + REJECTS)))
                 read = len(chunk.lines) + len(chunk.ragged)
-                counts = {"rows": read, "written": read - len(rejects), "rejected": len(rejects)}
-                shown = [(each.line, each.reason) for each in rejects[:SHOWN]]
-                store.keep(name, {**counts, "shown": shown, "outside": tally.counts(), "sums": sums})
+                names.append(name := f"{done:012d}+{read}")
+                if _pieces(store, name, target.suffix) is None:
+                    rows, results, rejects, tally = task.compute(chunk)
+                    with BytesIO() as file:
+                        form.piece(file, chunk, rows, results)
+                        sums = [store.keep_part(name + target.suffix, file.getvalue())]
+                    if rejects:
+                        with BytesIO() as file:
+                            rejects_form.piece(file, rejects)
+                            sums.append(store.keep_part(name + REJECTS, file.getvalue()))
+                    counts = {"rows": read, "written": read - len(rejects), "rejected": len(rejects)}
+                    shown = [(each.line, each.reason) for each in rejects[:SHOWN]]
+                    told = {"first": done, **counts, "shown": shown, "outside": tally.counts(), "sums": sums}
+                    store.keep(name, told)
                 done += read
                 if progress is not None:
                     progress(reader.progress(), done)
         except KeyboardInterrupt:
-            message = f"interrupted: {done} rows are done and kept in {folder}; resume goes on after them"
+            message = f"interrupted: {done} rows are done and kept in {folder}; the same command goes on after them"
             raise KeyboardInterrupt(message) if done else KeyboardInterrupt from None
         if not done:
             raise FileError(reader.path, reader.header_line, "there is no delivery below the names of the columns")
-        outcome = _outcome(store, resumed)
+        outcome = _outcome([store[name] for name in names], resumed)
         if outcome.counts["rejected"]:
             with store.result(aside) as file:
-                rejects_form.whole(file, _pieces(store, REJECTS, 1))
+                rejects_form.whole(file, _whole_pieces(store, names, target.suffix, 1))
         else:
             # Rejects of an earlier run do not stay beside a file they do not belong to.
             aside.unlink(missing_ok=True)
         with store.result(target) as file:
-            form.whole(file, _pieces(store, target.suffix, 0))
+            form.whole(file, _whole_pieces(store, names, target.suffix, 0))
         store.remove()
     return outcome
 
 
-def _pieces(store: Store, ending: str, place: int) -> Iterator[Path]:
+def _kept(store: Store, ending: str) -> list[str]:
+    """Return the names of the chunks that are kept, one after the other from the first row on."""
+    by_first = {store[name]["first"]: name for name in store if store[name]["rows"] and _pieces(store, name, ending)}
+    names, row = [], 0
+    while row in by_first:
+        names.append(by_first[row])
+        row += store[by_first[row]]["rows"]
+    return names
+
+
+def _pieces(store: Store, name: str, ending: str) -> list[Path] | None:
+    """Return the files of a chunk, of launches and of rejects if it has some; None unless it is kept as it was."""
+    if name not in store:
+        return None
+    sums = zip((name + ending, name + REJECTS), store[name]["sums"], strict=False)
+    found = [store.part(*each) for each in sums]
+    return None if None in found else [each for each in found if each is not None]
+
+
+def _whole_pieces(store: Store, names: Sequence[str], ending: str, place: int) -> Iterator[Path]:
     """Yield the files of the chunks that have one, each when it is found to be what was written."""
-    for name in store:
-        sums = store[name]["sums"]
-        if place < len(sums):
-            yield store.checked(name + ending, sums[place])
+    for name in names:
+        if place < len(store[name]["sums"]):
+            found = _pieces(store, name, ending)
+            if found is None:
+                raise FileError(str(store.folder), None, GONE)
+            yield found[place]
 
 
-def _outcome(store: Store, resumed: int) -> Outcome:
+def _outcome(chunks: Sequence[Mapping[str, Any]], resumed: int) -> Outcome:
     """Return what all chunks come to."""
-    chunks = [store[name] for name in store]
     tally, shown = Tally(), [tuple(each) for chunk in chunks for each in chunk["shown"]]
     for chunk in chunks:
         tally.add_counts(chunk["outside"])

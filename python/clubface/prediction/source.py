@@ -21,7 +21,7 @@ from clubface.measured.shots import assumptions
 from clubface.recorded.file import CLUB_HEADINGS
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.quantities import inputs
-from clubface.support.resuming import fingerprint
+from clubface.support.fingerprint import fingerprint
 from clubface.tables.headings import POINTS, Column, Layout, layout, plain_name, require_speed
 from clubface.tables.memory_reader import MemoryReader
 from clubface.tables.reader import open_table

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 from clubface.errors import ClubfaceError, FileError
 from clubface.studies.kinds import Task
 from clubface.studies.parts import Names, read_part, write_part
-from clubface.studies.store import OTHERWISE, PartStore, open_store
+from clubface.studies.store import OTHERWISE, StudyStore, open_store
 from clubface.studies.study import StudyFile, read_study
-from clubface.support.resuming import check_same, fingerprints
+from clubface.support.fingerprint import check_same, fingerprints
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -34,7 +34,7 @@ class Chunks:
         Its store.
     """
 
-    def __init__(self, study: StudyFile, store: PartStore) -> None:
+    def __init__(self, study: StudyFile, store: StudyStore) -> None:
         self._study, self._store = study, store
         self._task: Task = study.kind.prepare(study)
         self._axes = {each.name: each for each in study.design.axes}
@@ -64,7 +64,7 @@ class Chunks:
             **self._store.record["provenance"],
             **self._task.depends_on,
         }
-        path = self._store.prepare(chunk)
+        path = self._store.prepare(self._store.path(chunk))
         try:
             write_part(path, {**columns, **found.columns}, self._units, told)
         except FileError:
@@ -83,7 +83,7 @@ class Chunks:
         return Names(axis.choices, values) if axis.choices else values.astype("float64", copy=False)
 
 
-def checked_part(store: PartStore, chunk: int) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:
+def checked_part(store: StudyStore, chunk: int) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:
     """Return the columns of the part of a chunk and what is told of it.
 
     Raises

@@ -15,7 +15,7 @@ from clubface.studies.chunks import checked_part
 from clubface.studies.parts import TOLD, ColumnSum, Names, Values, arrow_array, encoding
 from clubface.studies.running import Tallied
 from clubface.studies.state import opened
-from clubface.studies.store import PartStore
+from clubface.studies.store import StudyStore
 from clubface.support.whole_file import whole_file
 from clubface.tables.headings import heading_of
 from clubface.tables.parquet import pyarrow_for
@@ -57,7 +57,7 @@ class Joined:
     processors: tuple[str, ...]
 
 
-def parts(store: PartStore) -> Iterator[tuple[Values, dict[str, Any]]]:
+def parts(store: StudyStore) -> Iterator[tuple[Values, dict[str, Any]]]:
     """Yield columns and what is told of every part, in the order of the tasks.
 
     Raises
@@ -119,7 +119,7 @@ def join(
     )  # fmt: skip
 
 
-def _written(path: Path | None, store: PartStore) -> AbstractContextManager[Write]:
+def _written(path: Path | None, store: StudyStore) -> AbstractContextManager[Write]:
     """Return what takes the columns of each part: a file, or nothing where there is none."""
     if path is None:
         return nullcontext(lambda columns: None)
@@ -127,7 +127,7 @@ def _written(path: Path | None, store: PartStore) -> AbstractContextManager[Writ
 
 
 @contextmanager
-def _parquet(path: Path, store: PartStore) -> Iterator[Write]:
+def _parquet(path: Path, store: StudyStore) -> Iterator[Write]:
     """Write Parquet, a row group a part."""
     arrow = pyarrow_for(path)
     names = [each["name"] for each in store.record["axes"] if each["unit"] is None]
@@ -147,7 +147,7 @@ def _parquet(path: Path, store: PartStore) -> Iterator[Write]:
 
 
 @contextmanager
-def _csv(path: Path, store: PartStore) -> Iterator[Write]:
+def _csv(path: Path, store: StudyStore) -> Iterator[Write]:
     """Write CSV in practical units."""
     headings = {name: heading_of(name, unit) for name, unit in _units(store).items()}
     delimiter = delimiter_of(path)
@@ -165,12 +165,12 @@ def _csv(path: Path, store: PartStore) -> Iterator[Write]:
         yield lambda columns: file.write(lines(columns))
 
 
-def _order(store: PartStore) -> Sequence[str]:
+def _order(store: StudyStore) -> Sequence[str]:
     """Return the names of the columns: what is swept, then what is computed."""
     return [*(each["name"] for each in store.record["axes"]), *store.record["columns"]]
 
 
-def _units(store: PartStore) -> dict[str, str]:
+def _units(store: StudyStore) -> dict[str, str]:
     """Return the SI units of the columns that hold numbers."""
     axes = {each["name"]: each["unit"] for each in store.record["axes"] if each["unit"] is not None}
     return {**axes, **{name: unit for name, (unit, _) in store.record["columns"].items()}}

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from clubface.support.resuming import fingerprint_of_file
+from clubface.support.fingerprint import fingerprint_of_file
 from clubface.support.strict_toml import Document
 
 

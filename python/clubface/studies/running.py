@@ -18,10 +18,10 @@ from clubface.studies.kinds import Task
 from clubface.studies.pool import Pool
 from clubface.studies.shards import Shard, shard as shard_of
 from clubface.studies.sizing import chunk_size
-from clubface.studies.store import PartStore, begin, store_of
+from clubface.studies.store import StudyStore, begin, store_of
 from clubface.studies.study import StudyFile, read_study
 from clubface.support.checks import is_count
-from clubface.support.resuming import fingerprint
+from clubface.support.fingerprint import fingerprint
 from clubface.support.version import __version__
 from clubface.tables.parquet import check_pyarrow
 
@@ -211,7 +211,7 @@ def _run(
     )  # fmt: skip
 
 
-def order(store: PartStore, share: Shard) -> Iterator[int]:
+def order(store: StudyStore, share: Shard) -> Iterator[int]:
     """Yield the chunks of a share: first those that are missing, then those that are there, to be checked.
 
     Of each the last comes right after the first, since a study that has no result at both ends is not gone on with.

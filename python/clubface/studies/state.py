@@ -9,9 +9,9 @@ from pathlib import Path
 
 from clubface.errors import FileError
 from clubface.studies.chunks import checked_part
-from clubface.studies.store import OTHERWISE, PartStore, open_store, store_of
+from clubface.studies.store import OTHERWISE, StudyStore, open_store, store_of
 from clubface.studies.study import read_study
-from clubface.support.resuming import check_same, fingerprints
+from clubface.support.fingerprint import check_same, fingerprints
 
 SHOWN = 20
 """Chunks that are told by their number."""
@@ -48,7 +48,7 @@ class Status:
     size: int
 
 
-def opened(which: str | os.PathLike[str], store: str | os.PathLike[str] | None = None) -> PartStore:
+def opened(which: str | os.PathLike[str], store: str | os.PathLike[str] | None = None) -> StudyStore:
     """Return the store of a study that is named by its file or by the folder of the store itself.
 
     Raises

@@ -1,31 +1,21 @@
-"""What a study has finished: a record of what it is of, and a file for each chunk that is done.
-
-The store is the truth. A chunk whose part is there and whole is done, whoever computed it; nobody keeps a list, and
-nothing is locked: two workers that compute the same chunk write the same bytes, and each part takes its name only when
-all of it is on the disk.
-"""
+"""What a study has finished: a store with a part for each chunk that is done."""
 
 from __future__ import annotations
 
-import os
-import shutil
-from collections.abc import Callable, Iterator
-from contextlib import suppress
-from dataclasses import dataclass
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from clubface.errors import FileError
 from clubface.studies.study import StudyFile
-from clubface.support.checked_json import read_checked, write_checked
-from clubface.support.folders import prepared_folder
-from clubface.support.resuming import check_same, fingerprint, fingerprints
-from clubface.support.whole_file import synced
+from clubface.support.fingerprint import check_same, fingerprint, fingerprints
+from clubface.support.part_store import RECORD, PartStore, begin as begin_in, recorded
 
-RECORD, PARTS, ENDING = "study.json", "parts", ".parquet"
+ENDING = ".parquet"
 A_FOLDER = 1000
 """Parts of a folder: file systems slow down with very many."""
 DAMAGED = "this record of a study is damaged; remove it: clubface study run makes it anew, and keeps the parts that fit"
+FOREIGN = "this is no store of a study; give another folder with --store"
 OTHERWISE = "give another folder with --store, or remove this one"
 
 
@@ -34,21 +24,12 @@ def store_of(path: Path) -> Path:
     return path.with_name(f"{path.stem}.store")
 
 
-@dataclass(frozen=True)
-class PartStore:
+class StudyStore(PartStore):
     """The store of a study.
 
-    Attributes
-    ----------
-    folder
-        Where it is.
-    record
-        What it is of: ``content`` (fingerprints), ``name``, ``count`` and ``chunk`` (tasks in all and in a chunk),
-        ``axes``, ``columns``, and ``provenance``, which every part repeats.
+    Its ``record`` has besides ``content`` the ``name``, ``count`` and ``chunk`` (tasks in all and in a chunk),
+    ``axes``, ``columns``, and ``provenance``, which every part repeats.
     """
-
-    folder: Path
-    record: dict[str, Any]
 
     @property
     def count(self) -> int:
@@ -72,65 +53,27 @@ class PartStore:
 
     def path(self, chunk: int) -> Path:
         """Return the file of a chunk."""
-        return self.folder / PARTS / f"{chunk // A_FOLDER:04d}" / f"{chunk:08d}{ENDING}"
-
-    def prepare(self, chunk: int) -> Path:
-        """Return the file of a chunk that is to be written, in a folder that is on the disk."""
-        path = self.path(chunk)
-        if not path.parent.is_dir():
-            prepared_folder(path.parent)
-            synced(path.parent.parent)
-        return path
+        return self.parts / f"{chunk // A_FOLDER:04d}" / f"{chunk:08d}{ENDING}"
 
     def present(self) -> bytearray:
         """Return for each chunk whether a part is there (1) or not (0); no part is read."""
         found = bytearray(self.chunks)
-        for each in self._files():
+        for each in self.files():
             stem = each.name.partition(".")[0]
             if each.name.endswith(ENDING) and stem.isdecimal() and int(stem) < len(found):
                 found[int(stem)] = 1
         return found
 
-    def size(self) -> int:
-        """Return the bytes of all parts."""
-        total = 0
-        for each in self._files():
-            with suppress(OSError):
-                total += each.stat().st_size
-        return total
 
-    def tidy(self) -> None:
-        """Remove what killed workers have left; to be called when all parts are there and nobody writes."""
-        for each in self._files():
-            if each.name.startswith("."):
-                with suppress(OSError):
-                    os.unlink(each.path)
-
-    def remove(self) -> None:
-        """Remove a store in which nothing has a result."""
-        shutil.rmtree(self.folder / PARTS, ignore_errors=True)
-        with suppress(OSError):
-            (self.folder / RECORD).unlink()
-            self.folder.rmdir()
-
-    def _files(self) -> Iterator[os.DirEntry[str]]:
-        try:
-            folders = sorted(each.path for each in os.scandir(self.folder / PARTS) if each.is_dir())
-        except FileNotFoundError:
-            return
-        for folder in folders:
-            with os.scandir(folder) as files:
-                yield from files
-
-
-def open_store(folder: Path) -> PartStore:
+def open_store(folder: Path) -> StudyStore:
     """Return the store in a folder."""
-    if not (folder / RECORD).is_file():
+    record = recorded(folder, DAMAGED) if (folder / RECORD).is_file() else {}
+    if "chunk" not in record:  # no store, or that of another long work
         raise FileError(str(folder), None, "this folder holds no study")
-    return PartStore(folder, read_checked(folder / RECORD, DAMAGED))
+    return StudyStore(folder, record)
 
 
-def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]) -> PartStore:
+def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]) -> StudyStore:
     """Return the store of a study in a folder, which is made unless it is there.
 
     Parameters
@@ -149,20 +92,10 @@ def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]
         The store belongs to another study, or the folder is something else.
     """
     content = fingerprints(study.content())
-    if not (folder / RECORD).exists():
-        if folder.exists() and (not folder.is_dir() or any(each.name != PARTS for each in _seen(folder))):
-            raise FileError(str(folder), None, "this is no store of a study; give another folder with --store")
-        record = {"content": content, "name": study.name, "count": study.design.count, **describe()}
-        prepared_folder(folder)
-        try:
-            write_checked(folder / RECORD, record, new=True)
-        except FileError:
-            if not (folder / RECORD).exists():
-                raise
+    begin_in(
+        folder, content, lambda: {"name": study.name, "count": study.design.count, **describe()},
+        foreign=FOREIGN, damaged=DAMAGED,
+    )  # fmt: skip
     found = open_store(folder)
     check_same(folder, content, found.record["content"], OTHERWISE)
     return found
-
-
-def _seen(folder: Path) -> list[Path]:
-    return [each for each in folder.iterdir() if not each.name.startswith(".")]

@@ -1,34 +1,34 @@
-"""Long work that goes on where it stopped: what is finished stays in a folder, and other work is not mixed with it."""
+"""Long work that goes on where it stopped: what is finished stays in a folder beside the result until that is whole."""
 
 from __future__ import annotations
 
 import hashlib
-import json
 import os
+import re
+import shutil
+import socket
 import time
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
-from dataclasses import fields, is_dataclass
-from enum import Enum
-from pathlib import Path, PurePath
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Self
 
 from clubface.errors import FileError
 from clubface.support.checked_json import read_checked, write_checked
+from clubface.support.fingerprint import check_same, fingerprint, fingerprint_of_file, fingerprints
 from clubface.support.folders import prepared_folder
-from clubface.support.lock import Lock
-from clubface.support.strict_toml import Document
-from clubface.support.version import __version__
+from clubface.support.part_store import RECORD, PartStore, begin, recorded
 from clubface.support.whole_file import unwritable, whole_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-WORK, LOCK = "work.json", "lock"
-"""The files of a store that tell what it is of, and who works on it."""
-DAMAGED = "this record of unfinished work is damaged; remove the folder it is in, and start again"
+FOREIGN = "this is no record of unfinished work; move it away, or give another name"
+DAMAGED = "this record of unfinished work is damaged"
 OFTEN = 0.5
 """What is finished is on the disk after this time at most [s]: small values are written together."""
+NAME = re.compile("[0-9a-f]{16}")
+"""Of the folder of one work."""
 
 
 def unfinished(path: Path, inputs: Iterable[str | os.PathLike[str]] = ()) -> Path:
@@ -53,153 +53,105 @@ def kept_beside(
     return Store(unfinished(Path(output)), content, of=Path(output), resume=resume)
 
 
-def fingerprint(content: Any) -> str:
-    """Return a text that is the same only for the same content: what JSON has, arrays, data classes, and their like."""
-    return hashlib.sha256(json.dumps(_told(content), sort_keys=True).encode()).hexdigest()
-
-
-def fingerprint_of_file(path: str | os.PathLike[str]) -> str:
-    """Return a text that is the same only for the same bytes in a file."""
-    try:
-        with open(path, "rb") as file:
-            return hashlib.file_digest(file, "sha256").hexdigest()
-    except OSError as error:
-        raise FileError(os.fspath(path), None, f"cannot be read: {error.strerror or error}") from None
-
-
-def _told(value: Any) -> Any:
-    """Return content as JSON has it: every number of an array counts, not those its text shows."""
-    if value is None or isinstance(value, (str, int, float)):
-        return value
-    if isinstance(value, Mapping):
-        told = {key: _told(each) for key, each in value.items()}
-        return told if all(isinstance(key, str) for key in told) else sorted((repr(key), told[key]) for key in told)
-    if isinstance(value, (set, frozenset)):
-        value = sorted(value)
-    if isinstance(value, (list, tuple)):
-        return [_told(each) for each in value]
-    if is_dataclass(value):
-        return [type(value).__name__, *([each.name, _told(getattr(value, each.name))] for each in fields(value))]
-    if isinstance(value, Document):
-        return _told(value.data)
-    if isinstance(value, (PurePath, Enum)):
-        return str(value)
-    import numpy as np
-
-    if isinstance(value, np.ndarray) and value.dtype != object:
-        return [str(value.dtype), value.shape, hashlib.sha256(np.ascontiguousarray(value).tobytes()).hexdigest()]
-    if isinstance(value, (np.ndarray, np.generic)):
-        return _told(value.tolist())
-    raise TypeError(f"a {type(value).__name__} has no fingerprint")
-
-
-def fingerprints(content: Mapping[str, Any]) -> dict[str, str]:
-    """Return a fingerprint of each part of what a work is of, and of the version, by what a person calls it."""
-    return {name: fingerprint(each) for name, each in {**content, "version": __version__}.items()}
-
-
-def check_same(folder: Path, told: Mapping[str, str], begun: Mapping[str, str], otherwise: str) -> None:
-    """Refuse to go on with work in ``folder`` that was begun with other content; both as of :func:`fingerprints`."""
-    if other := [name for name in {**told, **begun} if told.get(name) != begun.get(name)]:
-        message = f"this was begun with another {', another '.join(other)}; {otherwise}"
-        raise FileError(str(folder), None, message)
-
-
 class Store:
-    """What a long work has finished, by name, in a folder of its own that one process works on at a time.
+    """What a long work has finished, by name: values of what JSON has, and larger parts of bytes.
 
-    Values are what JSON has. They are on the disk, whole or not at all, within ``OFTEN`` and when the store is closed.
-    Larger parts go to files of the folder: a value that is kept after its file is written tells that the file is there.
+    Each is on the disk whole or not at all, values within ``OFTEN`` and when the store is closed. What is there is
+    taken, and what is damaged counts as not there. The work of each content has a folder of its own, so that nothing
+    mixes. Nothing is locked: runs of the same work at the same time keep the same things in the same folder, and all
+    of them end with the same result.
 
     Parameters
     ----------
     folder
-        The folder, which is made in one that exists.
+        The folder of the stores of a result, which is made in one that exists.
     content
         What the work is of, by what a person calls it: source, options, accuracy. The version belongs to it always.
     of
-        What the work makes, for messages.
+        What the work makes.
     resume
-        Whether to go on with what is there. Otherwise it is removed; a folder that is no store is left alone.
+        Whether to refuse to begin where other work was begun and has not ended. Otherwise that is removed, unless its
+        process is still at work; a folder that is no store is left alone.
     otherwise
         What a message advises where the store belongs to other work.
 
     Attributes
     ----------
+    folder
+        The folder of the stores of the result.
     resumed
-        The names that were there.
+        The names of the values that were there.
 
     Raises
     ------
     FileError
-        Another process works on it, it belongs to other work, or the folder is something else.
+        The folder has the store of other work, or is something else.
     """
 
     def __init__(
         self, folder: Path, content: Mapping[str, Any], *, of: Path | None = None, resume: bool = True,
         otherwise: str = "start again without resuming",
     ) -> None:  # fmt: skip
-        self.folder = folder
+        self.folder, self._of = folder, of or folder
+        self._told = fingerprints(content)
+        self._store = PartStore(folder / fingerprint(self._told)[:16], {})
         self._values: dict[str, Any] = {}
         self._fresh: dict[str, Any] = {}
-        self._batches = 0
         self._written = time.monotonic()
-        told = fingerprints(content)
+        self._before = _state(self._of)
         if not folder.parent.is_dir():
-            raise FileError(str(of or folder), None, f"there is no folder {str(folder.parent)!r}")
-        self._lock = self._locked(of or folder)
+            raise FileError(str(self._of), None, f"there is no folder {str(folder.parent)!r}")
+        self._settle_with_others(resume, otherwise)
         try:
-            self._begin(told, resume, otherwise)
+            self._begin()
         except BaseException:
-            if (folder / WORK).exists():
-                self._lock.release()
-            else:
-                self.remove()
+            self._remove_if_empty()
             raise
+        for path in sorted(self._store.parts.glob("*.json")):
+            with suppress(FileError):
+                self._values |= read_checked(path, DAMAGED)
         self.resumed = tuple(self._values)
 
-    def _locked(self, of: Path) -> Lock:
-        while True:
-            if self.folder.exists() and not (self.folder / WORK).exists():
-                self._refuse_others()
-            try:
-                prepared_folder(self.folder)
-                return Lock(self.folder / LOCK, of)
-            except OSError as error:
-                raise unwritable(of, error) from None
-            except FileError:
-                if self.folder.exists():
-                    raise
-                # Another run has just ended and removed the folder.
+    def _settle_with_others(self, resume: bool, otherwise: str) -> None:
+        """Refuse or remove what other work has left, and refuse a folder of something else."""
+        try:
+            there = [each for each in self.folder.iterdir() if each.name[0] != "."]
+        except FileNotFoundError:
+            return
+        except NotADirectoryError:
+            raise FileError(str(self.folder), None, FOREIGN) from None
+        except OSError as error:
+            raise unwritable(self.folder, error) from None
+        if not all(NAME.fullmatch(each.name) and each.is_dir() for each in there):
+            raise FileError(str(self.folder), None, FOREIGN)
+        others = [each for each in there if each != self._store.folder]
+        if not (resume and self._store.folder in there):
+            for each in others:
+                self._settle_with(each, resume, otherwise)
 
-    def _refuse_others(self) -> None:
-        """Refuse a folder of something else, which would be removed."""
-        if not self.folder.is_dir() or any(each.name != LOCK and each.name[0] != "." for each in self.folder.iterdir()):
-            message = "this is no record of unfinished work; move it away, or give another name"
-            raise FileError(str(self.folder), None, message)
+    def _settle_with(self, other: Path, resume: bool, otherwise: str) -> None:
+        try:
+            record = recorded(other, DAMAGED)
+        except FileError:
+            record = {"content": {}}
+        process = record.get("process", 0)
+        if record.get("machine") == socket.gethostname() and process != os.getpid() and _is_running(process):
+            message = f"process {process} is writing this with other options; wait until it ends, or give another name"
+            raise FileError(str(self._of), None, message)
+        if resume:
+            check_same(self.folder, self._told, record["content"], otherwise)
+        PartStore(other, record).remove()
 
-    def _begin(self, told: dict[str, str], resume: bool, otherwise: str) -> None:
-        work = self.folder / WORK
-        begun = self._read(WORK) if work.exists() else None
-        if begun is None:
-            self._write(WORK, told)
-        elif not resume:
-            try:
-                self._clear()
-            except OSError as error:
-                raise unwritable(self.folder, error) from None
-            self._write(WORK, told)
-        else:
-            check_same(self.folder, told, begun, otherwise)
-            for name in sorted(each.name for each in self.folder.glob("[0-9]*.json")):
-                self._values |= self._read(name)
-                self._batches = int(name.partition(".")[0]) + 1
-
-    def _write(self, name: str, values: Mapping[str, Any]) -> None:
-        write_checked(self.folder / name, values)
-
-    def _read(self, name: str) -> dict[str, Any]:
-        return read_checked(self.folder / name, DAMAGED)
+    def _begin(self) -> None:
+        path, who = self._store.folder / RECORD, {"process": os.getpid(), "machine": socket.gethostname()}
+        try:
+            prepared_folder(self.folder)
+            if path.is_file():
+                # It was begun before, or is damaged; the name of the folder says what it is of.
+                write_checked(path, {"content": self._told, **who})
+            begin(self._store.folder, self._told, lambda: who, foreign=FOREIGN, damaged=DAMAGED)
+        except OSError as error:
+            raise unwritable(self._of, error) from None
 
     def __enter__(self) -> Self:
         return self
@@ -224,17 +176,25 @@ class Store:
         return len(self._values)
 
     def file(self, name: str) -> Path:
-        """Return the path of a file of the store."""
-        return self.folder / name
+        """Return the path of a part that the caller keeps itself, such as the store of a work within this one."""
+        return self._store.prepare(self._store.parts / name)
 
-    def checked(self, name: str, sum_: str) -> Path:
-        """Return the path of a file of the store that still has the fingerprint which was kept of it."""
-        path = self.file(name)
-        if path.exists() and fingerprint_of_file(path) != sum_:
-            raise FileError(
-                str(path), None, "this part of the unfinished work is damaged; start again without resuming"
-            )
-        return path
+    def keep_part(self, name: str, content: bytes) -> str:
+        """Keep bytes as a file; return their fingerprint, for :meth:`part`."""
+        self._write(lambda: self._write_part(name, content))
+        return hashlib.sha256(content).hexdigest()
+
+    def part(self, name: str, sum_: str) -> Path | None:
+        """Return the file of a part with such a fingerprint; None if it is gone or damaged."""
+        path = self._store.parts / name
+        try:
+            return path if fingerprint_of_file(path) == sum_ else None
+        except FileError:
+            return None
+
+    def _write_part(self, name: str, content: bytes) -> None:
+        with whole_file(self.file(name)) as file:
+            file.write(content)
 
     def keep(self, name: str, value: Any) -> None:
         """Keep a value."""
@@ -251,41 +211,80 @@ class Store:
     def flush(self) -> None:
         """Bring all values to the disk."""
         if self._fresh:
-            self._write(f"{self._batches:08d}.json", self._fresh)
-            self._batches += 1
+            # Named by what is in it: another run of the same work may keep other values together.
+            name = f"{fingerprint(sorted(self._fresh))[:32]}.json"
+            self._write(lambda: write_checked(self.file(name), self._fresh))
             self._fresh = {}
         self._written = time.monotonic()
 
+    def _write(self, write: Callable[[], object]) -> None:
+        """Write a part, once more if another run of the same work has ended just now and removed the store."""
+        try:
+            write()
+        except FileError:
+            if self._store.parts.exists():
+                raise
+            write()
+
     @contextmanager
     def result(self, path: Path) -> Iterator[BinaryIO]:
-        """Open what the work makes, as :func:`.whole_file` does; until it is whole, it lies in the store."""
+        """Open what the work makes, as :func:`.whole_file` does; until it is whole, it lies in the store.
+
+        If another run of the same work ends meanwhile and removes the store, its result is there, and stays.
+        """
         self.flush()
         beside = path.resolve().parent == self.folder.resolve().parent
-        with whole_file(path, folder=self.folder if beside else None) as file:
-            yield file
+        prepared_folder(self._store.folder)
+        try:
+            with whole_file(path, folder=self._store.folder if beside else None) as file:
+                yield file
+        except FileError:
+            if not self._overtaken():
+                raise
+
+    def _overtaken(self) -> bool:
+        """Return whether another run of the same work has ended: the store is gone, and the result is a new one."""
+        return not (self._store.folder / RECORD).exists() and _state(self._of) not in (None, self._before)
 
     def close(self) -> None:
-        """Bring all values to the disk and let others work on it; an empty store is removed."""
+        """Bring all values to the disk, for another time; an empty store is removed."""
         try:
             self.flush()
         finally:
-            if self._values:
-                self._lock.release()
-            else:
-                self.remove()
+            self._remove_if_empty()
 
     def remove(self) -> None:
         """Remove it: the work is done."""
         self._fresh, self._values = {}, {}
+        self._store.remove()
+        shutil.rmtree(self._store.folder, ignore_errors=True)  # what a kill has left of a result
         with suppress(OSError):
-            self._clear()
-            self._lock.release(remove=True)
             self.folder.rmdir()
-        self._lock.release()
 
-    def _clear(self) -> None:
-        """Remove all but the lock, the last things first: what a kill leaves is a store of fewer things."""
-        names = sorted((each.name for each in self.folder.iterdir() if each.name not in (WORK, LOCK)), reverse=True)
-        batches = [name for name in names if name[0].isdigit() and name.endswith(".json")]
-        for name in [*batches, *(name for name in names if name not in batches), WORK]:
-            (self.folder / name).unlink(missing_ok=True)
+    def _remove_if_empty(self) -> None:
+        with suppress(OSError):
+            if self._store.parts.exists():
+                self._store.parts.rmdir()
+            self._store.remove()
+            self.folder.rmdir()
+
+
+def _is_running(process: int) -> bool:
+    if os.name != "posix":  # elsewhere, this would end the process
+        return False
+    try:
+        os.kill(process, 0)
+    except PermissionError:
+        return True
+    except (OSError, TypeError, ValueError, OverflowError):
+        return False
+    return process > 0
+
+
+def _state(path: Path) -> tuple[int, int] | None:
+    """Return what changes when a file is replaced; None where there is none."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_ino, found.st_mtime_ns

@@ -10,7 +10,7 @@ from clubface.tables.headings import Column
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-GONE = "this part of the unfinished file is gone; start again without resuming"
+GONE = "parts of the unfinished work were removed or damaged meanwhile; give the same command again"
 
 
 class Reject(NamedTuple):

@@ -130,7 +130,7 @@ def fit(
         The CSV file to which all combinations are written. Beside it, in a folder, each is kept as soon as it is
         judged, until the file is written; without it, nothing is.
     resume
-        Whether to go on with what an interrupted run of the same fitting has judged.
+        Whether to refuse to begin anew where a run of another fitting was interrupted; that of the same one goes on.
     progress
         Told of what is done and of the whole.
     """

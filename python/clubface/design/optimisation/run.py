@@ -53,7 +53,7 @@ def optimise(
         The TOML file to which the best club is written. Beside it, in a folder, what is finished is kept until the run
         ends; without it, nothing is.
     resume
-        Whether to go on with what an interrupted run of the same study has finished.
+        Whether to refuse to begin anew where a run of another study was interrupted; that of the same one goes on.
     progress
         Told of what is done, of the whole, and in words.
 

@@ -18,7 +18,8 @@ from clubface.fem.run import strike
 from clubface.fem.settings import Settings
 from clubface.fem.side_by_side import side_by_side
 from clubface.fem.stress import INTERVAL
-from clubface.support.resuming import Store, fingerprint
+from clubface.support.fingerprint import fingerprint
+from clubface.support.resuming import Store
 
 SHAPES = round(Settings.duration / INTERVAL) + 1
 """Times at which the stress of the hardest blow is looked at: as often as ``fem head --blow`` does."""

@@ -84,7 +84,7 @@ def improve(
         The TOML file to which the best head is written. Beside it, in a folder, every run is kept that has finished,
         until the study ends.
     resume
-        Whether to go on with what an interrupted run of the same study has finished.
+        Whether to refuse to begin anew where a run of another study was interrupted; that of the same one goes on.
     workers
         Number of runs at a time; if left out, one for each core.
     progress

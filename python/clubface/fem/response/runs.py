@@ -11,7 +11,7 @@ from clubface.fem.response.design import Part, Strike, strikes
 from clubface.fem.resumable import ResumableTable
 from clubface.fem.run import inputs_of, one_shot, strike
 from clubface.fem.settings import Settings
-from clubface.support.resuming import fingerprint
+from clubface.support.fingerprint import fingerprint
 from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:

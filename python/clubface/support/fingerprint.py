@@ -1,0 +1,68 @@
+"""Texts that are the same only for the same content, by which a store knows whose parts it holds."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from pathlib import Path, PurePath
+from typing import Any
+
+from clubface.errors import FileError
+from clubface.support.strict_toml import Document
+from clubface.support.version import __version__
+
+
+def fingerprint(content: Any) -> str:
+    """Return a text that is the same only for the same content: what JSON has, arrays, data classes, and their like."""
+    return hashlib.sha256(json.dumps(_told(content), sort_keys=True).encode()).hexdigest()
+
+
+def fingerprint_of_file(path: str | os.PathLike[str]) -> str:
+    """Return a text that is the same only for the same bytes in a file."""
+    try:
+        with open(path, "rb") as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
+    except OSError as error:
+        raise FileError(os.fspath(path), None, f"cannot be read: {error.strerror or error}") from None
+
+
+def _told(value: Any) -> Any:
+    """Return content as JSON has it: every number of an array counts, not those its text shows."""
+    if value is None or isinstance(value, (str, int, float)):
+        return value
+    if isinstance(value, Mapping):
+        told = {key: _told(each) for key, each in value.items()}
+        return told if all(isinstance(key, str) for key in told) else sorted((repr(key), told[key]) for key in told)
+    if isinstance(value, (set, frozenset)):
+        value = sorted(value)
+    if isinstance(value, (list, tuple)):
+        return [_told(each) for each in value]
+    if is_dataclass(value):
+        return [type(value).__name__, *([each.name, _told(getattr(value, each.name))] for each in fields(value))]
+    if isinstance(value, Document):
+        return _told(value.data)
+    if isinstance(value, (PurePath, Enum)):
+        return str(value)
+    import numpy as np
+
+    if isinstance(value, np.ndarray) and value.dtype != object:
+        return [str(value.dtype), value.shape, hashlib.sha256(np.ascontiguousarray(value).tobytes()).hexdigest()]
+    if isinstance(value, (np.ndarray, np.generic)):
+        return _told(value.tolist())
+    raise TypeError(f"a {type(value).__name__} has no fingerprint")
+
+
+def fingerprints(content: Mapping[str, Any]) -> dict[str, str]:
+    """Return a fingerprint of each part of what a work is of, and of the version, by what a person calls it."""
+    return {name: fingerprint(each) for name, each in {**content, "version": __version__}.items()}
+
+
+def check_same(folder: Path, told: Mapping[str, str], begun: Mapping[str, str], otherwise: str) -> None:
+    """Refuse to go on with work in ``folder`` that was begun with other content; both as of :func:`fingerprints`."""
+    if other := [name for name in {**told, **begun} if told.get(name) != begun.get(name)]:
+        message = f"this was begun with another {', another '.join(other)}; {otherwise}"
+        raise FileError(str(folder), None, message)
