@@ -250,14 +250,14 @@ def _messages(path: Path) -> None:
 
 
 CHECKPOINT = {"set of shots": "these"}
-FIRST = "00000000"
-"""Of the files of a store."""
+VALUES = "*/parts/*.json"
+"""Where the values of a store are."""
 
 
 def _checkpoint(path: Path) -> None:
     folder = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "fit.checkpoint"
     _begin_checkpoint(folder)
-    shutil.copy(path, folder / f"{FIRST}.json")
+    shutil.copy(path, next(folder.glob(VALUES)))
     Checkpoint(folder, CHECKPOINT, Effort(0, 0), resume=True).close()
 
 
@@ -271,7 +271,7 @@ def _begin_checkpoint(folder: Path) -> None:
 def _checkpoints() -> list[bytes]:
     folder = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "fit.checkpoint"
     _begin_checkpoint(folder)
-    return [(folder / f"{FIRST}.json").read_bytes()]
+    return [next(folder.glob(VALUES)).read_bytes()]
 
 
 def _sweep(path: Path) -> None:
@@ -289,9 +289,12 @@ def _sweeps() -> list[bytes]:
     return [path.read_bytes()]
 
 
-def _resumed(what: str, name: str, run: Callable[[], object]) -> Reader:
-    """Return the reader of one file of an unfinished work; the others are as they should be."""
+def _resumed(what: str, pattern: str, run: Callable[[], object]) -> Reader:
+    """Return the reader of the first file of an unfinished work by a pattern; the others are as they should be."""
     store = "out.csv.unfinished"
+
+    def first(folder: Path) -> Path:
+        return min((folder / store).glob(pattern))
 
     def read(path: Path) -> None:
         folder = _made(what)
@@ -299,11 +302,11 @@ def _resumed(what: str, name: str, run: Callable[[], object]) -> Reader:
             each.unlink()
         shutil.rmtree(folder / store, ignore_errors=True)
         shutil.copytree(folder / "begun" / store, folder / store)
-        shutil.copy(path, folder / store / name)
+        shutil.copy(path, first(folder))
         with chdir(folder):
             run()
 
-    return Reader(Path(name).suffix[1:], read, lambda: [(_made(what) / "begun" / store / name).read_bytes()])
+    return Reader(Path(pattern).suffix[1:], read, lambda: [first(_made(what) / "begun").read_bytes()])
 
 
 def _go_on() -> None:
@@ -349,9 +352,9 @@ READERS = {
     "messages": Reader("json", _messages, lambda: [json.dumps(MESSAGE).encode() * 2], 4),
     "checkpoint": Reader("json", _checkpoint, _checkpoints, 2),
     "sweep": Reader("csv", _sweep, _sweeps, 2),
-    "resumed-prediction": _resumed("prediction", f"{FIRST}.csv", _go_on),
-    "resumed-prediction-record": _resumed("prediction", f"{FIRST}.json", _go_on),
-    "resumed-prediction-content": _resumed("prediction", "work.json", _go_on),
-    "resumed-inference-record": _resumed("inference", f"{FIRST}.json", _go_on_inferring),
+    "resumed-prediction": _resumed("prediction", "*/parts/*.csv", _go_on),
+    "resumed-prediction-record": _resumed("prediction", VALUES, _go_on),
+    "resumed-prediction-content": _resumed("prediction", "*/record.json", _go_on),
+    "resumed-inference-record": _resumed("inference", VALUES, _go_on_inferring),
 }  # fmt: skip
 """By name. A meshed head costs a tenth of a second and is tried least."""

@@ -1,12 +1,14 @@
 """Interrupted runs over a file of deliveries keep what is finished, and go on from there to the same bytes."""
 
 import os
+import runpy
 import shutil
 import subprocess
 import sys
 
 import pytest
 
+from clubface.equipment.backends import OWN
 from clubface.errors import FileError
 from clubface.prediction import run as runs
 from clubface.prediction.predict import predict
@@ -254,7 +256,7 @@ def test_a_run_that_another_of_the_same_overtakes_ends_as_well(write, tmp_path, 
             told.append(run("predict", str(path), "--club", "driver", "-o", str(output)))
 
     begun = predict(path, club="driver", output=output, chunk_rows=10, progress=meanwhile)
-    assert told == [(0, "")] or told[0][0] == 0
+    assert told[0][0] == 0
     predict(path, club="driver", output=tmp_path / f"whole.{ending}", chunk_rows=10)
     assert (begun.rows, begun.written, begun.rejected) == (100, 90, 10)
     assert table_of(output) == table_of(tmp_path / f"whole.{ending}")
@@ -286,3 +288,33 @@ def table_of(path):
     import pyarrow.parquet
 
     return pyarrow.parquet.read_table(path).to_pylist()
+
+
+LAW = """
+import clubface
+
+def law(touch, values):
+    return STIFFNESS * max(touch.depth, 0.0) ** 1.5, 0.0, 0.0
+
+clubface.register_law("mine", law)
+"""
+
+
+def test_a_law_of_ones_own_that_was_edited_begins_anew(write, tmp_path):
+    """The name is the same, and half the rows are those of the old law."""
+    path, output, own = write(GOOD + "3,100,0,11,0\n"), tmp_path / "out.csv", tmp_path / "own.py"
+    options = {"club": "driver", "model": "mine", "output": output, "chunk_rows": 1, "carry": False}
+    own.write_text(LAW.replace("STIFFNESS", "2e7"))
+    try:
+        runpy.run_path(str(own))
+        with pytest.raises(StoppedError):
+            predict(path, progress=half_way(2, StoppedError), **options)
+        own.write_text(LAW.replace("STIFFNESS", "3e7"))
+        runpy.run_path(str(own))
+        with pytest.raises(FileError, match="begun with another model"):
+            predict(path, resume=True, **options)
+        own.write_text(LAW.replace("STIFFNESS", "2e7"))
+        runpy.run_path(str(own))
+        assert predict(path, resume=True, **options).resumed == 2
+    finally:
+        OWN.clear()

@@ -4,6 +4,7 @@ import ast
 import errno
 import os
 import resource
+import shutil
 import stat
 from pathlib import Path
 
@@ -13,6 +14,7 @@ import clubface
 from clubface.errors import FileError
 from clubface.support.fingerprint import fingerprint
 from clubface.support.lock import Lock
+from clubface.support.part_store import PartStore
 from clubface.support.resuming import Store
 from clubface.support.whole_file import whole_file, whole_text, write_text
 
@@ -127,6 +129,70 @@ def test_a_store_keeps_what_is_finished(tmp_path):
     with Store(folder, {"speed": 2.0}, resume=False) as store:
         assert not len(store)
     assert not folder.exists()  # nothing was kept
+
+
+def test_two_stores_of_the_same_work_lose_nothing_of_each_other(tmp_path):
+    """They keep values in other groups; the second goes on after the first has ended and removed the folder."""
+    folder, target = tmp_path / "out.unfinished", tmp_path / "out"
+    one, other = (Store(folder, {"speed": 1.0}, of=target) for _ in range(2))
+    for name, store in (("a", one), ("b", one), ("a", other)):
+        store.keep(name, name)
+        if name == "a":
+            store.flush()
+    one.flush()
+    assert sorted(Store(folder, {"speed": 1.0}, of=target).resumed) == ["a", "b"]
+    with one.result(target) as file:
+        file.write(b"whole")
+    one.remove()
+    assert not folder.exists()
+    other.keep("c", "c")
+    other.flush()
+    assert Store(folder, {"speed": 1.0}, of=target).resumed == ("c",)
+    with other.result(target) as file:
+        file.write(b"whole")
+    other.remove()
+    assert target.read_bytes() == b"whole"
+    assert not folder.exists()
+
+
+def test_a_part_is_written_though_another_run_removes_the_store_just_then(tmp_path, monkeypatch):
+    folder, prepare, removed = tmp_path / "out.unfinished", PartStore.prepare, []
+
+    def prepared(store, path):
+        prepare(store, path)
+        if not removed:
+            removed.append(shutil.rmtree(folder))
+        return path
+
+    monkeypatch.setattr(PartStore, "prepare", prepared)
+    with Store(folder, {}) as store:
+        store.keep("a", 1)
+    assert removed
+    assert Store(folder, {}).resumed == ("a",)
+
+
+def test_a_result_for_which_parts_are_gone_is_an_error_unless_another_run_has_made_it(tmp_path):
+    folder, target = tmp_path / "out.unfinished", tmp_path / "out"
+    target.write_text("of an earlier day")
+
+    def without_parts(store):
+        store.keep_part("piece", b"part")
+        store.file("piece").unlink()
+        with store.result(target) as file:
+            file.write(b"half")
+            raise FileError(str(target), None, "a part is gone")
+
+    with Store(folder, {}, of=target) as store, pytest.raises(FileError, match="a part is gone"):
+        without_parts(store)
+    assert target.read_text() == "of an earlier day"
+    one, other = (Store(folder, {}, of=target) for _ in range(2))
+    with one.result(target) as file:
+        file.write(b"whole")
+    one.remove()
+    shutil.rmtree(folder, ignore_errors=True)
+    without_parts(other)
+    other.remove()
+    assert target.read_bytes() == b"whole"
 
 
 def test_a_full_disk_costs_no_more_than_what_is_being_written(tmp_path):

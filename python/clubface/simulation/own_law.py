@@ -107,7 +107,8 @@ def source_of(model: str) -> list[str]:
     function = law if inspect.isroutine(law) else type(law).__call__
     with suppress(TypeError, OSError):
         return [Path(inspect.getfile(function)).read_text(encoding="utf-8", errors="replace")]
-    return [marshal.dumps(function.__code__).hex() if hasattr(function, "__code__") else os.urandom(16).hex()]
+    code = getattr(function, "__code__", None)
+    return [os.urandom(16).hex() if code is None else marshal.dumps(code).hex()]
 
 
 def _parameter(name: str, given: Any) -> Parameter:

@@ -130,10 +130,9 @@ class Store:
                 self._settle_with(each, resume, otherwise)
 
     def _settle_with(self, other: Path, resume: bool, otherwise: str) -> None:
-        try:
+        record: dict[str, Any] = {"content": {}}
+        with suppress(FileError):
             record = recorded(other, DAMAGED)
-        except FileError:
-            record = {"content": {}}
         process = record.get("process", 0)
         if record.get("machine") == socket.gethostname() and process != os.getpid() and _is_running(process):
             message = f"process {process} is writing this with other options; wait until it ends, or give another name"
