@@ -19,6 +19,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+EXAMPLES = Path(__file__).parents[1] / "examples"
 MAIN = "from clubface.cli import main; main()"
 FINDINGS = """
 import sys
@@ -122,12 +123,13 @@ INPUTS: dict[str, Callable[[], str]] = {
     "launches.csv": lambda: launches(2_000),
     "shots.csv": lambda: shots(40),
     "study.toml": study_file,
+    "fitting.toml": lambda: (EXAMPLES / "fitting.toml").read_text(encoding="utf-8"),
     "few.csv": lambda: deliveries(400),
 }
 COMMANDS = (
     Command(
         "predict to CSV", ("predict", "deliveries.csv", "--club", "driver", "--model", "area", "-o", "out.csv"),
-        ("--resume",), ("out.csv", "out.rejects.csv"),
+        (), ("out.csv", "out.rejects.csv"),
     ),
     Command(
         "predict to Parquet",
@@ -136,7 +138,7 @@ COMMANDS = (
     ),
     Command(
         "infer", ("infer", "launches.csv", "--club", "driver", "--samples", "200", "-o", "out.csv"),
-        ("--resume",), ("out.csv",),
+        (), ("out.csv",),
     ),
     Command(
         "identify",
@@ -160,7 +162,8 @@ COMMANDS = (
         "capture synthesize", ("capture", "synthesize", "--count", "20", "-o", "swings"), (),
         ("swings/swing-001.c3d", "swings/swing-020.c3d", "swings/markers.toml", "swings/truth.csv"),
     ),
-    Command("findings", ("found", "found.json"), (), ("found.json", "found/work.json"), FINDINGS),
+    Command("optimise, a fitting", ("optimise", "fitting.toml", "-o", "parts.csv"), (), ("parts.csv",)),
+    Command("findings", ("found", "found.json"), (), ("found.json",), FINDINGS),
     Command(
         "study run", ("study", "run", "study.toml", "--workers", "2"), (),
         tuple(f"study.store/parts/0000/{chunk:08d}.parquet" for chunk in range(40)),
