@@ -141,15 +141,13 @@ def test_two_stores_of_the_same_work_lose_nothing_of_each_other(tmp_path):
             store.flush()
     one.flush()
     assert sorted(Store(folder, {"speed": 1.0}, of=target).resumed) == ["a", "b"]
-    with one.result(target) as file:
-        file.write(b"whole")
+    one.write_result(target, lambda file: file.write(b"whole"))
     one.remove()
     assert not folder.exists()
     other.keep("c", "c")
     other.flush()
     assert Store(folder, {"speed": 1.0}, of=target).resumed == ("c",)
-    with other.result(target) as file:
-        file.write(b"whole")
+    other.write_result(target, lambda file: file.write(b"whole"))
     other.remove()
     assert target.read_bytes() == b"whole"
     assert not folder.exists()
@@ -178,16 +176,18 @@ def test_a_result_for_which_parts_are_gone_is_an_error_unless_another_run_has_ma
     def without_parts(store):
         store.keep_part("piece", b"part")
         store.file("piece").unlink()
-        with store.result(target) as file:
+
+        def write(file):
             file.write(b"half")
             raise FileError(str(target), None, "a part is gone")
+
+        store.write_result(target, write)
 
     with Store(folder, {}, of=target) as store, pytest.raises(FileError, match="a part is gone"):
         without_parts(store)
     assert target.read_text() == "of an earlier day"
     one, other = (Store(folder, {}, of=target) for _ in range(2))
-    with one.result(target) as file:
-        file.write(b"whole")
+    one.write_result(target, lambda file: file.write(b"whole"))
     one.remove()
     shutil.rmtree(folder, ignore_errors=True)
     without_parts(other)

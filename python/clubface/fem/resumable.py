@@ -148,8 +148,8 @@ class ResumableTable:
         keys = dict.fromkeys([*map(self._key_of, first), *self._rows])
         for row in (self._rows[key] for key in keys):
             out.writerow([row[name] if isinstance(row[name], str) else repr(row[name]) for name in self._columns])
-        with store.result(self._path) as file:
-            file.write(f"{self._mark}\n{','.join(self._columns)}\n{text.getvalue()}".encode())
+        whole = f"{self._mark}\n{','.join(self._columns)}\n{text.getvalue()}"
+        store.write_result(self._path, lambda file: file.write(whole.encode()))
         store.remove()
 
     def _keep(self, row: dict[str, Any]) -> None:

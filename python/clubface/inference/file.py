@@ -104,8 +104,7 @@ def infer_shots(
         written = [store[str(place)] for place in range(len(shots))]
         text = io.StringIO()
         csv.writer(text, lineterminator="\n").writerows([rows.headings, *written])
-        with store.result(target) as file:
-            file.write(text.getvalue().encode())
+        store.write_result(target, lambda file: file.write(text.getvalue().encode()))
         store.remove()
     without = sum(row[-2] == "" for row in written)
     warned = sum(bool(row[-1]) for row in written) - without

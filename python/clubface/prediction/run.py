@@ -208,13 +208,13 @@ def run(
             raise FileError(reader.path, reader.header_line, "there is no delivery below the names of the columns")
         outcome = _outcome([store[name] for name in names], resumed)
         if outcome.counts["rejected"]:
-            with store.result(aside) as file:
-                rejects_form.whole(file, _whole_pieces(store, names, target.suffix, 1))
+            store.write_result(
+                aside, lambda file: rejects_form.whole(file, _whole_pieces(store, names, target.suffix, 1))
+            )
         else:
             # Rejects of an earlier run do not stay beside a file they do not belong to.
             aside.unlink(missing_ok=True)
-        with store.result(target) as file:
-            form.whole(file, _whole_pieces(store, names, target.suffix, 0))
+        store.write_result(target, lambda file: form.whole(file, _whole_pieces(store, names, target.suffix, 0)))
         store.remove()
     return outcome
 

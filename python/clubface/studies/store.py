@@ -8,14 +8,15 @@ from typing import Any
 
 from clubface.errors import FileError
 from clubface.studies.study import StudyFile
+from clubface.support.checked_json import read_checked, write_checked
 from clubface.support.fingerprint import check_same, fingerprint, fingerprints
-from clubface.support.part_store import RECORD, PartStore, begin as begin_in, recorded
+from clubface.support.folders import prepared_folder
+from clubface.support.part_store import PARTS, RECORD, PartStore
 
 ENDING = ".parquet"
 A_FOLDER = 1000
 """Parts of a folder: file systems slow down with very many."""
 DAMAGED = "this record of a study is damaged; remove it: clubface study run makes it anew, and keeps the parts that fit"
-FOREIGN = "this is no store of a study; give another folder with --store"
 OTHERWISE = "give another folder with --store, or remove this one"
 
 
@@ -67,7 +68,7 @@ class StudyStore(PartStore):
 
 def open_store(folder: Path) -> StudyStore:
     """Return the store in a folder."""
-    record = recorded(folder, DAMAGED) if (folder / RECORD).is_file() else {}
+    record = read_checked(folder / RECORD, DAMAGED) if (folder / RECORD).is_file() else {}
     if "chunk" not in record:  # no store, or that of another long work
         raise FileError(str(folder), None, "this folder holds no study")
     return StudyStore(folder, record)
@@ -92,10 +93,20 @@ def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]
         The store belongs to another study, or the folder is something else.
     """
     content = fingerprints(study.content())
-    begin_in(
-        folder, content, lambda: {"name": study.name, "count": study.design.count, **describe()},
-        foreign=FOREIGN, damaged=DAMAGED,
-    )  # fmt: skip
+    if not (folder / RECORD).exists():
+        if folder.exists() and (not folder.is_dir() or any(each.name != PARTS for each in _seen(folder))):
+            raise FileError(str(folder), None, "this is no store of a study; give another folder with --store")
+        record = {"content": content, "name": study.name, "count": study.design.count, **describe()}
+        prepared_folder(folder)
+        try:
+            write_checked(folder / RECORD, record, new=True)
+        except FileError:
+            if not (folder / RECORD).exists():
+                raise
     found = open_store(folder)
     check_same(folder, content, found.record["content"], OTHERWISE)
     return found
+
+
+def _seen(folder: Path) -> list[Path]:
+    return [each for each in folder.iterdir() if not each.name.startswith(".")]

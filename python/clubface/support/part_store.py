@@ -9,14 +9,12 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from clubface.errors import FileError
-from clubface.support.checked_json import read_checked, write_checked
 from clubface.support.folders import prepared_folder
 from clubface.support.whole_file import synced
 
@@ -70,55 +68,11 @@ class PartStore:
                     os.unlink(each.path)
 
     def remove(self) -> None:
-        """Remove all of it, the record last: what a kill leaves is a store of fewer parts."""
-        shutil.rmtree(self.parts, ignore_errors=True)
+        """Remove all of it at once for everybody else: another run may be about to begin in the same place."""
+        gone = self.folder.with_name(f".{self.folder.name}-{os.urandom(6).hex()}")
         with suppress(OSError):
-            (self.folder / RECORD).unlink()
-        with suppress(OSError):
-            self.folder.rmdir()
-
-
-def recorded(folder: Path, damaged: str) -> dict[str, Any]:
-    """Return the record of the store in a folder; one that cannot be read is a :class:`FileError`: ``damaged``."""
-    return read_checked(folder / RECORD, damaged)
-
-
-def begin(
-    folder: Path, content: Mapping[str, str], describe: Callable[[], dict[str, Any]], *, foreign: str, damaged: str
-) -> dict[str, Any]:
-    """Return the record of the store in a folder, which is made unless it is there.
-
-    Parameters
-    ----------
-    folder
-        The folder.
-    content
-        What the work is of, as of :func:`.fingerprints`.
-    describe
-        Called for the rest of the record where there is none yet. Whoever comes first decides.
-    foreign, damaged
-        What is told of a folder of something else, and of a record that cannot be read.
-
-    Raises
-    ------
-    FileError
-        The folder is something else, cannot be made, or its record cannot be read.
-    """
-    if not (folder / RECORD).exists():
-        if folder.exists() and (not folder.is_dir() or any(each.name != PARTS for each in _seen(folder))):
-            raise FileError(str(folder), None, foreign)
-        record = {"content": dict(content), **describe()}
-        prepared_folder(folder)
-        try:
-            write_checked(folder / RECORD, record, new=True)
-        except FileError:
-            if not (folder / RECORD).exists():
-                raise
-    return recorded(folder, damaged)
-
-
-def _seen(folder: Path) -> list[Path]:
-    return [each for each in folder.iterdir() if not each.name.startswith(".")]
+            self.folder.rename(gone)
+        shutil.rmtree(gone, ignore_errors=True)
 
 
 def _files(folder: str) -> Iterator[os.DirEntry[str]]:

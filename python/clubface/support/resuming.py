@@ -9,15 +9,14 @@ import shutil
 import socket
 import time
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
+from contextlib import AbstractContextManager, nullcontext, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Self
 
 from clubface.errors import FileError
 from clubface.support.checked_json import read_checked, write_checked
 from clubface.support.fingerprint import check_same, fingerprint, fingerprint_of_file, fingerprints
-from clubface.support.folders import prepared_folder
-from clubface.support.part_store import RECORD, PartStore, begin, recorded
+from clubface.support.part_store import RECORD, PartStore
 from clubface.support.whole_file import unwritable, whole_file
 
 if TYPE_CHECKING:
@@ -25,6 +24,8 @@ if TYPE_CHECKING:
 
 FOREIGN = "this is no record of unfinished work; move it away, or give another name"
 DAMAGED = "this record of unfinished work is damaged"
+TRIES = 3
+"""How often a part is written where other runs of the same work remove its folder."""
 OFTEN = 0.5
 """What is finished is on the disk after this time at most [s]: small values are written together."""
 NAME = re.compile("[0-9a-f]{16}")
@@ -98,12 +99,12 @@ class Store:
         self._values: dict[str, Any] = {}
         self._fresh: dict[str, Any] = {}
         self._written = time.monotonic()
-        self._before = _state(self._of)
+        self._before, self._overtaken = _state(self._of), False
         if not folder.parent.is_dir():
             raise FileError(str(self._of), None, f"there is no folder {str(folder.parent)!r}")
         self._settle_with_others(resume, otherwise)
         try:
-            self._begin()
+            self._write(lambda: None if self._process() == os.getpid() else self._begin())
         except BaseException:
             self._remove_if_empty()
             raise
@@ -122,7 +123,7 @@ class Store:
             raise FileError(str(self.folder), None, FOREIGN) from None
         except OSError as error:
             raise unwritable(self.folder, error) from None
-        if not all(NAME.fullmatch(each.name) and each.is_dir() for each in there):
+        if not all(NAME.fullmatch(each.name) and not each.is_file() for each in there):
             raise FileError(str(self.folder), None, FOREIGN)
         others = [each for each in there if each != self._store.folder]
         if not (resume and self._store.folder in there):
@@ -132,7 +133,7 @@ class Store:
     def _settle_with(self, other: Path, resume: bool, otherwise: str) -> None:
         record: dict[str, Any] = {"content": {}}
         with suppress(FileError):
-            record = recorded(other, DAMAGED)
+            record = read_checked(other / RECORD, DAMAGED)
         process = record.get("process", 0)
         if record.get("machine") == socket.gethostname() and process != os.getpid() and _is_running(process):
             message = f"process {process} is writing this with other options; wait until it ends, or give another name"
@@ -142,15 +143,17 @@ class Store:
         PartStore(other, record).remove()
 
     def _begin(self) -> None:
-        path, who = self._store.folder / RECORD, {"process": os.getpid(), "machine": socket.gethostname()}
-        try:
-            prepared_folder(self.folder)
-            if path.is_file():
-                # It was begun before, or is damaged; the name of the folder says what it is of.
-                write_checked(path, {"content": self._told, **who})
-            begin(self._store.folder, self._told, lambda: who, foreign=FOREIGN, damaged=DAMAGED)
-        except OSError as error:
-            raise unwritable(self._of, error) from None
+        """Make the folder; its record is for people and other work, the name of the folder says what it is of."""
+        who = {"process": os.getpid(), "machine": socket.gethostname()}
+        self._store.prepare(self._store.parts / "any")
+        with suppress(FileError):
+            write_checked(self._store.folder / RECORD, {"content": self._told, **who})
+
+    def _process(self) -> int:
+        """Return which process has begun the store, or gone on with it, last; 0 where it is gone."""
+        with suppress(FileError):
+            return read_checked(self._store.folder / RECORD, DAMAGED).get("process", 0)
+        return 0
 
     def __enter__(self) -> Self:
         return self
@@ -217,33 +220,35 @@ class Store:
         self._written = time.monotonic()
 
     def _write(self, write: Callable[[], object]) -> None:
-        """Write a part, once more if another run of the same work has ended just now and removed the store."""
-        try:
-            write()
-        except FileError:
-            if self._store.parts.exists():
-                raise
-            write()
+        """Write a part. Where another run of the same work ends and removes the store meanwhile, it is begun again."""
+        for tries_left in reversed(range(TRIES)):
+            try:
+                if not (self._store.folder / RECORD).exists():
+                    self._begin()
+                write()
+                return
+            except (FileError, OSError) as error:
+                if not tries_left or self._store.parts.exists():
+                    raise error if isinstance(error, FileError) else unwritable(self._of, error) from None
 
-    @contextmanager
-    def result(self, path: Path) -> Iterator[BinaryIO]:
-        """Open what the work makes, as :func:`.whole_file` does; until it is whole, it lies in the store.
+    def write_result(self, path: Path, write: Callable[[BinaryIO], object]) -> None:
+        """Write what the work makes, as :func:`.whole_file` does; until it is whole, it lies in the store.
 
-        If another run of the same work ends meanwhile and removes the store, its result is there, and stays.
+        If another run of the same work has ended meanwhile and removed the parts, its result is there, and stays.
         """
         self.flush()
         beside = path.resolve().parent == self.folder.resolve().parent
-        prepared_folder(self._store.folder)
-        try:
-            with whole_file(path, folder=self._store.folder if beside else None) as file:
-                yield file
-        except FileError:
-            if not self._overtaken():
-                raise
 
-    def _overtaken(self) -> bool:
-        """Return whether another run of the same work has ended: the store is gone, and the result is a new one."""
-        return not (self._store.folder / RECORD).exists() and _state(self._of) not in (None, self._before)
+        def whole() -> None:
+            with whole_file(path, folder=self._store.folder if beside else None) as file:
+                write(file)
+
+        try:
+            self._write(whole)
+        except FileError:
+            self._overtaken = _state(self._of) not in (None, self._before)
+            if not self._overtaken:
+                raise
 
     def close(self) -> None:
         """Bring all values to the disk, for another time; an empty store is removed."""
@@ -253,18 +258,23 @@ class Store:
             self._remove_if_empty()
 
     def remove(self) -> None:
-        """Remove it: the work is done."""
+        """Remove it: the work is done. What a third run has begun after another one removed it is left alone."""
         self._fresh, self._values = {}, {}
-        self._store.remove()
-        shutil.rmtree(self._store.folder, ignore_errors=True)  # what a kill has left of a result
-        with suppress(OSError):
-            self.folder.rmdir()
+        if not (self._overtaken and self._process() not in (0, os.getpid())):
+            self._clear()
 
     def _remove_if_empty(self) -> None:
         with suppress(OSError):
             if self._store.parts.exists():
                 self._store.parts.rmdir()
-            self._store.remove()
+            self._clear()
+
+    def _clear(self) -> None:
+        """Remove the store, and what a kill has left of one that was being removed."""
+        self._store.remove()
+        for each in self.folder.glob(".*"):
+            shutil.rmtree(each, ignore_errors=True)
+        with suppress(OSError):
             self.folder.rmdir()
 
 

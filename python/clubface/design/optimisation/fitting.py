@@ -138,8 +138,7 @@ def fit(
         return _ranked(of, _all(of, None, progress))
     with Store(unfinished(output), _content(of), of=output, resume=resume) as store:
         found = _ranked(of, _all(of, store, progress))
-        with store.result(output) as file:
-            file.write(table(of, found).as_csv().encode())
+        store.write_result(output, lambda file: file.write(table(of, found).as_csv().encode()))
         store.remove()
     return found
 

@@ -71,8 +71,7 @@ def optimise(
     with without_warnings(RuleWarning), without_warnings(RangeWarning), store as kept:
         found = _Run(study, kept, progress).result()
         if output is not None and kept is not None:
-            with kept.result(Path(output)) as file:
-                file.write(found.built.to_toml().encode())
+            kept.write_result(Path(output), lambda file: file.write(found.built.to_toml().encode()))
             kept.remove()
         return found
 

@@ -117,10 +117,9 @@ def improve(
         judged = design_of(study, chosen.best, chosen.metal)
         head = replace(judged, metal=chosen.metal.metal)
         if output is not None and kept is not None:
-            with kept.result(Path(output)) as file:
-                # The models that take the head as rigid learn from this line how its face gives.
-                time = chosen.best.values["characteristic_time"]
-                file.write(driver_file.text(head, characteristic_time=time).encode())
+            # The models that take the head as rigid learn from this line how its face gives.
+            text = driver_file.text(head, characteristic_time=chosen.best.values["characteristic_time"])
+            kept.write_result(Path(output), lambda file: file.write(text.encode()))
             kept.remove()
         return Improved(study=study, searches=searches, chosen=chosen, head=head, runs=engine.runs)
 
