@@ -1,8 +1,8 @@
 """Every long command killed at random moments and resumed: the results are the bytes of an undisturbed run.
 
 ``python studies/kills.py [KILLS [NAME ...]]`` kills each command, or those named, that often (50 unless given), every
-second time by SIGKILL and otherwise by SIGINT, at moments drawn over the time that the whole command takes. It exits
-with 1 if any result differs or anything is left beside the results.
+second time by SIGKILL and otherwise by SIGINT, at moments drawn over the time that the whole command takes. Some are
+also run three at a time, as often. It exits with 1 if any result differs or anything is left beside the results.
 """
 
 from __future__ import annotations
@@ -61,6 +61,8 @@ class Command(NamedTuple):
         The files it makes.
     program
         What runs it.
+    at_once
+        Whether to run it three times at the same time as well, as often.
     """
 
     name: str
@@ -68,6 +70,7 @@ class Command(NamedTuple):
     again: Sequence[str]
     results: Sequence[str]
     program: str = MAIN
+    at_once: bool = False
 
 
 def deliveries(rows: int) -> str:
@@ -129,16 +132,16 @@ INPUTS: dict[str, Callable[[], str]] = {
 COMMANDS = (
     Command(
         "predict to CSV", ("predict", "deliveries.csv", "--club", "driver", "--model", "area", "-o", "out.csv"),
-        (), ("out.csv", "out.rejects.csv"),
+        (), ("out.csv", "out.rejects.csv"), at_once=True,
     ),
     Command(
         "predict to Parquet",
         ("predict", "deliveries.csv", "--club", "driver", "--model", "area", "-o", "out.parquet"),
-        ("--resume",), ("out.parquet", "out.rejects.csv"),
+        ("--resume",), ("out.parquet", "out.rejects.csv"), at_once=True,
     ),
     Command(
         "infer", ("infer", "launches.csv", "--club", "driver", "--samples", "200", "-o", "out.csv"),
-        (), ("out.csv",),
+        (), ("out.csv",), at_once=True,
     ),
     Command(
         "identify",
@@ -170,10 +173,7 @@ COMMANDS = (
     ),
     Command("tour", ("tour", "-o", "tour"), (), ("tour/tour.csv", "tour/tour-launch.svg", "tour/tour-errors.png")),
 )  # fmt: skip
-SMALL = Command(
-    "predict", ("predict", "few.csv", "--club", "driver", "--model", "area", "-o", "out.csv"), ("--resume",),
-    ("out.csv", "out.rejects.csv"),
-)  # fmt: skip
+SMALL = COMMANDS[0]._replace(arguments=[*COMMANDS[0].arguments[:1], "few.csv", *COMMANDS[0].arguments[2:]])
 
 
 def start(command: Command, folder: Path, again: bool) -> subprocess.Popen[str]:
@@ -239,6 +239,30 @@ def disturbed(
     return [*wrong, *(f"{command.name}: {name} is left" for name in left)]
 
 
+def together(
+    command: Command, folder: Path, whole: dict[str, bytes], seconds: float, random_: random.Random
+) -> list[str]:
+    """Start a command three times within its duration and kill one of them or none; return what was wrong."""
+    children = []
+    for _ in range(3):
+        children.append(start(command, folder, False))
+        time.sleep(random_.uniform(0.0, 0.5 * seconds))
+    killed = random_.choice([None, *children])
+    if killed is not None:
+        killed.send_signal(signal.SIGKILL)
+    said = {child: child.communicate()[1] for child in children}
+    wrong = [
+        f"{command.name}, three at a time: status {child.returncode}: {said[child].strip()}"
+        for child in children
+        if child is not killed and child.returncode
+    ]
+    if results(command, folder) != whole:
+        wrong.append(f"{command.name}, three at a time: the results differ")
+    start(command, folder, False).communicate()  # what one that was killed has left
+    remove(command, folder)
+    return wrong + [f"{command.name}: {each.name} is left" for each in folder.glob("*.unfinished")]
+
+
 def remove(command: Command, folder: Path) -> None:
     """Remove what a command has made, so that the next begins at the beginning."""
     for name in command.results:
@@ -258,6 +282,9 @@ def study(commands: Sequence[Command], kills: int, seed: int = 1) -> list[str]:
             whole, seconds = undisturbed(command, folder)
             remove(command, folder)
             found = disturbed(command, folder, whole, seconds, random_, kills)
+            remove(command, folder)
+            for _ in range(kills if command.at_once else 0):
+                found += together(command, folder, whole, seconds, random_)
             print(f"{command.name}: {seconds:.1f} s undisturbed, {kills} kills, {len(found)} wrong", flush=True)
             wrong += found
     return wrong
