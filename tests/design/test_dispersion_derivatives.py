@@ -18,7 +18,7 @@ def narrowed(factor):
     return of.replace(covariance=of.covariance * factor**2)
 
 
-@pytest.mark.parametrize("name", ["ball_speed", "backspin", "carry", "side"])
+@pytest.mark.parametrize("name", ["ball_speed", "backspin", "carry", "side", "total", "total_side"])
 def test_sampling_and_derivatives_agree_to_the_second_order(name):
     """Half the spread leaves a sixteenth of the difference of means, and of variances over the spread's square, a
     quarter. Below the sampling error of some 1e-4 of a spread nothing can be told."""

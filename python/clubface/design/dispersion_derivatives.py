@@ -11,8 +11,7 @@ fourth ones m4 = 1 - s + s c^4 times as large:
 
     mean = f + m2 tr(H C) / 2,    variance = m2 g' C g + m4 tr(H C H C) / 2 + (m4 - m2^2) tr(H C)^2 / 4.
 
-The gradients are exact; the second derivatives are differences of gradients on both sides of the mean. Where a ball
-comes to rest is left out: it has derivatives, but kinks too near to one another for a series about the mean.
+The gradients are exact; the second derivatives are differences of gradients on both sides of the mean.
 """
 
 from __future__ import annotations
@@ -34,7 +33,7 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 from clubface.support.warning import without_warnings
 
-FLOWN = ("carry", "side")
+FLOWN = ("carry", "side", "total", "total_side")
 """What is differentiated of flights."""
 STEP = 0.1
 """Distance from the mean at which gradients are taken for second derivatives, in standard deviations."""
