@@ -2,10 +2,8 @@
 
 What counts is how a golfer's shots differ from each other at the moment of impact. A session also drifts, as the golfer
 tires or works on something, and now and then comes a mishit. Therefore spreads and correlations come from the
-differences of successive shots, in which a drift is all but gone (von Neumann, 1941), and shots are taken as a mixture
-of two normal distributions, of which that of the mishits is c times as wide. A difference of two shots then has the
-covariance 2 C with the probability (1 - s)^2, (1 + c^2) C with 2 s (1 - s), and 2 c^2 C with s^2; share s, scale c and
-covariance C are those of the greatest likelihood. A mishit counts for little in C, as in other robust estimates.
+differences of successive shots, in which a drift is all but gone (von Neumann, 1941), and shots are taken as a
+:mod:`mixture <clubface.design.golfer_mixture>` with mishits.
 """
 
 from __future__ import annotations
@@ -16,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from clubface.design.golfer import Golfer
+from clubface.design.golfer_mixture import ENOUGH, covariance_of, error_of, mean_of, mixture
 from clubface.design.golfers import golfer as golfer_named, golfers
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Told
@@ -26,21 +25,9 @@ from clubface.support.arrays import Floats
 
 FEWEST = 8
 """Shots without which nothing is estimated; with k quantities at least k + 2 are needed."""
-ENOUGH = 40
-"""Shots from which on mishits are looked for; with fewer they are those of the golfer that fills the gaps."""
-SCALES = np.arange(1.5, 6.01, 0.25)
-"""The scales of mishits that are tried."""
-GAIN = 4.0
-"""Least gain in logarithmic likelihood by which mishits are taken to exist."""
-ROUNDS = 60
 CONDITION = 1e6
 """Greatest ratio of the singular values of differences, each quantity in its spread: beyond, one of them follows from
 the others."""
-STANDARD_ERROR = 0.75
-"""Variance of the estimated spread, in squared spreads over the number of shots: 3/4 from successive differences of
-normally distributed shots, where it is 1/2 about the mean."""
-BLOCKS = 20
-"""Parts of a longer session, of which each is left out once to see how sure the spreads are (jackknife)."""
 
 
 class Estimate(NamedTuple):
@@ -56,8 +43,8 @@ class Estimate(NamedTuple):
         The variables whose spread was measured; all others spread as those of ``like``.
     error
         Standard error of the spread of each measured variable [SI], shape (measured,). It holds in proportion: the
-        spread lies within a factor of exp(1.96 error / spread) either way in 19 of 20 sessions, if it is known
-        whether there are mishits.
+        spread lies within a factor of exp(1.96 error / spread) either way in about 19 of 20 sessions. Not knowing how
+        many mishits there are is part of it.
     drift
         Standard deviation about the session's mean over that from successive differences, by variable: well above 1
         where the session drifted, shape (measured,).
@@ -110,12 +97,12 @@ def estimate(shots: ReadyShots, *, name: str = "my golfer", like: str | None = N
             raise np.linalg.LinAlgError
         if len(values) < ENOUGH:
             share, scale = base.mishit_share, base.mishit_scale
-            covariance = _covariance(steps, share, scale)
+            covariance = covariance_of(steps, share, scale)
         else:
-            covariance, share, scale = _mixture(steps)
-        mean = _mean(values, covariance, share, scale)
+            covariance, share, scale = mixture(steps)
+        mean = mean_of(values, covariance, share, scale)
         spread = np.sqrt(np.diag(covariance))
-        error = _error(steps, spread, share, scale)
+        error = error_of(steps, spread, share, scale)
     except np.linalg.LinAlgError:
         told = Told("such that one quantity follows from others or hardly ever changes")
         raise InputError("shots", told, f"leave out the column of one of {', '.join(names)}") from None
@@ -157,83 +144,6 @@ def _nearest(shots: ReadyShots, names: tuple[str, ...], values: Floats) -> str:
     speed = float(np.median(values[:, names.index("speed")]))
     some = [each for each in map(golfer_named, golfers()) if each.club == kind]
     return min(some, key=lambda each: abs(each.mean[each.variables.index("speed")] - speed)).name
-
-
-def _mixture(steps: Floats) -> tuple[Floats, float, float]:
-    """Return covariance, share and scale of mishits of the greatest likelihood; share 0 where they gain too little."""
-    covariance = _covariance(steps, 0.0, 1.0)
-    best = _weighed(steps, covariance, 0.0, 1.0).likelihood + GAIN
-    found = (covariance, 0.0, 1.0)
-    for scale in map(float, SCALES):
-        share = 0.1
-        for _ in range(ROUNDS):
-            covariance = _covariance(steps, share, scale)
-            before, share = share, _weighed(steps, covariance, share, scale).mishits
-            if abs(share - before) < 1e-5:
-                break
-        if (likelihood := _weighed(steps, covariance, share, scale).likelihood) > best:
-            best, found = likelihood, (covariance, share, scale)
-    return found
-
-
-def _covariance(steps: Floats, share: float, scale: float) -> Floats:
-    """Return the covariance of shots that are no mishits, of the greatest likelihood for a share and scale of these."""
-    covariance = steps.T @ steps / (2.0 * len(steps))
-    for _ in range(ROUNDS):
-        weights = _weighed(steps, covariance, share, scale).weights
-        before, covariance = covariance, (steps * weights[:, None]).T @ steps / len(steps)
-        if np.abs(covariance - before).max() <= 1e-9 * np.abs(covariance).max():
-            break
-    return covariance
-
-
-class _Weighed(NamedTuple):
-    """How differences of shots go with a covariance: expected 1 / width, log likelihood, share of mishits they tell."""
-
-    weights: Floats
-    likelihood: float
-    mishits: float
-
-
-def _weighed(steps: Floats, covariance: Floats, share: float, scale: float) -> _Weighed:
-    widths = np.array([2.0, 1.0 + scale**2, 2.0 * scale**2])
-    chances = np.array([(1.0 - share) ** 2, 2.0 * share * (1.0 - share), share**2])
-    root = np.linalg.cholesky(covariance)
-    squares = (np.linalg.solve(root, steps.T) ** 2).sum(axis=0)[:, None]
-    with np.errstate(divide="ignore"):
-        logs = np.log(chances) - 0.5 * steps.shape[1] * np.log(widths) - 0.5 * squares / widths
-    most = logs.max(axis=1, keepdims=True)
-    each = np.exp(logs - most)
-    total = each.sum(axis=1, keepdims=True)
-    each /= total
-    likelihood = float((most + np.log(total)).sum()) - len(steps) * float(np.log(np.diag(root)).sum())
-    return _Weighed((each / widths).sum(axis=1), likelihood, float((each[:, 1] + 2.0 * each[:, 2]).mean() / 2.0))
-
-
-def _error(steps: Floats, spread: Floats, share: float, scale: float) -> Floats:
-    """Return the standard errors of the spreads, for the share and scale of mishits that were found."""
-    if len(steps) + 1 < ENOUGH:
-        return spread * np.sqrt(STANDARD_ERROR / (len(steps) + 1))
-    parts = np.array_split(np.arange(len(steps)), BLOCKS)
-    without = [np.delete(steps, part, axis=0) for part in parts]
-    spreads = np.sqrt([np.diag(_covariance(each, share, scale)) for each in without])
-    return np.sqrt((BLOCKS - 1) * spreads.var(axis=0))
-
-
-def _mean(values: Floats, covariance: Floats, share: float, scale: float) -> Floats:
-    """Return the mean in which a shot counts the less, the more likely it is a mishit."""
-    mean, size = np.median(values, axis=0), values.shape[1]
-    if share == 0.0:
-        return values.mean(axis=0)
-    widths, chances = np.array([1.0, scale**2]), np.array([1.0 - share, share])
-    for _ in range(ROUNDS):
-        away = values - mean
-        squares = np.einsum("ni,ij,nj->n", away, np.linalg.inv(covariance), away)[:, None]
-        logs = np.log(chances) - 0.5 * size * np.log(widths) - 0.5 * squares / widths
-        weights = np.exp(logs - logs.max(axis=1, keepdims=True))
-        weights = (weights / widths).sum(axis=1) / weights.sum(axis=1)
-        mean = (values * weights[:, None]).sum(axis=0) / weights.sum()
-    return mean
 
 
 def _together(
