@@ -109,11 +109,12 @@ def test_the_rows_of_a_table_are_computed_for_every_name(write):
         ("club_speed_mph\n", "no row"),
         ("weather\nfine\n", "no column"),
         ("club_speed_mph,attack_deg\n90\n", "1 cell where there are 2 columns"),
+        ("club_speed_mph,Model\n90,area\n", "this column is not read; sweep it beside the table, as in model"),
     ],
 )
 def test_a_table_with_a_row_that_cannot_be_used_is_refused(write, text, words):
     with pytest.raises(FileError, match=words):
-        table_columns(write(text), {"speed": SPEED, "attack": Swept("rad")})
+        table_columns(write(text), {"speed": SPEED, "attack": Swept("rad"), "model": Swept(None)})
 
 
 @pytest.mark.parametrize(
@@ -125,6 +126,7 @@ def test_a_table_with_a_row_that_cannot_be_used_is_refused(write, text, words):
         ({"from": "90 mph", "to": "100 mph", "count": 0}, "whole number from 1"),
         ({"from": "90 mph", "to": "100 mph", "count": 3, "step": "1 mph"}, "given as"),
         ({"from": "90 mph", "to": "100 mph", "step": "-1 mph"}, "leads from the first"),
+        ({"from": "90 mph", "to": "100 mph", "step": "20 mph"}, "leads from the first"),
         ({"from": "90 mph", "to": "100 mph", "steps": 3}, "did you mean step"),
         ({"from": "100 mph", "to": "90 mph"}, "above its beginning"),
         (["90 deg"], "not an angle"),

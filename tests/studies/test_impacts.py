@@ -5,6 +5,7 @@ import pytest
 
 import clubface
 from clubface import studies
+from clubface.equipment.backends import OWN
 from clubface.errors import FileError
 from clubface.studies.kinds import kind
 from clubface.studies.study import read_study
@@ -93,7 +94,7 @@ speed = ["110 mph"]
     text = text.replace(", stiffness", "\nstiffness").replace("[impact]", '[impact]\nmodel = "volumetric"')
     path = shots(tmp_path, text=text)
     assert computed(path)[1].columns["backspin"].tolist() == [other]
-    assert read_study(path).content()["file that it names"] == []
+    assert read_study(path).files() == {}
 
 
 def test_conditions_of_the_flight_count(tmp_path):
@@ -249,3 +250,15 @@ def test_conditions_that_do_not_go_together_are_told_with_their_line(tmp_path, h
     path = shots(tmp_path, text=CONDITIONS.replace("{held}", held).replace("{sweep}", sweep))
     with pytest.raises(FileError, match=words):
         computed(path)
+
+
+def test_a_law_of_ones_own_is_refused_before_the_study_begins(tmp_path):
+    """Workers are other processes, which do not know it."""
+    clubface.register_law("mine", lambda touch, values: (0.0, 0.0, 0.0))
+    try:
+        path = shots(tmp_path)
+        path.write_text(path.read_text().replace("[impact]", '[impact]\nmodel = "mine"'))
+        with pytest.raises(FileError, match="model is 'mine'; it must be one of the package"):
+            read_study(path)
+    finally:
+        OWN.clear()

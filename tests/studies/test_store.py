@@ -1,5 +1,6 @@
 """The store is the truth: what is there and whole is done, what is damaged is computed again, and nothing is mixed."""
 
+import os
 import shutil
 from contextlib import contextmanager
 
@@ -187,7 +188,7 @@ def test_a_changed_file_that_the_study_names_is_another_study(tmp_path):
     path.write_text(path.read_text().replace('"driver"', '"mine.toml"'))
     studies.run(path, workers=1)
     mine.write_text(mine.read_text() + "\n")
-    with pytest.raises(FileError, match="another file that it names"):
+    with pytest.raises(FileError, match=r"begun with another file mine\.toml; give"):
         studies.run(path, workers=1)
 
 
@@ -301,3 +302,13 @@ def test_a_chunk_takes_the_time_it_should(tmp_path, monkeypatch, loading, each, 
     path = tmp_path / "study.toml"
     path.write_text(f'[study]\nkind = "empty"\n[sweep]\nx = {{ from = 0, to = 1, count = {count} }}\n')
     assert sizing.chunk_size(read_study(path), Slow(clock, loading, each)) == size
+
+
+def test_a_pipe_in_the_place_of_a_part_is_refused_and_not_waited_for(tmp_path):
+    path = squares(tmp_path)
+    studies.run(path, workers=1)
+    part(path, 0).unlink()
+    os.mkfifo(part(path, 0))
+    assert studies.status(path).missing == (0,)
+    with pytest.raises(ClubfaceError, match="00000000"):
+        studies.run(path, workers=1)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from typing import TypeVar
@@ -10,6 +9,7 @@ from typing import TypeVar
 from clubface.errors import InputError
 from clubface.fem.core import Progress
 from clubface.support.checks import is_count
+from clubface.support.processors import processors
 
 P = TypeVar("P")
 R = TypeVar("R")
@@ -19,7 +19,7 @@ def workers_of(asked: int | None) -> int:
     """Return how many runs go side by side: as many as asked for, or as there are cores."""
     if asked is not None and not is_count(asked, 1, 1024):
         raise InputError("workers", asked, "a whole number from 1 to 1024, or None for all cores")
-    return asked or os.cpu_count() or 1
+    return asked or processors()
 
 
 def side_by_side(
@@ -42,7 +42,7 @@ def side_by_side(
     count, open_ = workers_of(workers), list(points)
     last = len(open_) % count
     # More threads than cores would wait for each other.
-    cores = min(count, os.cpu_count() or 1)
+    cores = min(count, processors())
     running: dict[Future[R], P] = {}
     stop: list[bool] = []
 

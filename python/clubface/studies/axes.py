@@ -121,7 +121,7 @@ def axis(name: str, given: Any, swept: Swept) -> Axis:
         return Axis(name=name, unit=swept.unit, ends=(first, last))
     step = number(name, given["step"], swept.unit)
     steps = (last - first) / step if step else -1.0
-    if not 0.0 <= steps < MOST:
+    if not (steps == 0.0 if first == last else 1.0 - 1e-9 <= steps < MOST):
         raise InputError(f"step of {name}", given["step"], "a step that leads from the first value to the last")
     # What a unit's conversion rounds off does not cost the last value.
     whole = int(steps + 1e-9)

@@ -127,6 +127,8 @@ def read_part(path: Path) -> tuple[dict[str, NDArray[Any] | Names], dict[str, An
         It is damaged; one that is not there is a ``FileNotFoundError``.
     """
     pyarrow = pyarrow_for(path)
+    if path.exists() and not path.is_file():  # such as a pipe, at which reading would wait
+        raise FileError(str(path), None, "this is not a file; remove it")
     # As a whole: the file may be replaced by another process while it is read.
     try:
         content = path.read_bytes()

@@ -22,6 +22,7 @@ from clubface.studies.store import StudyStore, begin, store_of
 from clubface.studies.study import StudyFile, read_study
 from clubface.support.checks import is_count
 from clubface.support.fingerprint import fingerprint
+from clubface.support.processors import processors
 from clubface.support.version import __version__
 from clubface.tables.parquet import check_pyarrow
 
@@ -150,7 +151,7 @@ def run(
     if scheduler is not None:
         return _run(study, folder, share, None, scheduler, progress)
     most = len(share.of_all(-(-study.design.count // (study.chunk or 1))))
-    with Pool(COMMAND, min(workers or _processors(), most)) as pool:
+    with Pool(COMMAND, min(workers or processors(), most)) as pool:
         return _run(study, folder, share, pool, None, progress)
 
 
@@ -239,7 +240,7 @@ def _description(study: StudyFile, task: Task) -> dict[str, Any]:
             "seed": study.seed,
             "inputs": _told(study.table),
             "sweep": _told(study.sweep),
-            "files": study.content()["file that it names"],
+            "files": study.files(),
         },
     }
 
@@ -247,11 +248,3 @@ def _description(study: StudyFile, task: Task) -> dict[str, Any]:
 def _told(table: Mapping[str, Any]) -> Any:
     """Return a table as every part repeats it: of a very long one its fingerprint alone."""
     return table if len(repr(table)) < LONGEST else fingerprint(table)
-
-
-def _processors() -> int:
-    """Return how many processors this process may use, which a job of a cluster is told in this way."""
-    try:
-        return len(os.sched_getaffinity(0))
-    except AttributeError:  # not Linux
-        return os.cpu_count() or 1

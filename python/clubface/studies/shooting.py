@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeGuard
 
-from clubface.equipment.backends import MODULES
+from clubface.equipment.backends import MODULES, OWN
 from clubface.equipment.balls import RIGID, ball as ball_of
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.described import HANDS
@@ -55,6 +55,8 @@ def swept_shots(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str,
     given = sweep.get("model", table.get("model", DEFAULT_MODEL))
     parameters: dict[str, Swept] = {}
     for each in given if isinstance(given, list) else [given]:
+        if each in OWN:
+            raise InputError("model", each, "one of the package: a law of your own is known in one process alone")
         parameters |= {of.name: Swept(of.unit) for of in model_of(each).parameters}
     return {**parameters, **numbers, **swept_conditions(), **named, "hand": Swept(None, tuple(HANDS))}
 

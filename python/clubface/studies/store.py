@@ -61,7 +61,7 @@ class StudyStore(PartStore):
         found = bytearray(self.chunks)
         for each in self.files():
             stem = each.name.partition(".")[0]
-            if each.name.endswith(ENDING) and stem.isdecimal() and int(stem) < len(found):
+            if each.name.endswith(ENDING) and stem.isdecimal() and int(stem) < len(found) and each.is_file():
                 found[int(stem)] = 1
         return found
 

@@ -88,16 +88,22 @@ class StudyFile:
 
     def content(self) -> dict[str, Any]:
         """Return what the results depend on besides the version, by what a person calls it."""
-        files = [*self.kind.files(self), *([self.folder / self.sweep["table"]] if self.method == TABLE else [])]
         return {
             "kind": self.kind.name,
             f"[{self.kind.name}]": self.table,
             "[sweep]": [list(self.sweep.items())],
             "design": [self.method, self.design.count],
-            "file that it names": [fingerprints_of(each) for each in files],
+            **{f"file {name}": sums for name, sums in self.files().items()},
             **({"seed or version of SciPy": [self.seed, *_generators()]} if self.method in SAMPLED else {}),
             **({} if self.chunk is None else {"chunk": self.chunk}),
         }
+
+    def files(self) -> dict[str, list[str]]:
+        """Return fingerprints of the files that the study names, and of those that these name in turn, by name."""
+        found: dict[str, list[str]] = {}
+        for each in (*self.kind.files(self), *([self.folder / self.sweep["table"]] if self.method == TABLE else [])):
+            found.setdefault(each.name, []).extend(fingerprints_of(each))
+        return found
 
     def wrap(self, error: ClubfaceError) -> FileError:
         """Return an error about a value of the kind's table with file and line."""

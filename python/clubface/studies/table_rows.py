@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.errors import FileError
 from clubface.studies.axes import Swept
-from clubface.tables.headings import Vocabulary, delivery_words, layout
+from clubface.tables.headings import Vocabulary, delivery_words, layout, plain_name
 from clubface.tables.reader import open_table
 
 if TYPE_CHECKING:
@@ -25,13 +25,20 @@ def table_columns(path: Path, known: Mapping[str, Swept]) -> dict[str, tuple[str
     Raises
     ------
     FileError
-        No column gives an input that is ``known``, there is no row, or a cell that is used holds no number.
+        No column gives an input that is ``known``, one is named like an input that holds names, there is no row, or a
+        cell that is used holds no number.
     """
     import numpy as np
 
     reader = open_table(path)
     try:
-        used = layout(reader.headings, reader.path, reader.header_line, _words(known)).used
+        found = layout(reader.headings, reader.path, reader.header_line, _words(known))
+        used = found.used
+        for heading in found.passed:
+            if plain_name(heading) in known:  # of names, which rows of numbers do not hold
+                name = plain_name(heading)
+                message = f'this column is not read; sweep it beside the table, as in {name} = ["..."], or rename it'
+                raise FileError(str(path), reader.header_line, message, heading)
         if not used:
             raise FileError(str(path), reader.header_line, "no column of this table is an input that can be swept")
         parts: dict[str, list[NDArray[Any]]] = {each.quantity: [] for each in used}
