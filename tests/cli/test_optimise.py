@@ -1,6 +1,7 @@
 """``clubface optimise``: a club within limits that `clubface shot` reads, a picture, and mistakes in one line."""
 
 import csv
+from pathlib import Path
 
 import pytest
 
@@ -10,6 +11,7 @@ from command_line import assert_mistake
 pytest.importorskip("typer")
 pytest.importorskip("scipy")
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 STUDY = """title = "A short study"
 club = "driver"
 golfer = "bogey-driver"
@@ -139,3 +141,17 @@ def test_mistakes_on_the_command_line_are_told_before_any_work(clubface_, study,
     assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.csv")), ".toml")
     study.write_text(FIT)
     assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.toml")), ".csv")
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (lambda: club("driver").to_toml(), ("this is a club", 'club = "my-driver.toml"')),
+        (lambda: (EXAMPLES / "lofts.toml").read_text(), ("clubface study run reads it",)),
+        (lambda: (EXAMPLES / "faster_face.toml").read_text(), ("clubface fem design reads it",)),
+    ],
+)
+def test_a_file_of_something_else_is_told_with_what_reads_it(clubface_, tmp_path, text, words):
+    path = tmp_path / "other.toml"
+    path.write_text(text())
+    assert_mistake(clubface_("optimise", str(path)), *words)

@@ -58,6 +58,14 @@ _STUDY = (*_COMMON, "club", "ball", "starts", "points", "variables", "head", "li
 _FIT = (*_COMMON, "fit")
 
 
+OTHERS = {
+    "cg_x": ("a club", 'a study of its own names it, as in club = "my-driver.toml"'),
+    "study": ("a study of many runs", "clubface study run reads it"),
+    "metals": ("a study of a head of shells", "clubface fem design reads it"),
+}
+"""What other files are, by a key that only they have, and what to do with them."""
+
+
 def read(path: str | os.PathLike[str]) -> DesignStudy | Fitting:
     """Read a study, or a fitting if the file has a table ``[fit]``; files that it names are looked for beside it."""
     return from_document(Document.read(path), Path(path).parent)
@@ -71,6 +79,9 @@ def from_text(text: str) -> DesignStudy | Fitting:
 def from_document(document: Document, folder: Path) -> DesignStudy | Fitting:
     """Read the same from a document, whose files are looked for in a folder."""
     data = document.data
+    for key, (what, advice) in OTHERS.items():
+        if key in data:
+            raise document.error(f"this is {what}; {advice}", key)
     fits = "fit" in data
     required = ("title", "golfer", "objective", *(() if fits else ("club", "variables")))
     document.check_keys(data, _FIT if fits else _STUDY, required)
