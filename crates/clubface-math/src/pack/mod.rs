@@ -17,7 +17,7 @@ mod x86;
 
 pub use dispatch::{dispatch, with_lanes};
 pub use prefetch::prefetch;
-pub use traits::{Coefficient, Kernel, Lanes, Pack, PackKernel, Real, Row};
+pub use traits::{Kernel, Lanes, Pack, PackKernel, Part, Real, Row};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use wasm::F64x2;
 #[cfg(target_arch = "x86_64")]

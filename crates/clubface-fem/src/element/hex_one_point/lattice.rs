@@ -7,15 +7,16 @@
 
 use super::arrangement::order;
 use super::constants::{Block, Constants, Shapes};
-use super::element::{empty, on_bases, part, set_part, Component, Hexahedron, Visitor};
+use super::element::{empty, in_passes, on_bases, part, set_part, Component, Hexahedron, Sums, Visitor};
 use super::interior::{Advance, Interior, Kinetic};
-use super::places::{add, face, side, Places};
+use super::places::{add, face, side, Places, Quads};
 use super::stress::{Run, Stress, RUN};
 use crate::block::BLOCK;
 use crate::element::field::{Field, Layout, Scratch};
+use crate::material::Symmetric;
 use crate::mesh::CORNERS;
 use clubface_math::pack::prefetch;
-use clubface_math::{Coefficient, Pack, Real, Row, Scalar};
+use clubface_math::{Pack, Part, Real, Row, Scalar};
 
 /// Most layers.
 pub const DEPTH: usize = 6;
@@ -87,9 +88,10 @@ impl<R: Real> Lattice<R> {
             field
         };
         let valid = unsafe {
-            match constants {
-                Shapes::Fixed(blocks) => walk::<P, P::Value>(*shape, &mut field, &mut forces, blocks, stress),
-                Shapes::Varying(blocks) => walk::<P, P>(*shape, &mut field, &mut forces, blocks, stress),
+            if P::Real::PARTS > 1 && constants.vary() {
+                walk::<P, true>(*shape, &mut field, &mut forces, constants, stress)
+            } else {
+                walk::<P, false>(*shape, &mut field, &mut forces, constants, stress)
             }
         };
         if let Some(interior) = interior {
@@ -122,11 +124,11 @@ impl<R: Real> Lattice<R> {
     /// # Safety
     /// As for [`Lattice::assemble`].
     #[inline(always)]
-    pub unsafe fn visit<P: Pack<Real = R>, G: Pack + Coefficient<P>, W: Visitor<P>>(
+    pub unsafe fn visit<P: Pack<Real = R>, W: Visitor<P>>(
         &mut self,
         positions: &[Row<R>],
         nodes: &[u32],
-        constants: &[Block<G::Real, R>],
+        shapes: &Shapes<R>,
         loaded: bool,
         visitor: &mut W,
     ) {
@@ -143,14 +145,14 @@ impl<R: Real> Lattice<R> {
             }
             field
         };
-        for (column, blocks) in constants.chunks_exact(nk).enumerate() {
+        for (column, blocks) in shapes.blocks().chunks_exact(nk).enumerate() {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = places.quads::<P>(column * BLOCK + first);
                 for (k, block) in blocks.iter().enumerate() {
                     // SAFETY: `at` is within the columns.
                     let (low, high) =
                         unsafe { (face::<P>(&mut field, k, &at), face::<P>(&mut field, k + 1, &at)) };
-                    let constants = Constants::<G, R>::new(block, first);
+                    let constants = Constants::new(shapes, column * nk + k, block, first);
                     let lane = (column * nk + k) * BLOCK + first;
                     visitor.visit(lane, &constants, &Hexahedron::new(&constants, &low, &high));
                     if (k + 1).is_multiple_of(RUN) || k + 1 == nk {
@@ -167,21 +169,19 @@ impl<R: Real> Lattice<R> {
 /// Each pack of elements goes up through some layers in several loops: patterns, deformation, stress, forces. One
 /// loop would be a long chain of operations, which wait for each other and for more registers than there are.
 /// Patterns and forces go component by component, since the numbers of one fit the registers: constants are loaded
-/// thrice, but nothing else is put aside.
-///
-/// Where constants are values alone, numbers with derivatives go through these two part by part, for the same reason.
+/// thrice, but nothing else is put aside. Numbers with derivatives go through these two part by part, for the same
+/// reason.
 ///
 /// # Safety
 /// The fields are those of the lattice.
 #[inline(always)]
-unsafe fn walk<P: Pack, G: Pack + Coefficient<P>>(
+unsafe fn walk<P: Pack, const SLOPES: bool>(
     shape: [usize; 3],
     positions: &mut Field<P::Real>,
     forces: &mut Field<P::Real>,
-    constants: &[Block<G::Real, P::Real>],
+    shapes: &Shapes<P::Real>,
     mut stress: Stress<P>,
 ) -> bool {
-    let passes = const { <G as Coefficient<P>>::PASSES };
     let [ni, _, nk] = shape;
     assert!(nk <= DEPTH);
     let (row, places) = (ni + 1, Places::new(shape));
@@ -193,77 +193,148 @@ unsafe fn walk<P: Pack, G: Pack + Coefficient<P>>(
             }
         }
     }
-    let mut carry = P::Real::each_part([[[G::Quad::zero(); 2]; DEPTH + 1]; 3]);
+    let nothing = [[[<P::Value as Pack>::Quad::zero(); 2]; DEPTH + 1]; 3];
+    let mut carry = P::Real::each_part(nothing);
     let mut below = [empty::<P>(); BLOCK];
     let mut elements = [Hexahedron::<P>::zero(); RUN];
     let mut points = Run::new();
-    for (column, blocks) in constants.chunks_exact(nk).enumerate() {
+    for (column, blocks) in shapes.blocks().chunks_exact(nk).enumerate() {
         for start in (0..nk).step_by(RUN) {
-            let run = &blocks[start..(start + RUN).min(nk)];
+            let blocks = &blocks[start..(start + RUN).min(nk)];
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = places.quads::<P>(column * BLOCK + first);
+                let number = column * nk + start;
+                let stack = Stack::<_, SLOPES> { shapes, blocks, number, first, start, at };
                 for axis in 0..3 {
-                    for pass in 0..passes {
-                        // SAFETY of these: `at` is within the columns.
-                        let mut low = unsafe { side::<G, _>(positions, start, axis, pass, &at) };
-                        for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
-                            let high = unsafe { side(positions, start + layer + 1, axis, pass, &at) };
-                            let constants = Constants::<G, P::Real>::new(block, first);
-                            let component = Component::new(&constants, &low, &high);
-                            element.components[axis].set_part(pass, &component);
-                            low = high;
-                        }
-                    }
+                    // SAFETY of these: `at` is within the columns.
+                    in_passes!(P::Real, |pass| if stack.pattern_varies(pass) {
+                        unsafe { stack.modes::<P, P::Pair>(positions, axis, pass, &mut elements) };
+                    } else {
+                        unsafe { stack.modes::<P, P::Value>(positions, axis, pass, &mut elements) };
+                    });
                 }
-                let lane = (column * nk + start) * BLOCK + first;
-                for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
+                let lane = number * BLOCK + first;
+                for (layer, (constants, element)) in stack.constants().zip(&elements).enumerate() {
                     // The loops from here to the forces compute more than they load: time to fetch what the next ones
                     // need.
                     if first == 0 {
-                        prefetch(block, RUN);
+                        prefetch(constants.block(), RUN);
                     }
-                    let constants = Constants::<G, P::Real>::new(block, first);
                     let gradient = element.gradient(&constants);
-                    let volume = <G as Coefficient<P>>::lift(constants.volume());
-                    stress.set(&mut points, layer, lane + layer * BLOCK, gradient, volume);
+                    stress.set(&mut points, layer, lane + layer * BLOCK, gradient, constants.volume());
                 }
-                stress.compute(&mut points, run.len(), lane, BLOCK);
-                for (block, stress) in run.iter().zip(&mut points.stresses) {
-                    *stress = on_bases(&Constants::<G, P::Real>::new(block, first), stress);
+                stress.compute(&mut points, blocks.len(), lane, BLOCK);
+                for (constants, stress) in stack.constants().zip(&mut points.stresses) {
+                    *stress = on_bases(&constants, stress);
                 }
                 for axis in 0..3 {
-                    if passes > 1 {
-                        for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
-                            let constants = Constants::<G, P::Real>::new(block, first);
+                    if P::Real::PARTS > 1 {
+                        for (layer, (constants, element)) in stack.constants().zip(&mut elements).enumerate()
+                        {
                             let component = &mut element.components[axis];
                             *component = component.loads(&constants, &points.stresses[layer]);
                         }
                     }
-                    for pass in 0..passes {
+                    in_passes!(P::Real, |pass| {
                         let carry = &mut P::Real::part_mut(&mut carry, pass)[axis];
-                        let mut under =
-                            if start == 0 { [G::zero(); 4] } else { part(&below[first][axis], pass) };
-                        for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
-                            let constants = Constants::<G, P::Real>::new(block, first);
-                            let component = &element.components[axis];
-                            let loads = if passes == 1 {
-                                component.loads(&constants, &points.stresses[layer]).part::<G>(pass)
-                            } else {
-                                component.part(pass)
-                            };
-                            let (force, above) = loads.forces(&constants, &under);
-                            let k = start + layer;
-                            unsafe { add(forces, k, axis, pass, &at, force, &mut carry[k]) };
-                            under = above;
+                        let under =
+                            if start == 0 { [P::Value::zero(); 4] } else { part(&below[first][axis], pass) };
+                        let all = (&elements, &points.stresses);
+                        let over = if stack.pattern_varies(pass) {
+                            unsafe { stack.push::<P, P::Pair>(forces, axis, pass, under, all, carry) }
+                        } else {
+                            unsafe { stack.push::<P, P::Value>(forces, axis, pass, under, all, carry) }
+                        };
+                        set_part(&mut below[first][axis], pass, &over);
+                        if start + blocks.len() == nk {
+                            unsafe { add(forces, nk, axis, pass, &stack.at, over, &mut carry[nk]) };
                         }
-                        set_part(&mut below[first][axis], pass, &under);
-                        if start + run.len() == nk {
-                            unsafe { add(forces, nk, axis, pass, &at, under, &mut carry[nk]) };
-                        }
-                    }
+                    });
                 }
             }
         }
     }
     stress.ratios.valid()
+}
+
+/// Packs of elements above each other.
+struct Stack<'a, R: Real, const SLOPES: bool> {
+    shapes: &'a Shapes<R>,
+    /// Their blocks, and the number of the lowest.
+    blocks: &'a [Block<R>],
+    number: usize,
+    /// Lane of their blocks in which they begin.
+    first: usize,
+    /// Layer of the lowest.
+    start: usize,
+    at: Quads,
+}
+
+impl<R: Real, const SLOPES: bool> Stack<'_, R, SLOPES> {
+    /// Constants, from the lowest up.
+    #[inline(always)]
+    fn constants(&self) -> impl Iterator<Item = Constants<'_, R, SLOPES>> {
+        let of = |(layer, block)| Constants::new(self.shapes, self.number + layer, block, self.first);
+        self.blocks.iter().enumerate().map(of)
+    }
+
+    /// Whether hourglass shapes and mean gradients depend on the variable of a pass.
+    #[inline(always)]
+    fn pattern_varies(&self, pass: usize) -> bool {
+        SLOPES && self.shapes.pattern_varies(pass)
+    }
+
+    /// One pass of a component of the modes.
+    ///
+    /// # Safety
+    /// As for [`side`].
+    #[inline(always)]
+    unsafe fn modes<P: Pack<Real = R>, G: Part<P>>(
+        &self,
+        positions: &mut Field<R>,
+        axis: usize,
+        pass: usize,
+        elements: &mut [Hexahedron<P>; RUN],
+    ) {
+        let Self { start, at, .. } = self;
+        // SAFETY of these: the caller's promise.
+        let mut low = unsafe { side::<G, _>(positions, *start, axis, G::places(pass), at) };
+        for (layer, (constants, element)) in self.constants().zip(elements).enumerate() {
+            let high = unsafe { side::<G, _>(positions, start + layer + 1, axis, G::places(pass), at) };
+            let component = Component::new(&constants.shape::<P, G>(pass), &low, &high);
+            element.components[axis].set_part(pass, &component);
+            low = high;
+        }
+    }
+
+    /// One pass of a component of the forces, added to those on the nodes; returns those on the upper side of the
+    /// highest, given those on the lower side of the lowest. Elements are loads by now if there are more passes.
+    ///
+    /// # Safety
+    /// As for [`side`].
+    #[inline(always)]
+    unsafe fn push<P: Pack<Real = R>, G: Part<P>>(
+        &self,
+        forces: &mut Field<R>,
+        axis: usize,
+        pass: usize,
+        mut under: Sums<P::Value>,
+        (elements, stresses): (&[Hexahedron<P>; RUN], &[Symmetric<P>; RUN]),
+        carry: &mut [[<P::Value as Pack>::Quad; 2]; DEPTH + 1],
+    ) -> Sums<P::Value> {
+        for (layer, (constants, element)) in self.constants().zip(elements).enumerate() {
+            let component = &element.components[axis];
+            let (force, above) = if R::PARTS == 1 {
+                let loads = component.loads(&constants, &stresses[layer]);
+                loads.part_of_forces::<G, SLOPES>(&constants, pass, &under)
+            } else {
+                component.part_of_forces::<G, SLOPES>(&constants, pass, &under)
+            };
+            let k = self.start + layer;
+            // SAFETY: the caller's promise.
+            unsafe { add(forces, k, axis, pass, &self.at, force, &mut carry[k]) };
+            under = above;
+        }
+        under
+    }
 }

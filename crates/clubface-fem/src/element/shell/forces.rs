@@ -56,7 +56,6 @@ impl<R: Real> AssembleForces<'_, R> {
         let patch = &mut *self.patch;
         let elastic = patch.material.elastic.splat::<P>();
         let (plate, shear) = (elastic.plate(), elastic.shear());
-        let dt = P::from_f64(self.dt);
         let spins = &self.velocities[patch.behind..];
         let (forces, moments) = patch.forces.split_at_mut(patch.nodes.len() / 2);
         let states = patch.state.chunks_exact_mut(patch.state_length);
@@ -71,8 +70,8 @@ impl<R: Real> AssembleForces<'_, R> {
                     )
                 };
                 let shape = Quadrilateral::<P>::new(&places);
-                let increment = shape.increment(&velocities, &spins, dt);
-                let thickness = P::load(&patch.thickness[block * BLOCK + first..]);
+                let increment = shape.increment(&velocities, &spins, self.dt);
+                let thickness = patch.thickness[block].load(first);
                 let section = Section::new(elastic, plate, shear, thickness);
                 let hourglass = section.hourglass(shape.area, shape.aspect());
                 let mut state = Numbers::new(state, first);
