@@ -7,6 +7,7 @@ use super::response::Response;
 use super::section::{ElasticSection, Section, SectionResponse};
 use crate::block::BLOCK;
 use crate::material::Numbers;
+use clubface_math::pack::prefetch;
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 
 /// Adds vectors to the corners of `LANES` elements of a block.
@@ -58,8 +59,18 @@ impl<R: Real> AssembleForces<'_, R> {
         let (plate, shear) = (elastic.plate(), elastic.shear());
         let spins = &self.velocities[patch.behind..];
         let (forces, moments) = patch.forces.split_at_mut(patch.nodes.len() / 2);
-        let states = patch.state.chunks_exact_mut(patch.state_length);
+        let length = patch.state_length;
+        let states = patch.state.chunks_exact_mut(length);
         for ((block, rows), state) in patch.rows.iter().enumerate().zip(states) {
+            // An element computes long enough for what the next ones need to come from afar. Plain numbers are so few
+            // that most of them are at hand.
+            if R::PARTS > 1 {
+                state.iter().for_each(|number| prefetch(number, length));
+                for &row in patch.rows.get(block + 1).unwrap_or(rows) {
+                    let fields = [self.positions, self.velocities, spins];
+                    fields.iter().for_each(|field| prefetch(field.as_ptr(), row as usize));
+                }
+            }
             for first in (0..BLOCK).step_by(P::LANES) {
                 // SAFETY: the caller has checked the rows.
                 let (places, velocities, spins) = unsafe {
