@@ -1,7 +1,7 @@
 //! Packs of numbers with derivatives: a pack of values, and one of each derivative.
 
 use super::dispatch::dispatch;
-use super::traits::{Kernel, Lanes, Pack, PackKernel, Part, Real, Row};
+use super::traits::{Kernel, Lanes, Pack, PackKernel, Real, Row};
 use crate::{Dual, Scalar, Vec3};
 use core::fmt::Debug;
 
@@ -76,55 +76,6 @@ impl<const N: usize> Real for Dual<f64, N> {
     }
     fn singly<K: PackKernel<Self>>(kernel: K) -> K::Output {
         kernel.run::<Self>()
-    }
-}
-
-impl<S: Lanes, const N: usize> Part<Dual<S, N>> for S {
-    #[inline(always)]
-    fn of(pack: &Dual<S, N>, pass: usize) -> Self {
-        pack.part(pass)
-    }
-    #[inline(always)]
-    fn places(pass: usize) -> [usize; 2] {
-        [pass, 0]
-    }
-    #[inline(always)]
-    unsafe fn coefficient(value: *const f64, _derivative: *const f64) -> Self {
-        // SAFETY: the caller's promise.
-        unsafe { S::read(value) }
-    }
-    #[inline(always)]
-    fn found(self) -> S {
-        self
-    }
-    #[inline(always)]
-    fn from_found(found: S) -> Self {
-        found
-    }
-}
-
-/// Pairs of value and derivative.
-impl<S: Lanes, const N: usize> Part<Dual<S, N>> for Dual<S, 1> {
-    #[inline(always)]
-    fn of(pack: &Dual<S, N>, pass: usize) -> Self {
-        Self { value: pack.value, tangent: [pack.part(pass)] }
-    }
-    #[inline(always)]
-    fn places(pass: usize) -> [usize; 2] {
-        [0, pass]
-    }
-    #[inline(always)]
-    unsafe fn coefficient(value: *const f64, derivative: *const f64) -> Self {
-        // SAFETY: the caller's promise.
-        unsafe { Self { value: S::read(value), tangent: [S::read(derivative)] } }
-    }
-    #[inline(always)]
-    fn found(self) -> S {
-        self.tangent[0]
-    }
-    #[inline(always)]
-    fn from_found(found: S) -> Self {
-        Self { value: S::zero(), tangent: [found] }
     }
 }
 

@@ -1,5 +1,6 @@
 //! What packs are: numbers that physics computes on, filled from arrays and from nodes.
 
+use super::part::Part;
 use crate::elementary::Primal;
 use crate::{Scalar, Vec3};
 use core::fmt::Debug;
@@ -131,27 +132,6 @@ impl<R: Real> Row<R> {
     pub fn add_scaled(&mut self, row: &Self, by: R) {
         R::add_scaled(&mut self.0, &row.0, by);
     }
-}
-
-/// What one pass of a linear map acts on. Such a map goes through the parts of a pack `P` one after the other, each in a
-/// pass of its own, so that the numbers of one pass fit the registers. Where its coefficients depend on no variable,
-/// passes act on plain packs. Where they depend on the variable of a pass, this acts on pairs of value and derivative,
-/// and what it finds is the derivative; the value belongs to the first pass.
-pub trait Part<P: Pack>: Pack {
-    /// What a pass acts on.
-    fn of(pack: &P, pass: usize) -> Self;
-    /// The first part that a pass reads, and how far apart those are that it reads.
-    fn places(pass: usize) -> [usize; 2];
-    /// A coefficient from the addresses of its value and of its derivative by the variable of a pass, which a pass
-    /// with plain coefficients does not read.
-    ///
-    /// # Safety
-    /// `LANES` consecutive numbers can be read from each.
-    unsafe fn coefficient(value: *const f64, derivative: *const f64) -> Self;
-    /// What a pass has found.
-    fn found(self) -> P::Value;
-    /// What adds up to something found: with pairs, its value does not count.
-    fn from_found(found: P::Value) -> Self;
 }
 
 /// A pack of [`Scalar::LANES`] stored numbers.

@@ -1,5 +1,6 @@
 //! What a hexahedron with one integration point keeps of its undeformed shape.
 
+use super::sameness::{alike, keeps_shape, similar};
 use crate::block::{Eight, BLOCK};
 use crate::mesh::{base_vectors, signs, CORNERS};
 use clubface_math::{Mat3, Pack, Part, Real, Scalar, Vec3};
@@ -8,12 +9,12 @@ use std::sync::Arc;
 
 /// Numbers of an element's shape: `J^-1 / 8` (rows of base vectors, upper triangle), the negative of each hourglass
 /// shape in base vectors, what a pattern adds to each base vector in the mean gradient, volume. Where they stand:
-const SKEW: usize = 6;
+pub(super) const SKEW: usize = 6;
 const MEAN: usize = 18;
-const VOLUME: usize = 27;
-const SHAPE: usize = 28;
+pub(super) const VOLUME: usize = 27;
+pub(super) const SHAPE: usize = 28;
 /// Stiffnesses, one a pattern.
-const STIFFNESSES: usize = 4;
+pub(super) const STIFFNESSES: usize = 4;
 
 /// Mode of each uniform deformation, and of each hourglass pattern: bits are the reference coordinates in the product.
 const LINEAR: [usize; 3] = [1, 2, 4];
@@ -78,13 +79,13 @@ fn constants<G: Scalar, R: Scalar>(
 }
 
 /// Shapes of the elements of a block, or their derivatives by one variable.
-type Lines = [Eight<f64>; SHAPE];
+pub(super) type Lines = [Eight<f64>; SHAPE];
 
 /// Constants of the elements of a block: values of their shapes, and stiffnesses.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct Block<R: Real> {
-    shape: Lines,
+    pub(super) shape: Lines,
     stiffness: [Eight<R>; STIFFNESSES],
 }
 
@@ -160,16 +161,11 @@ impl<'a, R: Real, const SLOPES: bool> Constants<'a, R, SLOPES> {
         let slopes = slopes.map_or(values, |slopes| &slopes.blocks[self.number]);
         Shape { values, slopes, first: self.first, packs: PhantomData }
     }
-    /// Their values.
-    #[inline(always)]
-    pub fn values<P: Pack<Real = R>>(&self) -> Shape<'a, P, P::Value> {
-        self.shape(0)
-    }
     /// Reference volume, m3; 0 for a lane that holds no element.
     #[inline(always)]
     pub fn volume<P: Pack<Real = R>>(&self) -> P {
         let mut volume = P::zero();
-        volume.set_part(0, self.values::<P>().volume());
+        volume.set_part(0, self.shape::<P, P::Value>(0).volume());
         for pass in 1..R::PARTS {
             if self.size_varies(pass) {
                 volume.set_part(pass, self.shape::<P, P::Pair>(pass).volume().found());
@@ -297,70 +293,4 @@ impl<R: Real> Shapes<R> {
     pub fn vary(&self) -> bool {
         self.slopes.iter().any(Option::is_some)
     }
-}
-
-/// How far constants may differ that are the same but for the rounding of positions: those of a ball half a metre
-/// from the origin have lost 5e-17 m, of edges of a tenth of a millimetre, and differences of differences lose a
-/// hundred times that.
-const ROUNDING: f64 = 1e-10;
-
-/// Whether no distance between corners depends on a variable: an element that a variable moves and turns keeps its
-/// shape to rounding, and so its constants.
-fn keeps_shape<R: Real>(corners: &[Vec3<R>; CORNERS], variable: usize) -> bool {
-    let slopes = |v: &Vec3<R>| {
-        let [x, y, z] = v.array().map(|number| number.derivatives()[variable]);
-        x.abs().max(y.abs()).max(z.abs())
-    };
-    let most = corners.iter().map(slopes).fold(0.0, f64::max);
-    (1..CORNERS).all(|a| {
-        (0..a).all(|b| {
-            let distance = (corners[a] - corners[b]).norm();
-            distance.derivatives()[variable].abs() <= ROUNDING * most
-        })
-    })
-}
-
-/// Whether shapes with these derivatives grow alike in all directions: their patterns, which are relative to the
-/// edges, stay as they are to rounding.
-fn similar<R: Real>(blocks: &[Block<R>], slopes: &[Lines]) -> bool {
-    blocks.iter().zip(slopes).all(|(block, slopes)| {
-        (0..BLOCK).filter(|&lane| block.shape[VOLUME].get(lane) > 0.0).all(|lane| {
-            let growth = slopes[VOLUME].get(lane) / block.shape[VOLUME].get(lane);
-            slopes[SKEW..VOLUME].iter().all(|slope| slope.get(lane).abs() <= ROUNDING * growth.abs())
-        })
-    })
-}
-
-/// Whether constants are the same to rounding, given as shapes and the stiffnesses behind them, which have as many
-/// parts as given.
-fn alike<T>(a: &[T], b: &[T], parts: usize) -> bool {
-    // Beside the largest of its kind: values and derivatives of a stiffness are kinds of their own. Those of the
-    // inverse Jacobian are of one kind.
-    let count = SHAPE + STIFFNESSES * parts;
-    assert_eq!(size_of::<T>(), count * size_of::<[f64; BLOCK]>());
-    /// All numbers of a block: those of a constant for eight elements, then each of its derivatives.
-    fn lines<T>(of: &T) -> &[[f64; BLOCK]] {
-        let count = size_of::<T>() / size_of::<[f64; BLOCK]>();
-        // SAFETY: constants are as many lines of eight numbers, and nothing else.
-        unsafe { std::slice::from_raw_parts(std::ptr::from_ref(of).cast(), count) }
-    }
-    let kind = |line: usize| if line < SKEW { 0 } else { line };
-    let mut largest = vec![0.0_f64; count];
-    for block in a {
-        for (line, numbers) in lines(block).iter().enumerate() {
-            let largest = &mut largest[kind(line)];
-            *largest = numbers.iter().fold(*largest, |largest, number| largest.max(number.abs()));
-        }
-    }
-    let allowed = |line: usize| {
-        // Shapes of hourglass patterns are relative to the edges; they may all be zero but for rounding.
-        let least = if (SKEW..VOLUME).contains(&line) { 1.0 } else { 0.0 };
-        ROUNDING * largest[kind(line)].max(least)
-    };
-    let allowed: Vec<f64> = (0..count).map(allowed).collect();
-    a.len() == b.len()
-        && a.iter().zip(b).all(|(a, b)| {
-            let mut lines = lines(a).iter().zip(lines(b)).zip(&allowed);
-            lines.all(|((a, b), allowed)| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= *allowed))
-        })
 }

@@ -16,24 +16,9 @@
 //! derivatives by variables that the shape depends on.
 
 use super::constants::{Constants, Shape};
+use super::passes::{found, from_found, in_passes, part, set_part};
 use crate::material::Symmetric;
 use clubface_math::{Mat3, Pack, Part, Real, Scalar, Vec3};
-
-/// Does something in every pass, `pass` known to the compiler in each, so that no part is looked for at run time.
-macro_rules! in_passes {
-    ($number:ty, |$pass:ident| $body:expr) => {
-        in_passes!($number, |$pass| $body, 0 1 2 3 4)
-    };
-    ($number:ty, |$pass:ident| $body:expr, $($known:literal)+) => {
-        const { assert!(<$number as Real>::PARTS <= [$($known),+].len()) };
-        $(if $known < <$number as Real>::PARTS {
-            const PASS: usize = $known;
-            let $pass = PASS;
-            $body;
-        })+
-    };
-}
-pub(super) use in_passes;
 
 /// Four corners of one side along the third reference coordinate, a number each, as sums and differences: sum, along
 /// the first coordinate, along the second, along both.
@@ -136,7 +121,7 @@ impl<P: Pack> Component<P> {
         Self { bases: [P::zero(); 3], patterns: [P::zero(); 4] }
     }
 
-    /// What acts on the base vectors under a stress as of [`on_bases`], and on the hourglass patterns, N.
+    /// What acts on the base vectors under a stress as of [`super::stress::on_bases`], and on the hourglass patterns, N.
     #[inline(always)]
     pub fn loads<const SLOPES: bool>(
         &self,
@@ -191,44 +176,6 @@ impl<P: Pack> Component<P> {
         set_part(&mut self.bases, pass, &part.bases);
         set_part(&mut self.patterns, pass, &part.patterns);
     }
-}
-
-/// What a pass of a linear map acts on.
-#[inline(always)]
-pub fn part<P: Pack, G: Part<P>, const N: usize>(of: &[P; N], pass: usize) -> [G; N] {
-    let mut parts = [G::zero(); N];
-    for i in 0..N {
-        parts[i] = G::of(&of[i], pass);
-    }
-    parts
-}
-
-/// Sets what a pass has found.
-#[inline(always)]
-pub fn set_part<P: Pack, G: Part<P>, const N: usize>(of: &mut [P; N], pass: usize, parts: &[G; N]) {
-    for i in 0..N {
-        of[i].set_part(pass, parts[i].found());
-    }
-}
-
-/// What a pass has found.
-#[inline(always)]
-pub fn found<P: Pack, G: Part<P>, const N: usize>(parts: &[G; N]) -> [P::Value; N] {
-    let mut of = [P::Value::zero(); N];
-    for i in 0..N {
-        of[i] = parts[i].found();
-    }
-    of
-}
-
-/// What adds up to it.
-#[inline(always)]
-pub fn from_found<P: Pack, G: Part<P>, const N: usize>(of: &[P::Value; N]) -> [G; N] {
-    let mut parts = [G::zero(); N];
-    for i in 0..N {
-        parts[i] = G::from_found(of[i]);
-    }
-    parts
 }
 
 /// One element a lane.
@@ -331,45 +278,6 @@ impl<P: Pack> Hexahedron<P> {
         }
         sum * -0.5
     }
-}
-
-/// A second Piola-Kirchhoff stress (Pa, times minus the volume) seen from the base vectors, `G^T S G` where the
-/// gradient is their matrix times `G^T`: the force on each is the sum of all with these factors, N/m.
-#[inline(always)]
-pub fn on_bases<P: Pack, const SLOPES: bool>(
-    constants: &Constants<P::Real, SLOPES>,
-    second: &Symmetric<P>,
-) -> Symmetric<P> {
-    let mut seen = *second;
-    in_passes!(P::Real, |pass| if constants.size_varies(pass) {
-        let parts = part_on_bases::<P, P::Pair>(&constants.shape(pass), part(&second.0, pass));
-        set_part(&mut seen.0, pass, &parts);
-    } else {
-        let parts = part_on_bases::<P, P::Value>(&constants.shape(pass), part(&second.0, pass));
-        set_part(&mut seen.0, pass, &parts);
-    });
-    seen
-}
-
-/// One pass of it.
-#[inline(always)]
-fn part_on_bases<P: Pack, G: Part<P>>(shape: &Shape<P, G>, second: [G; 6]) -> [G; 6] {
-    let ([rx, ry, rz], [sy, sz], tz) = shape.inverse();
-    let [xx, yy, zz, xy, xz, yz] = second;
-    let [ax, ay, az] = [
-        xz.mul_add(rz, xy.mul_add(ry, xx.product(rx))),
-        yz.mul_add(rz, yy.mul_add(ry, xy.product(rx))),
-        zz.mul_add(rz, yz.mul_add(ry, xz.product(rx))),
-    ];
-    let (by, bz) = (yz.mul_add(sz, yy.product(sy)), zz.mul_add(sz, yz.product(sy)));
-    [
-        az.mul_add(rz, ay.mul_add(ry, ax.product(rx))),
-        bz.mul_add(sz, by.product(sy)),
-        zz.product(tz).product(tz),
-        az.mul_add(sz, ay.product(sy)),
-        az.product(tz),
-        bz.product(tz),
-    ]
 }
 
 /// A visitor of elements.

@@ -1,8 +1,8 @@
 //! Elements in any arrangement: the corners of a pack are gathered from the nodes one by one.
 
 use super::constants::{Constants, Shapes};
-use super::element::{on_bases, spread, sums, Face, Hexahedron, Visitor};
-use super::stress::{Run, Stress, RUN};
+use super::element::{spread, sums, Face, Hexahedron, Visitor};
+use super::stress::{on_bases, Run, Stress, RUN};
 use crate::block::BLOCK;
 use crate::mesh::CORNERS;
 use clubface_math::{Pack, Real, Row, Vec3};
