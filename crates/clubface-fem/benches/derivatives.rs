@@ -7,9 +7,10 @@
 #![allow(missing_docs)]
 
 use clubface_fem::ball::{BallConstruction, BallPiece};
-use clubface_fem::cases::{ball_against_plane, ball_against_rigid_head};
+use clubface_fem::cases::{ball_against_deformable_head, ball_against_plane, ball_against_rigid_head};
 use clubface_fem::element::{Element, Kernels};
 use clubface_fem::environment::Environment;
+use clubface_fem::head::{DeformableHead, Driver, ShellHead};
 use clubface_fem::material::{law_from_name, map_law, Material, Maxwell};
 use clubface_fem::sensitivity::Setting;
 use clubface_fem::solve::{Options, Simulation};
@@ -18,8 +19,8 @@ use clubface_impact::shot::{Shot, INPUT_COUNT};
 use clubface_math::Dual;
 use std::time::{Duration, Instant};
 
-/// Runs of which the quickest counts.
-const RUNS: usize = 3;
+/// Runs of each kind.
+const RUNS: usize = 5;
 /// Steps at a time.
 const MARCH: usize = 8;
 const FRICTION: f64 = 0.2;
@@ -61,11 +62,15 @@ const INPUTS: [f64; INPUT_COUNT] = [
     8.105_4e-6,
     0.0,
 ];
-/// What is differentiated by: the delivery, constants of materials, and the shape of the mesh.
-const VARIABLES: [[&str; 4]; 3] = [
-    ["speed", "loft", "friction", "characteristic_time"],
-    ["core.c10", "core.maxwell.0.modulus", "cover.shear", "cover.density"],
-    ["speed", "core.c10", "core.radius", "cover.radius"],
+/// What is differentiated by: the delivery, constants of materials, the shape of the mesh; with a rigid head, and with
+/// one of shells, its walls and its metal.
+const CASES: [(bool, [&str; 4]); 6] = [
+    (false, ["speed", "loft", "friction", "characteristic_time"]),
+    (false, ["core.c10", "core.maxwell.0.modulus", "cover.shear", "cover.density"]),
+    (false, ["speed", "core.c10", "core.radius", "cover.radius"]),
+    (true, ["head.face.thickness", "head.crown.thickness", "head.sole.thickness", "head.skirt.thickness"]),
+    (true, ["head.face.thickness", "head.face.youngs", "head.face.poisson", "head.face.density"]),
+    (true, ["speed", "loft", "core.radius", "head.face.thickness"]),
 ];
 
 /// The ball called "modern".
@@ -139,45 +144,75 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     (now() - start, found)
 }
 
+/// The head of Roh and Lee.
+fn shells() -> ShellHead<f64> {
+    Driver::roh_and_lee().mesh().expect("Roh and Lee's head").head
+}
+
+/// A shot with the rigid head, or with a head of shells, whose mass properties are then those of the club.
+fn setting(head: Option<ShellHead<f64>>) -> Setting {
+    let mut inputs = INPUTS;
+    if let Some(head) = &head {
+        let found = head.mass_properties();
+        let (centre, [r, s, t]) = (found.centre, found.inertia.rows);
+        inputs[14..24]
+            .copy_from_slice(&[found.mass, -centre.x, -centre.y, -centre.z, r.x, s.y, t.z, r.y, r.z, s.z]);
+        inputs[24] = head.loft;
+        inputs[29] = 0.0;
+    }
+    Setting { ball: ball(), head, inputs, friction: FRICTION }
+}
+
+/// Ball speed of a shot, m/s, computed in plain numbers.
+fn ball_speed(setting: &Setting, options: &Options, environment: &Environment) -> f64 {
+    let Setting { ball, head, inputs, friction } = setting;
+    let touch = FirstTouch::of(&Shot::from_inputs(inputs));
+    let simulation = match head {
+        Some(head) => ball_against_deformable_head(head, ball, &touch, *friction, environment),
+        None => ball_against_rigid_head(ball, &touch, *friction, environment),
+    };
+    let found = simulation.expect("a shot").run(options, &mut |_| true).expect("the options are valid");
+    touch.launch(found.ball, found.head).outputs()[0]
+}
+
+/// The one in the middle.
+fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    numbers[numbers.len() / 2]
+}
+
 fn main() {
     let options = Options { until_separation: true, ..Options::default() };
     let environment = Environment::single_threaded();
-    let plain_run = || {
-        let touch = FirstTouch::of(&Shot::from_inputs(&INPUTS));
-        let mut simulation =
-            ball_against_rigid_head(&ball(), &touch, FRICTION, &environment).expect("a shot");
-        let found = simulation.run(&options, &mut |_| true).expect("the options are valid");
-        touch.launch(found.ball, found.head).outputs()[0]
-    };
-    let setting = Setting { ball: ball(), head: None, inputs: INPUTS, friction: FRICTION };
-    let mut plain = f64::INFINITY;
-    let mut derived = [f64::INFINITY; VARIABLES.len()];
-    let mut found = vec![String::new(); VARIABLES.len()];
-    let only = std::env::args().skip(1).find_map(|given| given.parse::<usize>().ok());
-    for _ in 0..RUNS {
-        for (which, names) in VARIABLES.iter().enumerate() {
-            if only.is_some_and(|only| only != which) {
-                continue;
-            }
-            let (time, speed) = timed(plain_run);
-            plain = plain.min(time);
-            let directions = names.map(|name| vec![(name.to_owned(), 1.0)]);
-            let run = || setting.sensitivity(&directions, &options, &environment, &mut |_, _| true);
-            let (time, launch) = timed(run);
-            let launch = launch.expect("the variables are known");
-            derived[which] = derived[which].min(time);
-            found[which] =
-                format!("{speed:.12} {:.12} m/s, by them {:.8?}", launch.values[0], launch.jacobian[0]);
+    let only: Vec<usize> = std::env::args().skip(1).filter_map(|given| given.parse().ok()).collect();
+    for (which, (deformable, names)) in CASES.iter().enumerate() {
+        if !only.is_empty() && !only.contains(&which) {
+            continue;
         }
-    }
-    println!("a launch: {plain:.3} s");
-    for (which, names) in VARIABLES.iter().enumerate() {
+        let setting = setting(deformable.then(shells));
+        let directions = names.map(|name| vec![(name.to_owned(), 1.0)]);
+        // In turn, so that what else the machine does slows down both alike.
+        let (mut plain, mut derived, mut found) = (Vec::new(), Vec::new(), String::new());
+        for _ in 0..RUNS {
+            let (time, speed) = timed(|| ball_speed(&setting, &options, &environment));
+            plain.push(time);
+            let (time, launch) =
+                timed(|| setting.sensitivity(&directions, &options, &environment, &mut |_, _| true));
+            derived.push(time);
+            let launch = launch.expect("the variables are known");
+            found = format!("{speed:.12} {:.12} m/s, by them {:.8?}", launch.values[0], launch.jacobian[0]);
+        }
+        let ratios = plain.iter().zip(&derived).map(|(plain, derived)| derived / plain).collect();
         println!(
-            "by {names:?}: {:.3} s, {:.2} launches; {}",
-            derived[which],
-            derived[which] / plain,
-            found[which]
+            "{} by {names:?}: {:.3} s, {:.3} s, {:.2} launches; {found}",
+            if *deformable { "shells" } else { "rigid" },
+            median(plain),
+            median(derived),
+            median(ratios),
         );
+    }
+    if !only.is_empty() {
+        return;
     }
     let plain = least_step(|value| value, 45.0);
     let derived = least_step(Dual::<f64, 4>::constant, Dual::variable(45.0, 0));

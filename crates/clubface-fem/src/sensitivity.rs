@@ -2,14 +2,14 @@
 //! dual numbers.
 
 use crate::ball::{BallConstruction, BallPiece};
-use crate::cases::{ball_against_deformable_head, ball_against_rigid_head};
+use crate::cases::{deformable_head_in_steps, rigid_head_in_steps};
 use crate::element::{Isotropic, Kernels, ShellMaterial};
 use crate::environment::Environment;
 use crate::error::FemError;
 use crate::head::{ShellHead, ShellPart};
 use crate::material::{map_law, Material, Maxwell};
 use crate::mesh::ShellMesh;
-use crate::solve::{Options, Progress, Simulation};
+use crate::solve::{Options, Progress, Simulation, Snapshot};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::launch::OUTPUT_COUNT;
 use clubface_impact::shot::{Shot, INPUTS, INPUT_COUNT};
@@ -98,6 +98,10 @@ impl Setting {
         }
         let mut found =
             Sensitivity { values: [f64::NAN; OUTPUT_COUNT], jacobian: vec![Vec::new(); OUTPUT_COUNT] };
+        options.check()?;
+        // The time step follows from values alone, which plain numbers give sooner.
+        let mut plain = self.lift(&mut |_, value| value).simulation(None, environment)?;
+        let (stable, step) = (plain.ball_stable_step, plain.choose_step(options));
         for (run, group) in directions.chunks(WIDTH).enumerate() {
             let lifted = self.lift(&mut |name, value| {
                 let mut number = Dual::<f64, WIDTH>::constant(value);
@@ -107,8 +111,9 @@ impl Setting {
                 }
                 number
             });
-            let mut simulation = lifted.simulation(environment)?;
-            let result = simulation.run(options, &mut |snapshot| observer(run, &snapshot.progress))?;
+            let mut simulation = lifted.simulation(Some(stable), environment)?;
+            let mut watch = |snapshot: Snapshot<_>| observer(run, &snapshot.progress);
+            let result = simulation.run_in_steps(options, step.clone(), &mut watch)?;
             if let Some(stopped) = result.stopped {
                 return Err(stopped);
             }
@@ -130,12 +135,12 @@ struct Lifted<R> {
 }
 
 impl<R: Kernels> Lifted<R> {
-    fn simulation(&self, environment: &Environment) -> Result<Simulation<R>, FemError> {
-        match &self.head {
-            Some(head) => {
-                ball_against_deformable_head(head, &self.ball, &self.touch, self.friction, environment)
-            }
-            None => ball_against_rigid_head(&self.ball, &self.touch, self.friction, environment),
+    /// The impact, given the stable time step of the ball, s, if it is known.
+    fn simulation(&self, stable: Option<f64>, environment: &Environment) -> Result<Simulation<R>, FemError> {
+        let Self { ball, head, touch, friction } = self;
+        match head {
+            Some(head) => deformable_head_in_steps(head, ball, touch, *friction, stable, environment),
+            None => rigid_head_in_steps(ball, touch, *friction, stable, environment),
         }
     }
 }

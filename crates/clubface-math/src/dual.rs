@@ -150,12 +150,25 @@ impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
         Self { value: self.value.mul_add(factor.value, term.value), tangent }
     }
     #[inline(always)]
+    fn mul_add_f64(self, factor: f64, term: Self) -> Self {
+        let mut tangent = term.tangent;
+        for i in 0..N {
+            tangent[i] = self.tangent[i].mul_add_f64(factor, tangent[i]);
+        }
+        Self { value: self.value.mul_add_f64(factor, term.value), tangent }
+    }
+    #[inline(always)]
     fn product(self, factor: Self) -> Self {
         let mut tangent = self.tangent;
         for i in 0..N {
             tangent[i] = tangent[i].mul_add(factor.value, factor.tangent[i] * self.value);
         }
         Self { value: self.value * factor.value, tangent }
+    }
+    #[inline(always)]
+    fn recip(self) -> Self {
+        let inverse = self.value.recip();
+        self.chain(inverse, -(inverse * inverse))
     }
     #[inline(always)]
     fn inverse_cube_root(self) -> Self {

@@ -177,6 +177,12 @@ pub trait Scalar:
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
     }
+    /// The same with a factor that depends on no variable.
+    #[inline(always)]
+    #[must_use]
+    fn mul_add_f64(self, factor: f64, term: Self) -> Self {
+        self.mul_add(Self::from_f64(factor), term)
+    }
     /// `self * factor`, its derivatives fused where the CPU can: their bits may differ between packs of different
     /// widths.
     #[inline(always)]

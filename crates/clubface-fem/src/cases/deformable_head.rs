@@ -23,6 +23,21 @@ pub fn ball_against_deformable_head<R: Kernels>(
     friction: R,
     environment: &Environment,
 ) -> Result<Simulation<R>, FemError> {
+    deformable_head_in_steps(head, ball, touch, friction, None, environment)
+}
+
+/// The same, given the stable time step of the ball, s, if it is known.
+///
+/// # Errors
+/// As [`ball_against_deformable_head`].
+pub(crate) fn deformable_head_in_steps<R: Kernels>(
+    head: &dyn DeformableHead<R>,
+    ball: &BallConstruction<R>,
+    touch: &FirstTouch<R>,
+    friction: R,
+    stable: Option<f64>,
+    environment: &Environment,
+) -> Result<Simulation<R>, FemError> {
     head.check()?;
     check_approach(touch)?;
     let (up, toe) = touch.tangents();
@@ -33,10 +48,14 @@ pub fn ball_against_deformable_head<R: Kernels>(
     let mut positions = meshed.positions();
     let mut masses = meshed.masses.clone();
     // The springs are those of the ball against a rigid face, though the head may need shorter steps.
-    let mut alone = Structure::new(positions.clone(), meshed.masses, meshed.patches, &[], environment);
-    let stable = alone.stable_step(40);
+    let (stable, mut patches) = if let Some(stable) = stable {
+        (stable, meshed.patches)
+    } else {
+        let mut alone = Structure::new(positions.clone(), meshed.masses, meshed.patches, &[], environment);
+        (alone.stable_step(40), alone.into_patches())
+    };
     let springs = springs_for_stable_step(stable);
-    let (mut patches, mut parts) = (alone.into_patches(), meshed.parts);
+    let mut parts = meshed.parts;
     let frame = face_axes(head.loft());
     let along = |p: &Vec3<f64>| Vec3::from_f64(frame.map(|axis| p.dot(axis))) + touch.lever;
     let positioned: Vec<Vec3<R>> = head.nodes().iter().map(along).collect();

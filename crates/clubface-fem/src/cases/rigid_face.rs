@@ -21,7 +21,7 @@ pub fn ball_against_plane<R: Kernels>(
     environment: &Environment,
 ) -> Result<Simulation<R>, FemError> {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from_f64);
-    let mut simulation = against_rigid(ball, Plane, axes, Vec3::zero(), friction, environment)?;
+    let mut simulation = against_rigid(ball, Plane, axes, Vec3::zero(), friction, None, environment)?;
     let (sine, cosine) = angle.sin_cos();
     simulation.structure.velocities.fill(Row::from_vec(Vec3::new(
         -(speed * cosine),
@@ -41,11 +41,25 @@ pub fn ball_against_rigid_head<R: Kernels>(
     friction: R,
     environment: &Environment,
 ) -> Result<Simulation<R>, FemError> {
+    rigid_head_in_steps(ball, touch, friction, None, environment)
+}
+
+/// The same, given the stable time step of the ball, s, if it is known.
+///
+/// # Errors
+/// As [`ball_against_rigid_head`].
+pub(crate) fn rigid_head_in_steps<R: Kernels>(
+    ball: &BallConstruction<R>,
+    touch: &FirstTouch<R>,
+    friction: R,
+    stable: Option<f64>,
+    environment: &Environment,
+) -> Result<Simulation<R>, FemError> {
     check_approach(touch)?;
     let (up, toe) = touch.tangents();
     let axes = [touch.normal, up, toe];
     let mut simulation =
-        against_rigid(ball, RigidHead::new(touch), axes, touch.contact, friction, environment)?;
+        against_rigid(ball, RigidHead::new(touch), axes, touch.contact, friction, stable, environment)?;
     simulation.head_velocity = touch.club_velocity;
     let centre = touch.contact + touch.normal * R::from_f64(simulation.radius);
     let structure = &mut simulation.structure;
@@ -62,6 +76,7 @@ fn against_rigid<R: Kernels, T: RigidSurface<R> + 'static>(
     axes: [Vec3<R>; 3],
     point: Vec3<R>,
     friction: R,
+    stable: Option<f64>,
     environment: &Environment,
 ) -> Result<Simulation<R>, FemError> {
     let [normal, up, toe] = axes;
@@ -72,7 +87,7 @@ fn against_rigid<R: Kernels, T: RigidSurface<R> + 'static>(
     let contact = RigidContact::new(surface, friction, meshed.surface.clone(), &meshed.masses, &meshed.areas);
     let mut structure =
         Structure::new(meshed.positions(), meshed.masses, meshed.patches, &meshed.surface, environment);
-    let stable = structure.stable_step(40);
+    let stable = stable.unwrap_or_else(|| structure.stable_step(40));
     Ok(Simulation {
         ball_nodes: structure.positions.len(),
         structure,

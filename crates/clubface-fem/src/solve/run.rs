@@ -45,8 +45,23 @@ impl<R: Real> Simulation<R> {
         observer: &mut dyn FnMut(Snapshot<R>) -> bool,
     ) -> Result<SimulationResult<R>, FemError> {
         options.check()?;
+        let size = self.choose_step(options);
+        self.run_in_steps(options, size, observer)
+    }
+
+    /// As [`Simulation::run`], in steps that have been chosen.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`].
+    pub(crate) fn run_in_steps(
+        &mut self,
+        options: &Options,
+        StepSize { safety, dt, period, subcycled }: StepSize,
+        observer: &mut dyn FnMut(Snapshot<R>) -> bool,
+    ) -> Result<SimulationResult<R>, FemError> {
+        options.check()?;
         self.contact.set_method(options.contact);
-        let StepSize { safety, dt, period } = self.choose_step(options);
+        self.structure.subcycle(subcycled);
         if options.bulk_viscosity > 0.0 {
             self.structure.set_bulk_viscosity(options.bulk_viscosity);
         }

@@ -24,18 +24,21 @@ const LAYERS: usize = 2;
 const SLACK: f64 = 1.0 + 1e-9;
 
 /// The time step of a run.
-pub(super) struct StepSize {
+#[derive(Clone)]
+pub(crate) struct StepSize {
     /// Time step over the stable one, apart from rounding and bulk viscosity.
     pub safety: f64,
     /// Time step, s.
     pub dt: f64,
     /// Steps after which everything has moved: 2 with subcycling, otherwise 1.
     pub period: usize,
+    /// Which patches are subcycled.
+    pub subcycled: Vec<bool>,
 }
 
 impl<R: Real> Simulation<R> {
-    /// Chooses the time step, and the patches to subcycle.
-    pub(super) fn choose_step(&mut self, options: &Options) -> StepSize {
+    /// Chooses the time step, and the patches to subcycle. Neither depends on derivatives.
+    pub(crate) fn choose_step(&mut self, options: &Options) -> StepSize {
         // A rigid head needs no steps of its own. A deformable one is coupled to the ball by the contact alone, which
         // is stable with the ball's step.
         let of_head: Vec<bool> =
@@ -49,8 +52,8 @@ impl<R: Real> Simulation<R> {
         let factor = damped_step_ratio(options.bulk_viscosity);
         let mut with_safety = |safety: f64| {
             let dt = rounded(stable * safety * factor);
-            let period = if self.choose_subcycled(dt, safety * factor) { 2 } else { 1 };
-            StepSize { safety, dt, period }
+            let subcycled = self.choose_subcycled(dt, safety * factor);
+            StepSize { safety, dt, period: if subcycled.contains(&true) { 2 } else { 1 }, subcycled }
         };
         if let Some(safety) = options.safety {
             return with_safety(safety);
@@ -63,9 +66,9 @@ impl<R: Real> Simulation<R> {
         }
     }
 
-    /// Subcycles pieces of the ball, from the inside, if the step (s) is short enough for them; returns whether there
-    /// are any. The outermost piece is never subcycled: the force on the face would come and go with its impulses.
-    fn choose_subcycled(&mut self, dt: f64, safety: f64) -> bool {
+    /// The patches of those pieces of the ball, from the inside, for which the step (s) is short enough to subcycle
+    /// them. The outermost piece is never subcycled: the force on the face would come and go with its impulses.
+    fn choose_subcycled(&mut self, dt: f64, safety: f64) -> Vec<bool> {
         let duration = 2.0 * dt;
         let parts = &self.parts;
         let mut subcycled = vec![false; parts.len()];
@@ -84,9 +87,7 @@ impl<R: Real> Simulation<R> {
                 }
             }
         }
-        let any = subcycled.contains(&true);
-        self.structure.subcycle(subcycled);
-        any
+        subcycled
     }
 
     fn is_of_ball(&self, patch: usize) -> bool {

@@ -6,12 +6,15 @@ use clubface_fem::material::{Material, Maxwell, MooneyRivlin};
 use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
 use clubface_math::{with_lanes, Dual, Row, Vec3};
 
-/// What the forces depend on: how far the sphere is stretched and turned, its shear modulus (Pa), its radius (m).
-const AT: [f64; 4] = [0.1, 0.3, 4e6, 0.02];
+/// What the forces depend on: how far the sphere is stretched and turned, its shear modulus (Pa), and the radius (m) of
+/// a core, whose elements it scales, inside a cover, whose elements it squeezes.
+const AT: [f64; 4] = [0.1, 0.3, 4e6, 0.013];
+const OUTER_RADIUS: f64 = 0.02;
 
 /// Forces of a sphere in two steps, so that its branch has something to remember.
 fn forces<R: Kernels>(element: Element, mixed: bool, [stretch, turn, c10, radius]: [R; 4]) -> Vec<Vec3<R>> {
-    let mut mesh: SolidMesh<R> = cubed_sphere(&[radius], &Fineness { cube: 6, layers: vec![3] });
+    let mut mesh: SolidMesh<R> =
+        cubed_sphere(&[radius, R::from_f64(OUTER_RADIUS)], &Fineness { cube: 6, layers: vec![2, 2] });
     let count = mesh.elements.len();
     let given = mesh.elements.clone();
     for (place, element) in mesh.elements.iter_mut().enumerate().filter(|_| mixed) {

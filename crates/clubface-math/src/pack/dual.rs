@@ -1,7 +1,7 @@
 //! Packs of numbers with derivatives: a pack of values, and one of each derivative.
 
 use super::dispatch::dispatch;
-use super::traits::{Coefficient, Kernel, Lanes, Pack, PackKernel, Real, Row};
+use super::traits::{Kernel, Lanes, Pack, PackKernel, Real, Row};
 use crate::{Dual, Scalar, Vec3};
 use core::fmt::Debug;
 
@@ -79,51 +79,28 @@ impl<const N: usize> Real for Dual<f64, N> {
     }
 }
 
-impl<S: Lanes, const N: usize> Coefficient<Dual<S, N>> for Dual<S, N> {
-    const PASSES: usize = 1;
-    #[inline(always)]
-    fn part(of: &Self, _pass: usize) -> Self {
-        *of
-    }
-    #[inline(always)]
-    fn set_part(of: &mut Self, _pass: usize, part: Self) {
-        *of = part;
-    }
-    #[inline(always)]
-    fn lift(self) -> Self {
-        self
-    }
-}
-
-impl<S: Lanes, const N: usize> Coefficient<Dual<S, N>> for S {
-    const PASSES: usize = N + 1;
-    #[inline(always)]
-    fn part(of: &Dual<S, N>, pass: usize) -> Self {
-        if pass == 0 {
-            of.value
-        } else {
-            of.tangent[pass - 1]
-        }
-    }
-    #[inline(always)]
-    fn set_part(of: &mut Dual<S, N>, pass: usize, part: Self) {
-        if pass == 0 {
-            of.value = part;
-        } else {
-            of.tangent[pass - 1] = part;
-        }
-    }
-    #[inline(always)]
-    fn lift(self) -> Dual<S, N> {
-        Dual::constant(self)
-    }
-}
-
 /// A number with derivatives in each lane: a pack of values and one of every derivative.
 impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
     type Real = Dual<f64, N>;
     type Value = S;
+    type Pair = Dual<S, 1>;
     type Quad = Dual<S::Four, N>;
+    #[inline(always)]
+    fn part(self, which: usize) -> S {
+        if which == 0 {
+            self.value
+        } else {
+            self.tangent[which - 1]
+        }
+    }
+    #[inline(always)]
+    fn set_part(&mut self, which: usize, part: S) {
+        if which == 0 {
+            self.value = part;
+        } else {
+            self.tangent[which - 1] = part;
+        }
+    }
     #[inline(always)]
     fn quad(self, which: usize) -> Self::Quad {
         let mut quad = Dual::constant(self.value.four(which));
@@ -211,10 +188,11 @@ impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
     unsafe fn gather(rows: &[Row<Self::Real>], index: &[u32]) -> Vec3<Self> {
         // SAFETY of this and what follows: the caller's promise, and the parts of a row are rows of plain numbers.
         unsafe {
-            let value = S::gather(parts(rows), &places::<S, N>(index, 0));
+            let places = places::<S, N>(index);
+            let value = S::gather(parts(rows, 0), &places);
             let mut v = Vec3::new(Self::constant(value.x), Self::constant(value.y), Self::constant(value.z));
             for i in 0..N {
-                let slope = S::gather(parts(rows), &places::<S, N>(index, i + 1));
+                let slope = S::gather(parts(rows, i + 1), &places);
                 (v.x.tangent[i], v.y.tangent[i], v.z.tangent[i]) = (slope.x, slope.y, slope.z);
             }
             v
@@ -222,9 +200,10 @@ impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
     }
     #[inline(always)]
     unsafe fn scatter_add(rows: &mut [Row<Self::Real>], index: &[u32], value: Vec3<Self>) {
+        let places = places::<S, N>(index);
         for part in 0..=N {
             // SAFETY: as in `gather`.
-            unsafe { S::scatter_add(parts_mut(rows), &places::<S, N>(index, part), part_of(&value, part)) };
+            unsafe { S::scatter_add(parts_mut(rows, part), &places, part_of(&value, part)) };
         }
     }
     #[inline(always)]
@@ -244,29 +223,42 @@ impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
 /// One part of a vector.
 #[inline(always)]
 fn part_of<S: Lanes, const N: usize>(of: &Vec3<Dual<S, N>>, part: usize) -> Vec3<S> {
-    let one = |of: &Dual<S, N>| <S as Coefficient<Dual<S, N>>>::part(of, part);
-    Vec3::new(one(&of.x), one(&of.y), one(&of.z))
+    Vec3::new(Pack::part(of.x, part), Pack::part(of.y, part), Pack::part(of.z, part))
 }
 
-/// Places of one part of some rows among all parts.
+/// Places of the values of some rows among all parts, and so of each other part behind the first of its kind: worked
+/// out once for all parts.
 #[inline(always)]
-fn places<S: Lanes, const N: usize>(index: &[u32], part: usize) -> [u32; LANES] {
+fn places<S: Lanes, const N: usize>(index: &[u32]) -> [u32; LANES] {
     let index = &index[..S::LANES];
     let mut places = [0; LANES];
     for lane in 0..S::LANES {
-        places[lane] = index[lane] * (N as u32 + 1) + part as u32;
+        places[lane] = index[lane] * (N as u32 + 1);
     }
     places
 }
 
-/// Parts of rows, one after the other, each a row of plain numbers.
+/// Parts of rows from one of those of the first row on, one after the other, each a row of plain numbers.
+///
+/// # Safety
+/// There are rows, and a row has this part.
 #[inline(always)]
-fn parts<const N: usize>(rows: &[Row<Dual<f64, N>>]) -> &[Row<f64>] {
+unsafe fn parts<const N: usize>(rows: &[Row<Dual<f64, N>>], from: usize) -> &[Row<f64>] {
     // SAFETY: a row of numbers with derivatives is as many rows of plain numbers as it has parts.
-    unsafe { core::slice::from_raw_parts(rows.as_ptr().cast(), rows.len() * (N + 1)) }
+    unsafe {
+        let first = rows.as_ptr().cast::<Row<f64>>();
+        core::slice::from_raw_parts(first.add(from), rows.len() * (N + 1) - from)
+    }
 }
+/// The same to change them.
+///
+/// # Safety
+/// As for [`parts`].
 #[inline(always)]
-fn parts_mut<const N: usize>(rows: &mut [Row<Dual<f64, N>>]) -> &mut [Row<f64>] {
+unsafe fn parts_mut<const N: usize>(rows: &mut [Row<Dual<f64, N>>], from: usize) -> &mut [Row<f64>] {
     // SAFETY: as above.
-    unsafe { core::slice::from_raw_parts_mut(rows.as_mut_ptr().cast(), rows.len() * (N + 1)) }
+    unsafe {
+        let first = rows.as_mut_ptr().cast::<Row<f64>>();
+        core::slice::from_raw_parts_mut(first.add(from), rows.len() * (N + 1) - from)
+    }
 }

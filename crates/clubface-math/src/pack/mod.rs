@@ -7,6 +7,7 @@
 mod dispatch;
 mod dual;
 mod operators;
+mod part;
 mod plain;
 mod prefetch;
 mod traits;
@@ -16,8 +17,9 @@ mod wasm;
 mod x86;
 
 pub use dispatch::{dispatch, with_lanes};
+pub use part::Part;
 pub use prefetch::prefetch;
-pub use traits::{Coefficient, Kernel, Lanes, Pack, PackKernel, Real, Row};
+pub use traits::{Kernel, Lanes, Pack, PackKernel, Real, Row};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use wasm::F64x2;
 #[cfg(target_arch = "x86_64")]

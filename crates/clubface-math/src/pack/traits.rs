@@ -1,5 +1,6 @@
 //! What packs are: numbers that physics computes on, filled from arrays and from nodes.
 
+use super::part::Part;
 use crate::elementary::Primal;
 use crate::{Scalar, Vec3};
 use core::fmt::Debug;
@@ -133,29 +134,22 @@ impl<R: Real> Row<R> {
     }
 }
 
-/// Numbers that are coefficients of linear maps of packs `P`: such packs themselves, or their values alone where the
-/// coefficients depend on no variable. Such a map acts on the value and on every derivative alike, on each in one pass.
-pub trait Coefficient<P>: Scalar {
-    /// Number of passes; 1 if one does for all parts.
-    const PASSES: usize;
-    /// What a pass acts on.
-    fn part(of: &P, pass: usize) -> Self;
-    /// Sets it.
-    fn set_part(of: &mut P, pass: usize, part: Self);
-    /// As a number that depends on no other variable.
-    fn lift(self) -> P;
-}
-
 /// A pack of [`Scalar::LANES`] stored numbers.
-pub trait Pack: Scalar + Coefficient<Self> + Send + Sync {
+pub trait Pack: Scalar + Send + Sync {
     /// The number stored in arrays.
     type Real: Real;
     /// A pack of their values.
-    type Value: Lanes + Coefficient<Self>;
+    type Value: Lanes + Part<Self>;
+    /// A pack of pairs of value and derivative; of values where there are no derivatives.
+    type Pair: Part<Self>;
     /// What a pack is made of: packs of at most four lanes.
     type Quad: Pack<Real = Self::Real>;
     /// One of the first lanes, the next, and so on.
     fn quad(self, which: usize) -> Self::Quad;
+    /// One of the parts: the value, then each derivative.
+    fn part(self, which: usize) -> Self::Value;
+    /// Sets it.
+    fn set_part(&mut self, which: usize, part: Self::Value);
     /// Each quad from an address of its own; those of quads that the pack does not have are not used.
     ///
     /// # Safety
@@ -246,19 +240,27 @@ macro_rules! single_four {
 /// Packs without derivatives: one part, one pass.
 macro_rules! single_part {
     ($type:ty) => {
-        impl Coefficient<$type> for $type {
-            const PASSES: usize = 1;
+        impl Part<$type> for $type {
             #[inline(always)]
-            fn part(of: &Self, _pass: usize) -> Self {
-                *of
+            fn of(pack: &Self, _pass: usize) -> Self {
+                *pack
             }
             #[inline(always)]
-            fn set_part(of: &mut Self, _pass: usize, part: Self) {
-                *of = part;
+            fn places(_pass: usize) -> [usize; 2] {
+                [0, 0]
             }
             #[inline(always)]
-            fn lift(self) -> Self {
+            unsafe fn coefficient(value: *const f64, _derivative: *const f64) -> Self {
+                // SAFETY: the caller's promise.
+                unsafe { Self::read(value) }
+            }
+            #[inline(always)]
+            fn found(self) -> Self {
                 self
+            }
+            #[inline(always)]
+            fn from_found(found: Self) -> Self {
+                found
             }
         }
     };
@@ -268,6 +270,15 @@ macro_rules! single_part {
 macro_rules! single_storage {
     () => {
         type Value = Self;
+        type Pair = Self;
+        #[inline(always)]
+        fn part(self, _which: usize) -> Self {
+            self
+        }
+        #[inline(always)]
+        fn set_part(&mut self, _which: usize, part: Self) {
+            *self = part;
+        }
         #[inline(always)]
         unsafe fn read_parts(at: *const f64, _stride: usize) -> Self {
             // SAFETY: the caller's promise.

@@ -1,18 +1,20 @@
 //! What a hexahedron with one integration point keeps of its undeformed shape.
 
+use super::sameness::{alike, keeps_shape, similar};
 use crate::block::{Eight, BLOCK};
 use crate::mesh::{base_vectors, signs, CORNERS};
-use clubface_math::{Mat3, Pack, Real, Scalar, Vec3};
+use clubface_math::{Mat3, Pack, Part, Real, Scalar, Vec3};
+use std::marker::PhantomData;
 use std::sync::Arc;
 
 /// Numbers of an element's shape: `J^-1 / 8` (rows of base vectors, upper triangle), the negative of each hourglass
 /// shape in base vectors, what a pattern adds to each base vector in the mean gradient, volume. Where they stand:
-const SKEW: usize = 6;
+pub(super) const SKEW: usize = 6;
 const MEAN: usize = 18;
-const VOLUME: usize = 27;
-const SHAPE: usize = 28;
+pub(super) const VOLUME: usize = 27;
+pub(super) const SHAPE: usize = 28;
 /// Stiffnesses, one a pattern.
-const STIFFNESSES: usize = 4;
+pub(super) const STIFFNESSES: usize = 4;
 
 /// Mode of each uniform deformation, and of each hourglass pattern: bits are the reference coordinates in the product.
 const LINEAR: [usize; 3] = [1, 2, 4];
@@ -76,43 +78,123 @@ fn constants<G: Scalar, R: Scalar>(
     (stored, stiffness)
 }
 
-/// Constants of the elements of a block, their shapes in one number and their stiffnesses in another.
+/// Shapes of the elements of a block, or their derivatives by one variable.
+pub(super) type Lines = [Eight<f64>; SHAPE];
+
+/// Constants of the elements of a block: values of their shapes, and stiffnesses.
 #[derive(Clone, Copy)]
 #[repr(C)]
-pub struct Block<G: Real, R: Real> {
-    shape: [Eight<G>; SHAPE],
+pub struct Block<R: Real> {
+    pub(super) shape: Lines,
     stiffness: [Eight<R>; STIFFNESSES],
 }
 
-/// Constants of a pack of elements, their shapes in packs `G`: lanes `first..` of a block.
+/// How shapes depend on a variable.
+#[derive(Clone)]
+struct Slopes {
+    /// Whether elements grow without a change of shape, so that only base vectors and volumes depend on the variable.
+    similar: bool,
+    /// Derivatives, by block.
+    blocks: Arc<[Lines]>,
+}
+
+/// Constants of the blocks of a patch.
+#[derive(Clone)]
+pub struct Shapes<R: Real> {
+    blocks: Arc<[Block<R>]>,
+    /// By variable; none for one that no shape depends on.
+    slopes: Vec<Option<Slopes>>,
+}
+
+/// Constants of a pack of elements: lanes `first..` of a block. Without `SLOPES` their shapes are taken to depend on no
+/// variable, and no time is spent on finding out.
 #[derive(Clone, Copy)]
-pub struct Constants<'a, G: Pack, R: Real> {
-    block: &'a Block<G::Real, R>,
+pub struct Constants<'a, R: Real, const SLOPES: bool> {
+    shapes: &'a Shapes<R>,
+    number: usize,
+    block: &'a Block<R>,
     first: usize,
 }
 
-impl<'a, G: Pack, R: Real> Constants<'a, G, R> {
-    /// Of a block, from lane `first` on.
+/// The shapes of a pack of elements as a pass `G` of a linear map of packs `P` needs them.
+#[derive(Clone, Copy)]
+pub struct Shape<'a, P, G> {
+    values: &'a Lines,
+    slopes: &'a Lines,
+    first: usize,
+    packs: PhantomData<(P, G)>,
+}
+
+impl<'a, R: Real, const SLOPES: bool> Constants<'a, R, SLOPES> {
+    /// Of a block with its number, from lane `first` on.
     #[inline(always)]
-    pub fn new(block: &'a Block<G::Real, R>, first: usize) -> Self {
-        assert!(first + G::LANES <= BLOCK);
-        Self { block, first }
+    pub fn new(shapes: &'a Shapes<R>, number: usize, block: &'a Block<R>, first: usize) -> Self {
+        Self { shapes, number, block, first }
     }
     /// Of a pack from a lane on, counted over all blocks.
     #[inline(always)]
-    pub fn at(blocks: &'a [Block<G::Real, R>], lane: usize) -> Self {
-        Self::new(&blocks[lane / BLOCK], lane % BLOCK)
+    pub fn at(shapes: &'a Shapes<R>, lane: usize) -> Self {
+        let number = lane / BLOCK;
+        Self::new(shapes, number, &shapes.blocks[number], lane % BLOCK)
+    }
+    /// Where they stand.
+    #[inline(always)]
+    pub fn block(&self) -> &'a Block<R> {
+        self.block
+    }
+    /// Whether base vectors and volumes depend on the variable of a pass.
+    #[inline(always)]
+    pub fn size_varies(&self, pass: usize) -> bool {
+        SLOPES && self.shapes.slopes(pass).is_some()
+    }
+    /// Whether hourglass shapes and mean gradients do.
+    #[inline(always)]
+    pub fn pattern_varies(&self, pass: usize) -> bool {
+        SLOPES && self.shapes.pattern_varies(pass)
+    }
+    /// As a pass needs them.
+    #[inline(always)]
+    pub fn shape<P: Pack<Real = R>, G: Part<P>>(&self, pass: usize) -> Shape<'a, P, G> {
+        assert!(self.first + P::LANES <= BLOCK);
+        let values = &self.block.shape;
+        let slopes = if SLOPES { self.shapes.slopes(pass) } else { None };
+        let slopes = slopes.map_or(values, |slopes| &slopes.blocks[self.number]);
+        Shape { values, slopes, first: self.first, packs: PhantomData }
     }
     /// Reference volume, m3; 0 for a lane that holds no element.
     #[inline(always)]
-    pub fn volume(&self) -> G {
-        self.load(VOLUME)
+    pub fn volume<P: Pack<Real = R>>(&self) -> P {
+        let mut volume = P::zero();
+        volume.set_part(0, self.shape::<P, P::Value>(0).volume());
+        for pass in 1..R::PARTS {
+            if self.size_varies(pass) {
+                volume.set_part(pass, self.shape::<P, P::Pair>(pass).volume().found());
+            }
+        }
+        volume
     }
+    /// Minus the stiffness of a pattern, N/m.
+    #[inline(always)]
+    pub(super) fn stiffness<P: Pack<Real = R>>(&self, pattern: usize) -> P {
+        self.block.stiffness[pattern].load(self.first)
+    }
+}
+
+impl<P: Pack, G: Part<P>> Shape<'_, P, G> {
     #[inline(always)]
     fn load(&self, which: usize) -> G {
         debug_assert!(which < SHAPE);
-        // SAFETY: `which` is below SHAPE for what an element has, three base vectors and four patterns.
-        unsafe { self.block.shape.get_unchecked(which) }.load(self.first)
+        // SAFETY: `which` is below SHAPE for what an element has, three base vectors and four patterns; a block has
+        // room for a pack from `first` on.
+        unsafe {
+            let at = |lines: &Lines| std::ptr::from_ref(lines.get_unchecked(which)).cast::<f64>();
+            G::coefficient(at(self.values).add(self.first), at(self.slopes).add(self.first))
+        }
+    }
+    /// Reference volume, m3.
+    #[inline(always)]
+    pub(super) fn volume(&self) -> G {
+        self.load(VOLUME)
     }
     /// Part of a base vector in the negative of an hourglass shape.
     #[inline(always)]
@@ -129,142 +211,86 @@ impl<'a, G: Pack, R: Real> Constants<'a, G, R> {
     pub(super) fn inverse(&self) -> ([G; 3], [G; 2], G) {
         ([self.load(0), self.load(1), self.load(2)], [self.load(3), self.load(4)], self.load(5))
     }
-    /// Minus the stiffness of a pattern, N/m.
-    #[inline(always)]
-    pub(super) fn stiffness<P: Pack<Real = R>>(&self, pattern: usize) -> P {
-        self.block.stiffness[pattern].load(self.first)
-    }
-}
-
-/// Constants of the blocks of a patch.
-#[derive(Clone)]
-pub enum Shapes<R: Real> {
-    /// Of elements whose shape depends on no variable.
-    Fixed(Arc<[Block<f64, R>]>),
-    /// Of others.
-    Varying(Arc<[Block<R, R>]>),
 }
 
 impl<R: Real> Shapes<R> {
     /// Of some elements by their corners, in some blocks: given the slots of the elements. Slots of no element have no
     /// volume.
     pub fn new(elements: &[(usize, [Vec3<R>; CORNERS])], blocks: usize, shear: R) -> Self {
-        if elements.iter().all(|(_, corners)| keeps_shape(corners)) {
-            let plain = |v: Vec3<R>| Vec3::new(v.x.re(), v.y.re(), v.z.re());
-            let of = |corners: &[Vec3<R>; CORNERS]| constants(&corners.map(plain), shear, R::from_f64);
-            Self::Fixed(stored(elements, blocks, of))
-        } else {
-            Self::Varying(stored(elements, blocks, |corners| constants(corners, shear, |number| number)))
+        let varies: Vec<bool> = (1..R::PARTS)
+            .map(|part| !elements.iter().all(|(_, corners)| keeps_shape(corners, part - 1)))
+            .collect();
+        let plain = |v: Vec3<R>| Vec3::new(v.x.re(), v.y.re(), v.z.re());
+        let nothing = [Eight::alike(0.0); SHAPE];
+        let mut stored =
+            vec![Block { shape: nothing, stiffness: [Eight::alike(R::zero()); STIFFNESSES] }; blocks];
+        let mut slopes: Vec<_> = varies.iter().map(|varies| varies.then(|| vec![nothing; blocks])).collect();
+        for (slot, corners) in elements {
+            let (block, lane) = (slot / BLOCK, slot % BLOCK);
+            let (shape, mut stiffness) = constants(&corners.map(plain), shear, R::from_f64);
+            stored[block].shape.iter_mut().zip(shape).for_each(|(eight, number)| eight.set(lane, number));
+            if varies.contains(&true) {
+                let (shape, stiff) = constants(corners, shear, |number| number);
+                stiffness = stiff;
+                for (which, lines) in slopes.iter_mut().enumerate() {
+                    for (eight, number) in lines.iter_mut().flat_map(|lines| &mut lines[block]).zip(&shape) {
+                        eight.set(lane, number.derivatives()[which]);
+                    }
+                }
+            }
+            let eights = stored[block].stiffness.iter_mut();
+            eights.zip(stiffness).for_each(|(eight, number)| eight.set(lane, number));
         }
+        let slopes = slopes.into_iter().map(|lines| {
+            let blocks: Arc<[Lines]> = lines?.into();
+            Some(Slopes { similar: similar(&stored, &blocks), blocks })
+        });
+        Self { slopes: slopes.collect(), blocks: stored.into() }
     }
     /// Number of blocks.
     pub fn len(&self) -> usize {
-        match self {
-            Self::Fixed(blocks) => blocks.len(),
-            Self::Varying(blocks) => blocks.len(),
-        }
+        self.blocks.len()
     }
     /// Where they stand.
     pub fn address(&self) -> usize {
-        match self {
-            Self::Fixed(blocks) => blocks.as_ptr() as usize,
-            Self::Varying(blocks) => blocks.as_ptr() as usize,
-        }
+        self.blocks.as_ptr() as usize
     }
     /// Reference volumes of all lanes, m3.
     pub fn volumes(&self) -> Vec<f64> {
-        fn of<G: Real, R: Real>(blocks: &[Block<G, R>]) -> Vec<f64> {
-            let lanes =
-                |block: &Block<G, R>| [0, 1, 2, 3, 4, 5, 6, 7].map(|lane| block.shape[VOLUME].get(lane).re());
-            blocks.iter().flat_map(lanes).collect()
-        }
-        match self {
-            Self::Fixed(blocks) => of(blocks),
-            Self::Varying(blocks) => of(blocks),
-        }
+        let lanes = |block: &Block<R>| [0, 1, 2, 3, 4, 5, 6, 7].map(|lane| block.shape[VOLUME].get(lane));
+        self.blocks.iter().flat_map(lanes).collect()
     }
     /// Whether constants and their derivatives are the same to rounding.
     pub fn alike(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Fixed(one), Self::Fixed(other)) => alike(one, other),
-            (Self::Varying(one), Self::Varying(other)) => alike(one, other),
-            _ => false,
-        }
-    }
-}
-
-/// Blocks of constants.
-fn stored<G: Real, R: Real>(
-    elements: &[(usize, [Vec3<R>; CORNERS])],
-    blocks: usize,
-    of: impl Fn(&[Vec3<R>; CORNERS]) -> ([G; SHAPE], [R; STIFFNESSES]),
-) -> Arc<[Block<G, R>]> {
-    let nothing =
-        Block { shape: [Eight::alike(G::zero()); SHAPE], stiffness: [Eight::alike(R::zero()); STIFFNESSES] };
-    let mut stored = vec![nothing; blocks];
-    for (slot, corners) in elements {
-        let (block, lane) = (&mut stored[slot / BLOCK], slot % BLOCK);
-        let (shape, stiffness) = of(corners);
-        block.shape.iter_mut().zip(shape).for_each(|(eight, number)| eight.set(lane, number));
-        block.stiffness.iter_mut().zip(stiffness).for_each(|(eight, number)| eight.set(lane, number));
-    }
-    stored.into()
-}
-
-/// How far constants may differ that are the same but for the rounding of positions: those of a ball half a metre
-/// from the origin have lost 5e-17 m, of edges of a tenth of a millimetre, and differences of differences lose a
-/// hundred times that.
-const ROUNDING: f64 = 1e-10;
-
-/// Whether no distance between corners depends on a variable: an element that variables move and turn keeps its shape
-/// to rounding, and so its constants.
-fn keeps_shape<R: Real>(corners: &[Vec3<R>; CORNERS]) -> bool {
-    let slopes = |v: &Vec3<R>, which: usize| {
-        let [x, y, z] = v.array().map(|number| number.derivatives()[which]);
-        x.abs().max(y.abs()).max(z.abs())
-    };
-    (0..R::PARTS - 1).all(|which| {
-        let most = corners.iter().map(|corner| slopes(corner, which)).fold(0.0, f64::max);
-        (1..CORNERS).all(|a| {
-            (0..a).all(|b| {
-                let distance = (corners[a] - corners[b]).norm();
-                distance.derivatives()[which].abs() <= ROUNDING * most
+        alike(&self.blocks, &other.blocks, R::PARTS)
+            && self.slopes.iter().zip(&other.slopes).all(|pair| match pair {
+                (Some(one), Some(other)) => {
+                    one.similar == other.similar && alike(&one.blocks, &other.blocks, 0)
+                }
+                (one, other) => one.is_none() && other.is_none(),
             })
-        })
-    })
-}
-
-/// Whether constants and their derivatives are the same to rounding.
-fn alike<G: Real, R: Real>(a: &[Block<G, R>], b: &[Block<G, R>]) -> bool {
-    // Beside the largest of its kind: values and derivatives of a constant are kinds of their own. Those of the
-    // inverse Jacobian are of one kind.
-    let lines = SHAPE * G::PARTS + STIFFNESSES * R::PARTS;
-    let kind = |line: usize| if line < SKEW * G::PARTS { line % G::PARTS } else { line };
-    let mut largest = vec![0.0_f64; lines];
-    for block in a {
-        for (line, numbers) in block.lines().iter().enumerate() {
-            let largest = &mut largest[kind(line)];
-            *largest = numbers.iter().fold(*largest, |largest, number| largest.max(number.abs()));
-        }
     }
-    let allowed = |line: usize| {
-        // Shapes of hourglass patterns are relative to the edges; they may all be zero but for rounding.
-        let least = if (SKEW * G::PARTS..VOLUME * G::PARTS).contains(&line) { 1.0 } else { 0.0 };
-        ROUNDING * largest[kind(line)].max(least)
-    };
-    let allowed: Vec<f64> = (0..lines).map(allowed).collect();
-    a.len() == b.len()
-        && a.iter().zip(b).all(|(a, b)| {
-            let lines = a.lines().iter().zip(b.lines()).zip(&allowed);
-            lines.into_iter().all(|((a, b), allowed)| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= *allowed))
-        })
-}
-
-impl<G: Real, R: Real> Block<G, R> {
-    /// All numbers of it: those of a constant for eight elements, then each of its derivatives.
-    fn lines(&self) -> &[[f64; BLOCK]] {
-        let count = size_of::<Self>() / size_of::<[f64; BLOCK]>();
-        // SAFETY: constants are as many lines of eight numbers as they have parts, and nothing else.
-        unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), count) }
+    /// Those of the blocks but for their derivatives by variables.
+    #[inline(always)]
+    pub fn blocks(&self) -> &[Block<R>] {
+        &self.blocks
+    }
+    /// How shapes depend on the variable of a pass.
+    #[inline(always)]
+    fn slopes(&self, pass: usize) -> Option<&Slopes> {
+        // Known to the compiler for plain numbers, which have no other pass than the first.
+        if R::PARTS == 1 || pass == 0 {
+            return None;
+        }
+        self.slopes[pass - 1].as_ref()
+    }
+    /// Whether hourglass shapes and mean gradients depend on the variable of a pass.
+    #[inline(always)]
+    pub fn pattern_varies(&self, pass: usize) -> bool {
+        self.slopes(pass).is_some_and(|slopes| !slopes.similar)
+    }
+    /// Whether shapes depend on a variable.
+    pub fn vary(&self) -> bool {
+        self.slopes.iter().any(Option::is_some)
     }
 }

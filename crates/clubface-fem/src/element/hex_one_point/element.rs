@@ -11,12 +11,14 @@
 //! which the first base vector lies along x and the second in the xy plane. Its Jacobian is then triangular (six
 //! numbers instead of nine), and elements that differ by a rotation share their constants.
 //!
-//! Where the shape depends on no variable, the maps between positions, modes, gradients and forces are linear with
-//! plain coefficients, and numbers with derivatives go through them part by part, in as many passes.
+//! The maps between positions, modes, gradients and forces are linear, with coefficients that follow from the shape.
+//! Numbers with derivatives go through them part by part, in as many passes (see [`Part`]): on plain numbers, but for
+//! derivatives by variables that the shape depends on.
 
-use super::constants::Constants;
+use super::constants::{Constants, Shape};
+use super::passes::{found, from_found, in_passes, part, set_part};
 use crate::material::Symmetric;
-use clubface_math::{Coefficient, Mat3, Pack, Real, Scalar, Vec3};
+use clubface_math::{Mat3, Pack, Part, Real, Scalar, Vec3};
 
 /// Four corners of one side along the third reference coordinate, a number each, as sums and differences: sum, along
 /// the first coordinate, along the second, along both.
@@ -66,17 +68,20 @@ pub struct Component<P> {
 impl<G: Pack> Component<G> {
     /// From the positions of the sides.
     #[inline(always)]
-    pub fn new<R: Real>(constants: &Constants<G, R>, low: &Sums<G>, high: &Sums<G>) -> Self {
+    pub fn new<P: Pack>(shape: &Shape<P, G>, low: &Sums<G>, high: &Sums<G>) -> Self
+    where
+        G: Part<P>,
+    {
         let mut bases = [low[1] + high[1], low[2] + high[2], high[0] - low[0]];
         let mut patterns = [high[2] - low[2], high[1] - low[1], low[3] + high[3], high[3] - low[3]];
         for which in 0..4 {
             for i in 0..3 {
-                patterns[which] = constants.skew(which, i).mul_add(bases[i], patterns[which]);
+                patterns[which] = shape.skew(which, i).mul_add(bases[i], patterns[which]);
             }
         }
         for which in 0..3 {
             for i in 0..3 {
-                bases[i] = constants.mean(which, i).mul_add(patterns[which], bases[i]);
+                bases[i] = shape.mean(which, i).mul_add(patterns[which], bases[i]);
             }
         }
         Self { bases, patterns }
@@ -84,19 +89,22 @@ impl<G: Pack> Component<G> {
 
     /// Forces, N, on the sides below (added to those given) and above, from those on the modes.
     #[inline(always)]
-    pub fn forces<R: Real>(&self, constants: &Constants<G, R>, below: &Sums<G>) -> (Sums<G>, Sums<G>) {
+    pub fn forces<P: Pack>(&self, shape: &Shape<P, G>, below: &Sums<G>) -> (Sums<G>, Sums<G>)
+    where
+        G: Part<P>,
+    {
         // Below the next term of each sum in turn: what the CPU waits for is the longest chain of operations.
         let (mut on_bases, mut on_patterns) = (self.bases, self.patterns);
         // What acts on base vectors acts on the patterns in their means, and what acts on patterns on the base
         // vectors they were freed of.
         for i in 0..3 {
             for which in 0..3 {
-                on_patterns[which] = constants.mean(which, i).mul_add(on_bases[i], on_patterns[which]);
+                on_patterns[which] = shape.mean(which, i).mul_add(on_bases[i], on_patterns[which]);
             }
         }
         for which in [3, 0, 1, 2] {
             for i in 0..3 {
-                on_bases[i] = constants.skew(which, i).mul_add(on_patterns[which], on_bases[i]);
+                on_bases[i] = shape.skew(which, i).mul_add(on_patterns[which], on_bases[i]);
             }
         }
         let ([first, second, third], [yz, xz, xy, twist]) = (on_bases, on_patterns);
@@ -113,9 +121,13 @@ impl<P: Pack> Component<P> {
         Self { bases: [P::zero(); 3], patterns: [P::zero(); 4] }
     }
 
-    /// What acts on the base vectors under a stress as of [`on_bases`], and on the hourglass patterns, N.
+    /// What acts on the base vectors under a stress as of [`super::stress::on_bases`], and on the hourglass patterns, N.
     #[inline(always)]
-    pub fn loads<G: Pack>(&self, constants: &Constants<G, P::Real>, stress: &Symmetric<P>) -> Self {
+    pub fn loads<const SLOPES: bool>(
+        &self,
+        constants: &Constants<P::Real, SLOPES>,
+        stress: &Symmetric<P>,
+    ) -> Self {
         let [aa, bb, cc, ab, ac, bc] = stress.0;
         let bases = self.bases;
         let mut patterns = self.patterns;
@@ -126,35 +138,43 @@ impl<P: Pack> Component<P> {
         Self { bases, patterns }
     }
 
+    /// Sets the modes of one pass from the positions of the sides.
+    #[inline(always)]
+    fn set_modes<G: Part<P>, const SLOPES: bool>(
+        &mut self,
+        constants: &Constants<P::Real, SLOPES>,
+        pass: usize,
+        low: &Sums<P>,
+        high: &Sums<P>,
+    ) {
+        let (low, high) = (part(low, pass), part(high, pass));
+        self.set_part(pass, &Component::<G>::new(&constants.shape(pass), &low, &high));
+    }
+
+    /// One pass of the forces, N, as of [`Component::forces`], from what acts on the modes.
+    #[inline(always)]
+    pub fn part_of_forces<G: Part<P>, const SLOPES: bool>(
+        &self,
+        constants: &Constants<P::Real, SLOPES>,
+        pass: usize,
+        below: &Sums<P::Value>,
+    ) -> (Sums<P::Value>, Sums<P::Value>) {
+        let shape = constants.shape::<P, G>(pass);
+        let (low, high) = self.part::<G>(pass).forces(&shape, &from_found::<P, G, 4>(below));
+        (found::<P, G, 4>(&low), found::<P, G, 4>(&high))
+    }
+
     /// What a pass of a linear map acts on.
     #[inline(always)]
-    pub fn part<G: Pack + Coefficient<P>>(&self, pass: usize) -> Component<G> {
+    pub fn part<G: Part<P>>(&self, pass: usize) -> Component<G> {
         Component { bases: part(&self.bases, pass), patterns: part(&self.patterns, pass) }
     }
 
-    /// Sets it.
+    /// Sets what a pass has found.
     #[inline(always)]
-    pub fn set_part<G: Pack + Coefficient<P>>(&mut self, pass: usize, part: &Component<G>) {
+    pub fn set_part<G: Part<P>>(&mut self, pass: usize, part: &Component<G>) {
         set_part(&mut self.bases, pass, &part.bases);
         set_part(&mut self.patterns, pass, &part.patterns);
-    }
-}
-
-/// What a pass of a linear map acts on.
-#[inline(always)]
-pub fn part<P, G: Coefficient<P>, const N: usize>(of: &[P; N], pass: usize) -> [G; N] {
-    let mut parts = [G::zero(); N];
-    for i in 0..N {
-        parts[i] = <G as Coefficient<P>>::part(&of[i], pass);
-    }
-    parts
-}
-
-/// Sets it.
-#[inline(always)]
-pub fn set_part<P, G: Coefficient<P>, const N: usize>(of: &mut [P; N], pass: usize, parts: &[G; N]) {
-    for i in 0..N {
-        <G as Coefficient<P>>::set_part(&mut of[i], pass, parts[i]);
     }
 }
 
@@ -174,16 +194,20 @@ impl<P: Pack> Hexahedron<P> {
 
     /// From the positions of its sides.
     #[inline(always)]
-    pub fn new<G: Pack + Coefficient<P>>(
-        constants: &Constants<G, P::Real>,
+    pub fn new<const SLOPES: bool>(
+        constants: &Constants<P::Real, SLOPES>,
         low: &Face<P>,
         high: &Face<P>,
     ) -> Self {
         let mut element = Self::zero();
         for axis in 0..3 {
-            for pass in 0..<G as Coefficient<P>>::PASSES {
-                let (low, high) = (part(&low[axis], pass), part(&high[axis], pass));
-                element.components[axis].set_part(pass, &Component::<G>::new(constants, &low, &high));
+            for pass in 0..P::Real::PARTS {
+                let component = &mut element.components[axis];
+                if constants.pattern_varies(pass) {
+                    component.set_modes::<P::Pair, SLOPES>(constants, pass, &low[axis], &high[axis]);
+                } else {
+                    component.set_modes::<P::Value, SLOPES>(constants, pass, &low[axis], &high[axis]);
+                }
             }
         }
         element
@@ -191,40 +215,52 @@ impl<P: Pack> Hexahedron<P> {
 
     /// Mean deformation gradient, seen from the element's own frame; the identity where there is no element.
     #[inline(always)]
-    pub fn gradient<G: Pack + Coefficient<P>>(&self, constants: &Constants<G, P::Real>) -> Mat3<P> {
-        // F = a r^T + b s^T + c t^T.
-        let (r, s, t) = constants.inverse();
-        let unit = G::select(constants.volume().gt(G::zero()), G::zero(), G::one());
+    pub fn gradient<const SLOPES: bool>(&self, constants: &Constants<P::Real, SLOPES>) -> Mat3<P> {
         let mut rows = [Vec3::zero(); 3];
         for i in 0..3 {
             let mut row = [P::zero(); 3];
-            for pass in 0..<G as Coefficient<P>>::PASSES {
-                let [a, b, c] = part::<P, G, 3>(&self.components[i].bases, pass);
-                let mut one = [a * r[0], a * r[1], a * r[2]];
-                if pass == 0 {
-                    one[i] = a.mul_add(r[i], unit);
-                }
-                let along = [one[0], b.mul_add(s[0], one[1]), c.mul_add(t, b.mul_add(s[1], one[2]))];
-                set_part(&mut row, pass, &along);
-            }
+            in_passes!(P::Real, |pass| if constants.size_varies(pass) {
+                self.part_of_row::<P::Pair>(&constants.shape(pass), pass, i, &mut row);
+            } else {
+                self.part_of_row::<P::Value>(&constants.shape(pass), pass, i, &mut row);
+            });
             let [x, y, z] = row;
             rows[i] = Vec3::new(x, y, z);
         }
         Mat3 { rows }
     }
 
+    /// One pass of a row of it.
+    #[inline(always)]
+    fn part_of_row<G: Part<P>>(&self, shape: &Shape<P, G>, pass: usize, i: usize, row: &mut [P; 3]) {
+        // F = a r^T + b s^T + c t^T.
+        let (r, s, t) = shape.inverse();
+        let [a, b, c] = part::<P, G, 3>(&self.components[i].bases, pass);
+        let mut one = [a.product(r[0]), a.product(r[1]), a.product(r[2])];
+        if pass == 0 {
+            let unit = G::select(shape.volume().gt(G::zero()), G::zero(), G::one());
+            one[i] = a.mul_add(r[i], unit);
+        }
+        set_part(row, pass, &[one[0], b.mul_add(s[0], one[1]), c.mul_add(t, b.mul_add(s[1], one[2]))]);
+    }
+
     /// Forces, N, on the sides below and above.
     #[inline(always)]
-    pub fn forces<G: Pack + Coefficient<P>>(
+    pub fn forces<const SLOPES: bool>(
         &self,
-        constants: &Constants<G, P::Real>,
+        constants: &Constants<P::Real, SLOPES>,
         stress: &Symmetric<P>,
     ) -> (Face<P>, Face<P>) {
         let (mut low, mut high) = (empty(), empty());
         for axis in 0..3 {
             let loads = self.components[axis].loads(constants, stress);
-            for pass in 0..<G as Coefficient<P>>::PASSES {
-                let (below, above) = loads.part::<G>(pass).forces(constants, &[G::zero(); 4]);
+            for pass in 0..P::Real::PARTS {
+                let nothing = [P::Value::zero(); 4];
+                let (below, above) = if constants.pattern_varies(pass) {
+                    loads.part_of_forces::<P::Pair, SLOPES>(constants, pass, &nothing)
+                } else {
+                    loads.part_of_forces::<P::Value, SLOPES>(constants, pass, &nothing)
+                };
                 set_part(&mut low[axis], pass, &below);
                 set_part(&mut high[axis], pass, &above);
             }
@@ -234,7 +270,7 @@ impl<P: Pack> Hexahedron<P> {
 
     /// Energy of the hourglass patterns, J.
     #[inline(always)]
-    pub fn hourglass_energy<G: Pack>(&self, constants: &Constants<G, P::Real>) -> P {
+    pub fn hourglass_energy<const SLOPES: bool>(&self, constants: &Constants<P::Real, SLOPES>) -> P {
         let mut sum = P::zero();
         for which in 0..4 {
             let pattern = self.components.map(|component| component.patterns[which]);
@@ -244,50 +280,10 @@ impl<P: Pack> Hexahedron<P> {
     }
 }
 
-/// A second Piola-Kirchhoff stress (Pa, times minus the volume) seen from the base vectors, `G^T S G` where the
-/// gradient is their matrix times `G^T`: the force on each is the sum of all with these factors, N/m.
-#[inline(always)]
-pub fn on_bases<P: Pack, G: Pack + Coefficient<P>>(
-    constants: &Constants<G, P::Real>,
-    second: &Symmetric<P>,
-) -> Symmetric<P> {
-    let mut seen = *second;
-    for pass in 0..<G as Coefficient<P>>::PASSES {
-        set_part(&mut seen.0, pass, &part_on_bases(constants, part(&second.0, pass)));
-    }
-    seen
-}
-
-/// One pass of it.
-#[inline(always)]
-fn part_on_bases<G: Pack, R: Real>(constants: &Constants<G, R>, second: [G; 6]) -> [G; 6] {
-    let ([rx, ry, rz], [sy, sz], tz) = constants.inverse();
-    let [xx, yy, zz, xy, xz, yz] = second;
-    let [ax, ay, az] = [
-        xz.mul_add(rz, xy.mul_add(ry, xx * rx)),
-        yz.mul_add(rz, yy.mul_add(ry, xy * rx)),
-        zz.mul_add(rz, yz.mul_add(ry, xz * rx)),
-    ];
-    let (by, bz) = (yz.mul_add(sz, yy * sy), zz.mul_add(sz, yz * sy));
-    [
-        az.mul_add(rz, ay.mul_add(ry, ax * rx)),
-        bz.mul_add(sz, by * sy),
-        zz * tz * tz,
-        az.mul_add(sz, ay * sy),
-        az * tz,
-        bz * tz,
-    ]
-}
-
 /// A visitor of elements.
 pub trait Visitor<P: Pack> {
-    /// Visits a pack, which begins with a lane, counted over all blocks.
-    fn visit<G: Pack + Coefficient<P>>(
-        &mut self,
-        lane: usize,
-        constants: &Constants<G, P::Real>,
-        element: &Hexahedron<P>,
-    );
+    /// Visits a pack, which begins with a lane, counted over all blocks. What visitors find has no derivatives.
+    fn visit(&mut self, lane: usize, constants: &Constants<P::Real, false>, element: &Hexahedron<P>);
     /// Ends a run of at most [`super::stress::RUN`] packs, each `step` lanes further than the one before.
     fn end_run(&mut self, _step: usize) {}
 }

@@ -1,11 +1,11 @@
 //! Elements in any arrangement: the corners of a pack are gathered from the nodes one by one.
 
-use super::constants::{Block, Constants, Shapes};
-use super::element::{on_bases, spread, sums, Face, Hexahedron, Visitor};
-use super::stress::{Run, Stress, RUN};
+use super::constants::{Constants, Shapes};
+use super::element::{spread, sums, Face, Hexahedron, Visitor};
+use super::stress::{on_bases, Run, Stress, RUN};
 use crate::block::BLOCK;
 use crate::mesh::CORNERS;
-use clubface_math::{Coefficient, Pack, Real, Row, Vec3};
+use clubface_math::{Pack, Real, Row, Vec3};
 use std::collections::HashMap;
 
 /// Elements in blocks of eight, each knowing its corners.
@@ -52,10 +52,10 @@ impl<R: Real> Indexed<R> {
 
     /// A pack of elements from a lane on, counted over all blocks.
     #[inline(always)]
-    fn element<P: Pack<Real = R>, G: Pack + Coefficient<P>>(
+    fn element<P: Pack<Real = R>, const SLOPES: bool>(
         &self,
         lane: usize,
-        constants: &Constants<G, R>,
+        constants: &Constants<R, SLOPES>,
     ) -> Hexahedron<P> {
         let corners = &self.corners[lane / BLOCK];
         let mut x = [Vec3::zero(); CORNERS];
@@ -73,22 +73,7 @@ impl<R: Real> Indexed<R> {
         &mut self,
         positions: &[Row<R>],
         nodes: &[u32],
-        constants: &Shapes<R>,
-        stress: Stress<P>,
-    ) -> bool {
-        match constants {
-            Shapes::Fixed(blocks) => self.forces_of::<P, P::Value>(positions, nodes, blocks, stress),
-            Shapes::Varying(blocks) => self.forces_of::<P, P>(positions, nodes, blocks, stress),
-        }
-    }
-
-    /// The same with constants in packs `G`.
-    #[inline(always)]
-    fn forces_of<P: Pack<Real = R>, G: Pack + Coefficient<P>>(
-        &mut self,
-        positions: &[Row<R>],
-        nodes: &[u32],
-        blocks: &[Block<G::Real, R>],
+        shapes: &Shapes<R>,
         mut stress: Stress<P>,
     ) -> bool {
         self.load(positions, nodes);
@@ -98,15 +83,14 @@ impl<R: Real> Indexed<R> {
         for (start, count) in self.runs::<P>() {
             for i in 0..count {
                 let lane = start + i * P::LANES;
-                let constants = Constants::<G, R>::at(blocks, lane);
+                let constants = Constants::<R, true>::at(shapes, lane);
                 elements[i] = self.element(lane, &constants);
-                let volume = <G as Coefficient<P>>::lift(constants.volume());
-                stress.set(&mut run, i, lane, elements[i].gradient(&constants), volume);
+                stress.set(&mut run, i, lane, elements[i].gradient(&constants), constants.volume());
             }
             stress.compute(&mut run, count, start, P::LANES);
             for i in 0..count {
                 let lane = start + i * P::LANES;
-                let constants = Constants::<G, R>::at(blocks, lane);
+                let constants = Constants::<R, true>::at(shapes, lane);
                 let (low, high) = elements[i].forces(&constants, &on_bases(&constants, &run.stresses[i]));
                 for (bottom, face) in [(0, low), (4, high)] {
                     let (x, y, z) = (spread(face[0]), spread(face[1]), spread(face[2]));
@@ -131,18 +115,18 @@ impl<R: Real> Indexed<R> {
 
     /// Shows every element to a visitor.
     #[inline(always)]
-    pub fn visit<P: Pack<Real = R>, G: Pack + Coefficient<P>, W: Visitor<P>>(
+    pub fn visit<P: Pack<Real = R>, W: Visitor<P>>(
         &mut self,
         positions: &[Row<R>],
         nodes: &[u32],
-        blocks: &[Block<G::Real, R>],
+        shapes: &Shapes<R>,
         visitor: &mut W,
     ) {
         self.load(positions, nodes);
         for (start, count) in self.runs::<P>() {
             for i in 0..count {
                 let lane = start + i * P::LANES;
-                let constants = Constants::<G, R>::at(blocks, lane);
+                let constants = Constants::at(shapes, lane);
                 visitor.visit(lane, &constants, &self.element(lane, &constants));
             }
             visitor.end_run(P::LANES);

@@ -6,16 +6,16 @@
 //! through the layers and carries the side it shares with the next one along.
 
 use super::arrangement::order;
-use super::constants::{Block, Constants, Shapes};
-use super::element::{empty, on_bases, part, set_part, Component, Hexahedron, Visitor};
+use super::constants::{Constants, Shapes};
+use super::element::{Hexahedron, Visitor};
 use super::interior::{Advance, Interior, Kinetic};
-use super::places::{add, face, side, Places};
-use super::stress::{Run, Stress, RUN};
+use super::places::{face, Places};
+use super::stress::{Stress, RUN};
+use super::walk::walk;
 use crate::block::BLOCK;
-use crate::element::field::{Field, Layout, Scratch};
+use crate::element::field::{Layout, Scratch};
 use crate::mesh::CORNERS;
-use clubface_math::pack::prefetch;
-use clubface_math::{Coefficient, Pack, Real, Row, Scalar};
+use clubface_math::{Pack, Real, Row};
 
 /// Most layers.
 pub const DEPTH: usize = 6;
@@ -87,9 +87,10 @@ impl<R: Real> Lattice<R> {
             field
         };
         let valid = unsafe {
-            match constants {
-                Shapes::Fixed(blocks) => walk::<P, P::Value>(*shape, &mut field, &mut forces, blocks, stress),
-                Shapes::Varying(blocks) => walk::<P, P>(*shape, &mut field, &mut forces, blocks, stress),
+            if P::Real::PARTS > 1 && constants.vary() {
+                walk::<P, true>(*shape, &mut field, &mut forces, constants, stress)
+            } else {
+                walk::<P, false>(*shape, &mut field, &mut forces, constants, stress)
             }
         };
         if let Some(interior) = interior {
@@ -122,11 +123,11 @@ impl<R: Real> Lattice<R> {
     /// # Safety
     /// As for [`Lattice::assemble`].
     #[inline(always)]
-    pub unsafe fn visit<P: Pack<Real = R>, G: Pack + Coefficient<P>, W: Visitor<P>>(
+    pub unsafe fn visit<P: Pack<Real = R>, W: Visitor<P>>(
         &mut self,
         positions: &[Row<R>],
         nodes: &[u32],
-        constants: &[Block<G::Real, R>],
+        shapes: &Shapes<R>,
         loaded: bool,
         visitor: &mut W,
     ) {
@@ -143,14 +144,14 @@ impl<R: Real> Lattice<R> {
             }
             field
         };
-        for (column, blocks) in constants.chunks_exact(nk).enumerate() {
+        for (column, blocks) in shapes.blocks().chunks_exact(nk).enumerate() {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let at = places.quads::<P>(column * BLOCK + first);
                 for (k, block) in blocks.iter().enumerate() {
                     // SAFETY: `at` is within the columns.
                     let (low, high) =
                         unsafe { (face::<P>(&mut field, k, &at), face::<P>(&mut field, k + 1, &at)) };
-                    let constants = Constants::<G, R>::new(block, first);
+                    let constants = Constants::new(shapes, column * nk + k, block, first);
                     let lane = (column * nk + k) * BLOCK + first;
                     visitor.visit(lane, &constants, &Hexahedron::new(&constants, &low, &high));
                     if (k + 1).is_multiple_of(RUN) || k + 1 == nk {
@@ -160,110 +161,4 @@ impl<R: Real> Lattice<R> {
             }
         }
     }
-}
-
-/// Forces of a lattice of elements of the given shape, and whether the laws hold for all volumes.
-///
-/// Each pack of elements goes up through some layers in several loops: patterns, deformation, stress, forces. One
-/// loop would be a long chain of operations, which wait for each other and for more registers than there are.
-/// Patterns and forces go component by component, since the numbers of one fit the registers: constants are loaded
-/// thrice, but nothing else is put aside.
-///
-/// Where constants are values alone, numbers with derivatives go through these two part by part, for the same reason.
-///
-/// # Safety
-/// The fields are those of the lattice.
-#[inline(always)]
-unsafe fn walk<P: Pack, G: Pack + Coefficient<P>>(
-    shape: [usize; 3],
-    positions: &mut Field<P::Real>,
-    forces: &mut Field<P::Real>,
-    constants: &[Block<G::Real, P::Real>],
-    mut stress: Stress<P>,
-) -> bool {
-    let passes = const { <G as Coefficient<P>>::PASSES };
-    let [ni, _, nk] = shape;
-    assert!(nk <= DEPTH);
-    let (row, places) = (ni + 1, Places::new(shape));
-    for k in 0..=nk {
-        for axis in 0..3 {
-            for at in (0..row).step_by(P::LANES) {
-                // SAFETY: the stride has room for two rows.
-                unsafe { P::zero().write_parts(forces.at(k, axis).add(at), forces.stride()) };
-            }
-        }
-    }
-    let mut carry = P::Real::each_part([[[G::Quad::zero(); 2]; DEPTH + 1]; 3]);
-    let mut below = [empty::<P>(); BLOCK];
-    let mut elements = [Hexahedron::<P>::zero(); RUN];
-    let mut points = Run::new();
-    for (column, blocks) in constants.chunks_exact(nk).enumerate() {
-        for start in (0..nk).step_by(RUN) {
-            let run = &blocks[start..(start + RUN).min(nk)];
-            for first in (0..BLOCK).step_by(P::LANES) {
-                let at = places.quads::<P>(column * BLOCK + first);
-                for axis in 0..3 {
-                    for pass in 0..passes {
-                        // SAFETY of these: `at` is within the columns.
-                        let mut low = unsafe { side::<G, _>(positions, start, axis, pass, &at) };
-                        for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
-                            let high = unsafe { side(positions, start + layer + 1, axis, pass, &at) };
-                            let constants = Constants::<G, P::Real>::new(block, first);
-                            let component = Component::new(&constants, &low, &high);
-                            element.components[axis].set_part(pass, &component);
-                            low = high;
-                        }
-                    }
-                }
-                let lane = (column * nk + start) * BLOCK + first;
-                for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
-                    // The loops from here to the forces compute more than they load: time to fetch what the next ones
-                    // need.
-                    if first == 0 {
-                        prefetch(block, RUN);
-                    }
-                    let constants = Constants::<G, P::Real>::new(block, first);
-                    let gradient = element.gradient(&constants);
-                    let volume = <G as Coefficient<P>>::lift(constants.volume());
-                    stress.set(&mut points, layer, lane + layer * BLOCK, gradient, volume);
-                }
-                stress.compute(&mut points, run.len(), lane, BLOCK);
-                for (block, stress) in run.iter().zip(&mut points.stresses) {
-                    *stress = on_bases(&Constants::<G, P::Real>::new(block, first), stress);
-                }
-                for axis in 0..3 {
-                    if passes > 1 {
-                        for (layer, (block, element)) in run.iter().zip(&mut elements).enumerate() {
-                            let constants = Constants::<G, P::Real>::new(block, first);
-                            let component = &mut element.components[axis];
-                            *component = component.loads(&constants, &points.stresses[layer]);
-                        }
-                    }
-                    for pass in 0..passes {
-                        let carry = &mut P::Real::part_mut(&mut carry, pass)[axis];
-                        let mut under =
-                            if start == 0 { [G::zero(); 4] } else { part(&below[first][axis], pass) };
-                        for (layer, (block, element)) in run.iter().zip(&elements).enumerate() {
-                            let constants = Constants::<G, P::Real>::new(block, first);
-                            let component = &element.components[axis];
-                            let loads = if passes == 1 {
-                                component.loads(&constants, &points.stresses[layer]).part::<G>(pass)
-                            } else {
-                                component.part(pass)
-                            };
-                            let (force, above) = loads.forces(&constants, &under);
-                            let k = start + layer;
-                            unsafe { add(forces, k, axis, pass, &at, force, &mut carry[k]) };
-                            under = above;
-                        }
-                        set_part(&mut below[first][axis], pass, &under);
-                        if start + run.len() == nk {
-                            unsafe { add(forces, nk, axis, pass, &at, under, &mut carry[nk]) };
-                        }
-                    }
-                }
-            }
-        }
-    }
-    stress.ratios.valid()
 }

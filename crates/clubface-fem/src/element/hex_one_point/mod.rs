@@ -8,8 +8,11 @@ mod interface;
 mod interior;
 mod lattice;
 mod output;
+mod passes;
 mod patch;
 mod places;
+mod sameness;
 mod stress;
+mod walk;
 
 pub use patch::{constant_sets, solid_patches};

@@ -11,7 +11,7 @@ use crate::element::patch::{Energy, Ratios};
 use crate::material::{
     EnergyPoints, Kinematics, PointEnergy, Points, StateVariables, StressStage, Symmetric,
 };
-use clubface_math::{Coefficient, Pack, PackKernel, Real, Row};
+use clubface_math::{Pack, PackKernel, Real, Row};
 
 /// Adds up energies.
 pub struct Energies<'a, R: Real> {
@@ -81,12 +81,7 @@ impl<P: Pack> EnergySum<'_, P> {
 
 impl<P: Pack> Visitor<P> for EnergySum<'_, P> {
     #[inline(always)]
-    fn visit<G: Pack + Coefficient<P>>(
-        &mut self,
-        lane: usize,
-        constants: &Constants<G, P::Real>,
-        element: &Hexahedron<P>,
-    ) {
+    fn visit(&mut self, lane: usize, constants: &Constants<P::Real, false>, element: &Hexahedron<P>) {
         let kinematics = Kinematics::new(element.gradient(constants));
         let ratio = kinematics.deformation.volume;
         if self.count == 0 {
@@ -94,7 +89,7 @@ impl<P: Pack> Visitor<P> for EnergySum<'_, P> {
         }
         self.c[self.count] = kinematics.c;
         // Lanes without an element have no volume and no stiffness, and keep their shape.
-        self.volumes[self.count] = (<G as Coefficient<P>>::lift(constants.volume()), ratio);
+        self.volumes[self.count] = (constants.volume(), ratio);
         self.count += 1;
         self.energies[1] += element.hourglass_energy(constants);
         self.ratios = self.ratios.and(ratio);
@@ -154,12 +149,7 @@ struct OutputOf<'a, 'b, P: Pack> {
 
 impl<P: Pack> Visitor<P> for OutputOf<'_, '_, P> {
     #[inline(always)]
-    fn visit<G: Pack + Coefficient<P>>(
-        &mut self,
-        lane: usize,
-        constants: &Constants<G, P::Real>,
-        element: &Hexahedron<P>,
-    ) {
+    fn visit(&mut self, lane: usize, constants: &Constants<P::Real, false>, element: &Hexahedron<P>) {
         let f = &element.gradient(constants);
         let at = Kinematics::new(*f);
         // A copy: output changes nothing.

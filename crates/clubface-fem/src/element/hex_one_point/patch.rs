@@ -1,7 +1,7 @@
 //! Patches of hexahedra of one material: their data.
 
 use super::arrangement::shape;
-use super::constants::{Block, Shapes};
+use super::constants::Shapes;
 use super::element::Visitor;
 use super::indexed::Indexed;
 use super::lattice::{Lattice, DEPTH};
@@ -10,7 +10,7 @@ use crate::element::bulk_viscosity::BulkViscosity;
 use crate::element::patch::parts;
 use crate::material::{Material, StateVariables, Updates};
 use crate::mesh::{SolidMesh, CORNERS};
-use clubface_math::{Coefficient, Pack, Real, Row};
+use clubface_math::{Pack, Real, Row};
 use std::ops::Range;
 
 /// Elements a patch: enough to hide the cost of starting on it, few enough that its nodes stay in the fast caches. It
@@ -105,36 +105,12 @@ impl<R: Real> Arrangement<R> {
         loaded: bool,
         visitor: &mut impl Visitor<P>,
     ) {
-        // SAFETY: the caller's promise.
-        unsafe {
-            match constants {
-                Shapes::Fixed(blocks) => {
-                    self.visit_in::<P, P::Value>(positions, nodes, blocks, loaded, visitor);
-                }
-                Shapes::Varying(blocks) => self.visit_in::<P, P>(positions, nodes, blocks, loaded, visitor),
-            }
-        }
-    }
-
-    /// The same with constants in packs `G`.
-    ///
-    /// # Safety
-    /// The nodes exist.
-    #[inline(always)]
-    unsafe fn visit_in<P: Pack<Real = R>, G: Pack + Coefficient<P>>(
-        &mut self,
-        positions: &[Row<R>],
-        nodes: &[u32],
-        blocks: &[Block<G::Real, R>],
-        loaded: bool,
-        visitor: &mut impl Visitor<P>,
-    ) {
         match self {
             // SAFETY: the caller's promise.
             Self::Lattice(lattice) => unsafe {
-                lattice.visit::<P, G, _>(positions, nodes, blocks, loaded, visitor);
+                lattice.visit(positions, nodes, constants, loaded, visitor);
             },
-            Self::Indexed(indexed) => indexed.visit::<P, G, _>(positions, nodes, blocks, visitor),
+            Self::Indexed(indexed) => indexed.visit(positions, nodes, constants, visitor),
         }
     }
 }

@@ -44,23 +44,24 @@ pub struct Quads {
     breaks: [bool; 2],
 }
 
-/// A component of one side of a pack of elements from the given places of plane `k` on: what a pass acts on, which is
-/// everything if there is one pass.
+/// A component of one side of a pack of elements from the given places of plane `k` on: of its parts one and those that
+/// follow, as far apart as given.
 ///
 /// # Safety
-/// The places are those of lanes within the columns, `k` is a plane, and `pass` is one of the passes of the packs.
+/// The places are those of lanes within the columns, `k` is a plane, and numbers have all of these parts.
 #[inline(always)]
 pub unsafe fn side<G: Pack, R: Real>(
     positions: &mut Field<R>,
     k: usize,
     axis: usize,
-    pass: usize,
+    [first, apart]: [usize; 2],
     at: &Quads,
 ) -> Sums<G> {
     let (row, stride) = (positions.row(), positions.stride());
     // SAFETY: the stride has room for a pack of the next row.
     unsafe {
-        let from = positions.at(k, axis).add(pass * stride);
+        let from = positions.at(k, axis).add(first * stride);
+        let stride = apart * stride;
         let [a, b] = [from.add(at.places[0]), from.add(at.places[1])];
         sums([
             G::read_quads([a, b], stride),
@@ -78,7 +79,13 @@ pub unsafe fn side<G: Pack, R: Real>(
 #[inline(always)]
 pub unsafe fn face<P: Pack>(positions: &mut Field<P::Real>, k: usize, at: &Quads) -> Face<P> {
     // SAFETY: the caller's promise.
-    unsafe { [side(positions, k, 0, 0, at), side(positions, k, 1, 0, at), side(positions, k, 2, 0, at)] }
+    unsafe {
+        [
+            side(positions, k, 0, [0, 1], at),
+            side(positions, k, 1, [0, 1], at),
+            side(positions, k, 2, [0, 1], at),
+        ]
+    }
 }
 
 /// Adds a component of the forces to one side of a pack of elements. Every number is written first from the row

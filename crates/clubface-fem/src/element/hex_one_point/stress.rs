@@ -1,10 +1,12 @@
 //! Stress at the integration points of packs of elements, however the elements find their nodes: the pressure here,
 //! the change of shape by the stage of the material.
 
+use super::constants::{Constants, Shape};
+use super::passes::{in_passes, part, set_part};
 use crate::element::bulk_viscosity::Drag;
 use crate::element::patch::Ratios;
 use crate::material::{Deformation, Points, StateVariables, StressStage, Symmetric};
-use clubface_math::{Mat3, Pack};
+use clubface_math::{Mat3, Pack, Part};
 
 /// Most packs of a run.
 pub const RUN: usize = 3;
@@ -75,4 +77,43 @@ impl<P: Pack> Stress<'_, P> {
             stresses: &mut run.stresses[..count],
         });
     }
+}
+
+/// A second Piola-Kirchhoff stress (Pa, times minus the volume) seen from the base vectors, `G^T S G` where the
+/// gradient is their matrix times `G^T`: the force on each is the sum of all with these factors, N/m.
+#[inline(always)]
+pub fn on_bases<P: Pack, const SLOPES: bool>(
+    constants: &Constants<P::Real, SLOPES>,
+    second: &Symmetric<P>,
+) -> Symmetric<P> {
+    let mut seen = *second;
+    in_passes!(P::Real, |pass| if constants.size_varies(pass) {
+        let parts = part_on_bases::<P, P::Pair>(&constants.shape(pass), part(&second.0, pass));
+        set_part(&mut seen.0, pass, &parts);
+    } else {
+        let parts = part_on_bases::<P, P::Value>(&constants.shape(pass), part(&second.0, pass));
+        set_part(&mut seen.0, pass, &parts);
+    });
+    seen
+}
+
+/// One pass of it.
+#[inline(always)]
+fn part_on_bases<P: Pack, G: Part<P>>(shape: &Shape<P, G>, second: [G; 6]) -> [G; 6] {
+    let ([rx, ry, rz], [sy, sz], tz) = shape.inverse();
+    let [xx, yy, zz, xy, xz, yz] = second;
+    let [ax, ay, az] = [
+        xz.mul_add(rz, xy.mul_add(ry, xx.product(rx))),
+        yz.mul_add(rz, yy.mul_add(ry, xy.product(rx))),
+        zz.mul_add(rz, yz.mul_add(ry, xz.product(rx))),
+    ];
+    let (by, bz) = (yz.mul_add(sz, yy.product(sy)), zz.mul_add(sz, yz.product(sy)));
+    [
+        az.mul_add(rz, ay.mul_add(ry, ax.product(rx))),
+        bz.mul_add(sz, by.product(sy)),
+        zz.product(tz).product(tz),
+        az.mul_add(sz, ay.product(sy)),
+        az.product(tz),
+        bz.product(tz),
+    ]
 }

@@ -7,6 +7,7 @@ use super::response::Response;
 use super::section::{ElasticSection, Section, SectionResponse};
 use crate::block::BLOCK;
 use crate::material::Numbers;
+use clubface_math::pack::prefetch;
 use clubface_math::{Pack, PackKernel, Real, Row, Vec3};
 
 /// Adds vectors to the corners of `LANES` elements of a block.
@@ -56,11 +57,20 @@ impl<R: Real> AssembleForces<'_, R> {
         let patch = &mut *self.patch;
         let elastic = patch.material.elastic.splat::<P>();
         let (plate, shear) = (elastic.plate(), elastic.shear());
-        let dt = P::from_f64(self.dt);
         let spins = &self.velocities[patch.behind..];
         let (forces, moments) = patch.forces.split_at_mut(patch.nodes.len() / 2);
-        let states = patch.state.chunks_exact_mut(patch.state_length);
+        let length = patch.state_length;
+        let states = patch.state.chunks_exact_mut(length);
         for ((block, rows), state) in patch.rows.iter().enumerate().zip(states) {
+            // An element computes long enough for what the next ones need to come from afar. Plain numbers are so few
+            // that most of them are at hand.
+            if R::PARTS > 1 {
+                state.iter().for_each(|number| prefetch(number, length));
+                for &row in patch.rows.get(block + 1).unwrap_or(rows) {
+                    let fields = [self.positions, self.velocities, spins];
+                    fields.iter().for_each(|field| prefetch(field.as_ptr(), row as usize));
+                }
+            }
             for first in (0..BLOCK).step_by(P::LANES) {
                 // SAFETY: the caller has checked the rows.
                 let (places, velocities, spins) = unsafe {
@@ -71,8 +81,8 @@ impl<R: Real> AssembleForces<'_, R> {
                     )
                 };
                 let shape = Quadrilateral::<P>::new(&places);
-                let increment = shape.increment(&velocities, &spins, dt);
-                let thickness = P::load(&patch.thickness[block * BLOCK + first..]);
+                let increment = shape.increment(&velocities, &spins, self.dt);
+                let thickness = patch.thickness[block].load(first);
                 let section = Section::new(elastic, plate, shear, thickness);
                 let hourglass = section.hourglass(shape.area, shape.aspect());
                 let mut state = Numbers::new(state, first);

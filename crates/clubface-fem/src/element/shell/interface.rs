@@ -69,7 +69,7 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
                 let at = block * BLOCK + first;
                 // SAFETY: the caller has checked the rows.
                 let shape = Quadrilateral::<P>::new(&unsafe { gather(self.positions, rows, first) });
-                let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
+                let section = Section::new(elastic, plate, shear, patch.thickness[block].load::<P>(first));
                 let hourglass = section.hourglass(shape.area, shape.aspect());
                 let state = Numbers::new(state, first);
                 let (strain, plastic) = response.energy(&section, shape.area, &state);
@@ -112,7 +112,7 @@ impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
                 let at = block * BLOCK + first;
                 // SAFETY: the caller has checked the rows.
                 let shape = Quadrilateral::<P>::new(&unsafe { gather(self.positions, rows, first) });
-                let section = Section::new(elastic, plate, shear, P::load(&patch.thickness[at..]));
+                let section = Section::new(elastic, plate, shear, patch.thickness[block].load::<P>(first));
                 let (sides, plastic) = response.sides(&section, &Numbers::new(state, first));
                 let stress = sides.map(|[x, y, xy]| shape.turned_out([x, y, xy, P::zero()]));
                 let strain = sides.map(|side| shape.turned_out(section.strain(&side)));

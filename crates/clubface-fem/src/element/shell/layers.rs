@@ -68,7 +68,7 @@ impl<P: Pack> SectionResponse<P> for Layers<'_, P> {
             let mut at = at_point(state, point);
             heat += share * self.metal.advance(&strain, &mut at);
             for i in 0..3 {
-                let force = share * at.stress[i];
+                let force = share.product(at.stress[i]);
                 membrane[i] += force;
                 bending[i] = z.mul_add(force, bending[i]);
             }

@@ -35,7 +35,7 @@ pub type Flat<P> = [P; 2];
 
 #[inline(always)]
 pub fn inner<P: Scalar>(a: Flat<P>, b: Flat<P>) -> P {
-    a[1].mul_add(b[1], a[0] * b[0])
+    a[1].mul_add(b[1], a[0].product(b[0]))
 }
 
 /// `a - b c`.
@@ -44,10 +44,28 @@ pub fn less<P: Scalar>(a: P, b: P, c: P) -> P {
     (-b).mul_add(c, a)
 }
 
+/// `a - b c` with a number that depends on no variable.
+#[inline(always)]
+pub fn less_f64<P: Scalar>(a: P, b: P, c: f64) -> P {
+    b.mul_add_f64(-c, a)
+}
+
 /// A vector turned by a small angle.
 #[inline(always)]
 pub fn turned<P: Scalar>(v: Flat<P>, angle: P) -> Flat<P> {
     [less(v[0], angle, v[1]), angle.mul_add(v[0], v[1])]
+}
+
+/// `v s`.
+#[inline(always)]
+pub fn times<P: Scalar>(v: Vec3<P>, s: P) -> Vec3<P> {
+    Vec3::new(v.x.product(s), v.y.product(s), v.z.product(s))
+}
+
+/// The same with a number that depends on no variable.
+#[inline(always)]
+pub fn times_f64<P: Scalar>(v: Vec3<P>, s: f64) -> Vec3<P> {
+    Vec3::new(v.x * s, v.y * s, v.z * s)
 }
 
 /// `a + b s`.

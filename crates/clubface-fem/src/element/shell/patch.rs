@@ -41,7 +41,7 @@ pub struct ShellPatch<R: Real> {
     pub(super) behind: usize,
     /// Largest row of a position.
     last: u32,
-    pub(super) thickness: Vec<R>,
+    pub(super) thickness: Vec<Eight<R>>,
     /// Reference areas, m2.
     pub(super) areas: Vec<R>,
     /// Points through the thickness (places from -1 to 1, weights), none for resultants alone.
@@ -71,7 +71,7 @@ impl<R: Real> ShellPatch<R> {
         let blocks = elements.len().div_ceil(BLOCK);
         let mut corners = vec![[0; CORNERS * BLOCK]; blocks];
         let mut rows_of = corners.clone();
-        let mut thickness = Vec::with_capacity(blocks * BLOCK);
+        let mut thickness = vec![Eight::alike(R::zero()); blocks];
         let mut areas = Vec::with_capacity(blocks * BLOCK);
         for slot in 0..blocks * BLOCK {
             // The last block is filled up with copies of the last element, too thin to matter.
@@ -84,8 +84,9 @@ impl<R: Real> ShellPatch<R> {
                     local.len() as u32 - 1
                 });
             }
-            let real = slot < elements.len();
-            thickness.push(if real { mesh.thickness[element] } else { R::zero() });
+            if slot < elements.len() {
+                thickness[slot / BLOCK].set(slot % BLOCK, mesh.thickness[element]);
+            }
             areas.push(R::from_f64(mesh.area(element)));
         }
         let nodes: Vec<u32> = (local.iter().map(|n| n + rows.positions))

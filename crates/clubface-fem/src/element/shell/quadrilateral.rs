@@ -15,7 +15,7 @@
 //! Membrane strain increments are differences of squared lengths, and the others are exact to the second order in the
 //! rotation of a step, so that rigid motion makes no stress.
 
-use super::modes::{inner, less, plus, turned, Flat, Modes, CORNERS};
+use super::modes::{inner, less, less_f64, plus, times, times_f64, turned, Flat, Modes, CORNERS};
 use crate::material::{cross, dot, Symmetric};
 use clubface_math::{Mat3, Pack, Vec3};
 
@@ -79,25 +79,25 @@ impl<P: Pack> Quadrilateral<P> {
     #[inline(always)]
     pub fn new(corners: &[Vec3<P>; CORNERS]) -> Self {
         let modes = Modes::of(corners);
-        let quarter = P::from_f64(0.25);
-        let (xi, eta, skew) = (modes.xi * quarter, modes.eta * quarter, modes.skew * quarter);
+        let (xi, eta, skew) =
+            (times_f64(modes.xi, 0.25), times_f64(modes.eta, 0.25), times_f64(modes.skew, 0.25));
         let normal = cross(xi, eta);
         let size = dot(normal, normal).sqrt();
         let square = dot(xi, xi);
         let along = square.sqrt();
         // One division for both reciprocals.
-        let both = (along * size).recip();
-        let (inverse_along, inverse_size) = (both * size, both * along);
-        let first = xi * inverse_along;
-        let third = normal * inverse_size;
+        let both = along.product(size).recip();
+        let (inverse_along, inverse_size) = (both.product(size), both.product(along));
+        let first = times(xi, inverse_along);
+        let third = times(normal, inverse_size);
         let second = cross(third, first);
         Self {
             along,
-            across: [dot(eta, first), size * inverse_along],
+            across: [dot(eta, first), size.product(inverse_along)],
             skew: [dot(skew, first), dot(skew, second)],
             warp: dot(skew, third),
             inverse_along,
-            inverse_across: along * inverse_size,
+            inverse_across: along.product(inverse_size),
             inverse_size,
             area: size * 4.0,
             axes: [first, second, third],
@@ -114,20 +114,20 @@ impl<P: Pack> Quadrilateral<P> {
     /// Ratio of the sides, across over along.
     #[inline(always)]
     pub fn aspect(&self) -> (P, P) {
-        (self.across[1] * self.inverse_along, self.along * self.inverse_across)
+        (self.across[1].product(self.inverse_along), self.along.product(self.inverse_across))
     }
 
     /// Slopes in the plane from the modes of a component.
     #[inline(always)]
     fn gradient(&self, xi: P, eta: P) -> Flat<P> {
-        let x = xi * self.inverse_along;
-        [x, less(eta, x, self.across[0]) * self.inverse_across]
+        let x = xi.product(self.inverse_along);
+        [x, less(eta, x, self.across[0]).product(self.inverse_across)]
     }
     /// The transpose of [`Quadrilateral::gradient`].
     #[inline(always)]
     fn spread(&self, x: P, y: P) -> Flat<P> {
-        let eta = y * self.inverse_across;
-        [less(x, eta, self.across[0]) * self.inverse_along, eta]
+        let eta = y.product(self.inverse_across);
+        [less(x, eta, self.across[0]).product(self.inverse_along), eta]
     }
     /// Components along the axes of the element.
     #[inline(always)]
@@ -154,8 +154,8 @@ impl<P: Pack> Quadrilateral<P> {
     #[inline(always)]
     fn slope(&self, x: P, y: P, hourglass: P) -> Flat<P> {
         self.spread(
-            less(x * self.area, hourglass, self.skew[0]),
-            less(y * self.area, hourglass, self.skew[1]),
+            less(x.product(self.area), hourglass, self.skew[0]),
+            less(y.product(self.area), hourglass, self.skew[1]),
         )
     }
 
@@ -165,19 +165,19 @@ impl<P: Pack> Quadrilateral<P> {
         &self,
         velocities: &[Vec3<P>; CORNERS],
         spins: &[Vec3<P>; CORNERS],
-        dt: P,
+        dt: f64,
     ) -> Increment<P> {
         let quarter = dt * 0.25;
         let (v, s) = (Modes::of(velocities), Modes::of(spins));
         let tilt = Modes {
-            mean: self.tilt(s.mean * quarter),
-            xi: self.tilt(s.xi * quarter),
-            eta: self.tilt(s.eta * quarter),
-            skew: self.tilt(s.skew * quarter),
+            mean: self.tilt(times_f64(s.mean, quarter)),
+            xi: self.tilt(times_f64(s.xi, quarter)),
+            eta: self.tilt(times_f64(s.eta, quarter)),
+            skew: self.tilt(times_f64(s.skew, quarter)),
         };
-        let xi = self.local(v.xi * quarter);
-        let eta = self.local(v.eta * quarter);
-        let skew = self.local(v.skew * quarter);
+        let xi = self.local(times_f64(v.xi, quarter));
+        let eta = self.local(times_f64(v.eta, quarter));
+        let skew = self.local(times_f64(v.skew, quarter));
         // Rigid links: the corner of the flat element is `warp` times the sign of the bilinear mode below the node.
         let ux = self.gradient(self.link(xi[0], tilt.eta[0]), self.link(eta[0], tilt.xi[0]));
         let uy = self.gradient(self.link(xi[1], tilt.eta[1]), self.link(eta[1], tilt.xi[1]));
@@ -186,9 +186,8 @@ impl<P: Pack> Quadrilateral<P> {
         let ty = self.gradient(tilt.xi[1], tilt.eta[1]);
         // Half the difference of squared lengths: linear part less half the square of the increment.
         let (gx, gy) = (Vec3::new(ux[0], uy[0], w[0]), Vec3::new(ux[1], uy[1], w[1]));
-        let half = P::from_f64(0.5);
         let membrane =
-            [less(gx.x, dot(gx, gx), half), less(gy.y, dot(gy, gy), half), gx.y + gy.x - dot(gx, gy)];
+            [less_f64(gx.x, dot(gx, gx), 0.5), less_f64(gy.y, dot(gy, gy), 0.5), gx.y + gy.x - dot(gx, gy)];
         // Tilts are those of the middle of the step, seen from its end: half the spin in the plane lies between.
         let spin = (uy[0] - ux[1]) * 0.25;
         let back = turned(tilt.mean, -spin);
@@ -197,7 +196,7 @@ impl<P: Pack> Quadrilateral<P> {
         let along = m[0].mul_add(self.along, xi[2] + inner(tilt.eta, self.skew));
         let across = eta[2] + inner(m, self.across) + inner(tilt.xi, self.skew);
         // A warped element that tips over loses height at its corners.
-        let twist = less(skew[2] + inner(m, self.skew), self.warp * half, inner(m, m));
+        let twist = less(skew[2] + inner(m, self.skew), self.warp * 0.5, inner(m, m));
         let shear = self.gradient(along, across);
         Increment {
             membrane,
@@ -210,7 +209,7 @@ impl<P: Pack> Quadrilateral<P> {
                 self.stabilised(tilt.skew[1], ty),
                 tilt.eta[0].mul_add(self.along, twist),
                 twist + inner(tilt.xi, self.across),
-                less(dot(s.mean * quarter, self.axes[2]), uy[0] - ux[1], half),
+                less_f64(dot(times_f64(s.mean, quarter), self.axes[2]), uy[0] - ux[1], 0.5),
             ],
         }
     }
@@ -223,16 +222,16 @@ impl<P: Pack> Quadrilateral<P> {
         let [bx, by] = self.across;
         let (n, m, h) = (&r.membrane, &r.bending, &r.across.hourglass);
         // Drilling makes the shear forces differ.
-        let drill = h[6] * self.inverse_size * 0.125;
+        let drill = h[6].product(self.inverse_size) * 0.125;
         let (fx, fy) = (self.slope(n[0], n[2] + drill, h[0]), self.slope(n[2] - drill, n[1], h[1]));
         let (mx, my) = (self.slope(m[0], m[2], h[2]), self.slope(m[2], m[1], h[3]));
-        let q = self.spread(r.across.shear[0] * area, r.across.shear[1] * area);
+        let q = self.spread(r.across.shear[0].product(area), r.across.shear[1].product(area));
         let twist = h[4] + h[5];
         let warp = self.warp;
         // Moments conjugate to the tilt, mode by mode: of bending, of shear along the edges, of the rigid links.
         let mean = [
-            less(q[0].mul_add(self.along, q[1].mul_add(bx, twist * hx)), warp, h[0]),
-            less(q[1].mul_add(by, twist * hy), warp, h[1]),
+            less(q[0].mul_add(self.along, q[1].mul_add(bx, twist.product(hx))), warp, h[0]),
+            less(q[1].mul_add(by, twist.product(hy)), warp, h[1]),
         ];
         let xi = [
             less(q[1].mul_add(hx, h[5].mul_add(bx, mx[0])), warp, fx[1]),
@@ -260,13 +259,11 @@ impl<P: Pack> Quadrilateral<P> {
     #[inline(always)]
     fn global(&self, x: P, y: P, z: P) -> Vec3<P> {
         let [a, b, c] = self.axes;
-        let quarter = P::from_f64(-0.25);
-        plus(plus(a * (x * quarter), b, y * quarter), c, z * quarter)
+        plus(plus(times(a, x * -0.25), b, y * -0.25), c, z * -0.25)
     }
     /// Minus a quarter of the moment that does the work of a tilt.
     #[inline(always)]
     fn moment(&self, tilt: Flat<P>) -> Vec3<P> {
-        let quarter = P::from_f64(0.25);
-        plus(self.axes[0] * (tilt[1] * quarter), self.axes[1], tilt[0] * -quarter)
+        plus(times(self.axes[0], tilt[1] * 0.25), self.axes[1], tilt[0] * -0.25)
     }
 }

@@ -52,7 +52,7 @@ impl<P: Scalar> Section<P> {
     /// Of a thickness, m.
     #[inline(always)]
     pub fn new(elastic: Isotropic<P>, plate: P, shear: P, thickness: P) -> Self {
-        let moment = thickness * thickness * thickness * (1.0 / 12.0);
+        let moment = thickness.product(thickness).product(thickness) * (1.0 / 12.0);
         Self { elastic, plate, shear, thickness, moment }
     }
 
@@ -60,18 +60,18 @@ impl<P: Scalar> Section<P> {
     /// its inverse).
     #[inline(always)]
     pub fn hourglass(&self, area: P, (across, along): (P, P)) -> [P; HOURGLASS] {
-        let membrane = self.elastic.young * self.thickness * (4.0 / 3.0);
-        let bending = self.plate * self.moment * (4.0 / 3.0);
-        let torsion = self.shear * self.moment * (4.0 / 3.0);
-        let shear = self.shear * self.thickness * (SHEAR_SHARE * 4.0 / 3.0);
+        let membrane = self.elastic.young.product(self.thickness) * (4.0 / 3.0);
+        let bending = self.plate.product(self.moment) * (4.0 / 3.0);
+        let torsion = self.shear.product(self.moment) * (4.0 / 3.0);
+        let shear = self.shear.product(self.thickness) * (SHEAR_SHARE * 4.0 / 3.0);
         [
-            membrane * across,
-            membrane * along,
-            bending.mul_add(across, torsion * along),
-            bending.mul_add(along, torsion * across),
-            shear * across,
-            shear * along,
-            self.shear * self.thickness * area * DRILLING,
+            membrane.product(across),
+            membrane.product(along),
+            bending.mul_add(across, torsion.product(along)),
+            bending.mul_add(along, torsion.product(across)),
+            shear.product(across),
+            shear.product(along),
+            self.shear.product(self.thickness).product(area) * DRILLING,
         ]
     }
 
@@ -79,7 +79,8 @@ impl<P: Scalar> Section<P> {
     #[inline(always)]
     pub fn stress(&self, e: &[P; 3]) -> [P; 3] {
         let nu = self.elastic.poisson;
-        [self.plate * nu.mul_add(e[1], e[0]), self.plate * nu.mul_add(e[0], e[1]), self.shear * e[2]]
+        let [x, y] = [nu.mul_add(e[1], e[0]), nu.mul_add(e[0], e[1])];
+        [self.plate.product(x), self.plate.product(y), self.shear.product(e[2])]
     }
 
     /// Elastic strain of plane stress: xx, yy, xy, zz.
@@ -105,7 +106,7 @@ impl<P: Scalar> Section<P> {
         hourglass: &[P; HOURGLASS],
         across: &mut Across<P>,
     ) {
-        let shear = self.shear * self.thickness * SHEAR_SHARE;
+        let shear = self.shear.product(self.thickness) * SHEAR_SHARE;
         for i in 0..2 {
             across.shear[i] = shear.mul_add(increment.shear[i], across.shear[i]);
         }
