@@ -10,6 +10,7 @@ mod operators;
 mod part;
 mod plain;
 mod prefetch;
+mod single;
 mod traits;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod wasm;
@@ -17,9 +18,8 @@ mod wasm;
 mod x86;
 
 pub use dispatch::{dispatch, with_lanes};
-pub use part::Part;
 pub use prefetch::prefetch;
-pub use traits::{Kernel, Lanes, Pack, PackKernel, Real, Row};
+pub use traits::{Kernel, Lanes, Pack, PackKernel, Part, Real, Row};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use wasm::F64x2;
 #[cfg(target_arch = "x86_64")]

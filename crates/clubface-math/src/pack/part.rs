@@ -1,28 +1,7 @@
-//! Linear maps of packs, one part of the numbers after the other.
+//! Linear maps of packs with derivatives, one part of the numbers after the other.
 
-use super::traits::{Lanes, Pack};
+use super::traits::{Lanes, Pack, Part};
 use crate::Dual;
-
-/// What one pass of a linear map acts on. Such a map goes through the parts of a pack `P` one after the other, each in a
-/// pass of its own, so that the numbers of one pass fit the registers. Where its coefficients depend on no variable,
-/// passes act on plain packs. Where they depend on the variable of a pass, this acts on pairs of value and derivative,
-/// and what it finds is the derivative; the value belongs to the first pass.
-pub trait Part<P: Pack>: Pack {
-    /// What a pass acts on.
-    fn of(pack: &P, pass: usize) -> Self;
-    /// The first part that a pass reads, and how far apart those are that it reads.
-    fn places(pass: usize) -> [usize; 2];
-    /// A coefficient from the addresses of its value and of its derivative by the variable of a pass, which a pass
-    /// with plain coefficients does not read.
-    ///
-    /// # Safety
-    /// `LANES` consecutive numbers can be read from each.
-    unsafe fn coefficient(value: *const f64, derivative: *const f64) -> Self;
-    /// What a pass has found.
-    fn found(self) -> P::Value;
-    /// What adds up to something found: with pairs, its value does not count.
-    fn from_found(found: P::Value) -> Self;
-}
 
 impl<S: Lanes, const N: usize> Part<Dual<S, N>> for S {
     #[inline(always)]

@@ -1,8 +1,8 @@
 //! A number on its own as a pack of one lane.
 
 use super::operators::primal_functions;
-use super::part::Part;
-use super::traits::{single_four, single_part, single_quad, single_storage, Lanes, Pack, Row};
+use super::single::{single_four, single_part, single_quad, single_storage};
+use super::traits::{Lanes, Pack, Part, Row};
 use crate::elementary::Primal;
 use crate::scalar::{Computation, Scalar};
 use crate::Vec3;

@@ -1,6 +1,5 @@
 //! What packs are: numbers that physics computes on, filled from arrays and from nodes.
 
-use super::part::Part;
 use crate::elementary::Primal;
 use crate::{Scalar, Vec3};
 use core::fmt::Debug;
@@ -210,85 +209,23 @@ pub trait Pack: Scalar + Send + Sync {
     fn put_rows(rows: &mut [Row<Self::Real>], value: Vec3<Self>);
 }
 
-/// Packs that are themselves a quad.
-macro_rules! single_quad {
-    () => {
-        type Quad = Self;
-        #[inline(always)]
-        fn quad(self, _which: usize) -> Self {
-            self
-        }
-        #[inline(always)]
-        unsafe fn read_quads(at: [*const f64; 2], stride: usize) -> Self {
-            // SAFETY: the caller's promise.
-            unsafe { Self::read_parts(at[0], stride) }
-        }
-    };
+/// What one pass of a linear map acts on. Such a map goes through the parts of a pack `P` one after the other, each in a
+/// pass of its own, so that the numbers of one pass fit the registers. Where its coefficients depend on no variable,
+/// passes act on plain packs. Where they depend on the variable of a pass, this acts on pairs of value and derivative,
+/// and what it finds is the derivative; the value belongs to the first pass.
+pub trait Part<P: Pack>: Pack {
+    /// What a pass acts on.
+    fn of(pack: &P, pass: usize) -> Self;
+    /// The first part that a pass reads, and how far apart those are that it reads.
+    fn places(pass: usize) -> [usize; 2];
+    /// A coefficient from the addresses of its value and of its derivative by the variable of a pass, which a pass
+    /// with plain coefficients does not read.
+    ///
+    /// # Safety
+    /// `LANES` consecutive numbers can be read from each.
+    unsafe fn coefficient(value: *const f64, derivative: *const f64) -> Self;
+    /// What a pass has found.
+    fn found(self) -> P::Value;
+    /// What adds up to something found: with pairs, its value does not count.
+    fn from_found(found: P::Value) -> Self;
 }
-
-/// Plain packs that are themselves a quad.
-macro_rules! single_four {
-    () => {
-        type Four = Self;
-        #[inline(always)]
-        fn four(self, _which: usize) -> Self {
-            self
-        }
-    };
-}
-
-/// Packs without derivatives: one part, one pass.
-macro_rules! single_part {
-    ($type:ty) => {
-        impl Part<$type> for $type {
-            #[inline(always)]
-            fn of(pack: &Self, _pass: usize) -> Self {
-                *pack
-            }
-            #[inline(always)]
-            fn places(_pass: usize) -> [usize; 2] {
-                [0, 0]
-            }
-            #[inline(always)]
-            unsafe fn coefficient(value: *const f64, _derivative: *const f64) -> Self {
-                // SAFETY: the caller's promise.
-                unsafe { Self::read(value) }
-            }
-            #[inline(always)]
-            fn found(self) -> Self {
-                self
-            }
-            #[inline(always)]
-            fn from_found(found: Self) -> Self {
-                found
-            }
-        }
-    };
-}
-
-/// What these store.
-macro_rules! single_storage {
-    () => {
-        type Value = Self;
-        type Pair = Self;
-        #[inline(always)]
-        fn part(self, _which: usize) -> Self {
-            self
-        }
-        #[inline(always)]
-        fn set_part(&mut self, _which: usize, part: Self) {
-            *self = part;
-        }
-        #[inline(always)]
-        unsafe fn read_parts(at: *const f64, _stride: usize) -> Self {
-            // SAFETY: the caller's promise.
-            unsafe { Self::read(at) }
-        }
-        #[inline(always)]
-        unsafe fn write_parts(self, at: *mut f64, _stride: usize) {
-            // SAFETY: the caller's promise.
-            unsafe { self.write(at) };
-        }
-    };
-}
-pub(super) use {single_four, single_part, single_quad, single_storage};

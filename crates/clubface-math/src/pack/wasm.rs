@@ -1,8 +1,8 @@
 //! Packs of two numbers (WebAssembly, simd128).
 
 use super::operators::{primal_functions, primal_operators};
-use super::part::Part;
-use super::traits::{single_four, single_part, single_quad, single_storage, Lanes, Pack, Row};
+use super::single::{single_four, single_part, single_quad, single_storage};
+use super::traits::{Lanes, Pack, Part, Row};
 use crate::elementary::Primal;
 use crate::scalar::{operators, Computation, Mask, Scalar};
 use crate::Vec3;

@@ -11,14 +11,12 @@ use super::element::{Hexahedron, Visitor};
 use super::interior::{Advance, Interior, Kinetic};
 use super::places::{face, Places};
 use super::stress::{Stress, RUN};
-use super::walk::walk;
+use super::walk::{walk, DEPTH};
 use crate::block::BLOCK;
 use crate::element::field::{Layout, Scratch};
 use crate::mesh::CORNERS;
 use clubface_math::{Pack, Real, Row};
 
-/// Most layers.
-pub const DEPTH: usize = 6;
 /// A lattice of elements.
 pub struct Lattice<R: Real> {
     /// Elements along the three directions.

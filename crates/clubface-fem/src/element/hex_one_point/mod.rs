@@ -7,6 +7,7 @@ mod indexed;
 mod interface;
 mod interior;
 mod lattice;
+mod numbers;
 mod output;
 mod passes;
 mod patch;

@@ -1,6 +1,6 @@
 //! Which constants are the same to rounding: those of elements that a variable moves, or that differ by a rotation.
 
-use super::constants::{Block, Lines, SHAPE, SKEW, STIFFNESSES, VOLUME};
+use super::numbers::{Block, Lines, SHAPE, SKEW, STIFFNESSES, VOLUME};
 use crate::block::BLOCK;
 use crate::mesh::CORNERS;
 use clubface_math::{Real, Vec3};

@@ -1,8 +1,8 @@
 //! The way of packs of elements through a lattice: from the positions of its nodes to the forces on them.
 
-use super::constants::{Block, Constants, Shapes};
+use super::constants::{Constants, Shapes};
 use super::element::{empty, Component, Hexahedron, Sums};
-use super::lattice::DEPTH;
+use super::numbers::Block;
 use super::passes::{in_passes, part, set_part};
 use super::places::{add, side, Places, Quads};
 use super::stress::{on_bases, Run, Stress, RUN};
@@ -11,6 +11,9 @@ use crate::element::field::Field;
 use crate::material::Symmetric;
 use clubface_math::pack::prefetch;
 use clubface_math::{Pack, Part, Real, Scalar};
+
+/// Most layers of a lattice.
+pub const DEPTH: usize = 6;
 
 /// Forces of a lattice of elements of the given shape, and whether the laws hold for all volumes.
 ///

@@ -3,7 +3,8 @@
 use super::masks::{Mask4, Mask8};
 use crate::elementary::Primal;
 use crate::pack::operators::{primal_functions, primal_operators};
-use crate::pack::traits::{single_four, Lanes};
+use crate::pack::single::single_four;
+use crate::pack::traits::Lanes;
 use crate::scalar::{operators, Computation, Scalar};
 use crate::Pack;
 use core::arch::x86_64::*;

@@ -1,8 +1,8 @@
 //! Four numbers (AVX2) and eight (AVX-512) in and out of arrays and nodes.
 
 use super::arithmetic::{F64x4, F64x8};
-use crate::pack::part::Part;
-use crate::pack::traits::{single_part, single_quad, single_storage, Pack, Row};
+use crate::pack::single::{single_part, single_quad, single_storage};
+use crate::pack::traits::{Pack, Part, Row};
 use crate::{Scalar, Vec3};
 use core::arch::x86_64::*;
 
