@@ -65,6 +65,7 @@ def test_a_document_has_everything(clubface_, files):
     report = files / "report.md"
     told = clubface_("fem", "design", str(files / "study.toml"), "--json", "--report", str(report)).json
     text = report.read_text()
+    assert "25 degC, 1013.2 hPa, 50 % humidity" in text  # the air of the carries
     speeds = [f"{told[which]['ball_speed'] / 0.44704:.2f}" for which in ("best", "start")]
     assert f"The mean ball speed of the best head is {speeds[0]} mph instead of {speeds[1]} mph." in text
     assert "Designs that finite elements judged" in text

@@ -162,6 +162,13 @@ def test_of_two_metals_the_stronger_is_chosen():
     assert [row[0] for row in words.metals_table(found)[1]] == ["weak", "strong"]
 
 
+def test_a_limit_of_the_mass_that_the_target_breaks_is_refused_before_any_run():
+    made = study().head.target["mass"]
+    with pytest.raises(InputError, match=r"limits.mass .* that the head is made to have"):
+        study(limits={"mass": (0.0, 0.98 * made)})
+    study(limits={"mass": (0.0, 1.02 * made)})
+
+
 def test_limits_that_no_head_keeps_are_told():
     with pytest.raises(RunError, match=r"no head within all limits .* mass of its walls .* above 100.0 g"):
         shells.improve(study(limits={"wall_mass": (0.0, 0.1)}, designs=2, neighbours=False))

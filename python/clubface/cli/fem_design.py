@@ -73,7 +73,7 @@ def _report(found: Improved, study: str, figure: Figure, target: str) -> None:
         target, title=found.study.title, words=words.gains(found),
         picture=("Every design that finite elements judged", figure),
         columns={name: [row[place] for row in rows] for place, name in enumerate(names)}, show=lambda: _print(found),
-        launches=(), given={"study": Path(study).name, "runs of finite elements": str(found.runs)},
+        launches=(), conditions={}, given={"study": Path(study).name, "runs of finite elements": str(found.runs)},
         sources=[f"Metal {each.metal.name}: {each.metal.source}" for each in found.searches if each.metal.source],
         files={"the-best-head.toml": driver_file.text(found.head)},
     )  # fmt: skip

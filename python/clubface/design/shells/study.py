@@ -135,6 +135,14 @@ class ShellStudy:
                     f"variables.{name}", show(name, own),
                     f"bounds that hold what the head has; these go from {show(name, least)} to {show(name, most)}",
                 )  # fmt: skip
+        made, (least, most) = self.head.target["mass"], self.limits.get("mass", (0.0, math.inf))
+        if not least <= made <= most:
+            told = f"a range that holds the {units.show(made, 'g')} that the head is made to have, by its target"
+            raise InputError(
+                "limits.mass",
+                ["none" if each in (0.0, math.inf) else units.show(each, "g") for each in (least, most)],
+                told,
+            )
         if not self.metals:
             own = NamedMetal(name="that of the head", metal=self.head.metal)
             object.__setattr__(self, "metals", (own,))
