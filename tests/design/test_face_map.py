@@ -326,6 +326,15 @@ def test_what_cannot_be_mapped_is_refused(options, error, words):
         clubface.map_face("driver", {**DRIVE, **options} if "speed" in options else DRIVE, **options)
 
 
+def test_a_delivery_is_mapped_unless_it_says_where_the_ball_is_struck():
+    given = {"speed": 46.0, "attack": 0.05, "loft": 0.22}
+    there = clubface.map_face("driver", clubface.Delivery(**given), grid=(11, 9))
+    here = clubface.map_face("driver", given, grid=(11, 9))
+    np.testing.assert_array_equal(there.get("carry"), here.get("carry"))
+    with pytest.raises(InputError, match=r"toe is 0\.005.*left out or zero"):
+        clubface.map_face("driver", clubface.Delivery(**given, toe=0.005))
+
+
 @pytest.mark.parametrize("spread", [("0 mm", "9 mm"), ("12 mm", "80 mm"), "12 mm", ("12 mm", "9 kg")])
 def test_a_spread_is_two_standard_deviations_on_the_face(driver, spread):
     with pytest.raises(InputError, match="spread"):

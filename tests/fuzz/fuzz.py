@@ -39,6 +39,7 @@ def work(seed: int, numbers: range, folder: str, results: Any) -> None:
     from fuzz_input import content, finding
     from fuzz_readers import READERS
 
+    tempfile.tempdir = folder  # what readers make goes with it
     for reader in READERS.values():
         reader.seeds()  # they may take longer than an input
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))

@@ -136,6 +136,10 @@ class Reader(NamedTuple):
     share: int = 1
 
 
+FOLDERS: list[tempfile.TemporaryDirectory[str]] = []
+"""What :func:`_folder` made."""
+
+
 def _files(folder: Path, pattern: str) -> Callable[[], list[bytes]]:
     return lambda: [each.read_bytes() for each in sorted(folder.glob(pattern)) if each.name not in OTHER]
 
@@ -145,9 +149,15 @@ def _made(what: str) -> Path:
     return _made_in(what, os.getpid())
 
 
+def _folder() -> Path:
+    """Return a new folder that is removed when this process ends."""
+    FOLDERS.append(tempfile.TemporaryDirectory(prefix="clubface-fuzz-"))
+    return Path(FOLDERS[-1].name)
+
+
 @cache
 def _made_in(what: str, process: int) -> Path:
-    folder = Path(tempfile.mkdtemp(prefix="clubface-fuzz-"))
+    folder = _folder()
     if what == "swings":
         synthesize(folder, 1, seed=3)
     elif what == "mesh":
@@ -255,10 +265,11 @@ VALUES = "*/parts/*.json"
 
 
 def _checkpoint(path: Path) -> None:
-    folder = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "fit.checkpoint"
-    _begin_checkpoint(folder)
-    shutil.copy(path, next(folder.glob(VALUES)))
-    Checkpoint(folder, CHECKPOINT, Effort(0, 0), resume=True).close()
+    with tempfile.TemporaryDirectory(prefix="clubface-fuzz-") as within:
+        folder = Path(within) / "fit.checkpoint"
+        _begin_checkpoint(folder)
+        shutil.copy(path, next(folder.glob(VALUES)))
+        Checkpoint(folder, CHECKPOINT, Effort(0, 0), resume=True).close()
 
 
 def _begin_checkpoint(folder: Path) -> None:
@@ -269,7 +280,7 @@ def _begin_checkpoint(folder: Path) -> None:
 
 
 def _checkpoints() -> list[bytes]:
-    folder = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "fit.checkpoint"
+    folder = _folder() / "fit.checkpoint"
     _begin_checkpoint(folder)
     return [next(folder.glob(VALUES)).read_bytes()]
 
@@ -279,7 +290,7 @@ def _sweep(path: Path) -> None:
 
 
 def _sweeps() -> list[bytes]:
-    path = Path(tempfile.mkdtemp(prefix="clubface-fuzz-")) / "sweep.csv"
+    path = _folder() / "sweep.csv"
 
     def row(toe: float, *_: object) -> dict[str, object]:
         return {"toe": toe, "high": 0.0, "force": 5e3 + toe, "stopped": "an edge, at last" if toe else ""}

@@ -223,8 +223,9 @@ def map_face(
         raise InputError("workers", workers, f"leave it out: {model} computes all points at once")
     given = dict(as_values(delivery, values))
     for name in ("toe", "high"):
-        if given.pop(name, None) is not None:
-            raise InputError(name, values.get(name, "given"), "left out: a map strikes the whole face")
+        struck = given.pop(name, None)  # a Delivery has zeros there
+        if struck is not None and not (isinstance(struck, int | float) and struck == 0.0):
+            raise InputError(name, struck, "left out or zero: a map strikes the whole face")
     if model in MODULES:
         from clubface.simulation.backends import backend_of
         from clubface.simulation.inputs import equipped, shots
