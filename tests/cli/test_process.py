@@ -121,6 +121,16 @@ def test_a_closed_error_stream_does_not_send_messages_to_the_output():
     assert ran.stdout == ""
 
 
+def test_messages_stand_in_the_order_of_a_run_where_both_streams_go_to_one_file():
+    code = "from clubface.cli.failures import say; print('a table'); say('wrote a file')"
+    buffered = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}
+    ran = subprocess.run(
+        [sys.executable, "-c", code], env=buffered, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+        check=True,
+    )  # fmt: skip
+    assert ran.stdout == "a table\nclubface: wrote a file\n"
+
+
 @pytest.mark.parametrize("columns", ["²", "٣", "0", "-5", "9" * 5000, "wide"])
 def test_columns_in_the_environment_that_are_no_number_are_passed_over(columns):
     expected = process("shot", "driver", "--speed", "113 mph")

@@ -38,7 +38,12 @@ class ReaderGone(BaseException):
 
 
 def say(message: str) -> None:
-    """Write one message on the error stream, on one line; one that cannot be written is no reason to stop."""
+    """Write one message on the error stream, on one line; one that cannot be written is no reason to stop.
+
+    It comes after what was printed before, also where both streams go to one file.
+    """
+    with suppress(OSError, AttributeError):  # closed, or none at all; whoever prints next finds out
+        sys.stdout.flush()
     with suppress(OSError):
         print(f"clubface: {in_a_line(message)}", file=sys.stderr)
 
