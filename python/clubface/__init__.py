@@ -18,6 +18,7 @@ if TYPE_CHECKING:
         fem as fem,
         launch_monitor as launch_monitor,
         measurements as measurements,
+        studies as studies,
         units as units,
     )
     from clubface.equipment.balls import Ball as Ball, ball as ball
@@ -39,6 +40,7 @@ _HOME = {
     "Dispersion": "design.dispersion",
     "FaceMap": "design.face_map",
     "FaceMapDifference": "design.face_map_difference",
+    "Evaluation": "evaluation.evaluation",
     "Flight": "simulation.flight",
     "Golfer": "design.golfer",
     "History": "simulation.history",
@@ -47,20 +49,21 @@ _HOME = {
     "Launch": "simulation.launch",
     "Model": "equipment.models",
     "ParameterSet": "equipment.parameters",
+    "Posterior": "inference.posterior",
     "PredictReport": "prediction.predict",
+    "Prior": "inference.prior",
     "RecordedShots": "recorded.shots",
     "Sensitivity": "simulation.sensitivity",
     "Touch": "simulation.contact_motion",
     "Trajectory": "simulation.trajectory",
-    "Evaluation": "evaluation.evaluation",
-    "Posterior": "inference.posterior",
-    "Prior": "inference.prior",
     "ball": "equipment.balls",
     "best_loft": "design.best_loft",
     "club": "equipment.clubs",
     "compare": "design.comparison",
     "dispersion": "design.dispersion",
+    "estimate_golfer": "design.golfer_estimate",
     "evaluate": "evaluation.evaluation",
+    "fit": "design.optimisation.fitting_run",
     "fly": "simulation.flight",
     "golfer": "design.golfers",
     "golfers": "design.golfers",
@@ -70,6 +73,7 @@ _HOME = {
     "infer": "inference.run",
     "map_face": "design.face_map",
     "models": "equipment.models",
+    "optimise": "design.optimisation.run",
     "predict": "prediction.predict",
     "read_shots": "recorded.file",
     "register_law": "simulation.own_law",
@@ -78,7 +82,7 @@ _HOME = {
 }
 """The module in which each public name is defined."""
 
-_MODULES = ("benchmark_data", "errors", "fem", "launch_monitor", "measurements", "motion_capture", "units")
+_MODULES = ("benchmark_data", "errors", "fem", "launch_monitor", "measurements", "motion_capture", "studies", "units")
 
 MODULES["fem"] = "clubface.fem.backend"
 CLUB_FILES["shape"] = CLUB_FILES["groups"] = "clubface.fem.heads.read"

@@ -5,12 +5,13 @@ import math
 import numpy as np
 import pytest
 
+import clubface
 from clubface import club, fly, impact
 from clubface.design.golfers import golfer
-from clubface.design.optimisation import fitting
-from clubface.design.optimisation.fitting import fit, landings
+from clubface.design.optimisation import fitting_run
+from clubface.design.optimisation.fitting_run import fit, landings
 from clubface.design.optimisation.study_file import from_text
-from clubface.errors import FileError
+from clubface.errors import FileError, InputError
 
 BEGIN = 'title = "t"\ngolfer = "bogey-driver"\nobjective = "carry"\nshots = 64\n'
 
@@ -85,7 +86,7 @@ TWO = (
 def test_a_fitting_that_was_stopped_goes_on_with_what_was_judged(tmp_path, monkeypatch):
     """Stopped before the third of four: the second run judges two, and the file is that of a run without a stop."""
     judged = []
-    compute = fitting._tried
+    compute = fitting_run._tried
 
     def counted(of, head, ball, *rest):
         if len(judged) == 2:
@@ -93,14 +94,14 @@ def test_a_fitting_that_was_stopped_goes_on_with_what_was_judged(tmp_path, monke
         judged.append((head.name, ball.name))
         return compute(of, head, ball, *rest)
 
-    monkeypatch.setattr(fitting, "_tried", counted)
+    monkeypatch.setattr(fitting_run, "_tried", counted)
     target, whole = tmp_path / "parts.csv", tmp_path / "whole.csv"
     with pytest.raises(KeyboardInterrupt):
         fit(from_text(TWO), output=target)
     first = judged.copy()
     judged.clear()
     monkeypatch.setattr(
-        fitting, "_tried", lambda *given: (judged.append((given[1].name, given[2].name)), compute(*given))[1]
+        fitting_run, "_tried", lambda *given: (judged.append((given[1].name, given[2].name)), compute(*given))[1]
     )
     found = fit(from_text(TWO), output=target, resume=True)
     assert [*first, *judged] == [(c, b) for c in ("driver", "3-wood") for b in ("modern", "distance")]
@@ -111,7 +112,7 @@ def test_a_fitting_that_was_stopped_goes_on_with_what_was_judged(tmp_path, monke
 
 
 def test_a_fitting_of_other_parts_does_not_go_on_with_these(tmp_path, monkeypatch):
-    monkeypatch.setattr(fitting, "table", lambda *_: 1 / 0)
+    monkeypatch.setattr(fitting_run, "table", lambda *_: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         fit(from_text(TWO), output=tmp_path / "parts.csv")
     with pytest.raises(FileError, match="another study"):
@@ -137,3 +138,17 @@ def test_the_landings_of_a_combination_are_those_that_it_was_judged_by():
     of = from_text(BEGIN + '[fit]\nclubs = ["driver", "3-wood"]\nloft = ["-2 deg", "2 deg"]\n')
     for each in fit(of):
         assert float(landings(of, each)[0][0].mean()) == pytest.approx(each.value, rel=1e-12)
+
+
+def test_python_takes_files_and_each_function_names_the_other_for_the_other_kind(tmp_path):
+    fits, studies = tmp_path / "fit.toml", tmp_path / "study.toml"
+    fits.write_text(BEGIN + '[fit]\nclubs = ["driver"]\n')
+    studies.write_text(BEGIN + 'starts = 1\nclub = "driver"\n[variables]\nloft = ["8 deg", "16 deg"]\n')
+    assert clubface.fit(fits) == fit(from_text(fits.read_text()))
+    found = clubface.optimise(str(studies), output=tmp_path / "best.toml")
+    assert f"carry {found.fresh.value('start', 'carry') / 0.9144:.4g} yd to" in repr(found)
+    assert club(tmp_path / "best.toml").loft == pytest.approx(found.club["loft"], rel=1e-9)
+    with pytest.raises(InputError, match="fit takes a fitting"):
+        clubface.optimise(fits)
+    with pytest.raises(InputError, match="optimise takes a study"):
+        clubface.fit(studies)

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
+import clubface
 from clubface.design.golfer import Golfer
-from clubface.design.golfer_estimate import estimate
+from clubface.design.golfer_estimate import estimate_golfer
 from clubface.design.golfers import golfer
 from clubface.errors import InputError
 from clubface.launch_monitor.reference_points import _normal, _tilted, _turned
@@ -40,25 +41,25 @@ def spreads(found):
 
 def test_drift_does_not_count():
     """A drift of three spreads from the first shot to the last; 200 shots tell a spread to 6 %."""
-    found = estimate(hit(known(), 200, 1, drift=1.5))
+    found = estimate_golfer(hit(known(), 200, 1, drift=1.5))
     assert spreads(found) / SPREAD == pytest.approx(1.0, abs=0.2)
     assert found.drift.min() > 1.15
     assert any("drifted" in note for note in found.notes)
-    still = estimate(hit(known(), 200, 1))
+    still = estimate_golfer(hit(known(), 200, 1))
     assert spreads(still) == pytest.approx(spreads(found), rel=0.03)
     place = [found.golfer.variables.index(name) for name in ("path", "face")]
     assert found.golfer.correlation[place[0], place[1]] == pytest.approx(0.5, abs=0.2)
 
 
 def test_mishits_are_found_and_do_not_widen_the_rest():
-    found = estimate(hit(known(mishit_share=0.1, mishit_scale=3.0), 400, 2))
+    found = estimate_golfer(hit(known(mishit_share=0.1, mishit_scale=3.0), 400, 2))
     assert found.golfer.mishit_share == pytest.approx(0.1, abs=0.05)
     assert found.golfer.mishit_scale == pytest.approx(3.0, abs=0.75)
     assert spreads(found) / SPREAD == pytest.approx(1.0, abs=0.15)
 
 
 def test_without_mishits_none_are_found():
-    assert [estimate(hit(known(), 120, seed)).golfer.mishit_share for seed in range(3)] == [0.0] * 3
+    assert [estimate_golfer(hit(known(), 120, seed)).golfer.mishit_share for seed in range(3)] == [0.0] * 3
 
 
 def test_the_stated_errors_cover_the_truth():
@@ -68,7 +69,7 @@ def test_the_stated_errors_cover_the_truth():
     """
     inside = []
     for seed in range(40):
-        found = estimate(hit(known(), 30, 100 + seed), like="tour-driver")
+        found = estimate_golfer(hit(known(), 30, 100 + seed), like="tour-driver")
         inside.append(np.abs(np.log(spreads(found) / SPREAD)) < 1.96 * found.error / spreads(found))
     assert np.mean(inside) == pytest.approx(0.95, abs=0.05)
 
@@ -79,7 +80,7 @@ def test_the_stated_errors_cover_the_truth_where_shots_leave_open_how_many_mishi
     mishits are overlooked, so that 30 sessions give that to 5 %. Errors of the sample alone hold 75 % of the second."""
     of, inside = known(mishit_share=share, mishit_scale=scale), []
     for seed in range(30):
-        found = estimate(hit(of, count, 300 + seed), like="tour-driver")
+        found = estimate_golfer(hit(of, count, 300 + seed), like="tour-driver")
         inside.append(np.abs(np.log(spreads(found) / SPREAD)) < 1.96 * found.error / spreads(found))
     assert 0.84 < np.mean(inside) < 0.995
 
@@ -102,14 +103,14 @@ def test_bulge_and_roll_are_not_counted_twice():
         deliveries=measured, launches={}, rows=np.arange(300), source="shots.csv", format="x", face_at="contact"
     )
     raw = np.std(measured["face"]) / DEG
-    found = estimate(ready_shots(shots, club="driver"))
+    found = estimate_golfer(ready_shots(shots, club="driver"))
     place = found.golfer.variables.index("face")
-    assert found.golfer.spread[place] / DEG == pytest.approx(spreads(estimate(true))[3] / DEG, rel=1e-6)
+    assert found.golfer.spread[place] / DEG == pytest.approx(spreads(estimate_golfer(true))[3] / DEG, rel=1e-6)
     assert found.golfer.spread[place] / DEG < raw - 0.1
 
 
 def test_what_was_not_measured_comes_from_the_nearest_golfer_and_says_so():
-    found = estimate(hit(known(), 60, 3))
+    found = estimate_golfer(hit(known(), 60, 3))
     assert found.like == "handicap-5-driver"
     assert found.golfer.source("spread of closure") == "assumed: as of handicap-5-driver"
     assert found.golfer.source("spread of face") == "measured: shots.csv"
@@ -119,13 +120,13 @@ def test_what_was_not_measured_comes_from_the_nearest_golfer_and_says_so():
 def test_a_left_handers_shots_make_a_left_hander_who_hits_a_left_handed_club():
     from clubface.design.dispersion import dispersion
 
-    found = estimate(hit(known(), 60, 3, hand=np.array(["left"] * 60, dtype=object))).golfer
+    found = estimate_golfer(hit(known(), 60, 3, hand=np.array(["left"] * 60, dtype=object))).golfer
     assert found.hand == -1
     assert found.mean[found.variables.index("path")] == pytest.approx(DEG, abs=0.6 * DEG)
     # What was not measured is of a right-hander, mirrored; it does not vary across the target line.
     assert dispersion(found, count=64).club.hand == -1
     with pytest.raises(InputError, match="one hand"):
-        estimate(hit(known(), 60, 3, hand=np.array(["left", "right"] * 30, dtype=object)))
+        estimate_golfer(hit(known(), 60, 3, hand=np.array(["left", "right"] * 30, dtype=object)))
 
 
 def session(**values):
@@ -138,7 +139,7 @@ def session(**values):
 
 def test_what_is_the_same_in_every_shot_tells_the_mean_alone():
     drawn = np.random.default_rng(1).standard_normal((50, 2)) * [0.5, 2.0 * DEG]
-    found = estimate(session(speed=45.0 + drawn[:, 0], face=drawn[:, 1], lie=np.full(50, 3.0 * DEG)))
+    found = estimate_golfer(session(speed=45.0 + drawn[:, 0], face=drawn[:, 1], lie=np.full(50, 3.0 * DEG)))
     place, like = found.golfer.variables.index("lie"), golfer(found.like)
     assert found.golfer.mean[place] == 3.0 * DEG
     assert found.golfer.spread[place] == pytest.approx(like.spread[like.variables.index("lie")])
@@ -164,12 +165,27 @@ NOISE = np.random.default_rng(1).standard_normal(50)
 )
 def test_shots_that_tell_no_spread_are_refused(values, told):
     with pytest.raises(InputError, match=told):
-        estimate(session(**values))
+        estimate_golfer(session(**values))
 
 
 def test_too_few_shots_and_several_players_are_refused():
     with pytest.raises(InputError, match="at least 8"):
-        estimate(hit(known(), 7, 1))
+        estimate_golfer(hit(known(), 7, 1))
     players = np.array(["A", "B"] * 10, dtype=object)
     with pytest.raises(InputError, match="one player"):
-        estimate(hit(known(), 20, 1, players=players))
+        estimate_golfer(hit(known(), 20, 1, players=players))
+
+
+def test_a_file_gives_the_golfer_of_its_chosen_shots(tmp_path):
+    """Of two clubs in a file, the shots of one: the golfer of those shots alone, and an error that names both."""
+    lines = [f"driver,{100 + k % 7} mph,{k % 5 - 2} deg,{(3 * k) % 11 - 5} deg" for k in range(30)]
+    others = [f"7-iron,{80 + k % 7} mph,{k % 5 - 2} deg,{(3 * k) % 11 - 5} deg" for k in range(30)]
+    both, one = tmp_path / "both.csv", tmp_path / "one.csv"
+    both.write_text("\n".join(["club,speed,path,face", *lines, *others]))
+    one.write_text("\n".join(["club,speed,path,face", *lines]))
+    found, alone = clubface.estimate_golfer(both, only="driver"), clubface.estimate_golfer(one)
+    assert found.shots == alone.shots == 30
+    assert found.golfer.mean == pytest.approx(alone.golfer.mean)
+    assert found.golfer.covariance == pytest.approx(alone.golfer.covariance)
+    with pytest.raises(InputError, match=r"driver \(30\), 7-iron \(30\)"):
+        clubface.estimate_golfer(both)

@@ -319,7 +319,7 @@ def test_mistakes_are_told_with_their_line(tmp_path, old, new, line, told):
     assert old in FILE
     (tmp_path / "study.toml").write_text(FILE.replace(old, new, 1))
     with pytest.raises(FileError, match=told) as error:
-        shells.read(tmp_path / "study.toml")
+        shells.improve(tmp_path / "study.toml")
     assert error.value.line == line
 
 

@@ -99,14 +99,14 @@ def estimate(
     **texts: Any,
 ) -> None:
     """Estimate a golfer from shots in the order in which they were hit."""
-    from clubface.design.golfer_estimate import estimate as compute
+    from clubface.design.golfer_estimate import estimate_golfer
     from clubface.design.golfer_file import to_toml
     from clubface.equipment.clubs import CLUB_NAMES
 
     output.check_target("--output", target, (".toml",), [file, texts["mapping"], texts["club"], like])
     output.check_report(report, [file, texts["mapping"], texts["club"], like])
     shots = recorded_shots(file, texts)
-    found = compute(shots, name=name, like=like)
+    found = estimate_golfer(shots, name=name, like=like)
     if target is not None:
         from clubface.support.whole_file import write_text
 

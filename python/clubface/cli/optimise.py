@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -110,10 +109,10 @@ def _print(found: Any) -> None:
 
 def _fit(asked: Any, target: str | None, picture: str | None, report: str | None, resume: bool, as_json: bool) -> None:
     from clubface.design.optimisation import words
-    from clubface.design.optimisation.fitting import fit, table
+    from clubface.design.optimisation.fitting_run import fit, table
 
     with progress_bar("combinations") as progress:
-        found = fit(asked, output=None if target is None else Path(target), resume=resume, progress=progress)
+        found = fit(asked, output=target, resume=resume, progress=progress)
     if target is not None:
         say(f"wrote {target}")
 

@@ -73,7 +73,7 @@ def best_loft(
     accuracy: float | None = None,
     air: Any = None,
     wind: Any = None,
-    ground: Mapping[str, Any] | None = None,
+    ground: str | Mapping[str, Any] | None = None,
     progress: Callable[[int, int], object] | None = None,
     **delivery: Any,
 ) -> BestLoft:

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from clubface import units
 from clubface.design.dispersion_tally import FLOWN, LAUNCHED, Tally, forward
 from clubface.design.golfer import Golfer
 from clubface.design.golfers import club_of, golfer as golfer_named
@@ -93,6 +94,21 @@ class Dispersion:
     lies: Mapping[str, float]
     points: Floats
     reasons: Mapping[str, str]
+
+    def __repr__(self) -> str:
+        shown = {"ball_speed": "mph", "carry": "yd", "side": "yd"}
+        told = [
+            f"{name.replace('_', ' ')} {units.fixed(self.mean(name), unit, 1)}"
+            f" ± {units.fixed(self.spread(name), unit, 1)}"
+            for name, unit in shown.items()
+            if name in self.quantities
+        ]
+        strokes = [] if self.hole is None else [f"{self.strokes:.3f} strokes to go"]
+        lost = f" ({self.lost} without a result)" if self.lost else ""
+        return (
+            f"{self.count} shots{lost} of {self.golfer.name} with {self.club.name} by {self.model}:"
+            f" {', '.join([*told, *strokes])}"
+        )
 
     @property
     def quantities(self) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from clubface import units
 from clubface.errors import InputError, Told
 from clubface.simulation.delivery import OF_CLUB, Delivery
 from clubface.support.arrays import Floats
@@ -112,6 +113,12 @@ class Golfer:
         if not isinstance(self.sources, Mapping):
             raise InputError("sources", self.sources, "a mapping of figures to texts")
         object.__setattr__(self, "sources", Frozen(self.sources))
+
+    def __repr__(self) -> str:
+        at = self.variables.index("speed")
+        mean, spread = (units.fixed(each[at], "mph", 1) for each in (self.mean, self.spread))
+        mishits = f", {100.0 * self.mishit_share:.3g} % mishits" if self.mishit_share > 0.0 else ""
+        return f"golfer {self.name}: {self.club} at {mean} ± {spread}, {len(self.variables)} variables{mishits}"
 
     @property
     def dimensions(self) -> int:

@@ -8,6 +8,7 @@ differences of successive shots, in which a drift is all but gone (von Neumann, 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -16,10 +17,12 @@ import numpy as np
 from clubface.design.golfer import Golfer
 from clubface.design.golfer_mixture import ENOUGH, covariance_of, error_of, mean_of, mixture
 from clubface.design.golfers import golfer as golfer_named, golfers
+from clubface.equipment.clubs import Club
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Told
 from clubface.launch_monitor.formats import CG, FACE
-from clubface.measured.ready import ReadyShots
+from clubface.measured.ready import ReadyShots, ready_shots
+from clubface.recorded.shots import RecordedShots
 from clubface.simulation.delivery import OF_CLUB
 from clubface.support.arrays import Floats
 
@@ -62,26 +65,44 @@ class Estimate(NamedTuple):
     like: str
     notes: tuple[str, ...]
 
+    def __repr__(self) -> str:
+        return f"{self.golfer}, estimated from {self.shots} shots; measured: {', '.join(self.measured)}"
 
-def estimate(shots: ReadyShots, *, name: str = "my golfer", like: str | None = None) -> Estimate:
+
+def estimate_golfer(
+    shots: RecordedShots | str | os.PathLike[str],
+    *,
+    name: str = "my golfer",
+    like: str | None = None,
+    club: str | os.PathLike[str] | Club | None = None,
+    hand: str | None = None,
+    only: str | None = None,
+    where: str | None = None,
+    mismatch: str = "refuse",
+    assume: Mapping[str, Any] | None = None,
+) -> Estimate:
     """Estimate a golfer from shots in the order in which they were hit.
 
     Parameters
     ----------
     shots
-        Shots of one club and one player, as of :func:`clubface.measured.ready.ready_shots`, which brings face angles
-        measured at the point of contact back to the face centre.
+        Shots of one club and one player, or a launch monitor's file. Face angles that were measured at the point of
+        contact are brought back to the face centre.
     name
         What to call the golfer.
     like
         The golfer that gives what was not measured; left out, the shipped one with this kind of club whose mean speed
         is nearest.
+    club, hand, only, where, mismatch, assume
+        Which shots of the file, of which club, and values for what was not measured; as of
+        :func:`clubface.measured.ready.ready_shots`.
 
     Raises
     ------
     InputError
-        There are too few shots, shots of several players, or quantities of which one follows from the others.
+        There are too few shots, shots of several players or clubs, or quantities of which one follows from the others.
     """
+    shots = ready_shots(shots, club=club, hand=hand, only=only, where=where, mismatch=mismatch, assume=assume)
     if shots.groups() is not None:
         raise InputError(
             "players", Told("several"), "one: take the shots of one player, as with where=\"player == 'A'\""

@@ -12,7 +12,8 @@ from matplotlib.figure import Figure
 from clubface import units
 from clubface.design.optimisation.combination import Combination, told
 from clubface.design.optimisation.figures import draw_landings
-from clubface.design.optimisation.fitting import Fitting, landings
+from clubface.design.optimisation.fitting import Fitting
+from clubface.design.optimisation.fitting_run import landings
 from clubface.plots.style import COLOURS, DASHES, WIDTH, styled
 
 if TYPE_CHECKING:

@@ -146,6 +146,15 @@ class Optimum:
     front: tuple[FrontPoint, ...] = ()
     message: str = ""
 
+    def __repr__(self) -> str:
+        changed = [f"{name} {units.show(value, UNITS[name], 4)}" for name, value in self.club.items()]
+        judged = [
+            f"{each.name} {units.show(self.fresh.value('start', each.name), each.unit, 4)} to"
+            f" {units.show(self.fresh.value('optimum', each.name), each.unit, 4)}"
+            for each in map(self.study.objective, self.study.objectives)
+        ]
+        return f"optimum of {self.study.title!r}: {', '.join(changed)}; on fresh shots {', '.join(judged)}"
+
     @cached_property
     def built(self) -> Club:
         """The optimum as a club."""

@@ -5,6 +5,7 @@ Everything finished is kept in a store where there is one, so that an interrupte
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +18,7 @@ from clubface.design.optimisation.problem import Problem
 from clubface.design.optimisation.result import Fresh, FrontPoint, Optimum
 from clubface.design.optimisation.solve import Solution, agreeing, best, refused, solve, starts
 from clubface.design.optimisation.study import DesignStudy
+from clubface.design.optimisation.study_file import design_study
 from clubface.errors import RangeWarning, RuleWarning
 from clubface.support.resuming import kept_beside
 from clubface.support.warning import without_warnings
@@ -41,14 +43,18 @@ Progress = Callable[[int, int, str], object]
 
 
 def optimise(
-    study: DesignStudy, *, output: str | Path | None = None, resume: bool = False, progress: Progress | None = None
+    study: DesignStudy | str | os.PathLike[str],
+    *,
+    output: str | Path | None = None,
+    resume: bool = False,
+    progress: Progress | None = None,
 ) -> Optimum:
     """Find the best club of a study.
 
     Parameters
     ----------
     study
-        What may change, what is best, for whom, and within which limits.
+        What may change, what is best, for whom, and within which limits; or its file.
     output
         The TOML file to which the best club is written. Beside it, in a folder, what is finished is kept until the run
         ends; without it, nothing is.
@@ -65,8 +71,10 @@ def optimise(
     Raises
     ------
     InputError
-        The club to start from is impossible in the head of the study, or no start reaches a club within all limits.
+        The file is none of a study; the club to start from is impossible in the head of the study; or no start reaches
+        a club within all limits.
     """
+    study = design_study(study)
     store = kept_beside(output, {"study": _content(study)}, resume=resume)
     with without_warnings(RuleWarning), without_warnings(RangeWarning), store as kept:
         found = _Run(study, kept, progress).result()

@@ -71,6 +71,26 @@ def read(path: str | os.PathLike[str]) -> DesignStudy | Fitting:
     return from_document(Document.read(path), Path(path).parent)
 
 
+def design_study(given: DesignStudy | str | os.PathLike[str]) -> DesignStudy:
+    """Return a study, or that of a file."""
+    if isinstance(given, DesignStudy):
+        return given
+    found = read(given)
+    if isinstance(found, Fitting):
+        raise InputError("study", given, "a study with variables; fit takes a fitting, which has a table [fit]")
+    return found
+
+
+def fitting(given: Fitting | str | os.PathLike[str]) -> Fitting:
+    """Return a fitting, or that of a file."""
+    if isinstance(given, Fitting):
+        return given
+    found = read(given)
+    if isinstance(found, DesignStudy):
+        raise InputError("fitting", given, "one with a table [fit]; optimise takes a study, which has variables")
+    return found
+
+
 def from_text(text: str) -> DesignStudy | Fitting:
     """Read the same from text; files that it names are looked for in the current folder."""
     return from_document(Document(text), Path())

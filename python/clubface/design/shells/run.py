@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -13,6 +14,7 @@ from clubface.design.shells.fast import FastModel
 from clubface.design.shells.goal import Goal
 from clubface.design.shells.management import Managed, Step, manage
 from clubface.design.shells.study import NamedMetal, ShellStudy
+from clubface.design.shells.study_file import read
 from clubface.errors import RangeWarning, RunError, TargetWarning
 from clubface.fem.heads import driver_file
 from clubface.fem.heads.driver import DriverHead
@@ -71,15 +73,19 @@ class Improved:
 
 
 def improve(
-    study: ShellStudy, *, output: str | Path | None = None, resume: bool = False, workers: int | None = None,
+    study: ShellStudy | str | os.PathLike[str],
+    *,
+    output: str | Path | None = None,
+    resume: bool = False,
+    workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
-) -> Improved:  # fmt: skip
+) -> Improved:
     """Find the best head of a study: a fast model proposes heads, finite elements judge them.
 
     Parameters
     ----------
     study
-        What may change, what is best, and within which limits.
+        What may change, what is best, and within which limits; or its file.
     output
         The TOML file to which the best head is written. Beside it, in a folder, every run is kept that has finished,
         until the study ends.
@@ -95,6 +101,8 @@ def improve(
     RunError
         The head to start from cannot be run, or no head within the limits was found.
     """
+    if not isinstance(study, ShellStudy):
+        study = read(study)
     with (
         without_warnings(TargetWarning),
         without_warnings(RangeWarning),

@@ -1,0 +1,219 @@
+"""A fitting from start to end: every combination judged on the same shots, and what is free adjusted."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from clubface import units
+from clubface.design.optimisation.combination import Combination
+from clubface.design.optimisation.fitting import Fitting, changed
+from clubface.design.optimisation.landings import Landings
+from clubface.design.optimisation.objectives import Objective, objectives
+from clubface.design.optimisation.problem import Problem
+from clubface.design.optimisation.solve import best, solve, starts
+from clubface.design.optimisation.study_file import fitting
+from clubface.design.optimisation.variables import Variables
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.errors import InputError, Told
+from clubface.reports.blocks import Data
+from clubface.reports.document import file_name
+from clubface.support.resuming import Store, unfinished
+
+STARTS = 3
+"""Starts of a combination's adjustment; it has at most two numbers, loft and lie."""
+BLOCKS = 16
+"""Parts of the shots whose differences tell how certain a difference is."""
+
+
+class _Tried(NamedTuple):
+    """What is kept of a combination: its changes and values [SI], and the values of parts of its shots by golfer."""
+
+    ball: str
+    changes: dict[str, float]
+    values: dict[str, float]
+    shots: list[int]
+    parts: list[list[float]]
+
+
+def fit(
+    of: Fitting | str | os.PathLike[str],
+    *,
+    output: str | Path | None = None,
+    resume: bool = False,
+    progress: Callable[[int, int], object] | None = None,
+) -> list[Combination]:
+    """Return all combinations, the best first.
+
+    A setting changes the loft of a head, and with it the loft at impact, the lie at impact, and the CG; a loft that is
+    set by turning the head is taken to leave the face angle alone, as a golfer does who squares the face again.
+
+    Parameters
+    ----------
+    of
+        The parts, for whom, and what is judged; or its file.
+    output
+        The CSV file to which all combinations are written. Beside it, in a folder, each is kept as soon as it is
+        judged, until the file is written; without it, nothing is.
+    resume
+        Whether to refuse to begin anew where a run of another fitting was interrupted; that of the same one goes on.
+    progress
+        Told of what is done and of the whole.
+
+    Raises
+    ------
+    InputError
+        The file is none of a fitting, or some club can play no shot of the golfers.
+    """
+    of = fitting(of)
+    if output is None:
+        return _ranked(of, _all(of, None, progress))
+    output = Path(output)
+    with Store(unfinished(output), _content(of), of=output, resume=resume) as store:
+        found = _ranked(of, _all(of, store, progress))
+        store.write_result(output, lambda file: file.write(table(of, found).as_csv().encode()))
+        store.remove()
+    return found
+
+
+def table(of: Fitting, found: Sequence[Combination]) -> Data:
+    """Return all combinations as a table, in the units of its headings."""
+    judges = [of.judge(each) for each in (of.objective, *found[0].others)]
+    changes = {name: "deg" if name in ("loft", "lie") else "mm" for each in found for name in each.changes}
+    heads = ["club", "ball", "setting", *(f"{name} changed ({unit})" for name, unit in changes.items())]
+    heads += [each.name if each.unit == "1" else f"{each.name} ({each.unit})" for each in judges]
+    first = judges[0]
+    heads.append(f"error of the difference from the best{'' if first.unit == '1' else f' ({first.unit})'}")
+    rows = []
+    for each in found:
+        moved = [float(units.from_si(each.changes.get(name, 0.0), unit)) for name, unit in changes.items()]
+        values = [{first.name: each.value, **each.others}[judge.name] for judge in judges]
+        told = [units.from_si(value, judge.unit) for value, judge in zip(values, judges, strict=True)]
+        rows.append([each.club, each.ball, each.setting, *moved, *told, units.from_si(each.error, first.unit)])
+    return Data(file_name(of.title), heads, rows)
+
+
+def _ranked(of: Fitting, tried: list[_Tried]) -> list[Combination]:
+    """Return combinations from the best to the worst."""
+    judge = of.judge(of.objective)
+    order = sorted(range(len(tried)), key=lambda place: judge.sign * tried[place].values[judge.name])
+    first, weights = tried[order[0]], [weight for _, weight in of.golfers]
+    found = []
+    for place in order:
+        one, (head, _, setting) = tried[place], of.names()[place]
+        error = 0.0 if place == order[0] else _error(weights, one, first)
+        others = {name: value for name, value in one.values.items() if name != judge.name}
+        found.append(
+            Combination(head.name, one.ball, setting, one.changes, one.values[judge.name], others, error, place)
+        )
+    return found
+
+
+def _content(of: Fitting) -> dict[str, Any]:
+    """Return all that a result depends on."""
+    found = {name: getattr(of, name) for name in of.__dataclass_fields__ if name != "golfers"}
+    found["golfers"] = [(each.content(), weight) for each, weight in of.golfers]
+    return {"study": found, "order of the settings": list(of.settings)}
+
+
+def _all(of: Fitting, store: Store | None, progress: Callable[[int, int], object] | None) -> list[_Tried]:
+    combinations, tried = of.names(), []
+    samples = of.samples()
+    for done, (head, ball, setting) in enumerate(combinations):
+        if progress is not None:
+            progress(done, len(combinations))
+
+        def compute(head: Club = head, ball: Ball | None = ball, setting: str = setting) -> list[Any]:
+            return list(_tried(of, head, ball, setting, samples))
+
+        tried.append(_Tried(*(compute() if store is None else store.once(f"combination {done}", compute))))
+    return tried
+
+
+def landings(of: Fitting, found: Combination) -> list[Any]:
+    """Return where the shots of every golfer land with a combination [m], each of shape (landings, shots)."""
+    head, ball, _ = of.names()[found.place]
+    club = changed(head, found.changes)
+    return [each.of(club) for each, _ in _landings(of, head, ball, of.samples())]
+
+
+def _landings(of: Fitting, head: Club, ball: Ball | None, samples: Any) -> list[tuple[Landings, float]]:
+    """Return the shots of the golfers with a head and a ball."""
+    own, base_loft = replace(of.setting, ball=ball), of.clubs[0].loft
+    found = []
+    for sample, weight in samples:
+        # The golfer delivers his loft with the first club; another head delivers as much more as it has more of it.
+        delivered = {**sample, "loft": sample.get("loft", base_loft) + (head.loft - base_loft)}
+        found.append((Landings(head, delivered, own), weight))
+    return found
+
+
+def _tried(of: Fitting, head: Club, ball: Ball | None, setting: str, samples: Any) -> _Tried:
+    """Judge one combination, after what can be set freely is set as well as it can be."""
+    judge, golfers = of.judge(of.objective), _landings(of, head, ball, samples)
+    changes = dict(of.settings[setting]) if setting else {}
+    club = of.set(head, setting)
+    if of.bounds:
+        moved = head.replace(**{name: value for name, value in club.items() if name != "lie"})
+        problem = _Adjusted(Variables(base=moved, bounds=of.free(head, club)), golfers, judge, club)
+        found = best([solve(problem, each) for each in starts(problem, STARTS, of.seed)])
+        if found is None:
+            raise _impossible(head, setting)
+        club |= problem.variables.club(found.point)
+        changes |= {name: club[name] - (0.0 if name == "lie" else getattr(head, name)) for name in of.bounds}
+    landed = [each.of(club) for each, _ in golfers]
+    if any(np.isnan(each).any() for each in landed):
+        raise _impossible(head, setting)
+    total = sum(weight for _, weight in golfers)
+    values = {
+        each.name: sum(
+            weight * each.judge(one)[0] for (_, weight), one in zip(golfers, landed, strict=True)
+        ) / total
+        for each in objectives(of.hole)
+    }  # fmt: skip
+    parts = [
+        [judge.judge(part)[0] for part in np.array_split(one, BLOCKS, axis=1)] if one.shape[1] >= 2 * BLOCKS else []
+        for one in landed
+    ]
+    return _Tried(golfers[0][0].ball.name, changes, values, [one.shape[1] for one in landed], parts)
+
+
+def _impossible(head: Club, setting: str) -> InputError:
+    with_ = f" with the setting {setting}" if setting else ""
+    return InputError("fit", Told(f"without result for {head.name}{with_}"), "one whose shots can all be computed")
+
+
+class _Adjusted(Problem):
+    """A problem whose club has settings that its variables do not turn."""
+
+    def __init__(self, variables: Variables, golfers: Any, judge: Objective, club: Mapping[str, float]) -> None:
+        held = {name: value for name, value in club.items() if name not in variables.fields}
+        super().__init__(variables, [(_Held(each, held), weight) for each, weight in golfers], judge, ())
+
+
+class _Held(Landings):
+    """Landings with a club some fields of which are set."""
+
+    def __init__(self, of: Landings, held: Mapping[str, float]) -> None:
+        self.__dict__ |= of.__dict__
+        self._held = held
+
+    def _inputs(self, club: Mapping[str, float]) -> list[Any]:
+        return super()._inputs({**self._held, **club})
+
+
+def _error(weights: list[float], one: _Tried, first: _Tried) -> float:
+    """Return the standard error of a difference on the same shots, from the differences of ``BLOCKS`` parts of them.
+
+    Where other shots miss the face of the other club, the shots do not pair, and it is not known.
+    """
+    if one.shots != first.shots or not all(one.parts):
+        return float("nan")
+    differences = np.average(np.subtract(one.parts, first.parts), axis=0, weights=weights)
+    return float(np.std(differences, ddof=1) / np.sqrt(BLOCKS))
