@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from clubface import club, fly, impact
-from clubface.design.golfers import golfer
+from clubface.design.golfer.golfers import golfer
 from clubface.design.optimisation import fitting
 from clubface.design.optimisation.fitting import fit, landings
 from clubface.design.optimisation.study_file import from_text

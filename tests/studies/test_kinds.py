@@ -8,8 +8,8 @@ import pytest
 import clubface
 from clubface import studies
 from clubface.design.best_loft import best_loft
-from clubface.design.dispersion import dispersion
-from clubface.design.golfers import golfer
+from clubface.design.dispersion.sampling import dispersion
+from clubface.design.golfer.golfers import golfer
 from clubface.design.optimisation.run import optimise
 from clubface.design.optimisation.study_file import from_text
 from clubface.design.strokes import Hole

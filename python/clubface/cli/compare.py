@@ -79,7 +79,7 @@ def compare(
     conditions = given.conditions(texts)
     shown = shown_units(unit)
 
-    from clubface.design.comparison import MOST, compare as computed
+    from clubface.design.comparison.comparison import MOST, compare as computed
 
     alternatives = alternatives_of(clubs, delivery, deliveries, texts)
     if nodes is not None and not split:
@@ -94,7 +94,7 @@ def compare(
         found = computed(alternatives, **conditions, split=split, nodes=nodes, progress=update)
     if plot is not None or report is not None:
         from clubface import plots
-        from clubface.design.comparison_figures import comparison_figure
+        from clubface.design.comparison.figures import comparison_figure
 
         figure = comparison_figure(found, **conditions, units={key: told for key, (told, _) in shown.items()})
         if plot is not None:
@@ -214,7 +214,7 @@ def _head(name: str) -> str:
 
 def _by_name(part: Any) -> dict[str, float]:
     """Return differences or contributions [SI] by quantity."""
-    from clubface.design.comparison_quantities import QUANTITIES
+    from clubface.design.comparison.quantities import QUANTITIES
 
     return dict(zip(QUANTITIES, map(float, part), strict=True))
 

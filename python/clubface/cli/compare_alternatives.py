@@ -82,8 +82,8 @@ def _deliveries(
     if changes and file is not None:
         raise ClubfaceError("--delivery and --deliveries both say what is compared; give one of them")
     if file is not None:
-        from clubface.design.comparison import MOST
-        from clubface.design.comparison_rows import read_deliveries
+        from clubface.design.comparison.comparison import MOST
+        from clubface.design.comparison.rows import read_deliveries
 
         told = read_deliveries(file, MOST, lambda text: say(f"note: {text}"))
         found = {name: {**base, **each} for name, each in told.items()}

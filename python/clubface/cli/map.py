@@ -88,9 +88,9 @@ def map_(
         raise InputError("--minus", minus, "another club than the first")
     sets = [given.one_set(head, texts) for head in heads]
 
-    from clubface.design.face_map import map_face
-    from clubface.design.face_map_difference import FaceMapDifference
-    from clubface.design.face_map_shots import finished
+    from clubface.design.face_map.difference import FaceMapDifference
+    from clubface.design.face_map.face_map import map_face
+    from clubface.design.face_map.shots import finished
 
     maps = []
     for place, (head, chosen) in enumerate(zip(heads, sets, strict=True)):
@@ -108,7 +108,7 @@ def map_(
     found = maps[0] if len(maps) == 1 else FaceMapDifference(*maps)
     if plot is not None or report is not None:
         from clubface import plots
-        from clubface.design.face_map_figures import face_map_figure
+        from clubface.design.face_map.figures import face_map_figure
 
         figure = face_map_figure(found, units={name: shown[name][0] for name in names or DEFAULT})
         if plot is not None:

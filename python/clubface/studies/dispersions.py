@@ -29,7 +29,7 @@ ON_A_HOLE = ("strokes", "gained", "green", "fairway", "rough", "recovery")
 
 
 def _columns(percentiles: tuple[int, ...]) -> dict[str, Column]:
-    from clubface.design.dispersion_tally import FLOWN, LAUNCHED
+    from clubface.design.dispersion.tally import FLOWN, LAUNCHED
 
     every = {**outputs(), **flight_outputs()}
     found: dict[str, Column] = {}
@@ -63,8 +63,8 @@ def files_of_golfers(study: Described) -> list[Path]:
 
 
 def _begin(study: Described) -> Prepared:
-    from clubface.design.dispersion import COUNT, MOST, dispersion
-    from clubface.design.golfers import golfer as golfer_of
+    from clubface.design.dispersion.sampling import COUNT, MOST, dispersion
+    from clubface.design.golfer.golfers import golfer as golfer_of
     from clubface.design.strokes import Hole
     from clubface.equipment.clubs import club as club_of
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from clubface.design.golfer import Golfer
+from clubface.design.golfer.golfer import Golfer
 from clubface.design.strokes import Hole
 from clubface.errors import InputError
 from clubface.simulation.delivery import OF_CLUB

@@ -28,7 +28,7 @@ SCATTERED = ("missed", "ball_speed_loss", "carry_mean", "carry_deviation", "carr
 
 
 def _columns() -> dict[str, Column]:
-    from clubface.design.comparison_quantities import quantities
+    from clubface.design.comparison.quantities import quantities
 
     found = {**FACE, "missed": Column("1", "share of the swings that miss the face")}
     for name, each in quantities().items():
@@ -44,7 +44,7 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
 
 
 def _begin(study: Described) -> Prepared:
-    from clubface.design.face_map import SHARE, map_face
+    from clubface.design.face_map.face_map import SHARE, map_face
 
     shooting, table = Shooting(study), study.table
     for name in ("toe", "high"):

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface import units
-from clubface.design.golfers import golfer as golfer_of
+from clubface.design.golfer.golfers import golfer as golfer_of
 from clubface.design.optimisation.landings import FREE
 from clubface.design.optimisation.run import optimise
 from clubface.design.optimisation.study import DIMENSIONS, DesignStudy

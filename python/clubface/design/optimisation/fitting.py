@@ -26,7 +26,7 @@ from clubface.reports.document import file_name
 from clubface.support.resuming import Store, unfinished
 
 if TYPE_CHECKING:
-    from clubface.design.golfer import Golfer
+    from clubface.design.golfer.golfer import Golfer
 
 MOST_COMBINATIONS = 10_000
 STARTS = 3

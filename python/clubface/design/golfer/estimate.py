@@ -3,7 +3,7 @@
 What counts is how a golfer's shots differ from each other at the moment of impact. A session also drifts, as the golfer
 tires or works on something, and now and then comes a mishit. Therefore spreads and correlations come from the
 differences of successive shots, in which a drift is all but gone (von Neumann, 1941), and shots are taken as a
-:mod:`mixture <clubface.design.golfer_mixture>` with mishits.
+:mod:`mixture <clubface.design.golfer.mixture>` with mishits.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from clubface.design.golfer import Golfer
-from clubface.design.golfer_mixture import ENOUGH, covariance_of, error_of, mean_of, mixture
-from clubface.design.golfers import golfer as golfer_named, golfers
+from clubface.design.golfer.golfer import Golfer
+from clubface.design.golfer.golfers import golfer as golfer_named, golfers
+from clubface.design.golfer.mixture import ENOUGH, covariance_of, error_of, mean_of, mixture
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Told
 from clubface.launch_monitor.formats import CG, FACE

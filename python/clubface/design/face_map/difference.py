@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface import units
-from clubface.design.comparison_quantities import QUANTITIES, symbol
-from clubface.design.face_map import FaceMap, on_face
+from clubface.design.comparison.quantities import QUANTITIES, symbol
+from clubface.design.face_map.face_map import FaceMap, on_face
 from clubface.errors import InputError, Told
 from clubface.support.checks import check_choice
 

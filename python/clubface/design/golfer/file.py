@@ -37,7 +37,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.design.golfer import Golfer
+from clubface.design.golfer.golfer import Golfer
 from clubface.equipment.described import HANDS
 from clubface.errors import ClubfaceError, InputError
 from clubface.simulation.delivery import OF_CLUB

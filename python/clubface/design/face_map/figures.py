@@ -13,8 +13,8 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from clubface import units as units_of
-from clubface.design.face_map import FaceMap
-from clubface.design.face_map_difference import FaceMapDifference
+from clubface.design.face_map.difference import FaceMapDifference
+from clubface.design.face_map.face_map import FaceMap
 from clubface.plots.style import WIDTH, styled
 
 SHOWN = {

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.design.comparison_line import FACE, Line, Point
+from clubface.design.comparison.line import FACE, Line, Point
 from clubface.equipment.backends import MODULES
 from clubface.equipment.models import reduced_model
 from clubface.errors import ClubfaceError

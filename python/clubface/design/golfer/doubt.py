@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface.design.dispersion import dispersion
-from clubface.design.golfer import ASSUMED, Golfer
+from clubface.design.dispersion.sampling import dispersion
+from clubface.design.golfer.golfer import ASSUMED, Golfer
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError
 

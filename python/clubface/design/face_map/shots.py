@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from clubface.design.comparison_quantities import FLOWN, LAUNCHED, QUANTITIES
+from clubface.design.comparison.quantities import FLOWN, LAUNCHED, QUANTITIES
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club
 from clubface.errors import RangeWarning, ShotError

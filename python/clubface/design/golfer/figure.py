@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from matplotlib.figure import Figure
 
-from clubface.design.golfer_doubt import QUANTITIES, Doubts
+from clubface.design.golfer.doubt import QUANTITIES, Doubts
 from clubface.plots.style import COLOURS, WIDTH, styled
 
 SHOWN = 8

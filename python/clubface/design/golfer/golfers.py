@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 
-from clubface.design.golfer import Golfer
-from clubface.design.golfer_file import read
+from clubface.design.golfer.file import read
+from clubface.design.golfer.golfer import Golfer
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.errors import InputError
 from clubface.support.shipped import builtin_names, is_path

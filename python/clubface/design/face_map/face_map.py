@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from clubface import units
-from clubface.design.comparison_quantities import QUANTITIES, quantities, symbol
-from clubface.design.face_map_forgiveness import Forgiveness, forgiveness
-from clubface.design.face_map_outline import Outline, outline_of
-from clubface.design.face_map_shots import Struck, run_points
-from clubface.design.face_map_surface import Surface, surface_of
+from clubface.design.comparison.quantities import QUANTITIES, quantities, symbol
+from clubface.design.face_map.forgiveness import Forgiveness, forgiveness
+from clubface.design.face_map.outline import Outline, outline_of
+from clubface.design.face_map.shots import Struck, run_points
+from clubface.design.face_map.surface import Surface, surface_of
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL

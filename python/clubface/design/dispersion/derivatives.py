@@ -21,9 +21,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from clubface.design.dispersion_tally import LAUNCHED
-from clubface.design.golfer import Golfer
-from clubface.design.hitting import Hitting
+from clubface.design.dispersion.hitting import Hitting
+from clubface.design.dispersion.tally import LAUNCHED
+from clubface.design.golfer.golfer import Golfer
 from clubface.errors import InputError, RangeWarning
 from clubface.simulation.flight_derivatives import flight_derivatives
 from clubface.simulation.flight_inputs import SPIN, VELOCITY

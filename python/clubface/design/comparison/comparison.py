@@ -7,8 +7,8 @@ from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from clubface import units
-from clubface.design.comparison_contributions import Contributions, Stage, contributions
-from clubface.design.comparison_quantities import QUANTITIES, quantities, symbol, values
+from clubface.design.comparison.contributions import Contributions, Stage, contributions
+from clubface.design.comparison.quantities import QUANTITIES, quantities, symbol, values
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import club as club_of
 from clubface.equipment.models import DEFAULT_MODEL

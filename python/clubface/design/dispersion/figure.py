@@ -8,9 +8,9 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse as Outline
 
-from clubface.design.dispersion import SHARES, Dispersion
-from clubface.design.dispersion_indices import Indices
-from clubface.design.golfer import told
+from clubface.design.dispersion.indices import Indices
+from clubface.design.dispersion.sampling import SHARES, Dispersion
+from clubface.design.golfer.golfer import told
 from clubface.plots.style import COLOURS, WIDTH, legend_above, styled
 from clubface.units import from_si, size
 

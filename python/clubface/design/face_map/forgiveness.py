@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from clubface import units
-from clubface.design.comparison_quantities import QUANTITIES
-from clubface.design.face_map_outline import Outline
-from clubface.design.face_map_surface import Surface
+from clubface.design.comparison.quantities import QUANTITIES
+from clubface.design.face_map.outline import Outline
+from clubface.design.face_map.surface import Surface
 from clubface.errors import InputError
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from clubface import units as units_of
-from clubface.design.comparison import Compared
-from clubface.design.comparison_quantities import QUANTITIES
+from clubface.design.comparison.comparison import Compared
+from clubface.design.comparison.quantities import QUANTITIES
 from clubface.plots.style import COLOURS, DASHES, WIDTH, legend_above, styled
 from clubface.simulation.trajectory import trajectory
 

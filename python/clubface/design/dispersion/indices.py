@@ -19,10 +19,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.design.dispersion_derivatives import ByDerivatives
-from clubface.design.dispersion_tally import FLOWN, LAUNCHED
-from clubface.design.golfer import Golfer, uniform
-from clubface.design.hitting import Hitting
+from clubface.design.dispersion.derivatives import ByDerivatives
+from clubface.design.dispersion.hitting import Hitting
+from clubface.design.dispersion.tally import FLOWN, LAUNCHED
+from clubface.design.golfer.golfer import Golfer, uniform
 from clubface.errors import InputError
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_names

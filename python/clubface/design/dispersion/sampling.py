@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from clubface.design.dispersion_tally import FLOWN, LAUNCHED, Tally, forward
-from clubface.design.golfer import Golfer
-from clubface.design.golfers import club_of, golfer as golfer_named
-from clubface.design.hitting import Hitting
+from clubface.design.dispersion.hitting import Hitting
+from clubface.design.dispersion.tally import FLOWN, LAUNCHED, Tally, forward
+from clubface.design.golfer.golfer import Golfer
+from clubface.design.golfer.golfers import club_of, golfer as golfer_named
 from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named

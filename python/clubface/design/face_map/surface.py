@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from clubface.design.comparison_quantities import QUANTITIES
-from clubface.design.face_map_outline import Outline
-from clubface.design.face_map_shots import Struck
+from clubface.design.comparison.quantities import QUANTITIES
+from clubface.design.face_map.outline import Outline
+from clubface.design.face_map.shots import Struck
 from clubface.errors import RunError
 
 if TYPE_CHECKING:

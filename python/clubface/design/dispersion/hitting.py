@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Literal, NamedTuple
 
-from clubface.design.dispersion_tally import FLOWN, LAUNCHED
-from clubface.design.golfer import Golfer
+from clubface.design.dispersion.tally import FLOWN, LAUNCHED
+from clubface.design.golfer.golfer import Golfer
 from clubface.equipment.clubs import Club
 from clubface.errors import RangeWarning
 from clubface.simulation.flight import Flight, fly

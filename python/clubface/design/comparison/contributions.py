@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from clubface.design.comparison_line import FACE, Line, Point
-from clubface.design.comparison_quantities import FLOWN, LAUNCHED, QUANTITIES, values
-from clubface.design.comparison_slopes import flown, slopes
+from clubface.design.comparison.line import FACE, Line, Point
+from clubface.design.comparison.quantities import FLOWN, LAUNCHED, QUANTITIES, values
+from clubface.design.comparison.slopes import flown, slopes
 from clubface.equipment.backends import MODULES
 from clubface.errors import ClubfaceError
 from clubface.simulation.flight import fly
