@@ -7,9 +7,9 @@ from typing import Any
 
 from clubface.errors import InputError
 from clubface.studies.axes import Swept
-from clubface.studies.kinds import Column, Described, chosen_columns
+from clubface.studies.kinds import Column, Described, Kind, chosen_columns
+from clubface.studies.one_by_one import OneByOne, Values
 from clubface.studies.shooting import KEYS, Shooting, files_of_shots, swept_shots
-from clubface.studies.singly import Prepared, SinglyKind, Values
 
 COLUMNS = {
     "best_loft": Column("rad", "dynamic loft of the longest carry"),
@@ -27,7 +27,7 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
     return {name: each for name, each in swept_shots(table, sweep).items() if name != "loft"}
 
 
-def _begin(study: Described) -> Prepared:
+def _task(study: Described) -> OneByOne:
     from clubface.design.best_loft import best_loft
 
     shooting = Shooting(study)
@@ -41,7 +41,7 @@ def _begin(study: Described) -> Prepared:
         figures = {name: getattr(found, name)[0] for name in ("ball_speed", "launch", "spin", "carry", "total")}
         return {**figures, "best_loft": found.loft[0], "within_below": within[0], "within_above": within[1]}
 
-    return Prepared(chosen_columns(study.table, COLUMNS, tuple(COLUMNS)), compute)
+    return OneByOne(study, chosen_columns(study.table, COLUMNS, tuple(COLUMNS)), compute)
 
 
-KIND = SinglyKind(name="best-loft", keys=(*KEYS, "outputs"), swept=_swept, files=files_of_shots, begin=_begin)
+KIND = Kind(name="best-loft", keys=(*KEYS, "outputs"), swept=_swept, files=files_of_shots, task=_task)

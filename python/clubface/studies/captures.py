@@ -19,10 +19,9 @@ from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.simulation.quantities import inputs
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds import Column, Described, chosen_columns
+from clubface.studies.kinds import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.one_by_one import OneByOne, Values
 from clubface.studies.shooting import resolved
-from clubface.studies.singly import Prepared, SinglyKind, Values
-from clubface.support.shipped import is_path
 
 NUMBERS = {"swing": "1", "seed": "1", "rate": "1", "noise": "m", "gaps": "1", "gap": "1", "roughness": "1"}
 """Units of what may be given or swept: which swing, and the laboratory; the rate is a number of frames a second."""
@@ -45,11 +44,10 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
 
 
 def _files(study: Described) -> list[Path]:
-    names = (study.table.get("club"), *study.sweep.get("club", ()))
-    return [study.folder / each for each in names if isinstance(each, str) and is_path(each)]
+    return files_named(study, "club")
 
 
-def _begin(study: Described) -> Prepared:
+def _task(study: Described) -> OneByOne:
     table = study.table
     held: dict[str, Any] = {"seed": 1.0, "roughness": ROUGHNESS, "club": "driver", "hand": None}
     held |= {"estimator": next(iter(ESTIMATORS))}
@@ -76,7 +74,7 @@ def _begin(study: Described) -> Prepared:
 
     columns = _columns()
     usual = tuple(name for name in columns if name.endswith("_error"))
-    return Prepared(chosen_columns(table, columns, usual), compute)
+    return OneByOne(study, chosen_columns(table, columns, usual), compute)
 
 
-KIND = SinglyKind(name="capture", keys=(*NAMES, *NUMBERS, "outputs"), swept=_swept, files=_files, begin=_begin)
+KIND = Kind(name="capture", keys=(*NAMES, *NUMBERS, "outputs"), swept=_swept, files=_files, task=_task)

@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from clubface.errors import ClubfaceError, FileError, InputError
-from clubface.studies.axes import Swept
 from clubface.studies.designs import Design
 from clubface.studies.impacts import KIND as IMPACT, Impacts
-from clubface.studies.kinds import Column, Computed, Described
+from clubface.studies.kinds import Column, Computed, Described, Kind
 from clubface.studies.shooting import CHOSEN, KEYS, files_of_shots, swept_shots
 from clubface.support.checks import check_names
 
@@ -103,28 +102,10 @@ class Comparisons:
         return Computed(found, sorted(({**dict(second.failed), **dict(first.failed)}).items()), tally.counts())
 
 
-class ComparisonKind:
-    """See :class:`clubface.studies.kinds.Kind`."""
-
-    name = "comparison"
-    keys = (*IMPACT.keys, OTHER)
-
-    def swept(self, table: Mapping[str, Any], sweep: Mapping[str, Any]) -> Mapping[str, Swept]:
-        """Return the inputs of a shot."""
-        return swept_shots(table, sweep)
-
-    def files(self, study: Described) -> list[Path]:
-        """Return the files of both shots."""
-        other = study.table.get(OTHER)
-        both = [study, One(study, other, study.design)] if isinstance(other, Mapping) else [study]
-        return list(dict.fromkeys(path for each in both for path in files_of_shots(each)))
-
-    def prepare(self, study: Described) -> Comparisons:
-        """Return the task."""
-        try:
-            return Comparisons(study)
-        except ClubfaceError as error:
-            raise study.wrap(error) from None
+def _files(study: Described) -> list[Path]:
+    other = study.table.get(OTHER)
+    both = [study, One(study, other, study.design)] if isinstance(other, Mapping) else [study]
+    return list(dict.fromkeys(path for each in both for path in files_of_shots(each)))
 
 
-KIND = ComparisonKind()
+KIND = Kind(name="comparison", keys=(*IMPACT.keys, OTHER), swept=swept_shots, files=_files, task=Comparisons)

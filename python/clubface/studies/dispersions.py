@@ -12,11 +12,10 @@ from clubface.simulation.delivery import OF_CLUB
 from clubface.simulation.quantities import flight_outputs, outputs
 from clubface.studies.axes import Swept
 from clubface.studies.golfing import changed_golfer, changed_hole, swept_golfers
-from clubface.studies.kinds import Column, Described, chosen_columns
+from clubface.studies.kinds import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.one_by_one import OneByOne, Values
 from clubface.studies.shooting import KEYS, Shooting, files_of_shots, resolved, swept_shots
-from clubface.studies.singly import Prepared, SinglyKind, Values
 from clubface.support.checks import check_names, is_count
-from clubface.support.shipped import is_path
 
 PERCENTILES = (10, 50, 90)
 SHARE = 90
@@ -57,12 +56,10 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
 
 def files_of_golfers(study: Described) -> list[Path]:
     """Return the files of golfers, clubs, balls and parameters."""
-    named = [study.table.get("golfer"), *study.sweep.get("golfer", ())]
-    own = [study.folder / each for each in named if isinstance(each, str) and is_path(each)]
-    return [*own, *files_of_shots(study)]
+    return [*files_named(study, "golfer"), *files_of_shots(study)]
 
 
-def _begin(study: Described) -> Prepared:
+def _task(study: Described) -> OneByOne:
     from clubface.design.dispersion.sampling import COUNT, MOST, dispersion
     from clubface.design.golfer.golfers import golfer as golfer_of
     from clubface.design.strokes import Hole
@@ -111,10 +108,10 @@ def _begin(study: Described) -> Prepared:
         long, short = found.ellipse(share / 100).half_axes.tolist()
         return {**figures, "ellipse_long": long, "ellipse_short": short, "ellipse_area": math.pi * long * short}
 
-    return Prepared(columns, compute, elements=bool(shooting.depends_on))
+    return OneByOne(study, columns, compute, elements=bool(shooting.depends_on))
 
 
-KIND = SinglyKind(
+KIND = Kind(
     name="dispersion", keys=(*KEYS, "golfer", "shots", "seed", "hole", "percentiles", "ellipse", "outputs"),
-    swept=_swept, files=files_of_golfers, begin=_begin,
+    swept=_swept, files=files_of_golfers, task=_task,
 )  # fmt: skip

@@ -10,7 +10,7 @@ from typing import Any
 from clubface import units
 from clubface.errors import InputError
 from clubface.studies.axes import Swept
-from clubface.studies.kinds import Column, Computed, Described
+from clubface.studies.kinds import Column, Computed, Described, Kind
 
 
 class Empty:
@@ -41,26 +41,19 @@ class Empty:
         return Computed({"square": x * x})
 
 
-class EmptyKind:
-    """See :class:`clubface.studies.kinds.Kind`."""
-
-    name = "empty"
-    keys = ("seconds",)
-
-    def swept(self, table: Mapping[str, Any], sweep: Mapping[str, Any]) -> Mapping[str, Swept]:
-        """Return the one input, a number."""
-        return {"x": Swept("1")}
-
-    def files(self, study: Described) -> tuple[Path, ...]:
-        """Return nothing: no file is read."""
-        return ()
-
-    def prepare(self, study: Described) -> Empty:
-        """Return the task."""
-        seconds = units.parse(study.table.get("seconds", 0.0), "time", name="seconds")
-        if not 0.0 <= seconds <= 3600.0:
-            raise InputError("seconds", seconds, "from 0 to 3600 s")
-        return Empty(study, seconds)
+def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
+    return {"x": Swept("1")}
 
 
-KIND = EmptyKind()
+def _files(study: Described) -> tuple[Path, ...]:
+    return ()
+
+
+def _task(study: Described) -> Empty:
+    seconds = units.parse(study.table.get("seconds", 0.0), "time", name="seconds")
+    if not 0.0 <= seconds <= 3600.0:
+        raise InputError("seconds", seconds, "from 0 to 3600 s")
+    return Empty(study, seconds)
+
+
+KIND = Kind(name="empty", keys=("seconds",), swept=_swept, files=_files, task=_task)

@@ -13,10 +13,9 @@ from clubface.fem.case import HEADS, MESHED, PLANE, Case, case as case_of, deliv
 from clubface.fem.heads import head as head_of
 from clubface.simulation.quantities import inputs, outputs
 from clubface.studies.axes import Swept
-from clubface.studies.kinds import Column, Described, chosen_columns
+from clubface.studies.kinds import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.one_by_one import OneByOne, Values
 from clubface.studies.shooting import resolved
-from clubface.studies.singly import Prepared, SinglyKind, Values
-from clubface.support.shipped import is_path
 
 SETTINGS = {"duration": "s", "interval": "s", "safety": "1", "bulk_viscosity": "1"}
 """Units of the numbers among the settings."""
@@ -51,11 +50,10 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
 
 
 def _files(study: Described) -> list[Path]:
-    names = [study.table.get("case"), *(each for name in NAMED for each in study.sweep.get(name, ()))]
-    return [study.folder / each for each in names if isinstance(each, str) and is_path(each)]
+    return files_named(study, "case", *NAMED)
 
 
-def _begin(study: Described) -> Prepared:
+def _task(study: Described) -> OneByOne:
     if not isinstance(study.table.get("case"), str):
         raise InputError("case", study.table.get("case"), 'a case of finite elements, as in case = "paper"')
     base = case_of(resolved(study.table["case"], study.folder))
@@ -69,7 +67,7 @@ def _begin(study: Described) -> Prepared:
         return {**{name: getattr(found, name) for name in CONTACT}, **found.outcome()}
 
     columns = chosen_columns(study.table, every, tuple(name for name in USUAL if name in every))
-    return Prepared(columns, compute, elements=True)
+    return OneByOne(study, columns, compute, elements=True)
 
 
 def _varied(base: Case, task: Values, folder: Path) -> Case:
@@ -83,4 +81,4 @@ def _varied(base: Case, task: Values, folder: Path) -> Case:
     return base.replace(settings=settings, **changes)
 
 
-KIND = SinglyKind(name="fem", keys=("case", "outputs"), swept=_swept, files=_files, begin=_begin)
+KIND = Kind(name="fem", keys=("case", "outputs"), swept=_swept, files=_files, task=_task)

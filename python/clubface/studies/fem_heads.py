@@ -17,10 +17,10 @@ from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.read import FOLDER, from_toml
 from clubface.fem.stress import BLOW, peak_stress
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds import Column, Described, chosen_columns
+from clubface.studies.kinds import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.one_by_one import OneByOne, Values
 from clubface.studies.shooting import resolved
-from clubface.studies.singly import Prepared, SinglyKind, Values
-from clubface.support.shipped import is_path, path_of
+from clubface.support.shipped import path_of
 
 PLACE = {"toe": "m", "high": "m", "speed": "m/s", "striker_speed": "m/s", "blow": "m/s", "friction": "1", "safety": "1"}
 """Units of where a head is struck, of the speeds of ball, striker and blow, and of what else the tests take."""
@@ -61,11 +61,10 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
 
 
 def _files(study: Described) -> list[Path]:
-    names = [each for name in ("head", "ball") for each in (study.table.get(name), *study.sweep.get(name, ()))]
-    return [study.folder / each for each in names if isinstance(each, str) and is_path(each)]
+    return files_named(study, "head", "ball")
 
 
-def _begin(study: Described) -> Prepared:
+def _task(study: Described) -> OneByOne:
     table, designed = study.table, _design_units()
     swept = {each.name for each in study.design.axes}
     if "head" not in swept and not isinstance(table.get("head"), str):
@@ -105,7 +104,7 @@ def _begin(study: Described) -> Prepared:
             **{name: getattr(rigid, name) for name in ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz")},
         }  # fmt: skip
 
-    return Prepared(columns, compute, elements=True)
+    return OneByOne(study, columns, compute, elements=True)
 
 
 def _changed(design: Any, changes: tuple[tuple[str, float], ...]) -> Any:
@@ -122,4 +121,4 @@ def _changed(design: Any, changes: tuple[tuple[str, float], ...]) -> Any:
     return design
 
 
-KIND = SinglyKind(name="head", keys=("head", "ball", *PLACE, "outputs"), swept=_swept, files=_files, begin=_begin)
+KIND = Kind(name="head", keys=("head", "ball", *PLACE, "outputs"), swept=_swept, files=_files, task=_task)

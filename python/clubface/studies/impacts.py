@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from clubface.errors import ClubfaceError, RangeWarning, RuleWarning
+from clubface.errors import RangeWarning, RuleWarning
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
 from clubface.simulation.outside import Tally
 from clubface.simulation.quantities import flight_outputs, outputs
-from clubface.studies.axes import Swept
-from clubface.studies.kinds import Column, Computed, Described, chosen_columns
+from clubface.studies.kinds import Column, Computed, Described, Kind, chosen_columns
 from clubface.studies.shooting import KEYS, Shooting, files_of_shots, swept_shots
 from clubface.support.warning import without_warnings
 
@@ -70,31 +68,6 @@ class Impacts:
         return launch, fly(launch, **self._shooting.conditions.at(values), threads=1, on_error="nan")
 
 
-class ImpactKind:
-    """See :class:`clubface.studies.kinds.Kind`."""
-
-    name = "impact"
-    keys = (*KEYS, "outputs")
-
-    def swept(self, table: Mapping[str, Any], sweep: Mapping[str, Any]) -> Mapping[str, Swept]:
-        """Return the inputs of a shot, the parameters of the models, the conditions, and what has names."""
-        return swept_shots(table, sweep)
-
-    def files(self, study: Described) -> list[Path]:
-        """Return the files of clubs, balls and parameters."""
-        return files_of_shots(study)
-
-    def prepare(self, study: Described) -> Impacts:
-        """Return the task, when clubs, balls and parameters have been read once."""
-        try:
-            return Impacts(study)
-        except ClubfaceError as error:
-            raise study.wrap(error) from None
-
-
-KIND = ImpactKind()
-
-
 def _alike(codes: Mapping[str, NDArray[Any]], count: int) -> list[tuple[dict[str, int], Any]]:
     """Return each combination of names that occurs, and its rows."""
     import numpy as np
@@ -106,3 +79,6 @@ def _alike(codes: Mapping[str, NDArray[Any]], count: int) -> list[tuple[dict[str
         (dict(zip(codes, map(int, row), strict=True)), np.flatnonzero(which.reshape(count) == place))
         for place, row in enumerate(rows)
     ]
+
+
+KIND = Kind(name="impact", keys=(*KEYS, "outputs"), swept=swept_shots, files=files_of_shots, task=Impacts)

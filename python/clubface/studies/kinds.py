@@ -7,7 +7,8 @@ is added by one such module and one line in ``MODULES``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
@@ -16,6 +17,7 @@ from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.studies.axes import Swept
 from clubface.studies.designs import Design
 from clubface.support.checks import check_choice, check_names
+from clubface.support.shipped import is_path
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -115,7 +117,8 @@ class Described(Protocol):
         ...
 
 
-class Kind(Protocol):
+@dataclass(frozen=True, kw_only=True)
+class Kind:
     """A kind of study.
 
     Attributes
@@ -124,22 +127,32 @@ class Kind(Protocol):
         As in the file of a study, and the name of the table that the kind has there.
     keys
         The keys of that table.
+    swept
+        From the kind's table and [sweep], as the file has them, to the inputs that may be swept.
+    files
+        From a study to the files that its result depends on, without those that they name in turn.
+    task
+        From a study to its task; what is wrong with the study is an error here, before any work.
     """
 
     name: str
     keys: tuple[str, ...]
-
-    def swept(self, table: Mapping[str, Any], sweep: Mapping[str, Any]) -> Mapping[str, Swept]:
-        """Return the inputs that may be swept, from the kind's table and [sweep] as the file has them."""
-        ...
-
-    def files(self, study: Described) -> Sequence[Path]:
-        """Return the files that the result depends on, without those that they name in turn."""
-        ...
+    swept: Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Swept]]
+    files: Callable[[Described], Sequence[Path]]
+    task: Callable[[Described], Task]
 
     def prepare(self, study: Described) -> Task:
-        """Return the task; what is wrong with the study is an error here, before any work."""
-        ...
+        """Return the task of a study; an error about a value of the kind's table names file and line."""
+        try:
+            return self.task(study)
+        except ClubfaceError as error:
+            raise study.wrap(error) from None
+
+
+def files_named(study: Described, *keys: str) -> list[Path]:
+    """Return the files that a study names under some keys of its kind's table, or sweeps there."""
+    names = [*(study.table.get(key) for key in keys), *(each for key in keys for each in study.sweep.get(key, ()))]
+    return [study.folder / each for each in names if isinstance(each, str) and is_path(each)]
 
 
 def chosen_columns(table: Mapping[str, Any], every: Mapping[str, Column], usual: Sequence[str]) -> dict[str, Column]:

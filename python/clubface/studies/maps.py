@@ -8,9 +8,9 @@ from typing import Any
 from clubface.equipment.backends import MODULES
 from clubface.errors import InputError
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds import Column, Described, chosen_columns
+from clubface.studies.kinds import Column, Described, Kind, chosen_columns
+from clubface.studies.one_by_one import OneByOne, Values
 from clubface.studies.shooting import KEYS, Shooting, files_of_shots, swept_shots
-from clubface.studies.singly import Prepared, SinglyKind, Values
 
 PLACE = {"spread_toe": "m", "spread_high": "m", "about_toe": "m", "about_high": "m", "share": "1"}
 """Unit of what says how impacts scatter, about which point, and which share of the best ball speed counts."""
@@ -43,7 +43,7 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
     return {**shots, **{name: Swept(unit) for name, unit in PLACE.items()}}
 
 
-def _begin(study: Described) -> Prepared:
+def _task(study: Described) -> OneByOne:
     from clubface.design.face_map.face_map import SHARE, map_face
 
     shooting, table = Shooting(study), study.table
@@ -78,7 +78,7 @@ def _begin(study: Described) -> Prepared:
             figures["missed"] = of.missed
         return figures
 
-    return Prepared(columns, compute, elements=bool(shooting.depends_on))
+    return OneByOne(study, columns, compute, elements=bool(shooting.depends_on))
 
 
-KIND = SinglyKind(name="map", keys=(*KEYS, *PLACE, "grid", "outputs"), swept=_swept, files=files_of_shots, begin=_begin)
+KIND = Kind(name="map", keys=(*KEYS, *PLACE, "grid", "outputs"), swept=_swept, files=files_of_shots, task=_task)

@@ -18,10 +18,9 @@ from clubface.equipment.clubs import club as club_of
 from clubface.errors import InputError
 from clubface.studies.axes import Swept
 from clubface.studies.golfing import changed_golfer, changed_hole, swept_golfers
-from clubface.studies.kinds import Column, Described, chosen_columns
+from clubface.studies.kinds import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.one_by_one import OneByOne, Values
 from clubface.studies.shooting import BY_GROUP, resolved, swept_conditions
-from clubface.studies.singly import Prepared, SinglyKind, Values
-from clubface.support.shipped import is_path
 
 ENDS = ("least", "most")
 NAMED = ("golfer", "club", "ball", "model")
@@ -43,11 +42,10 @@ def _unit(dimension: str) -> str:
 
 
 def _files(study: Described) -> list[Path]:
-    names = [study.table.get("file"), *(each for name in NAMED for each in study.sweep.get(name, ()))]
-    return [study.folder / each for each in names if isinstance(each, str) and is_path(each)]
+    return files_named(study, "file", *NAMED)
 
 
-def _begin(study: Described) -> Prepared:
+def _task(study: Described) -> OneByOne:
     if not isinstance(study.table.get("file"), str):
         raise InputError("file", study.table.get("file"), 'the file of an optimisation, as in file = "better.toml"')
     asked = read(study.folder / study.table["file"])
@@ -75,7 +73,7 @@ def _begin(study: Described) -> Prepared:
             figures[f"{name}_error"] = found.fresh.error("start", name)
         return figures
 
-    return Prepared(chosen_columns(study.table, every, tuple(every)), compute)
+    return OneByOne(study, chosen_columns(study.table, every, tuple(every)), compute)
 
 
 def changed_study(of: DesignStudy, task: Values, folder: Path) -> DesignStudy:
@@ -119,4 +117,4 @@ def _mapping(group: str, given: Any) -> Mapping[str, Any]:
     return given or {}
 
 
-KIND = SinglyKind(name="optimise", keys=("file", "outputs"), swept=_swept, files=_files, begin=_begin)
+KIND = Kind(name="optimise", keys=("file", "outputs"), swept=_swept, files=_files, task=_task)

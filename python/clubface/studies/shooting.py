@@ -20,7 +20,7 @@ from clubface.simulation.inputs import parameter_set
 from clubface.simulation.quantities import flight_inputs, inputs
 from clubface.simulation.run_options import tolerance
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds import Described
+from clubface.studies.kinds import Described, files_named
 from clubface.support.checks import check_choice, check_names
 from clubface.support.processor import vector_units
 from clubface.support.shipped import is_path
@@ -64,12 +64,9 @@ def swept_shots(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str,
 def files_of_shots(study: Described) -> list[Path]:
     """Return the files of clubs, balls and parameters."""
     given = study.table.get("parameters")
-    texts = [
-        *(study.table.get(name) for name in ("club", "ball")),
-        *(each for name in ("club", "ball") for each in study.sweep.get(name, ())),
-        *([given] if isinstance(given, str) else given.values() if _is_by_model(given) else ()),
-    ]
-    return [study.folder / each for each in texts if isinstance(each, str) and is_path(each)]
+    texts = [given] if isinstance(given, str) else given.values() if _is_by_model(given) else ()
+    parameters = [study.folder / each for each in texts if isinstance(each, str) and is_path(each)]
+    return [*files_named(study, "club", "ball"), *parameters]
 
 
 class Conditions:

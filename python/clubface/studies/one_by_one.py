@@ -1,16 +1,13 @@
-"""Kinds of studies whose tasks are computed one after the other, each by one call of the package."""
+"""Tasks of studies that are computed one after the other, each by one call of the package."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, NamedTuple
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from clubface.errors import ClubfaceError
-from clubface.studies.axes import Swept
-from clubface.studies.kinds import Column, Computed, Described, Task
+from clubface.studies.kinds import Column, Computed, Described
 from clubface.support.processor import vector_units
 from clubface.support.warning import without_warnings
 
@@ -18,11 +15,13 @@ Values = Mapping[str, Any]
 """What is swept, of one task: numbers [SI] and names."""
 
 
-class Prepared(NamedTuple):
-    """How the tasks of a study are computed.
+class OneByOne:
+    """Tasks that are computed one after the other. See :class:`clubface.studies.kinds.Task`.
 
-    Attributes
+    Parameters
     ----------
+    study
+        The study.
     columns
         What is kept of a task.
     compute
@@ -32,21 +31,20 @@ class Prepared(NamedTuple):
     """
 
     columns: Mapping[str, Column]
-    compute: Callable[[Values], Mapping[str, float | Callable[[], float]]]
-    elements: bool = False
-
-
-class OneByOne:
-    """See :class:`clubface.studies.kinds.Task`."""
-
-    columns: Mapping[str, Column]
     depends_on: Mapping[str, str]
 
-    def __init__(self, study: Described, prepared: Prepared) -> None:
-        self._design, self._compute = study.design, prepared.compute
+    def __init__(
+        self,
+        study: Described,
+        columns: Mapping[str, Column],
+        compute: Callable[[Values], Mapping[str, float | Callable[[], float]]],
+        *,
+        elements: bool = False,
+    ) -> None:
+        self._design, self._compute = study.design, compute
         self._choices = {each.name: each.choices for each in study.design.axes if each.choices}
-        self.columns = prepared.columns
-        self.depends_on = {"processor": vector_units()} if prepared.elements else {}
+        self.columns = columns
+        self.depends_on = {"processor": vector_units()} if elements else {}
 
     def run(self, indices: range) -> Computed:
         """Compute one task after the other; why one has no result is told."""
@@ -69,29 +67,3 @@ class OneByOne:
             for name, each in row.items():
                 found[name][place] = each
         return Computed(found, failed)
-
-
-@dataclass(frozen=True, kw_only=True)
-class SinglyKind:
-    """See :class:`clubface.studies.kinds.Kind`.
-
-    Attributes
-    ----------
-    name, keys, swept, files
-        As there.
-    begin
-        How the tasks of a study are computed.
-    """
-
-    name: str
-    keys: tuple[str, ...]
-    swept: Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Swept]]
-    files: Callable[[Described], Sequence[Path]]
-    begin: Callable[[Described], Prepared]
-
-    def prepare(self, study: Described) -> Task:
-        """Return the task; what is wrong with the study is an error here."""
-        try:
-            return OneByOne(study, self.begin(study))
-        except ClubfaceError as error:
-            raise study.wrap(error) from None
