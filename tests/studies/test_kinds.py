@@ -16,7 +16,7 @@ from clubface.design.strokes import Hole
 from clubface.errors import FileError
 from clubface.fem import head_tests
 from clubface.fem.case import case
-from clubface.studies.kinds import MODULES, kind
+from clubface.studies.kinds.registry import MODULES, kind
 from clubface.studies.study import read_study
 from clubface.units import to_si
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output, reporting
+from clubface.cli import option_values, options, output, reporting
 from clubface.cli.compare_alternatives import alternatives_of
 from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
@@ -76,7 +76,7 @@ def compare(
     output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
     output.check_picture(plot, inputs)
     output.check_report(report, inputs)
-    conditions = given.conditions(texts)
+    conditions = option_values.conditions(texts)
     shown = shown_units(unit)
 
     from clubface.design.comparison.comparison import MOST, compare as computed

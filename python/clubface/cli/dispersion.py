@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import option_values, options, output
 from clubface.cli.dispersion_document import QUANTILES, document
 from clubface.cli.dispersion_report import write as write_report
 from clubface.cli.failures import say
@@ -82,11 +82,13 @@ def dispersion(
             raise ClubfaceError(f"--{name} has no effect with --no-flight; leave out one of them")
     player = golfer_named(golfer)
     own = None if club is not None else "right" if player.hand > 0 else "left"
-    head = given.club_of(club_of(player) if club is None else club, own if texts["hand"] is None else texts["hand"])
+    head = option_values.club_of(
+        club_of(player) if club is None else club, own if texts["hand"] is None else texts["hand"]
+    )
     _check(player, head, texts["model"], count)
-    conditions = given.conditions(texts)
+    conditions = option_values.conditions(texts)
     hitting = {
-        "model": texts["model"], "parameters": given.one_set(head, texts), "ball": texts["ball"],
+        "model": texts["model"], "parameters": option_values.one_set(head, texts), "ball": texts["ball"],
         "flight": not no_flight, "accuracy": texts["accuracy"], **conditions,
     }  # fmt: skip
     played = _hole(hole, fairway, rough, lie)
@@ -150,9 +152,13 @@ def _hole(length: str | None, fairway: str | None, rough: str | None, lie: str |
     from clubface.design.strokes import Hole
 
     told = {"fairway": fairway, "rough": rough}
-    lengths = {name: given.parsed(f"--{name}", text, "length") for name, text in told.items() if text is not None}
+    lengths = {
+        name: option_values.parsed(f"--{name}", text, "length") for name, text in told.items() if text is not None
+    }
     try:
-        return Hole(length=given.parsed("--hole", length, "length"), **lengths, **({} if lie is None else {"lie": lie}))
+        return Hole(
+            length=option_values.parsed("--hole", length, "length"), **lengths, **({} if lie is None else {"lie": lie})
+        )
     except InputError as error:
         error.parameter = "--hole" if error.parameter == "length" else error.parameter
         raise

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from clubface.design.comparison.line import FACE, Line, Point
 from clubface.equipment.backends import MODULES
 from clubface.equipment.models import reduced_model
-from clubface.errors import ClubfaceError
+from clubface.errors import RunError
 from clubface.simulation import core
 from clubface.simulation.flight_derivatives import differentiated
 from clubface.simulation.flight_inputs import BALL, SPIN, VELOCITY
@@ -21,10 +21,6 @@ from clubface.simulation.quantities import flight_inputs, inputs, outputs
 Array = NDArray[Any]
 STEP = 1e-8
 """s by which the time of the face in the parameters is moved to find the slope by it, which models do not give."""
-
-
-class DerivativesError(ClubfaceError):
-    """Why a launch cannot be differentiated along a line."""
 
 
 def slopes(line: Line, launch: Launch, shares: Sequence[float], ball: Any) -> Iterable[tuple[Array, Array]]:
@@ -90,7 +86,7 @@ def _reduced(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tu
         launch.model, columns, parameters, len(points), rows, variables, launch.accuracy, 1
     )
     if problems:
-        raise DerivativesError(f"{launch.model} has no launch between the two: {problems[0][2]}")
+        raise RunError(f"{launch.model} has no launch between the two: {problems[0][2]}")
     table = found.reshape(len(rows), 1 + len(variables), len(points))
     by_names = np.zeros((len(rows), len(line.names), len(points)))
     for place, name in enumerate(line.names):
@@ -122,11 +118,11 @@ def _of_elements(line: Line, launch: Launch, share: float, ball: Any) -> tuple[A
 
     point, head = line.at(share), mesh_of(launch.club)
     if head is not None and not isinstance(head, ShellHead):
-        raise DerivativesError("finite elements give derivatives for rigid heads and heads of shells, not of solids")
+        raise RunError("finite elements give derivatives for rigid heads and heads of shells, not of solids")
     club = launch.club if head is None else head
     known = variables(club, which=ball)
     if unknown := [name for name in line.names if name not in known]:
-        raise DerivativesError(f"finite elements of this head give no derivatives by {', '.join(unknown)}")
+        raise RunError(f"finite elements of this head give no derivatives by {', '.join(unknown)}")
     delivered = {name: value for name, value in point.inputs.items() if inputs()[name].group == "delivery"}
     moved = {name: point.inputs[name] for name in line.names if name in point.inputs}
     found = sensitivity(

@@ -13,9 +13,9 @@ from clubface.fem.case import HEADS, MESHED, PLANE, Case, case as case_of, deliv
 from clubface.fem.heads import head as head_of
 from clubface.simulation.quantities import inputs, outputs
 from clubface.studies.axes import Swept
-from clubface.studies.kinds import Column, Described, Kind, chosen_columns, files_named
-from clubface.studies.one_by_one import OneByOne, Values
-from clubface.studies.shooting import resolved
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.kinds.one_by_one import OneByOne, Values
+from clubface.studies.kinds.shot_inputs import resolved
 
 SETTINGS = {"duration": "s", "interval": "s", "safety": "1", "bulk_viscosity": "1"}
 """Units of the numbers among the settings."""

@@ -8,9 +8,9 @@ from typing import Any
 from clubface.equipment.backends import MODULES
 from clubface.errors import InputError
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds import Column, Described, Kind, chosen_columns
-from clubface.studies.one_by_one import OneByOne, Values
-from clubface.studies.shooting import KEYS, Shooting, files_of_shots, swept_shots
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns
+from clubface.studies.kinds.one_by_one import OneByOne, Values
+from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, files_of_shots, swept_shots
 
 PLACE = {"spread_toe": "m", "spread_high": "m", "about_toe": "m", "about_high": "m", "share": "1"}
 """Unit of what says how impacts scatter, about which point, and which share of the best ball speed counts."""
@@ -46,7 +46,7 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
 def _task(study: Described) -> OneByOne:
     from clubface.design.face_map.face_map import SHARE, map_face
 
-    shooting, table = Shooting(study), study.table
+    shot_inputs, table = ShotInputs(study), study.table
     for name in ("toe", "high"):
         if name in table.get("held", {}):
             raise InputError(name, table["held"][name], "left out: a map strikes the whole face")
@@ -61,9 +61,9 @@ def _task(study: Described) -> OneByOne:
 
     def compute(task: Values) -> dict[str, Any]:
         place = {**held, **task}
-        shot = shooting.single(task)
+        shot = shot_inputs.single(task)
         alone: dict[str, Any] = {"workers": 1} if shot["model"] in MODULES else {}
-        found = map_face(**shot, **shooting.conditions.at(task), grid=grid, **alone)
+        found = map_face(**shot, **shot_inputs.conditions.at(task), grid=grid, **alone)
         best, longest = found.best(), found.best("carry")
         figures: dict[str, Any] = {
             "face_area": found.outline.area, "area": lambda: found.area(place["share"]),
@@ -78,7 +78,7 @@ def _task(study: Described) -> OneByOne:
             figures["missed"] = of.missed
         return figures
 
-    return OneByOne(study, columns, compute, elements=bool(shooting.depends_on))
+    return OneByOne(study, columns, compute, elements=bool(shot_inputs.depends_on))
 
 
 KIND = Kind(name="map", keys=(*KEYS, *PLACE, "grid", "outputs"), swept=_swept, files=files_of_shots, task=_task)

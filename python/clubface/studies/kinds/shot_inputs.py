@@ -20,9 +20,9 @@ from clubface.simulation.inputs import parameter_set
 from clubface.simulation.quantities import flight_inputs, inputs
 from clubface.simulation.run_options import tolerance
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds import Described, files_named
+from clubface.studies.kinds.kind import Described, files_named
 from clubface.support.checks import check_choice, check_names
-from clubface.support.processor import vector_units
+from clubface.support.processors import vector_units
 from clubface.support.shipped import is_path
 
 CHOSEN = ("model", "club", "ball", "hand")
@@ -97,7 +97,7 @@ class Conditions:
         return found
 
 
-class Shooting:
+class ShotInputs:
     """Shots of a study, of which some things are held and others swept.
 
     Attributes
@@ -107,7 +107,7 @@ class Shooting:
     conditions
         Air, wind and ground.
     depends_on
-        As of :class:`clubface.studies.kinds.Task`.
+        As of :class:`clubface.studies.kinds.kind.Task`.
     """
 
     def __init__(self, study: Described, *, needs: Sequence[str] = ("club", "speed")) -> None:

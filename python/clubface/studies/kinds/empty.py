@@ -10,11 +10,13 @@ from typing import Any
 from clubface import units
 from clubface.errors import InputError
 from clubface.studies.axes import Swept
-from clubface.studies.kinds import Column, Computed, Described, Kind
+from clubface.studies.kinds.kind import Column, Computed, Described, Kind
 
 
 class Empty:
-    """The square of one input, after a time of work that the study asks for. See :class:`clubface.studies.kinds.Task`.
+    """The square of one input, after a time of work that the study asks for.
+
+    See :class:`clubface.studies.kinds.kind.Task`.
 
     Parameters
     ----------

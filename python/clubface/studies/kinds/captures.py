@@ -19,9 +19,9 @@ from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.simulation.quantities import inputs
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds import Column, Described, Kind, chosen_columns, files_named
-from clubface.studies.one_by_one import OneByOne, Values
-from clubface.studies.shooting import resolved
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.kinds.one_by_one import OneByOne, Values
+from clubface.studies.kinds.shot_inputs import resolved
 
 NUMBERS = {"swing": "1", "seed": "1", "rate": "1", "noise": "m", "gaps": "1", "gap": "1", "roughness": "1"}
 """Units of what may be given or swept: which swing, and the laboratory; the rate is a number of frames a second."""

@@ -11,10 +11,10 @@ from clubface.errors import InputError
 from clubface.simulation.delivery import OF_CLUB
 from clubface.simulation.quantities import flight_outputs, outputs
 from clubface.studies.axes import Swept
-from clubface.studies.golfing import changed_golfer, changed_hole, swept_golfers
-from clubface.studies.kinds import Column, Described, Kind, chosen_columns, files_named
-from clubface.studies.one_by_one import OneByOne, Values
-from clubface.studies.shooting import KEYS, Shooting, files_of_shots, resolved, swept_shots
+from clubface.studies.kinds.golfer_inputs import changed_golfer, changed_hole, swept_golfers
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.kinds.one_by_one import OneByOne, Values
+from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, files_of_shots, resolved, swept_shots
 from clubface.support.checks import check_names, is_count
 
 PERCENTILES = (10, 50, 90)
@@ -67,7 +67,7 @@ def _task(study: Described) -> OneByOne:
 
     table = study.table
     swept = {each.name: each for each in study.design.axes}
-    shooting = Shooting(study, needs=())
+    shot_inputs = ShotInputs(study, needs=())
     if not isinstance(count := table.get("shots", COUNT), int) or not is_count(count, 1, MOST):
         raise InputError("shots", count, f"a whole number from 1 to {MOST}")
     percentiles = table.get("percentiles", PERCENTILES)
@@ -92,12 +92,12 @@ def _task(study: Described) -> OneByOne:
 
     def compute(task: Values) -> dict[str, Any]:
         golfer = changed_golfer(golfers[task.get("golfer", table.get("golfer"))], task)
-        options = shooting.single(task, club_of(golfer.club).replace(hand=golfer.hand))
+        options = shot_inputs.single(task, club_of(golfer.club).replace(hand=golfer.hand))
         if delivery := options.pop("delivery"):
             name = next(iter(delivery))
             raise InputError(name, delivery[name], "left out: the golfer says how the club is delivered")
         found = dispersion(
-            golfer, **options, **shooting.conditions.at(task), count=count, threads=1,
+            golfer, **options, **shot_inputs.conditions.at(task), count=count, threads=1,
             seed=int(task.get("seed", table.get("seed", 0))), hole=changed_hole(held, task),
         )  # fmt: skip
         figures: dict[str, Any] = {"lost": found.lost / found.count, "strokes": found.strokes, "gained": found.gained}
@@ -108,7 +108,7 @@ def _task(study: Described) -> OneByOne:
         long, short = found.ellipse(share / 100).half_axes.tolist()
         return {**figures, "ellipse_long": long, "ellipse_short": short, "ellipse_area": math.pi * long * short}
 
-    return OneByOne(study, columns, compute, elements=bool(shooting.depends_on))
+    return OneByOne(study, columns, compute, elements=bool(shot_inputs.depends_on))
 
 
 KIND = Kind(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 from clubface.errors import ClubfaceError
-from clubface.studies.kinds import Computed, Task
+from clubface.studies.kinds.kind import Computed, Task
 from clubface.studies.study import MOST_ROWS, StudyFile
 
 ENOUGH, LOADING = 0.1, 5.0

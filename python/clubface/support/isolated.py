@@ -18,18 +18,18 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-SCRIPT = Path(__file__).with_name("apart_process.py")
+SCRIPT = Path(__file__).with_name("isolated_script.py")
 LEAST_MEMORY = 2 * 2**30
 """Bytes that a library may ask for beside what a file needs: it, Python and NumPy are among them."""
 LEAST_TIME = 30.0
 """Seconds that it may take for the smallest file; a whole session is read in a few."""
 
 
-class ApartError(Exception):
-    """What a call apart came to: its text says why there is no result."""
+class IsolatedError(Exception):
+    """A call in an isolated process that came to nothing: its text says why there is no result."""
 
 
-class Apart:
+class IsolatedProcess:
     """A process that calls the functions of one file, one at a time.
 
     Parameters
@@ -56,7 +56,7 @@ class Apart:
 
         Raises
         ------
-        ApartError
+        IsolatedError
             The function raised an error, or its process crashed, ran out of memory or took too long.
         ModuleNotFoundError
             A library is not installed.
@@ -72,7 +72,7 @@ class Apart:
         if kind == "missing":
             raise ModuleNotFoundError(f"No module named {found!r}", name=found)
         if kind == "error":
-            raise ApartError(found)
+            raise IsolatedError(found)
         return found
 
     def _answer(self, request: Any, seconds: float) -> tuple[str, Any]:
@@ -98,8 +98,8 @@ class Apart:
             return pickle.loads(answer)
         except (OSError, struct.error, EOFError, pickle.UnpicklingError):
             if late.is_set():
-                raise ApartError(f"it takes longer than {limit:.0f} s") from None
-            raise ApartError(f"the library that reads it {_ended(process)}") from None
+                raise IsolatedError(f"it takes longer than {limit:.0f} s") from None
+            raise IsolatedError(f"the library that reads it {_ended(process)}") from None
         finally:
             timer.cancel()
 

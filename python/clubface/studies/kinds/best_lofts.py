@@ -7,9 +7,9 @@ from typing import Any
 
 from clubface.errors import InputError
 from clubface.studies.axes import Swept
-from clubface.studies.kinds import Column, Described, Kind, chosen_columns
-from clubface.studies.one_by_one import OneByOne, Values
-from clubface.studies.shooting import KEYS, Shooting, files_of_shots, swept_shots
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns
+from clubface.studies.kinds.one_by_one import OneByOne, Values
+from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, files_of_shots, swept_shots
 
 COLUMNS = {
     "best_loft": Column("rad", "dynamic loft of the longest carry"),
@@ -30,13 +30,13 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
 def _task(study: Described) -> OneByOne:
     from clubface.design.best_loft import best_loft
 
-    shooting = Shooting(study)
+    shot_inputs = ShotInputs(study)
     if "loft" in study.table.get("held", {}):
         raise InputError("loft", study.table["held"]["loft"], "left out: the best is looked for")
 
     def compute(task: Values) -> dict[str, Any]:
-        options = shooting.single(task)
-        found = best_loft(**options.pop("delivery"), **options, **shooting.conditions.at(task))
+        options = shot_inputs.single(task)
+        found = best_loft(**options.pop("delivery"), **options, **shot_inputs.conditions.at(task))
         within = found.within[0]
         figures = {name: getattr(found, name)[0] for name in ("ball_speed", "launch", "spin", "carry", "total")}
         return {**figures, "best_loft": found.loft[0], "within_below": within[0], "within_above": within[1]}

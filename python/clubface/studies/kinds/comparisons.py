@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.studies.designs import Design
-from clubface.studies.impacts import KIND as IMPACT, Impacts
-from clubface.studies.kinds import Column, Computed, Described, Kind
-from clubface.studies.shooting import CHOSEN, KEYS, files_of_shots, swept_shots
+from clubface.studies.kinds.impacts import KIND as IMPACT, Impacts
+from clubface.studies.kinds.kind import Column, Computed, Described, Kind
+from clubface.studies.kinds.shot_inputs import CHOSEN, KEYS, files_of_shots, swept_shots
 from clubface.support.checks import check_names
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ OTHER = "other"
 """The table of what is different in the second shot."""
 
 
-class Without:
+class DesignWithout:
     """A design that leaves some inputs out. See :class:`clubface.studies.designs.Design`."""
 
     def __init__(self, of: Design, names: Collection[str]) -> None:
@@ -36,8 +36,8 @@ class Without:
 
 
 @dataclass(frozen=True)
-class One:
-    """One of the two shots. See :class:`clubface.studies.kinds.Described`."""
+class OneShot:
+    """One of the two shots. See :class:`clubface.studies.kinds.kind.Described`."""
 
     of: Described
     table: Mapping[str, Any]
@@ -58,11 +58,11 @@ class One:
         return self.of.wrap(error)
 
 
-def _first(study: Described) -> One:
-    return One(study, {name: each for name, each in study.table.items() if name != OTHER}, study.design)
+def _first(study: Described) -> OneShot:
+    return OneShot(study, {name: each for name, each in study.table.items() if name != OTHER}, study.design)
 
 
-def _second(study: Described) -> One:
+def _second(study: Described) -> OneShot:
     """Return the second shot: what it holds itself is not swept in it."""
     other = study.table.get(OTHER)
     if not isinstance(other, Mapping) or not other:
@@ -70,11 +70,11 @@ def _second(study: Described) -> One:
     check_names(f"key of {OTHER}", other, KEYS)
     first, held = _first(study).table, other.get("held", {})
     table = {**first, **other, "held": {**first.get("held", {}), **held}}
-    return One(study, table, Without(study.design, {*held, *(name for name in CHOSEN if name in other)}))
+    return OneShot(study, table, DesignWithout(study.design, {*held, *(name for name in CHOSEN if name in other)}))
 
 
 class Comparisons:
-    """Two shots and their difference. See :class:`clubface.studies.kinds.Task`."""
+    """Two shots and their difference. See :class:`clubface.studies.kinds.kind.Task`."""
 
     columns: Mapping[str, Column]
     depends_on: Mapping[str, str]
@@ -104,7 +104,7 @@ class Comparisons:
 
 def _files(study: Described) -> list[Path]:
     other = study.table.get(OTHER)
-    both = [study, One(study, other, study.design)] if isinstance(other, Mapping) else [study]
+    both = [study, OneShot(study, other, study.design)] if isinstance(other, Mapping) else [study]
     return list(dict.fromkeys(path for each in both for path in files_of_shots(each)))
 
 

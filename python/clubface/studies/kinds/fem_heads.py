@@ -17,9 +17,9 @@ from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.read import FOLDER, from_toml
 from clubface.fem.stress import BLOW, peak_stress
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds import Column, Described, Kind, chosen_columns, files_named
-from clubface.studies.one_by_one import OneByOne, Values
-from clubface.studies.shooting import resolved
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.kinds.one_by_one import OneByOne, Values
+from clubface.studies.kinds.shot_inputs import resolved
 from clubface.support.shipped import path_of
 
 PLACE = {"toe": "m", "high": "m", "speed": "m/s", "striker_speed": "m/s", "blow": "m/s", "friction": "1", "safety": "1"}

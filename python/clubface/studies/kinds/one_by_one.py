@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from clubface.errors import ClubfaceError
-from clubface.studies.kinds import Column, Computed, Described
-from clubface.support.processor import vector_units
+from clubface.studies.kinds.kind import Column, Computed, Described
+from clubface.support.processors import vector_units
 from clubface.support.warning import without_warnings
 
 Values = Mapping[str, Any]
@@ -16,7 +16,7 @@ Values = Mapping[str, Any]
 
 
 class OneByOne:
-    """Tasks that are computed one after the other. See :class:`clubface.studies.kinds.Task`.
+    """Tasks that are computed one after the other. See :class:`clubface.studies.kinds.kind.Task`.
 
     Parameters
     ----------

@@ -1,40 +1,25 @@
-"""What a study may compute: the interface of a task, and the list of kinds of studies.
+"""What a study may compute: the interface of a kind of study and of its task.
 
 A kind is a module with a ``KIND``. The study names it, gives it a table of its own, and sweeps what it says may be
-swept. From the study it prepares a task, whose columns at any index follow from the study and the index alone. One more
-is added by one such module and one line in ``MODULES``.
+swept. From the study it makes a task, whose columns at any index follow from the study and the index alone. One more is
+added by one such module and one line in :mod:`clubface.studies.kinds.registry`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.studies.axes import Swept
 from clubface.studies.designs import Design
-from clubface.support.checks import check_choice, check_names
+from clubface.support.checks import check_names
 from clubface.support.shipped import is_path
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-MODULES = {
-    "impact": "clubface.studies.impacts",
-    "comparison": "clubface.studies.comparisons",
-    "map": "clubface.studies.maps",
-    "dispersion": "clubface.studies.dispersions",
-    "best-loft": "clubface.studies.best_lofts",
-    "optimise": "clubface.studies.optima",
-    "fem": "clubface.studies.fem_cases",
-    "head": "clubface.studies.fem_heads",
-    "capture": "clubface.studies.captures",
-    "empty": "clubface.studies.empty",
-}
-"""The module of each kind of study."""
 
 
 class Column(NamedTuple):
@@ -162,9 +147,3 @@ def chosen_columns(table: Mapping[str, Any], every: Mapping[str, Column], usual:
         raise InputError("outputs", names, f'a list of quantities, as in ["{usual[0]}"]')
     check_names("output", names, every)
     return {name: every[name] for name in names}
-
-
-def kind(name: str) -> Kind:
-    """Return a kind of study by name."""
-    check_choice("kind", name, MODULES)
-    return import_module(MODULES[name]).KIND

@@ -17,10 +17,10 @@ from clubface.equipment.balls import ball as ball_of
 from clubface.equipment.clubs import club as club_of
 from clubface.errors import InputError
 from clubface.studies.axes import Swept
-from clubface.studies.golfing import changed_golfer, changed_hole, swept_golfers
-from clubface.studies.kinds import Column, Described, Kind, chosen_columns, files_named
-from clubface.studies.one_by_one import OneByOne, Values
-from clubface.studies.shooting import BY_GROUP, resolved, swept_conditions
+from clubface.studies.kinds.golfer_inputs import changed_golfer, changed_hole, swept_golfers
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.kinds.one_by_one import OneByOne, Values
+from clubface.studies.kinds.shot_inputs import BY_GROUP, resolved, swept_conditions
 
 ENDS = ("least", "most")
 NAMED = ("golfer", "club", "ball", "model")
