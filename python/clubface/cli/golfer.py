@@ -133,11 +133,11 @@ def _print(of: Golfer, estimated: Estimate | None = None) -> None:
     if estimated is not None:
         heads += ["error\nof ±", "drift"]
     rows = []
-    for place, name in enumerate(of.variables):
+    for name in of.variables:
         unit, digits = _unit(name)
         row = [name.replace("_", " "), unit, _value(of, of.mean, name, digits), _value(of, of.spread, name, digits)]
         if estimated is not None:
-            row += _told(estimated, name, place)
+            row += _told(estimated, name)
         rows.append(row)
     shots = "" if estimated is None else f", {output.counted(estimated.shots, 'shot')}"
     print_numbers(heads, rows, title=f"{of.title or of.name} ({of.club}){shots}")
@@ -161,7 +161,7 @@ def _pairs(of: Golfer) -> list[str]:
     ]
 
 
-def _told(of: Estimate, name: str, place: int) -> list[str]:
+def _told(of: Estimate, name: str) -> list[str]:
     from clubface.units import size
 
     if name not in of.measured:

@@ -56,7 +56,7 @@ def write(
     def tables() -> None:
         show()
         if picture is not None and found is not None:
-            print_numbers(*_table(of, found), title=f"If a figure is {found.off:.0%} smaller or larger")
+            print_numbers(*_table(found), title=f"If a figure is {found.off:.0%} smaller or larger")
 
     reporting.write(
         target, title=f"{of.title or of.name}: how the club is delivered", words=_words(of, found, estimated),
@@ -104,7 +104,7 @@ def _words(of: Golfer, found: Doubts | None, estimated: Estimate | None) -> Iter
         )
 
 
-def _table(of: Golfer, found: Doubts) -> tuple[list[str], list[list[str]]]:
+def _table(found: Doubts) -> tuple[list[str], list[list[str]]]:
     heads = ["", "is", *(f"{name} {how}\n%" for name in found.spread for how in ("smaller", "larger"))]
     rows = []
     for each in found.figures:
