@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 import clubface
-from clubface.design.golfers import golfer
+from clubface.design.golfer.golfers import golfer
 from clubface.launch_monitor.as_seen import as_seen
 from clubface.units import from_si
 

@@ -298,21 +298,21 @@ def test_a_crash_of_the_library_is_one_bad_file_and_the_rest_is_read(session, tm
 
 
 def test_endless_work_and_all_memory_end_the_process_apart_and_nothing_else(tmp_path, monkeypatch):
-    from clubface.support import apart
+    from clubface.support import isolated
 
     library = tmp_path / "library.py"
     library.write_text(
         "def endless():\n    while True:\n        pass\n\n\ndef all_memory():\n    return len(bytearray(2**45))\n\n\n"
         "def echo(value):\n    print('noise')\n    return value\n\n\ndef broken():\n    raise ValueError('a\\nb')\n"
     )
-    monkeypatch.setattr(apart, "LEAST_TIME", 0.5)
-    process = apart.Apart(library)
-    with pytest.raises(apart.ApartError, match="takes longer than"):
+    monkeypatch.setattr(isolated, "LEAST_TIME", 0.5)
+    process = isolated.IsolatedProcess(library)
+    with pytest.raises(isolated.IsolatedError, match="takes longer than"):
         process.call("endless")
-    monkeypatch.setattr(apart, "LEAST_TIME", 60.0)  # what follows ends by itself, however busy the machine is
-    with pytest.raises(apart.ApartError, match="more memory"):
+    monkeypatch.setattr(isolated, "LEAST_TIME", 60.0)  # what follows ends by itself, however busy the machine is
+    with pytest.raises(isolated.IsolatedError, match="more memory"):
         process.call("all_memory")
-    with pytest.raises(apart.ApartError, match=r"^a b$"):
+    with pytest.raises(isolated.IsolatedError, match=r"^a b$"):
         process.call("broken")
     assert process.call("echo", {"points": np.arange(3.0)})["points"].tolist() == [0.0, 1.0, 2.0]
 

@@ -208,14 +208,14 @@ def _listed(names: tuple[str, ...]) -> str:
     return ", ".join(names) if len(names) <= _MOST else f"{', '.join(names[:_FIRST])}, ... ({len(names)} in all)"
 
 
-def nearest_names(name: str, known: Iterable[str], count: int = 3) -> tuple[str, ...]:
-    """Return up to ``count`` of the ``known`` names that resemble ``name``, best first, in any letter case."""
+def nearest_names(name: str, known: Iterable[str]) -> tuple[str, ...]:
+    """Return up to three of the ``known`` names that resemble ``name``, best first, in any letter case."""
     from difflib import get_close_matches
 
     spelled: dict[str, str] = {}
     for candidate in known:
         spelled.setdefault(candidate.lower(), candidate)
-    return tuple(spelled[match] for match in get_close_matches(name[:80].lower(), spelled, count, 0.5))
+    return tuple(spelled[match] for match in get_close_matches(name[:80].lower(), spelled, 3, 0.5))
 
 
 def in_a_line(text: str) -> str:

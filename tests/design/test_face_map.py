@@ -7,11 +7,11 @@ import pytest
 
 import clubface
 from clubface import units
-from clubface.design.comparison_quantities import LAUNCHED, QUANTITIES
-from clubface.design.face_map_difference import FaceMapDifference
-from clubface.design.face_map_forgiveness import forgiveness
-from clubface.design.face_map_outline import Outline, outline_of
-from clubface.design.face_map_surface import Interpolated, _area, _greatest
+from clubface.design.comparison.quantities import LAUNCHED, QUANTITIES
+from clubface.design.face_map.difference import FaceMapDifference
+from clubface.design.face_map.forgiveness import forgiveness
+from clubface.design.face_map.outline import Outline, outline_of
+from clubface.design.face_map.surface import Interpolated, _area, _greatest
 from clubface.errors import InputError, RangeWarning, RuleWarning, RunError, ShotError, UnknownNameError
 from clubface.fem.heads.read import club_of
 from clubface.support.shipped import builtin_path
@@ -356,7 +356,7 @@ def test_points_are_struck_and_remarked_on_alike_however_many_are_in_memory(monk
     monkeypatch.setattr("clubface.support.warning._given", set())
     with pytest.warns(RangeWarning) as at_once:
         whole = clubface.map_face("driver", speed=40.0, **struck)
-    monkeypatch.setattr("clubface.design.face_map_shots.CHUNK", 10)
+    monkeypatch.setattr("clubface.design.face_map.shots.CHUNK", 10)
     monkeypatch.setattr("clubface.support.warning._given", set())
     done = []
     with pytest.warns(RangeWarning) as in_parts:

@@ -7,7 +7,7 @@ import pytest
 
 import clubface
 from clubface import club, fly, impact
-from clubface.design.golfers import golfer
+from clubface.design.golfer.golfers import golfer
 from clubface.design.optimisation import fitting_run
 from clubface.design.optimisation.fitting_run import fit, landings
 from clubface.design.optimisation.study_file import from_text

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from clubface import measurements, units
-from clubface.design.golfer import ASSUMED, Golfer
-from clubface.design.golfer_file import from_document, to_toml
-from clubface.design.golfers import golfer, golfers
+from clubface.design.golfer.file import from_document, to_toml
+from clubface.design.golfer.golfer import ASSUMED, Golfer
+from clubface.design.golfer.golfers import golfer, golfers
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.simulation.delivery import OF_CLUB
 from clubface.support.strict_toml import Document
@@ -220,7 +220,7 @@ def test_a_mistake_in_a_file_is_told_with_its_line(old, new, line, told):
 def test_the_page_tells_what_rests_on_each_assumed_figure():
     """The table of docs/dispersion.md, to the digits that it shows."""
     import clubface
-    from clubface.design.golfer_doubt import doubts, is_assumed
+    from clubface.design.golfer.doubt import doubts, is_assumed
 
     page = Path(__file__).parents[2].joinpath("docs", "dispersion.md").read_text()
     rows = re.findall(r"^\| `(\S+-(?:driver|iron))` \| ([a-z, ]+) \| ([\d.]+) yd \| (.*) \|$", page, re.MULTILINE)

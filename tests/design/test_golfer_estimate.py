@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface.design.golfer import Golfer
-from clubface.design.golfer_estimate import estimate_golfer
-from clubface.design.golfers import golfer
+from clubface.design.golfer.estimate import estimate_golfer
+from clubface.design.golfer.golfer import Golfer
+from clubface.design.golfer.golfers import golfer
 from clubface.errors import InputError
 from clubface.launch_monitor.reference_points import _normal, _tilted, _turned
 from clubface.measured.ready import ready_shots
@@ -118,7 +118,7 @@ def test_what_was_not_measured_comes_from_the_nearest_golfer_and_says_so():
 
 
 def test_a_left_handers_shots_make_a_left_hander_who_hits_a_left_handed_club():
-    from clubface.design.dispersion import dispersion
+    from clubface.design.dispersion.sampling import dispersion
 
     found = estimate_golfer(hit(known(), 60, 3, hand=np.array(["left"] * 60, dtype=object))).golfer
     assert found.hand == -1

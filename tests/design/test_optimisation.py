@@ -7,7 +7,7 @@ import pytest
 
 from clubface import club
 from clubface.design import feasibility
-from clubface.design.golfers import golfer
+from clubface.design.golfer.golfers import golfer
 from clubface.design.optimisation import objectives, solve, words
 from clubface.design.optimisation.landings import Landings, Setting
 from clubface.design.optimisation.run import optimise

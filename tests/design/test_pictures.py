@@ -9,8 +9,8 @@ pytest.importorskip("matplotlib")
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from clubface.design.comparison_figures import BARS, comparison_figure
-from clubface.design.face_map_figures import SHOWN, face_map_figure
+from clubface.design.comparison.figures import BARS, comparison_figure
+from clubface.design.face_map.figures import SHOWN, face_map_figure
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 

@@ -5,8 +5,8 @@ import math
 import pytest
 
 from clubface import ball, club
-from clubface.design.golfer_file import to_toml
-from clubface.design.golfers import golfer
+from clubface.design.golfer.file import to_toml
+from clubface.design.golfer.golfers import golfer
 from clubface.design.optimisation.study_file import from_text, read
 from clubface.errors import ClubfaceError
 

@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface import fem, launch_monitor
-from clubface.design.comparison_rows import read_deliveries
-from clubface.design.golfers import golfer
+from clubface.design.comparison.rows import read_deliveries
+from clubface.design.golfer.golfers import golfer
 from clubface.design.optimisation import study_file
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club

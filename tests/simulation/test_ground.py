@@ -10,7 +10,7 @@ from clubface import measurements
 from clubface.errors import InputError, UnknownNameError
 from clubface.simulation import core
 from clubface.simulation.flight_inputs import flight_columns
-from clubface.simulation.grounds import DEFAULT_GROUND, GROUNDS
+from clubface.simulation.grounds import GROUNDS
 from clubface.simulation.quantities import flight_inputs, flight_outputs
 
 G, YARD, MPH, RPM = 9.80665, 0.9144, 0.44704, math.pi / 30.0
@@ -129,8 +129,8 @@ def test_named_grounds_go_from_firm_to_soft_and_from_green_to_fairway():
         # 1.5 deg more or less tilt is worth some 5 to 13 yards.
         assert 5.0 < average - soft < firm - average < 13.0
     assert all(runs[f"{firmness}green"] > runs[f"{firmness}fairway"] for firmness in ("firm ", "", "soft "))
-    assert runs[DEFAULT_GROUND] == run_of(drive(TOUR_DRIVES["pga-2023"]))
-    assert all(flight_inputs()[name].default == value for name, value in GROUNDS[DEFAULT_GROUND].items())
+    assert runs["fairway"] == run_of(drive(TOUR_DRIVES["pga-2023"]))
+    assert all(flight_inputs()[name].default == value for name, value in GROUNDS["fairway"].items())
     spelled = drive(TOUR_DRIVES["pga-2023"], ground=dict(GROUNDS["soft green"]))
     assert run_of(spelled) == runs["soft green"]
 

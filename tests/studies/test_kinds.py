@@ -8,15 +8,15 @@ import pytest
 import clubface
 from clubface import studies
 from clubface.design.best_loft import best_loft
-from clubface.design.dispersion import dispersion
-from clubface.design.golfers import golfer
+from clubface.design.dispersion.sampling import dispersion
+from clubface.design.golfer.golfers import golfer
 from clubface.design.optimisation.run import optimise
 from clubface.design.optimisation.study_file import from_text
 from clubface.design.strokes import Hole
 from clubface.errors import FileError
 from clubface.fem import head_tests
 from clubface.fem.case import case
-from clubface.studies.kinds import MODULES, kind
+from clubface.studies.kinds.registry import MODULES, kind
 from clubface.studies.study import read_study
 from clubface.units import to_si
 

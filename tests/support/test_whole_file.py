@@ -106,7 +106,7 @@ def test_files_are_written_in_one_place():
         if list(writers(ast.parse(path.read_text(encoding="utf-8"))))
     }
     # The others open a lock, or devices and pipes in the place of an output: none of them makes a file of results.
-    pipes = {"cli/app.py", "cli/failures.py", "fem/heads/mesh_file.py", "support/apart_process.py"}
+    pipes = {"cli/app.py", "cli/failures.py", "fem/heads/mesh_file.py", "support/isolated_script.py"}
     assert found <= {"support/whole_file.py", "support/lock.py", *pipes}
     assert "support/whole_file.py" in found
 

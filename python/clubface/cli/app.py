@@ -12,8 +12,8 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from clubface.cli.asked import remember
 from clubface.cli.failures import Interrupted, ReaderGone, as_typed, let_go_of_output, report, say, show_warnings
+from clubface.cli.invocation import remember
 from clubface.errors import UnknownNameError
 from clubface.support.version import __version__
 

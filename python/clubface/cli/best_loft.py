@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output, reporting
+from clubface.cli import option_values, options, output, reporting
 from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
@@ -57,10 +57,10 @@ def best_loft(
 
     output.check_picture(plot, (club,))
     output.check_report(report, (club,))
-    head = given.club_of(club, texts["hand"])
-    conditions = given.conditions(texts)
+    head = option_values.club_of(club, texts["hand"])
+    conditions = option_values.conditions(texts)
     hit = {
-        "club": head, "model": texts["model"], "parameters": given.one_set(head, texts), "ball": texts["ball"],
+        "club": head, "model": texts["model"], "parameters": option_values.one_set(head, texts), "ball": texts["ball"],
         "accuracy": texts["accuracy"], **conditions,
     }  # fmt: skip
     if chart is not None:
@@ -77,8 +77,8 @@ def best_loft(
     if speed is None:
         raise ClubfaceError('--speed is missing; give it, as in --speed "100 mph", or a chart, as in --chart trackman')
     attack = ["-5 deg,0 deg,5 deg"] if attack is None else attack
-    speeds = [given.parsed("--speed", text, "speed") for text in given.names(speed) or [""]]
-    attacks = [given.parsed("--attack", text, "angle") for text in given.names(attack) or [""]]
+    speeds = [option_values.parsed("--speed", text, "speed") for text in option_values.names(speed) or [""]]
+    attacks = [option_values.parsed("--attack", text, "angle") for text in option_values.names(attack) or [""]]
     import numpy as np
 
     each, other = (values.reshape(-1) for values in np.meshgrid(speeds, attacks, indexing="ij"))

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output, reporting
+from clubface.cli import option_values, options, output, reporting
 from clubface.cli.compare_alternatives import alternatives_of
 from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
@@ -76,10 +76,10 @@ def compare(
     output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
     output.check_picture(plot, inputs)
     output.check_report(report, inputs)
-    conditions = given.conditions(texts)
+    conditions = option_values.conditions(texts)
     shown = shown_units(unit)
 
-    from clubface.design.comparison import MOST, compare as computed
+    from clubface.design.comparison.comparison import MOST, compare as computed
 
     alternatives = alternatives_of(clubs, delivery, deliveries, texts)
     if nodes is not None and not split:
@@ -94,7 +94,7 @@ def compare(
         found = computed(alternatives, **conditions, split=split, nodes=nodes, progress=update)
     if plot is not None or report is not None:
         from clubface import plots
-        from clubface.design.comparison_figures import comparison_figure
+        from clubface.design.comparison.figures import comparison_figure
 
         figure = comparison_figure(found, **conditions, units={key: told for key, (told, _) in shown.items()})
         if plot is not None:
@@ -214,7 +214,7 @@ def _head(name: str) -> str:
 
 def _by_name(part: Any) -> dict[str, float]:
     """Return differences or contributions [SI] by quantity."""
-    from clubface.design.comparison_quantities import QUANTITIES
+    from clubface.design.comparison.quantities import QUANTITIES
 
     return dict(zip(QUANTITIES, map(float, part), strict=True))
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from clubface.cli import given
+from clubface.cli import option_values
 from clubface.cli.failures import say
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError
@@ -18,10 +18,10 @@ def alternatives_of(
     """Return every combination of what was given, called by what differs."""
     from clubface.equipment.balls import ball
 
-    heads = _named([(given.club_of(which, texts["hand"]), which) for which in clubs], "CLUB")
+    heads = _named([(option_values.club_of(which, texts["hand"]), which) for which in clubs], "CLUB")
     balls = _named([(ball(which), which) for which in texts["ball"] or [None]], "--ball")
-    models = given.model_names(texts["model"], DEFAULT_MODEL)
-    given.check_accuracy(models, texts["accuracy"])
+    models = option_values.model_names(texts["model"], DEFAULT_MODEL)
+    option_values.check_accuracy(models, texts["accuracy"])
     swings = _deliveries(changes, file, texts)
     combined = []
     for head_name, head in heads.items():
@@ -57,17 +57,19 @@ def _named(pairs: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
 def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]) -> dict[str, Any]:
     """Return the parameter sets of a model to compare: those given that fit it, or that by default."""
     settings = texts["setting"] or []
-    given.parameter_sets(models, head.parameters, texts["parameters"], settings)  # refuses what fits none of them
-    usual = given.parameter_sets([model], head.parameters)[model]
+    option_values.parameter_sets(
+        models, head.parameters, texts["parameters"], settings
+    )  # refuses what fits none of them
+    usual = option_values.parameter_sets([model], head.parameters)[model]
     fitting = [each for each in settings if each.partition("=")[0].strip() in usual.values]
     chosen = []
     for which in texts["parameters"] or ():
-        found = given.parameter_sets(models, head.parameters, which)[model]
+        found = option_values.parameter_sets(models, head.parameters, which)[model]
         # One that serves another of the models leaves this one with its own.
         if len(models) == 1 or found != usual:
-            chosen.append((given.parameter_sets([model], head.parameters, which, fitting)[model], which))
+            chosen.append((option_values.parameter_sets([model], head.parameters, which, fitting)[model], which))
     if not chosen:
-        changed = given.parameter_sets([model], head.parameters, None, fitting)[model]
+        changed = option_values.parameter_sets([model], head.parameters, None, fitting)[model]
         return {"default parameters": changed if fitting else None}
     return _named(chosen, "--parameters")
 
@@ -78,22 +80,22 @@ def _deliveries(
     from clubface.simulation.delivery import DIMENSIONS
     from clubface.support.checks import check_names
 
-    base = given.quantities(texts, DIMENSIONS, {})
+    base = option_values.quantities(texts, DIMENSIONS, {})
     if changes and file is not None:
         raise ClubfaceError("--delivery and --deliveries both say what is compared; give one of them")
     if file is not None:
-        from clubface.design.comparison import MOST
-        from clubface.design.comparison_rows import read_deliveries
+        from clubface.design.comparison.comparison import MOST
+        from clubface.design.comparison.rows import read_deliveries
 
         told = read_deliveries(file, MOST, lambda text: say(f"note: {text}"))
         found = {name: {**base, **each} for name, each in told.items()}
     else:
         told, found = {}, {}
         for text in changes or [""]:
-            pairs = given.pairs(text.split(",") if text else (), "--delivery")
+            pairs = option_values.pairs(text.split(",") if text else (), "--delivery")
             check_names("value of --delivery", pairs, DIMENSIONS)
             told[text] = {
-                name: given.parsed(f"--{name.replace('_', '-')}", each, DIMENSIONS[name])
+                name: option_values.parsed(f"--{name.replace('_', '-')}", each, DIMENSIONS[name])
                 for name, each in pairs.items()
             }
             swing = {**base, **told[text]}

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import option_values, options, output
 from clubface.cli.dispersion_document import QUANTILES, document
 from clubface.cli.dispersion_report import write as write_report
 from clubface.cli.failures import say
@@ -18,10 +18,10 @@ from clubface.errors import ClubfaceError, InputError
 from clubface.units import from_si
 
 if TYPE_CHECKING:
-    from clubface.design.dispersion import Dispersion
-    from clubface.design.dispersion_derivatives import ByDerivatives
-    from clubface.design.dispersion_indices import Indices
-    from clubface.design.golfer import Golfer
+    from clubface.design.dispersion.derivatives import ByDerivatives
+    from clubface.design.dispersion.indices import Indices
+    from clubface.design.dispersion.sampling import Dispersion
+    from clubface.design.golfer.golfer import Golfer
     from clubface.design.strokes import Hole
 
 app = typer.Typer(add_completion=False)
@@ -69,9 +69,9 @@ def dispersion(
     **texts: Any,
 ) -> None:
     """Hit many shots of a golfer and sum up where they go."""
-    from clubface.design.dispersion import COUNT, dispersion as compute
-    from clubface.design.golfers import club_of, golfer as golfer_named
-    from clubface.design.hitting import Hitting
+    from clubface.design.dispersion.hitting import Hitting
+    from clubface.design.dispersion.sampling import COUNT, dispersion as compute
+    from clubface.design.golfer.golfers import club_of, golfer as golfer_named
     from clubface.tables.writer import KINDS
 
     output.check_target("--output", target, KINDS)
@@ -82,11 +82,13 @@ def dispersion(
             raise ClubfaceError(f"--{name} has no effect with --no-flight; leave out one of them")
     player = golfer_named(golfer)
     own = None if club is not None else "right" if player.hand > 0 else "left"
-    head = given.club_of(club_of(player) if club is None else club, own if texts["hand"] is None else texts["hand"])
+    head = option_values.club_of(
+        club_of(player) if club is None else club, own if texts["hand"] is None else texts["hand"]
+    )
     _check(player, head, texts["model"], count)
-    conditions = given.conditions(texts)
+    conditions = option_values.conditions(texts)
     hitting = {
-        "model": texts["model"], "parameters": given.one_set(head, texts), "ball": texts["ball"],
+        "model": texts["model"], "parameters": option_values.one_set(head, texts), "ball": texts["ball"],
         "flight": not no_flight, "accuracy": texts["accuracy"], **conditions,
     }  # fmt: skip
     played = _hole(hole, fairway, rough, lie)
@@ -100,13 +102,13 @@ def dispersion(
     hit = Hitting(head, **hitting)
     slopes, shares = _by_derivatives(found, hit), None
     if not (no_shares or no_flight) and found.golfer.spread.any():
-        from clubface.design.dispersion_indices import indices
+        from clubface.design.dispersion.indices import indices
 
         with progress_bar("orders of what varies") as progress:
             shares = indices(found.golfer, hit, seed=seed, progress=progress)
     if picture is not None:
         from clubface import plots
-        from clubface.design.dispersion_figure import dispersion_figure
+        from clubface.design.dispersion.figure import dispersion_figure
 
         say(f"wrote {plots.save(dispersion_figure(found, shares), picture)}")
     if report is not None:
@@ -135,7 +137,7 @@ def _file(target: str | None) -> Any:
         from contextlib import nullcontext
 
         return nullcontext()
-    from clubface.design.dispersion_file import shots_file
+    from clubface.design.dispersion.file import shots_file
 
     return shots_file(target)
 
@@ -150,9 +152,13 @@ def _hole(length: str | None, fairway: str | None, rough: str | None, lie: str |
     from clubface.design.strokes import Hole
 
     told = {"fairway": fairway, "rough": rough}
-    lengths = {name: given.parsed(f"--{name}", text, "length") for name, text in told.items() if text is not None}
+    lengths = {
+        name: option_values.parsed(f"--{name}", text, "length") for name, text in told.items() if text is not None
+    }
     try:
-        return Hole(length=given.parsed("--hole", length, "length"), **lengths, **({} if lie is None else {"lie": lie}))
+        return Hole(
+            length=option_values.parsed("--hole", length, "length"), **lengths, **({} if lie is None else {"lie": lie})
+        )
     except InputError as error:
         error.parameter = "--hole" if error.parameter == "length" else error.parameter
         raise
@@ -164,7 +170,7 @@ def _by_derivatives(of: Dispersion, hit: Any) -> ByDerivatives | None:
 
     if of.model not in models():
         return None
-    from clubface.design.dispersion_derivatives import by_derivatives
+    from clubface.design.dispersion.derivatives import by_derivatives
 
     return by_derivatives(of.golfer, hit)
 
@@ -203,7 +209,7 @@ def _print(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None)
 def _print_ellipses(of: Dispersion) -> None:
     from math import degrees
 
-    from clubface.design.dispersion import SHARES
+    from clubface.design.dispersion.sampling import SHARES
 
     rows = []
     for share in SHARES:
@@ -229,7 +235,7 @@ def _print_strokes(of: Dispersion) -> None:
 
 
 def _print_shares(of: Indices) -> None:
-    from clubface.design.golfer import told
+    from clubface.design.golfer.golfer import told
 
     order = sorted(range(len(of.variables)), key=lambda place: -max(float(each[place]) for each in of.share.values()))
     sobol = of.kind == "sobol"

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from clubface.design.dispersion import Dispersion
-    from clubface.design.dispersion_derivatives import ByDerivatives
-    from clubface.design.dispersion_indices import Indices
+    from clubface.design.dispersion.derivatives import ByDerivatives
+    from clubface.design.dispersion.indices import Indices
+    from clubface.design.dispersion.sampling import Dispersion
 
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
 """The shares of the shots whose quantiles are told."""
@@ -17,7 +17,7 @@ def document(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | Non
     """Return a dispersion with its spread by derivatives and its shares of the variance, as JSON has them [SI]."""
     from dataclasses import asdict
 
-    from clubface.design.dispersion import SHARES
+    from clubface.design.dispersion.sampling import SHARES
     from clubface.support.version import __version__
 
     found: dict[str, Any] = {

@@ -11,9 +11,9 @@ from clubface.cli.quantity_units import VALUES
 from clubface.units import from_si
 
 if TYPE_CHECKING:
-    from clubface.design.dispersion import Dispersion
-    from clubface.design.dispersion_indices import Indices
-    from clubface.design.hitting import Hitting
+    from clubface.design.dispersion.hitting import Hitting
+    from clubface.design.dispersion.indices import Indices
+    from clubface.design.dispersion.sampling import Dispersion
 
 
 def write(
@@ -25,7 +25,7 @@ def write(
     show: Callable[[], None],
 ) -> None:
     """Write the report; ``conditions`` are air, wind and ground, ``show`` prints the tables."""
-    from clubface.design.dispersion_figure import dispersion_figure
+    from clubface.design.dispersion.figure import dispersion_figure
 
     drawn = None
     columns: dict[str, Any] = {}

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import option_values, options, output
 from clubface.cli.failures import say, say_written
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
@@ -46,7 +46,7 @@ def evaluate(
     **texts: Any,
 ) -> None:
     """Compare models with measured shots: how large their errors are, what these depend on, which model is best."""
-    names = given.model_names(models)
+    names = option_values.model_names(models)
     output.prepare_folder(folder)
     from clubface.evaluation import report, tables
     from clubface.evaluation.evaluation import evaluate as compute
@@ -55,11 +55,11 @@ def evaluate(
         report.refuse_input(folder, shots)
 
     recorded = recorded_shots(shots, texts)
-    sets = given.parameter_sets(names, recorded.club.parameters, parameters, setting)
+    sets = option_values.parameter_sets(names, recorded.club.parameters, parameters, setting)
     result = compute(
         recorded, models=names, parameters=sets, ball=texts["ball"],
-        noise=given.pairs(noise or (), "--noise"),
-        delivery_noise=given.pairs(delivery_noise or (), "--delivery-noise"),
+        noise=option_values.pairs(noise or (), "--noise"),
+        delivery_noise=option_values.pairs(delivery_noise or (), "--delivery-noise"),
         resamples=resamples, seed=seed, progress=_progress(),
     )  # fmt: skip
     files = result.write(folder) if folder is not None else []

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import option_values, options, output
 from clubface.cli.failures import say, say_written
 from clubface.cli.progress import progress_bar, run_with_progress
 from clubface.cli.tables import print_numbers
@@ -104,12 +104,12 @@ def head(
     }
     lengths = {"--toe": toe, "--high": high}
     place: dict[str, Any] = {
-        name[2:]: given.parsed(name, text, "length") for name, text in lengths.items() if text is not None
+        name[2:]: option_values.parsed(name, text, "length") for name, text in lengths.items() if text is not None
     }
     if not measure and blow is None and (place or safety is not None or ball is not None):
         raise ClubfaceError("--toe, --high, --ball and --safety say how to measure; add --measure or --blow")
     parts: list[stress.PartStress] = []
-    speed = None if blow is None else given.parsed("blow", blow, "speed")
+    speed = None if blow is None else option_values.parsed("blow", blow, "speed")
     if measure:
         document |= run_with_progress(
             lambda progress: {

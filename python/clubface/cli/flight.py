@@ -6,7 +6,7 @@ from typing import Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import option_values, options, output
 from clubface.cli.tables import print_numbers
 
 app = typer.Typer(add_completion=False)
@@ -29,8 +29,8 @@ def flight(as_json: options.Json = False, **texts: Any) -> None:
     from clubface.simulation.quantities import outputs
 
     dimensions = {name: outputs()[name].dimension for name in options.LAUNCH}
-    values = given.quantities(texts, dimensions, {"ball_speed": "167 mph", "launch": "10.9 deg"})
-    conditions = given.conditions(texts)
+    values = option_values.quantities(texts, dimensions, {"ball_speed": "167 mph", "launch": "10.9 deg"})
+    conditions = option_values.conditions(texts)
     flown = fly({**values, **ball(texts["ball"]).inputs()}, **conditions)
     if as_json:
         output.print_json({key: float(flown.get(name, unit)) for key, (name, unit, _, _) in SHOWN.items()})

@@ -13,8 +13,8 @@ from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
 
 if TYPE_CHECKING:
-    from clubface.design.golfer import Golfer
-    from clubface.design.golfer_estimate import Estimate
+    from clubface.design.golfer.estimate import Estimate
+    from clubface.design.golfer.golfer import Golfer
 
 app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Golfers: how their deliveries spread from shot to shot."
@@ -25,7 +25,7 @@ GolferArgument = Annotated[str, typer.Argument(metavar="GOLFER", help="Name of a
 @app.command("list")
 def list_golfers(as_json: options.Json = False) -> None:
     """List the golfers that come with the package."""
-    from clubface.design.golfers import golfer, golfers
+    from clubface.design.golfer.golfers import golfer, golfers
 
     every = [golfer(name) for name in golfers()]
     if as_json:
@@ -52,8 +52,8 @@ def show(
     as_json: options.Json = False,
 ) -> None:
     """Show means, spreads and correlations of a golfer, and where each figure comes from."""
-    from clubface.design.golfer_file import to_toml
-    from clubface.design.golfers import golfer as golfer_named
+    from clubface.design.golfer.file import to_toml
+    from clubface.design.golfer.golfers import golfer as golfer_named
 
     output.check_report(report, (golfer,))
     found = golfer_named(golfer)
@@ -99,8 +99,8 @@ def estimate(
     **texts: Any,
 ) -> None:
     """Estimate a golfer from shots in the order in which they were hit."""
-    from clubface.design.golfer_estimate import estimate_golfer
-    from clubface.design.golfer_file import to_toml
+    from clubface.design.golfer.estimate import estimate_golfer
+    from clubface.design.golfer.file import to_toml
     from clubface.equipment.clubs import CLUB_NAMES
 
     output.check_target("--output", target, (".toml",), [file, texts["mapping"], texts["club"], like])
@@ -133,11 +133,11 @@ def _print(of: Golfer, estimated: Estimate | None = None) -> None:
     if estimated is not None:
         heads += ["error\nof ±", "drift"]
     rows = []
-    for place, name in enumerate(of.variables):
+    for name in of.variables:
         unit, digits = _unit(name)
         row = [name.replace("_", " "), unit, _value(of, of.mean, name, digits), _value(of, of.spread, name, digits)]
         if estimated is not None:
-            row += _told(estimated, name, place)
+            row += _told(estimated, name)
         rows.append(row)
     shots = "" if estimated is None else f", {output.counted(estimated.shots, 'shot')}"
     print_numbers(heads, rows, title=f"{of.title or of.name} ({of.club}){shots}")
@@ -161,7 +161,7 @@ def _pairs(of: Golfer) -> list[str]:
     ]
 
 
-def _told(of: Estimate, name: str, place: int) -> list[str]:
+def _told(of: Estimate, name: str) -> list[str]:
     from clubface.units import size
 
     if name not in of.measured:
@@ -172,7 +172,7 @@ def _told(of: Estimate, name: str, place: int) -> list[str]:
 
 
 def _unit(name: str) -> tuple[str, int]:
-    from clubface.design.golfer_file import UNIT
+    from clubface.design.golfer.file import UNIT
     from clubface.simulation.delivery import OF_CLUB
 
     unit = UNIT[OF_CLUB[name]]

@@ -10,9 +10,9 @@ from clubface.cli.tables import print_numbers
 from clubface.units import from_si
 
 if TYPE_CHECKING:
-    from clubface.design.golfer import Golfer
-    from clubface.design.golfer_doubt import Doubts
-    from clubface.design.golfer_estimate import Estimate
+    from clubface.design.golfer.doubt import Doubts
+    from clubface.design.golfer.estimate import Estimate
+    from clubface.design.golfer.golfer import Golfer
     from clubface.equipment.clubs import Club
 
 
@@ -36,8 +36,8 @@ def write(
     target: str, of: Golfer, club: Club | None, show: Callable[[], None], estimated: Estimate | None = None
 ) -> None:
     """Write the report of a golfer with a club, None where his is unknown; ``show`` prints the tables."""
-    from clubface.design.golfer_doubt import COUNT, doubts
-    from clubface.design.golfer_file import to_toml
+    from clubface.design.golfer.doubt import COUNT, doubts
+    from clubface.design.golfer.file import to_toml
 
     given = {"golfer": of.title or of.name, "hand": "right" if of.hand > 0 else "left"}
     picture, columns, found, launches = None, {}, None, ()
@@ -47,7 +47,7 @@ def write(
         found = doubts(of, club)
         launches = (impact(club, of.for_hand(club.hand).delivery()),)
     if found is not None and found.figures:
-        from clubface.design.golfer_figure import golfer_figure
+        from clubface.design.golfer.figure import golfer_figure
 
         shows = f"How much the spread of the landings changes if a figure is {found.off:.0%} smaller or larger"
         picture, columns = (shows, golfer_figure(found)), _columns(found)
@@ -56,7 +56,7 @@ def write(
     def tables() -> None:
         show()
         if picture is not None and found is not None:
-            print_numbers(*_table(of, found), title=f"If a figure is {found.off:.0%} smaller or larger")
+            print_numbers(*_table(found), title=f"If a figure is {found.off:.0%} smaller or larger")
 
     reporting.write(
         target, title=f"{of.title or of.name}: how the club is delivered", words=_words(of, found, estimated),
@@ -68,7 +68,7 @@ def write(
 
 def _words(of: Golfer, found: Doubts | None, estimated: Estimate | None) -> Iterator[str]:
     """Say how a golfer delivers, what is known of it and what rests on it, in sentences."""
-    from clubface.design.golfer_doubt import is_assumed
+    from clubface.design.golfer.doubt import is_assumed
 
     spread = dict(zip(of.variables, of.spread, strict=True))
     mean = dict(zip(of.variables, of.mean, strict=True))
@@ -104,7 +104,7 @@ def _words(of: Golfer, found: Doubts | None, estimated: Estimate | None) -> Iter
         )
 
 
-def _table(of: Golfer, found: Doubts) -> tuple[list[str], list[list[str]]]:
+def _table(found: Doubts) -> tuple[list[str], list[list[str]]]:
     heads = ["", "is", *(f"{name} {how}\n%" for name in found.spread for how in ("smaller", "larger"))]
     rows = []
     for each in found.figures:

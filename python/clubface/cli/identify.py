@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import option_values, options, output
 from clubface.cli.progress import progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
@@ -113,7 +113,7 @@ def identify(
     """Identify parameters of a model from shots whose delivery and launch were measured."""
     from clubface.equipment.models import model as model_named
 
-    ties = {name: value.strip() for name, value in given.pairs(tie or (), "--tie").items()}
+    ties = {name: value.strip() for name, value in option_values.pairs(tie or (), "--tie").items()}
     read = [shots, *(texts[name] for name in ("club", "ball", "parameters", "mapping"))]
     output.check_target("--output", target, (".toml",), read)
     output.check_picture(plot, read)
@@ -128,10 +128,10 @@ def identify(
     kept = checkpoint or f"{Path(shots).stem}-{head.name}-{model}.checkpoint".replace("/", " ")
     with progress_bar(lambda done, whole, stage, best: f"{stage}, {done} of {whole}, least cost {best:.6g}") as update:
         found = fit(
-            recorded, club=head, model=model, parameters=given.one_set(head, texts), free=_free(free),
+            recorded, club=head, model=model, parameters=option_values.one_set(head, texts), free=_free(free),
             tied=ties or None, bounds=_bounds(bounds), ball=texts["ball"],
-            quantities=given.names(quantities) or None, cost=cost, normaliser=normaliser,
-            noise=given.pairs(noise or (), "--noise"), population=population,
+            quantities=option_values.names(quantities) or None, cost=cost, normaliser=normaliser,
+            noise=option_values.pairs(noise or (), "--noise"), population=population,
             generations=generations, refined=refined, folds=folds, bootstrap=bootstrap,
             profiles=None if profiles else (), confidence=confidence, seed=seed, accuracy=texts["accuracy"],
             threads=threads, checkpoint=kept, resume=resume,
@@ -168,13 +168,13 @@ def _print(found: Any) -> None:
 
 
 def _free(texts: Iterable[str] | None) -> str | list[str] | None:
-    names = given.names(texts)
+    names = option_values.names(texts)
     return "all" if names == ["all"] else names or None
 
 
 def _bounds(texts: Iterable[str] | None) -> dict[str, tuple[str, str]]:
     found = {}
-    for name, value in given.pairs(texts or (), "--bounds").items():
+    for name, value in option_values.pairs(texts or (), "--bounds").items():
         low, colon, high = value.partition(":")
         if not (colon and low.strip() and high.strip()):
             raise InputError("--bounds", f"{name}={value}", "of the form name=low:high")

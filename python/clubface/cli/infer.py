@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import option_values, options, output
 from clubface.cli.failures import say
 from clubface.cli.progress import progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
@@ -63,11 +63,11 @@ def infer(
     from clubface.simulation.quantities import outputs
 
     dimensions = {name: outputs()[name].dimension for name in options.MEASURED_LAUNCH}
-    launch, delivery = given.quantities(texts, dimensions, {}), given.quantities(texts, OF_CLUB, {})
+    launch, delivery = option_values.quantities(texts, dimensions, {}), option_values.quantities(texts, OF_CLUB, {})
     settings: dict[str, Any] = {
         "model": texts["model"], "ball": texts["ball"], "prior": prior, "seed": seed, "accuracy": texts["accuracy"],
-        "noise": given.pairs(noise or (), "--noise"),
-        "delivery_noise": given.pairs(delivery_noise or (), "--delivery-noise"),
+        "noise": option_values.pairs(noise or (), "--noise"),
+        "delivery_noise": option_values.pairs(delivery_noise or (), "--delivery-noise"),
         **({} if samples is None else {"samples": samples}),
     }  # fmt: skip
     if shots is not None:
@@ -77,14 +77,14 @@ def infer(
         recorded = recorded_shots(shots, texts)
         for note in recorded.notes:
             say(f"note: {note}")
-        settings |= {"club": recorded.club, "parameters": given.one_set(recorded.club, texts)}
-        _whole_file(_without(recorded, given.names(ignore)), settings, target, resume, as_json)
+        settings |= {"club": recorded.club, "parameters": option_values.one_set(recorded.club, texts)}
+        _whole_file(_without(recorded, option_values.names(ignore)), settings, target, resume, as_json)
         return
     if ignore:
         raise ClubfaceError("--ignore is for a file of shots; of one launch, leave out the club data itself")
     if texts["club"] is None:
         raise ClubfaceError("--club is missing; give the club, as in --club driver")
-    head = given.club_of(texts["club"], texts["hand"])
+    head = option_values.club_of(texts["club"], texts["hand"])
     output.check_target("--output", target, KINDS)
     output.check_picture(picture)
     from clubface.inference import words
@@ -93,7 +93,7 @@ def infer(
     if not launch:
         measured = ", ".join(f"--{name.replace('_', '-')}" for name in options.MEASURED_LAUNCH)
         raise ClubfaceError(f"no launch is given; give at least one of {measured}")
-    found = compute(launch, club=head, delivery=delivery, parameters=given.one_set(head, texts), **settings)
+    found = compute(launch, club=head, delivery=delivery, parameters=option_values.one_set(head, texts), **settings)
     if target is not None:
         found.shots().write(target)
         say(f"wrote {target}")

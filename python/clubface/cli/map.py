@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output, reporting
+from clubface.cli import option_values, options, output, reporting
 from clubface.cli.failures import say_written
 from clubface.cli.map_document import columns, document
 from clubface.cli.progress import progress_bar
@@ -71,7 +71,7 @@ def map_(
     output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
     output.check_picture(plot, inputs)
     output.check_report(report, inputs)
-    delivery = given.delivery(texts)
+    delivery = option_values.delivery(texts)
     about = {name: delivery.pop(name) for name in ("toe", "high") if name in delivery}
     deviations = None if spread is None else _spread(spread)
     if about and deviations is None:
@@ -79,18 +79,18 @@ def map_(
     shown = shown_units(unit)
     names = _quantities(quantity)
     listed = {*(names or DEFAULT), "ball_speed", "carry"}  # of the last two the best points are told
-    if hidden := [name for name in given.pairs(unit or (), "--unit") if name not in listed]:
+    if hidden := [name for name in option_values.pairs(unit or (), "--unit") if name not in listed]:
         raise InputError("--unit", hidden[0], "a quantity that is listed; name it with --quantity")
     counts = None if grid is None else _grid(grid)
-    conditions = given.conditions(texts)
-    heads = [given.club_of(each, texts["hand"]) for each in (club, minus) if each is not None]
+    conditions = option_values.conditions(texts)
+    heads = [option_values.club_of(each, texts["hand"]) for each in (club, minus) if each is not None]
     if len(heads) == 2 and heads[0] == heads[1]:
         raise InputError("--minus", minus, "another club than the first")
-    sets = [given.one_set(head, texts) for head in heads]
+    sets = [option_values.one_set(head, texts) for head in heads]
 
-    from clubface.design.face_map import map_face
-    from clubface.design.face_map_difference import FaceMapDifference
-    from clubface.design.face_map_shots import finished
+    from clubface.design.face_map.difference import FaceMapDifference
+    from clubface.design.face_map.face_map import map_face
+    from clubface.design.face_map.shots import finished
 
     maps = []
     for place, (head, chosen) in enumerate(zip(heads, sets, strict=True)):
@@ -108,7 +108,7 @@ def map_(
     found = maps[0] if len(maps) == 1 else FaceMapDifference(*maps)
     if plot is not None or report is not None:
         from clubface import plots
-        from clubface.design.face_map_figures import face_map_figure
+        from clubface.design.face_map.figures import face_map_figure
 
         figure = face_map_figure(found, units={name: shown[name][0] for name in names or DEFAULT})
         if plot is not None:
@@ -172,7 +172,7 @@ def _second(target: str) -> str:
 def _quantities(texts: Sequence[str] | None) -> list[str]:
     from clubface.support.checks import check_names
 
-    names = given.names(texts)
+    names = option_values.names(texts)
     if texts and not names:
         raise InputError("--quantity", ",".join(texts), f"a quantity, such as carry: one of {', '.join(VALUES)}")
     check_names("quantity", names, VALUES)
@@ -190,7 +190,7 @@ def _spread(text: str) -> tuple[float, float]:
     parts = re.split(r"[x×,]", text)
     if len(parts) != 2 or not all(part.strip() for part in parts):
         raise InputError("--spread", text, 'two standard deviations, towards the toe and upwards, as in "12 mm x 9 mm"')
-    across, up = (given.parsed("--spread", part, "length") for part in parts)
+    across, up = (option_values.parsed("--spread", part, "length") for part in parts)
     return across, up
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import option_values, options, output
 from clubface.cli.monitor_live import listen, send
 from clubface.cli.monitor_report import report
 from clubface.cli.monitor_summary import Hand, summary
@@ -106,7 +106,7 @@ def formats(
 def _clubs(texts: list[str]) -> Any:
     """Return a club, clubs by name in the file, or None."""
     if any("=" in each for each in texts):
-        return given.pairs(texts, "--club")
+        return option_values.pairs(texts, "--club")
     if len(texts) > 1:
         raise InputError("--club", texts[1], "one club, or NAME=CLUB for each name in the file")
     return texts[0] if texts else None

@@ -82,7 +82,7 @@ def check_written_from(target: str | None, kinds: Sequence[str], study: str) -> 
     """Refuse ``--output`` in the same way; what the file of a study names, such as a club, is an input, too."""
     check_target("--output", target, kinds, (study,))
     if target is not None:
-        from clubface.studies.referred import files_of
+        from clubface.studies.referenced_files import files_of
 
         check_target("--output", target, kinds, map(str, files_of(Path(study))))
 

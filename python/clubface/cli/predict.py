@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import option_values, options, output
 from clubface.cli.failures import say
 from clubface.cli.progress import progress_bar
 from clubface.cli.recorded import CHOICE, assumed
@@ -37,9 +37,9 @@ def predict(
     **texts: Any,
 ) -> None:
     """Compute the launch of every delivery in a file."""
-    head = given.club_of(club, texts["hand"])
-    chosen = given.one_set(head, texts)
-    conditions = given.conditions(texts)
+    head = option_values.club_of(club, texts["hand"])
+    chosen = option_values.one_set(head, texts)
+    conditions = option_values.conditions(texts)
 
     from clubface.prediction.predict import predict as compute
 
@@ -48,7 +48,7 @@ def predict(
             deliveries, club=head, model=texts["model"], parameters=chosen, ball=texts["ball"],
             accuracy=texts["accuracy"], carry=carry, output=target, rejects=rejects, resume=resume,
             hand=texts["hand"], format=texts["format"], mapping=texts["mapping"],
-            units=given.pairs(texts["unit"] or (), "--unit"), only=texts["only"], where=texts["where"],
+            units=option_values.pairs(texts["unit"] or (), "--unit"), only=texts["only"], where=texts["where"],
             mismatch=texts["mismatch"], assume=assumed(texts),
             progress=update and (lambda part, rows: update(part, 1.0, rows)), **conditions,
         )  # fmt: skip

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Annotated
 
-from clubface.cli import given, options
+from clubface.cli import option_values, options
 from clubface.reports.quantity_units import SHOWN
 
 KEYS = {
@@ -33,7 +33,7 @@ def shown_units(texts: Iterable[str] | None) -> dict[str, tuple[str, int]]:
     from clubface import units
     from clubface.support.checks import check_names
 
-    told = given.pairs(texts or (), "--unit")
+    told = option_values.pairs(texts or (), "--unit")
     check_names("quantity of --unit", told, VALUES)
     found = dict(VALUES)
     for name, symbol in told.items():

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import given, options
+from clubface.cli import option_values, options
 from clubface.cli.options import Group, text_option
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def read_shots(path: str, texts: Mapping[str, Any], club: Any = None, *, where: 
     """Return the shots of a file, from ``hand`` and the options of ``READING``; of ``--where`` only if ``where``."""
     from clubface import launch_monitor
 
-    units = given.pairs(texts["unit"] or (), "--unit")
+    units = option_values.pairs(texts["unit"] or (), "--unit")
     shots = launch_monitor.read(path, texts["format"], texts["hand"], texts["mapping"], units=units, club=club)
     if not where or texts["where"] is None:
         return shots
@@ -87,8 +87,8 @@ def assumed(texts: Mapping[str, Any]) -> dict[str, str]:
     """Return the values that are stated for what was not measured; one without a unit is told."""
     from clubface.simulation.delivery import DIMENSIONS
 
-    found = given.pairs(texts["assume"] or (), "--assume")
+    found = option_values.pairs(texts["assume"] or (), "--assume")
     for name, text in found.items():
         if name in DIMENSIONS:
-            given.parsed(f"--assume {name}", text, DIMENSIONS[name])
+            option_values.parsed(f"--assume {name}", text, DIMENSIONS[name])
     return found

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import redirect_stdout
 from typing import Any
 
-from clubface.cli import asked, output
+from clubface.cli import invocation, output
 
 
 def write(
@@ -83,12 +83,12 @@ def repeat(files: Mapping[str, str] | None = None) -> list[Any]:
     from clubface.reports.blocks import Heading, Listing, Paragraph, Table
     from clubface.support.fingerprint import fingerprint_of_file
 
-    read = asked.read_files()
-    blocks: list[Any] = [Heading(2, "To compute it again"), Listing("The command", asked.command())]
+    read = invocation.read_files()
+    blocks: list[Any] = [Heading(2, "To compute it again"), Listing("The command", invocation.command())]
     if read:
         rows = [(each.name, str(each.stat().st_size), fingerprint_of_file(each)) for each in read]
         blocks += [Paragraph(("It reads these files.",)), Table(("file", "bytes", "SHA-256"), rows)]
-    texts = {each.name: each.read_text(errors="replace") for each in read if asked.is_description(each)}
+    texts = {each.name: each.read_text(errors="replace") for each in read if invocation.is_description(each)}
     return blocks + [Listing(name, text) for name, text in {**(files or {}), **texts}.items()]
 
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output, reporting
+from clubface.cli import option_values, options, output, reporting
 from clubface.cli.failures import say, say_written
 from clubface.cli.quantity_units import KEYS
 from clubface.equipment.models import DEFAULT_MODEL
@@ -51,14 +51,14 @@ def shot(
     **texts: Any,
 ) -> None:
     """Compute one shot: how the ball leaves and where it flies."""
-    delivery = given.delivery(texts)
+    delivery = option_values.delivery(texts)
     output.check_picture(plot)
     output.check_report(report)
-    head = given.club_of(club, texts["hand"])
-    names = given.model_names(texts["model"], DEFAULT_MODEL)
-    given.check_accuracy(names, texts["accuracy"])
-    sets = given.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
-    conditions = given.conditions(texts)
+    head = option_values.club_of(club, texts["hand"])
+    names = option_values.model_names(texts["model"], DEFAULT_MODEL)
+    option_values.check_accuracy(names, texts["accuracy"])
+    sets = option_values.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
+    conditions = option_values.conditions(texts)
 
     from clubface.errors import RangeWarning
     from clubface.simulation.flight import fly

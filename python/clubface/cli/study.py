@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import given, options, output, reporting
+from clubface.cli import option_values, options, output, reporting
 from clubface.cli.failures import say, say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
@@ -18,7 +18,7 @@ from clubface.tables.headings import heading_of
 from clubface.units import from_si, size
 
 if TYPE_CHECKING:
-    from clubface.studies.summing import Along, Figures, Summary
+    from clubface.studies.summaries import Along, Figures, Summary
 
 app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Studies: any inputs of a shot swept, on one machine or a cluster."
@@ -142,11 +142,11 @@ def summary(
     as_json: options.Json = False,
 ) -> None:
     """Print means, spreads and extremes, of all tasks and along every input that was swept."""
-    from clubface.studies.summing import summary as sum_up
+    from clubface.studies.summaries import summary as sum_up
 
     output.check_picture(plot, [study])
     output.check_report(report, [study])
-    names = given.names(quantities) if quantities else None
+    names = option_values.names(quantities) if quantities else None
     if names == []:
         raise InputError("--output", quantities, "names of quantities, as in carry,backspin")
     with progress_bar("parts") as progress:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import option_values, options, output
 from clubface.cli.failures import say, say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
@@ -31,8 +31,8 @@ def tour(
     """Compute the published tour averages, club by club, by the default model, then by every model."""
     from clubface.tour import averages as job
 
-    names = given.model_names(model)
-    wanted = given.names([averages or job.DEFAULT_TABLE])
+    names = option_values.model_names(model)
+    wanted = option_values.names([averages or job.DEFAULT_TABLE])
     which = list(dict.fromkeys(name for each in wanted for name in (job.TABLES if each == "all" else [each])))
     for each in which:
         job.averages(each)  # before the work: a name that does not exist is found at once

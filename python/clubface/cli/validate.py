@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from clubface.cli import given, options, output
+from clubface.cli import option_values, options, output
 from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
@@ -38,8 +38,8 @@ def validate(
     from clubface.validation import report, run, tables
     from clubface.validation.catalogue import check_named
 
-    models = given.model_names(model, DEFAULT_MODEL)
-    checks = given.names(check) or None
+    models = option_values.model_names(model, DEFAULT_MODEL)
+    checks = option_values.names(check) or None
     for each in checks or ():
         check_named(each)  # before the work: a name that does not exist is found at once
     output.prepare_folder(folder)

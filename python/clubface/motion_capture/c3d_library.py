@@ -1,4 +1,4 @@
-"""What ezc3d finds in a C3D file; run in a process of its own, see :mod:`clubface.support.apart`."""
+"""What ezc3d finds in a C3D file; run in a process of its own, see :mod:`clubface.support.isolated`."""
 
 from __future__ import annotations
 

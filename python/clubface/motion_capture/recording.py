@@ -16,10 +16,10 @@ from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.motion_capture.c3d_layout import check_layout
 from clubface.motion_capture.rigid_body import visible
 from clubface.motion_capture.rotations import Array
-from clubface.support.apart import Apart, ApartError
+from clubface.support.isolated import IsolatedError, IsolatedProcess
 from clubface.support.whole_file import whole_file
 
-LIBRARY = Apart(Path(__file__).with_name("c3d_library.py"))
+LIBRARY = IsolatedProcess(Path(__file__).with_name("c3d_library.py"))
 MEMORY = 200
 """Bytes that the library may take for a byte of the file; it takes some 30."""
 SPEED = 1e6
@@ -112,7 +112,7 @@ def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Record
         found = LIBRARY.call(
             "contents", os.path.abspath(name), memory=MEMORY * size, seconds=size / SPEED
         )  # a crash of the library is an error of the file
-    except ApartError as error:
+    except IsolatedError as error:
         raise FileError(name, None, f"this C3D file cannot be read: {str(error).rstrip('.')}") from None
     points, rate, texts = found["points"], found["rate"], found["texts"]
     if points.ndim != 3 or not points.shape[1] or not points.shape[2]:

@@ -105,11 +105,11 @@ def legend_above(figure: Figure, lines: Iterable[Any], *, title: str | None = No
     legend.get_title().set_fontsize(8.5)
 
 
-def check_ending(path: str | os.PathLike[str], *, name: str = "picture") -> Path:
-    """Refuse a picture whose ending is not one of ``ENDINGS``; errors call it ``name``."""
+def check_ending(path: str | os.PathLike[str]) -> Path:
+    """Refuse a picture whose ending is not one of ``ENDINGS``."""
     target = Path(path)
     if target.suffix.lower() not in ENDINGS:
-        raise InputError(name, os.fspath(path), f"a file ending in {', '.join(ENDINGS)}")
+        raise InputError("picture", os.fspath(path), f"a file ending in {', '.join(ENDINGS)}")
     return target
 
 

@@ -44,11 +44,11 @@ def write_document(blocks: Sequence[Block], path: str | os.PathLike[str]) -> Pat
     return write_text(target, as_html(blocks) if target.suffix.lower() == ".html" else as_markdown(blocks))
 
 
-def check_ending(path: str | os.PathLike[str], *, name: str = "output") -> Path:
-    """Refuse a report of another kind, before any work; errors call it ``name``."""
+def check_ending(path: str | os.PathLike[str]) -> Path:
+    """Refuse a report of another kind, before any work."""
     target = Path(path)
     if target.suffix.lower() not in ENDINGS:
-        raise InputError(name, str(path), f"a file whose name ends in {' or '.join(ENDINGS)}")
+        raise InputError("output", str(path), f"a file whose name ends in {' or '.join(ENDINGS)}")
     return target
 
 

@@ -18,9 +18,6 @@ from clubface.errors import InputError
 from clubface.simulation.quantities import flight_inputs
 from clubface.support.checks import check_choice, check_names
 
-DEFAULT_GROUND = "fairway"
-"""What the defaults of the core are."""
-
 _TILTS = {"firm ": 13.9 * math.pi / 180.0, "": 15.4 * math.pi / 180.0, "soft ": 16.9 * math.pi / 180.0}
 _ROLLING = {"fairway": 0.131, "green": 0.0784}
 

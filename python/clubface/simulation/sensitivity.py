@@ -10,7 +10,6 @@ from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named, reduced_model
-from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, UnitError
 from clubface.simulation import core
 from clubface.simulation.delivery import Delivery
@@ -213,7 +212,7 @@ def sensitivity(
     except ValueError as error:
         raise shot_error(error, columns, chosen) from None
     known_rows = _known_outputs(computed)
-    known_columns = _known_variables(model, chosen)
+    known_columns = _known_variables(model)
     rows = _chosen("output", outputs, known_rows)
     across = _chosen("variable", variables, {name: each for name, (_, each) in known_columns.items()})
     si = jacobian[[known_rows[name][0] for name in rows]][:, [known_columns[name][0] for name in across]]
@@ -231,7 +230,7 @@ def _known_outputs(computed: NDArray[Any]) -> dict[str, tuple[int, Quantity]]:
     return {name: (row, each) for row, (name, each) in found if computed[row] == computed[row]}
 
 
-def _known_variables(model: str, chosen: ParameterSet) -> dict[str, tuple[int, Quantity]]:
+def _known_variables(model: str) -> dict[str, tuple[int, Quantity]]:
     """Return column and quantity of every variable: the differentiable inputs, then the parameters of the model."""
     given = inputs()
     found = {name: (column, each) for column, (name, each) in enumerate(given.items()) if each.differentiable}

@@ -4,4 +4,4 @@ from clubface.studies.joining import Joined as Joined, join as join
 from clubface.studies.running import Outcome as Outcome, run as run
 from clubface.studies.state import Status as Status, status as status
 from clubface.studies.study import StudyFile as StudyFile, read_study as read_study
-from clubface.studies.summing import Summary as Summary, summary as summary
+from clubface.studies.summaries import Summary as Summary, summary as summary

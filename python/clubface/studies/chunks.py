@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from clubface.errors import ClubfaceError, FileError
-from clubface.studies.kinds import Task
+from clubface.studies.kinds.kind import Task
 from clubface.studies.parts import Names, read_part, write_part
 from clubface.studies.store import OTHERWISE, StudyStore, open_store
 from clubface.studies.study import StudyFile, read_study

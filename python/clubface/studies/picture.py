@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from clubface.plots.style import COLOURS, WIDTH, legend_above, styled
-from clubface.studies.summing import Along, Summary
+from clubface.studies.summaries import Along, Summary
 from clubface.tables.headings import heading_of
 from clubface.units import from_si, size
 

@@ -13,11 +13,11 @@ from typing import Any
 
 from clubface.errors import ClubfaceError, InputError
 from clubface.simulation.outside import Tally
+from clubface.studies.chunk_size import chunk_size
 from clubface.studies.chunks import COMPUTED, MENDED
-from clubface.studies.kinds import Task
+from clubface.studies.kinds.kind import Task
 from clubface.studies.pool import Pool
 from clubface.studies.shards import Shard, shard as shard_of
-from clubface.studies.sizing import chunk_size
 from clubface.studies.store import StudyStore, begin, store_of
 from clubface.studies.study import StudyFile, read_study
 from clubface.support.checks import is_count

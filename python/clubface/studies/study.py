@@ -33,8 +33,9 @@ from clubface import units
 from clubface.errors import ClubfaceError, FileError, InputError, Told, UnknownNameError
 from clubface.studies.axes import FORM, Axis, Swept, axis
 from clubface.studies.designs import DESIGNS, GRID, HYPERCUBE, SOBOL, TABLE, Design, Remembered, Rows, design
-from clubface.studies.kinds import Kind, kind
-from clubface.studies.referred import fingerprints_of
+from clubface.studies.kinds.kind import Kind
+from clubface.studies.kinds.registry import kind
+from clubface.studies.referenced_files import fingerprints_of
 from clubface.studies.table_rows import table_columns
 from clubface.support.checks import check_choice, check_name, is_count
 from clubface.support.strict_toml import Document

@@ -72,12 +72,10 @@ def whole_file(path: Name, *, folder: Path | None = None, new: bool = False) -> 
 
 
 @contextmanager
-def whole_text(
-    path: Name, *, encoding: str = "utf-8", folder: Path | None = None, new: bool = False
-) -> Iterator[TextIO]:
-    """Open a file for text; line ends are written as they are given. See :func:`whole_file`."""
-    with whole_file(path, folder=folder, new=new) as file:
-        text = io.TextIOWrapper(file, encoding=encoding, newline="", write_through=True)
+def whole_text(path: Name) -> Iterator[TextIO]:
+    """Open a file for text in UTF-8; line ends are written as they are given. See :func:`whole_file`."""
+    with whole_file(path) as file:
+        text = io.TextIOWrapper(file, encoding="utf-8", newline="", write_through=True)
         yield text
         text.detach()
 

@@ -16,7 +16,7 @@ from clubface.equipment.clubs import Club
 from clubface.errors import InputError
 
 if TYPE_CHECKING:
-    from clubface.design.golfer import Golfer
+    from clubface.design.golfer.golfer import Golfer
 
 MOST_COMBINATIONS = 10_000
 

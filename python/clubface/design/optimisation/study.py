@@ -12,7 +12,7 @@ import numpy as np
 
 from clubface import units
 from clubface.design.feasibility import MASS_PROPERTIES, Envelope, Volume, of_club, pseudo_inertia
-from clubface.design.golfers import golfer as golfer_of
+from clubface.design.golfer.golfers import golfer as golfer_of
 from clubface.design.optimisation.landings import DEFAULT_SETTING, FREE, Landings, Setting, own_value
 from clubface.design.optimisation.limits import Buildable, FieldLimit, ShotLimit
 from clubface.design.optimisation.objectives import Objective, objective, objectives
@@ -24,7 +24,7 @@ from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 from clubface.errors import InputError, Told
 
 if TYPE_CHECKING:
-    from clubface.design.golfer import Golfer
+    from clubface.design.golfer.golfer import Golfer
 
 MOST_SHOTS = 100_000
 DISTRIBUTION = "mass_distribution"

@@ -39,7 +39,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface import units
-from clubface.design.golfers import golfer as golfer_of
+from clubface.design.golfer.golfers import golfer as golfer_of
 from clubface.design.shells.study import QUANTITIES, Blow, NamedMetal, ShellStudy
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
 from clubface.fem.balls import ball as ball_of

@@ -13,6 +13,8 @@ from clubface.fem.result import Impact
 from clubface.plots.style import COLOURS, DASHES, WIDTH, styled
 
 BLUE, RED, GREEN = COLOURS[0], COLOURS[1], COLOURS[2]
+EVERY = 120e-6
+"""From one picture of the contact patch to the next [s]."""
 
 ENERGIES = {
     "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction", "damping": "damping",
@@ -41,14 +43,14 @@ def impact_figure(found: Impact) -> Figure:
 
 
 @styled
-def patch_figure(found: Impact, *, every: float = 120e-6) -> Figure:
+def patch_figure(found: Impact) -> Figure:
     """Draw normal and tangential forces over the contact patch, as figure 5 of Roh and Lee.
 
-    The moments are ``every`` [s] apart. Positive tangential forces make backspin, negative ones take it away.
+    The moments are 0.12 ms apart. Positive tangential forces make backspin, negative ones take it away.
     """
     patch = found.patch
     moments = np.unique(patch["time"])
-    wanted = np.arange(every, found.last_touch - 0.25 * every, every)[:6]
+    wanted = np.arange(EVERY, found.last_touch - 0.25 * EVERY, EVERY)[:6]
     if not len(wanted):
         wanted = np.array([0.5 * found.last_touch])
     chosen = list(dict.fromkeys(float(moments[np.argmin(abs(moments - each))]) for each in wanted))

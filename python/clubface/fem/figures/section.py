@@ -22,6 +22,8 @@ from clubface.support.whole_file import whole_file
 
 DOTS = 100
 """Pixels an inch of an animation."""
+DURATION = 5.0
+"""Of an animation [s]."""
 _FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 _COLOURS: dict[str, Any] = {"cmap": "YlOrRd", "edgecolors": "0.35", "linewidths": 0.25}
 
@@ -123,8 +125,8 @@ def section_figure(found: Impact, *, count: int = 5) -> Figure:
 
 
 @styled
-def animate(found: Impact, path: str | os.PathLike[str], *, seconds: float = 5.0) -> Path:
-    """Write the deforming section, beside the forces up to each moment, as an animated GIF.
+def animate(found: Impact, path: str | os.PathLike[str]) -> Path:
+    """Write the deforming section, beside the forces up to each moment, as an animated GIF of 5 s.
 
     Parameters
     ----------
@@ -132,8 +134,6 @@ def animate(found: Impact, path: str | os.PathLike[str], *, seconds: float = 5.0
         A run with frames; each becomes one picture.
     path
         The file, ending in .gif.
-    seconds
-        Duration of the film.
 
     Returns
     -------
@@ -188,7 +188,7 @@ def animate(found: Impact, path: str | os.PathLike[str], *, seconds: float = 5.0
         for artist in moving:
             figure.draw_artist(artist)
         pictures.append(Image.fromarray(np.array(canvas.buffer_rgba())[..., :3]).quantize(colors=96))
-    pace = max(20, round(1e3 * seconds / len(pictures)))
+    pace = max(20, round(1e3 * DURATION / len(pictures)))
     with whole_file(target) as file:
         pictures[0].save(file, format="gif", save_all=True, append_images=pictures[1:], duration=pace, loop=0)
     return target

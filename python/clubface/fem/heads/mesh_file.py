@@ -10,9 +10,9 @@ from typing import Any, NamedTuple
 
 from clubface.errors import FileError, in_a_line, shortened
 from clubface.fem.heads.mesh_lines import check_lines
-from clubface.support.apart import Apart, ApartError
+from clubface.support.isolated import IsolatedError, IsolatedProcess
 
-LIBRARY = Apart(Path(__file__).with_name("meshio_library.py"))
+LIBRARY = IsolatedProcess(Path(__file__).with_name("meshio_library.py"))
 MEMORY = 200
 """Bytes that the library may take for a byte of the file; it takes some 20."""
 SPEED = 1e5
@@ -54,7 +54,7 @@ def read_mesh(path: str) -> Mesh:
     size = os.path.getsize(path)
     try:
         found = LIBRARY.call("contents", os.path.abspath(path), memory=MEMORY * size, seconds=size / SPEED)
-    except ApartError as error:
+    except IsolatedError as error:
         raise FileError(path, None, f"this mesh cannot be read: {shortened(str(error), 200)}") from None
     notes = found.pop("notes")
     if notes.strip():

@@ -14,6 +14,8 @@ from clubface.support.checks import check_choice, check_count
 
 RULES = {"gauss": 2, "lobatto": 3}
 """Rules of points through the thickness, and the fewest points of each."""
+POINTS = 8
+"""Of a curve of hardening that is no table."""
 MAX_POINTS = 31
 
 
@@ -80,8 +82,8 @@ class Metal:
         if self.yield_stress is not None and not 1e6 <= self.yield_stress <= 0.1 * self.youngs:
             raise InputError("yield", units.show(self.yield_stress, "MPa"), "1 MPa to a tenth of youngs")
 
-    def curve(self, count: int = 8) -> list[tuple[float, float]]:
-        """Return plastic strains and yield stresses [Pa]: those of the table, or ``count`` up to a strain of 20%."""
+    def curve(self) -> list[tuple[float, float]]:
+        """Return plastic strains and yield stresses [Pa]: those of the table, or ``POINTS`` up to a strain of 20%."""
         if self.yield_stress is None:
             return []
         hardening = self.hardening or Hardening()
@@ -90,7 +92,7 @@ class Metal:
             last = (hardening.table[-1][0] + 0.2, hardening.table[-1][1])
             return list(hardening.table) if len(hardening.table) > 1 else [*hardening.table, last]
         # Closer where a saturating metal hardens most.
-        strains = [0.2 * (number / (count - 1)) ** 2 for number in range(count)]
+        strains = [0.2 * (number / (POINTS - 1)) ** 2 for number in range(POINTS)]
         return list(zip(strains, self.flow_stress(strains), strict=True))
 
     def flow_stress(self, strains: Sequence[float]) -> list[float]:

@@ -188,7 +188,7 @@ def _metric(data: Mapping[str, Any]) -> bool:
     return str(data.get("Units", "Yards")).strip().lower() in METRES
 
 
-def recorded(messages: Iterable[Message], *, hand: str | None = None, source: str = "Open Connect") -> RecordedShots:
+def recorded(messages: Iterable[Message], *, hand: str | None = None) -> RecordedShots:
     """Return the shots among the messages as :class:`RecordedShots`; ``rows`` are the shot numbers.
 
     A note counts the values that no shot can have.
@@ -213,7 +213,7 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None, source: st
         launches=columns([each.launch for each in shots]),
         hand=None if hand is None else np.array([hand] * len(shots), dtype=object),
         rows=np.array([each.shot_number for each in shots], dtype=np.int64),
-        source=source,
+        source="Open Connect",
         format="open-connect",
         notes=(note_of(counts),) if counts else (),
     )

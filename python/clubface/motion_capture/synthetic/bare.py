@@ -64,7 +64,6 @@ def record_bare(
     seed: int | np.random.Generator,
     *,
     assumed: Assumed | None = None,
-    path: str = "<synthetic>",
 ) -> BareSwing:
     """Record a swing with its address by three markers on the head.
 
@@ -78,8 +77,6 @@ def record_bare(
         The same seed gives the same recording.
     assumed
         How widely what is not measured is drawn.
-    path
-        Name of the recording.
     """
     random, spread = np.random.default_rng(seed), assumed or Assumed()
     cluster = _cluster(swing.club, random, spread)
@@ -99,13 +96,15 @@ def record_bare(
     attitude[:early] = exponential(part[:, None] * logarithm(turned[0] @ held.T)) @ held
     local = np.array(list(cluster.values())) + np.array(swing.club.cg)
     seen = (position[:, None] + np.einsum("kij,mj->kmi", attitude, local)) * swing.mirror
-    recording = Recording(labels=tuple(cluster), positions=cameras.measured(seen, random), rate=cameras.rate, path=path)
+    recording = Recording(
+        labels=tuple(cluster), positions=cameras.measured(seen, random), rate=cameras.rate, path="<synthetic>"
+    )
     return BareSwing(recording=recording, cluster=cluster, angles=np.array([loft, face, lie]), first=float(times[0]))
 
 
-def asked_at_random(seed: int | np.random.Generator, assumed: Assumed | None = None) -> dict[str, float]:
+def asked_at_random(seed: int | np.random.Generator) -> dict[str, float]:
     """Return face angle, lie and impact point of a swing, as widely scattered as a reader has to assume [SI]."""
-    random, spread = np.random.default_rng(seed), assumed or Assumed()
+    random, spread = np.random.default_rng(seed), Assumed()
     deviations = {
         "face": spread.delivered_face, "lie": spread.delivered_lie, "toe": spread.toe, "high": spread.high,
     }  # fmt: skip

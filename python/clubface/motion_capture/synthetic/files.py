@@ -39,13 +39,13 @@ def positions_map(club: Club, cameras: Cameras) -> MarkerMap:
     )
 
 
-def calibration_map(club: Club, cameras: Cameras, path: str = "<mapping>") -> MarkerMap:
+def calibration_map(club: Club, cameras: Cameras) -> MarkerMap:
     """Return the mapping that has the cluster placed by a calibration file."""
     kind = kind_of(club)
     return MarkerMap(
         cluster=dict.fromkeys(CLUSTERS[kind]), face=dict(FACE[kind]), calibration=CALIBRATION, accuracy=0.0,
         ball=BALL,
-        target=cameras.target, up=cameras.up, club=club.name, path=path,
+        target=cameras.target, up=cameras.up, club=club.name,
     )  # fmt: skip
 
 

@@ -1,0 +1,1 @@
+"""Shots side by side, their differences, and what makes them."""

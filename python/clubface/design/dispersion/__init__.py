@@ -1,0 +1,1 @@
+"""Where the shots of a golfer go: by sampling, by derivatives, and what spreads them."""

@@ -1,0 +1,289 @@
+"""A face struck everywhere: launch and flight over it, its best point, and what a spread of impacts costs."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from clubface import units
+from clubface.design.comparison.quantities import QUANTITIES, quantities, symbol
+from clubface.design.face_map.forgiveness import Forgiveness, forgiveness
+from clubface.design.face_map.outline import Outline, outline_of
+from clubface.design.face_map.shots import Struck, run_points
+from clubface.design.face_map.surface import Surface, surface_of
+from clubface.equipment.backends import MODULES
+from clubface.equipment.clubs import Club, club as club_of
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.errors import InputError, RangeWarning, RunError, Told
+from clubface.simulation.flight_inputs import check_conditions
+from clubface.simulation.impact import impact
+from clubface.simulation.inputs import as_values
+from clubface.simulation.launch import Launch
+from clubface.simulation.quantities import outputs
+from clubface.support.checks import check_choice, check_share, is_count
+from clubface.support.warning import without_warnings
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import NDArray
+
+GRID = (101, 101)
+COARSE = (9, 7)
+"""Points towards the toe and upwards, unless given: of a model that computes at once, and of one that takes long."""
+LEAST, MOST = 3, 2001
+"""Points along a side of a grid."""
+MOST_LONG = 1000
+"""Points of a model that takes long."""
+SHARE = 0.98
+"""Of the best ball speed: what is within counts as the effective face."""
+
+
+class Best(NamedTuple):
+    """Where a quantity is greatest.
+
+    Attributes
+    ----------
+    toe, high
+        The point [m].
+    value
+        The quantity there [SI].
+    """
+
+    toe: float
+    high: float
+    value: float
+
+
+class FaceMap:
+    """Launch and flight over a face, SI; arrays have the shape (high, toe), NaN beside the face.
+
+    Attributes
+    ----------
+    toe, high
+        The points of the grid [m], from the face centre towards the toe and upwards.
+    outline
+        The outline of the face.
+    centre
+        A launch at the face centre, which tells model, parameters, club, ball and delivery.
+    interpolated
+        Whether values between the points, the best point, areas and forgiveness are interpolated. They are for a model
+        that takes long; any other computes them.
+    """
+
+    def __init__(
+        self, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any], outline: Outline, surface: Surface,
+        centre: Launch,
+    ) -> None:  # fmt: skip
+        self.toe, self.high, self.outline, self.centre = toe, high, outline, centre
+        self.surface = surface
+        self._table = table
+        self.interpolated = surface.interpolated
+
+    def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
+        """Return a quantity over the grid, in SI or in ``unit``."""
+        check_choice("quantity", name, QUANTITIES)
+        values = self._table[QUANTITIES.index(name)]
+        return values if unit is None else units.from_si(values, symbol(name, unit))
+
+    def at(self, toe: Any, high: Any) -> dict[str, NDArray[Any]]:
+        """Return all quantities [SI] at points [m] of the face, by name."""
+        toe, high = np.broadcast_arrays(
+            units.parse_values(toe, "length", name="toe"), units.parse_values(high, "length", name="high")
+        )
+        found = self.surface.at(toe.reshape(-1), high.reshape(-1))
+        return {name: row.reshape(toe.shape) for name, row in zip(QUANTITIES, found, strict=True)}
+
+    def best(self, name: str = "ball_speed") -> Best:
+        """Return where a quantity is greatest; for ball speed that is the sweet spot."""
+        check_choice("quantity", name, QUANTITIES)
+        return Best(*self.surface.greatest(QUANTITIES.index(name)))
+
+    def area(self, share: float = SHARE) -> float:
+        """Return the area [m2] of the face on which the ball speed is at least a ``share`` of the best."""
+        check_share(share)
+        return self.surface.area(QUANTITIES.index("ball_speed"), share * self.best().value)
+
+    def forgiveness(self, spread: tuple[Any, Any], *, toe: Any = 0.0, high: Any = 0.0) -> Forgiveness:
+        """Return what impacts cost that scatter about a point, normally and towards the toe and upwards independently.
+
+        Parameters
+        ----------
+        spread
+            Standard deviations towards the toe and upwards [m], or text with a unit.
+        toe, high
+            The point they scatter about [m], or text with a unit; the face centre unless given.
+
+        Raises
+        ------
+        InputError
+            A standard deviation is not above 0 or larger than the face, or the point is not on the face.
+        """
+        return forgiveness(self.surface, self.outline, spread, toe, high)
+
+    def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """Return places towards the toe and upwards [m], and a quantity [SI] over the whole box around the face.
+
+        It reaches beyond the outline, so that a picture can be cut along it, and is fine where the grid is coarse.
+        """
+        check_choice("quantity", name, QUANTITIES)
+        toe, high, table = self.surface.box()
+        return toe, high, table[QUANTITIES.index(name)]
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Return a long table [SI]: ``toe``, ``high`` and every quantity, a row for each point of the face."""
+        return on_face(self)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a dataset over ``high`` and ``toe`` [SI], with units, meanings and what it was computed with."""
+        import xarray
+
+        from clubface.simulation.results import attributes, flattened
+
+        variables = {
+            name: (("high", "toe"), self.get(name), attributes(each.unit, each.meaning))
+            for name, each in quantities().items()
+        }
+        attrs = {**flattened(self.centre.provenance), "outline": self.outline.told}
+        return xarray.Dataset(variables, {"toe": self.toe, "high": self.high}, attrs=attrs)
+
+    def __repr__(self) -> str:
+        best = self.best()
+        place = ", ".join(units.fixed(each, "mm", 1) for each in (best.toe, best.high))
+        size = units.from_si(self.area(), "mm2")
+        return (
+            f"map of the face of {self.centre.club.name} by {self.centre.model}, {len(self.toe)} by {len(self.high)}:"
+            f" best ball speed {units.fixed(best.value, 'mph', 1)} at {place}, within 2 % of it on {size:.0f} mm2"
+        )
+
+
+def on_face(of: Any) -> dict[str, NDArray[Any]]:
+    """Return ``toe``, ``high`` and every quantity [SI] of a map, or of a difference, at the points of the face."""
+    toe, high = np.meshgrid(of.toe, of.high)
+    inside = of.outline.holds(toe, high)
+    return {"toe": toe[inside], "high": high[inside], **{name: of.get(name)[inside] for name in QUANTITIES}}
+
+
+def map_face(
+    club: str | os.PathLike[str] | Club,
+    delivery: Any = None,
+    *,
+    model: str = DEFAULT_MODEL,
+    parameters: Any = None,
+    ball: Any = None,
+    accuracy: float | None = None,
+    grid: tuple[int, int] | None = None,
+    points: tuple[Any, Any] | None = None,
+    air: Any = None,
+    wind: Any = None,
+    ground: str | Mapping[str, Any] | None = None,
+    output: str | os.PathLike[str] | None = None,
+    workers: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+    **values: Any,
+) -> FaceMap:
+    """Strike a face everywhere.
+
+    The clubhead is delivered in the same way at every point; dynamic loft and face angle are those at the face centre,
+    to which bulge and roll add what they do. Each point is the shot that :func:`clubface.impact` and
+    :func:`clubface.fly` give, bit for bit.
+
+    Parameters
+    ----------
+    club, delivery, model, parameters, ball, accuracy, **values
+        As for :func:`clubface.impact`, for a single shot without ``toe`` and ``high``.
+    grid
+        Numbers of points towards the toe and upwards, over the box around the face; left out, 101 by 101, or 9 by 7 for
+        a model that takes long.
+    points
+        Instead of a grid: the places towards the toe and upwards [m], each rising.
+    air, wind, ground
+        Of the flights, as for :func:`clubface.fly`.
+    output
+        For a model that takes long: a file. What is finished is kept in a folder beside it until the file is written,
+        and the same call goes on after it.
+    workers
+        For a model that takes long: points at a time; left out, one for each core.
+    progress
+        Called with the number of points done and the number of points.
+
+    Raises
+    ------
+    InputError
+        The delivery is no single shot or says where the ball is struck, the grid is too coarse or too fine, or an
+        option has no effect on this model.
+    RunError
+        No point of the face has a shot.
+    """
+    chosen = club_of(club)
+    check_conditions(air, wind, ground)
+    if workers is not None and model not in MODULES:
+        raise InputError("workers", workers, f"leave it out: {model} computes all points at once")
+    given = dict(as_values(delivery, values))
+    for name in ("toe", "high"):
+        struck = given.pop(name, None)  # a Delivery has zeros there
+        if struck is not None and not (isinstance(struck, int | float) and struck == 0.0):
+            raise InputError(name, struck, "left out or zero: a map strikes the whole face")
+    if model in MODULES:
+        from clubface.simulation.backends import backend_of
+        from clubface.simulation.inputs import equipped, shots
+
+        described = backend_of(model).balls(ball, accuracy).described
+        with_, found = equipped(model, chosen, described, parameters)
+        with without_warnings(RangeWarning):
+            impact(chosen, given, ball=described)  # refuses a delivery that no model takes
+        hit = shots(with_, given)
+        centre = Launch(np.full((len(outputs()), 1), np.nan), hit, model, found, accuracy)
+    else:
+        with without_warnings(RangeWarning):
+            centre = impact(chosen, given, model=model, parameters=parameters, ball=ball, accuracy=accuracy)
+    conditions = {"air": air, "wind": wind, "ground": ground}
+    settled = Struck(chosen, model, centre.parameters, ball, accuracy, given, conditions)
+    if centre.shape:
+        raise InputError("delivery", Told(f"a batch of shape {centre.shape}"), "a single one")
+    outline = outline_of(chosen)
+    toe, high = _points(outline, grid, points, long=settled.takes_long)
+    across, up = (each.reshape(-1) for each in np.meshgrid(toe, high))
+    if settled.takes_long:
+        inside = outline.holds(across, up)
+        table = np.full((len(QUANTITIES), across.size), np.nan)
+        table[:, inside] = run_points(
+            settled, across[inside], up[inside], output=output, workers=workers, progress=progress
+        )
+    else:
+        told = progress and (lambda done: progress(done, across.size))
+        table = settled.at(across, up, remark=True, progress=told)
+    surface = surface_of(settled, outline, toe, high, table)
+    table = np.where(outline.holds(across, up), table, np.nan).reshape(len(QUANTITIES), len(high), len(toe))
+    if not np.isfinite(table).any():
+        raise RunError("no point of the face has a shot")
+    return FaceMap(toe, high, table, outline, surface, centre)
+
+
+def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return the places towards the toe and upwards [m]."""
+    if points is not None:
+        if grid is not None:
+            raise InputError("grid", grid, "leave out either points or grid")
+        if not isinstance(points, (tuple, list)) or len(points) != 2:
+            raise InputError("points", points, "the places towards the toe and upwards")
+        toe, high = (np.atleast_1d(units.parse_values(each, "length", name="points")) for each in points)
+        for each in (toe, high):
+            rising = each.ndim == 1 and np.isfinite(each).all() and (np.diff(each) > 0.0).all()
+            if not rising or not 1 <= each.size <= MOST:
+                raise InputError("points", each, f"1 to {MOST} places one after the other, each rising")
+        counts = (len(toe), len(high))
+    else:
+        counts = (COARSE if long else GRID) if grid is None else grid
+        counts = tuple(counts) if isinstance(counts, Iterable) else ()
+        if len(counts) != 2 or not all(is_count(each, LEAST, MOST) for each in counts):
+            raise InputError("grid", grid, f"two whole numbers from {LEAST} to {MOST}, as in 101 by 101")
+        ends = zip(outline.least.tolist(), outline.greatest.tolist(), counts, strict=True)
+        toe, high = (np.linspace(least, greatest, count) for least, greatest, count in ends)
+    if long and counts[0] * counts[1] > MOST_LONG:
+        raise InputError(
+            "grid", f"{counts[0]} by {counts[1]}", f"at most {MOST_LONG} points for a model that takes long"
+        )
+    return toe, high

@@ -1,0 +1,80 @@
+"""Studies of motion capture: errors of the readings of synthetic swings whose truth is known, in any laboratory."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from clubface.equipment.described import HANDS
+from clubface.errors import InputError
+from clubface.motion_capture.estimators import ESTIMATORS, ROUGHNESS
+from clubface.motion_capture.reduction import QUANTITIES
+from clubface.motion_capture.setup import prepare
+from clubface.motion_capture.study import read_swing
+from clubface.motion_capture.synthetic.files import positions_map
+from clubface.motion_capture.synthetic.golfer import random_swing
+from clubface.motion_capture.synthetic.laboratory import Cameras
+from clubface.simulation.quantities import inputs
+from clubface.studies.axes import Swept, number
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.kinds.one_by_one import OneByOne, Values
+from clubface.studies.kinds.shot_inputs import resolved
+
+NUMBERS = {"swing": "1", "seed": "1", "rate": "1", "noise": "m", "gaps": "1", "gap": "1", "roughness": "1"}
+"""Units of what may be given or swept: which swing, and the laboratory; the rate is a number of frames a second."""
+NAMES = ("club", "hand", "estimator")
+OF_CAMERAS = ("rate", "noise", "gaps", "gap")
+
+
+def _columns() -> dict[str, Column]:
+    found: dict[str, Column] = {}
+    for name in QUANTITIES:
+        unit = inputs()[name].unit
+        found[f"{name}_error"] = Column(unit, f"captured less true: {inputs()[name].meaning}")
+        found[f"{name}_stated"] = Column(unit, f"standard deviation that the reading states: {inputs()[name].meaning}")
+    return found | {"touch_error": Column("s", "error of the instant of first touch")}
+
+
+def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
+    named = {"club": Swept(None), "hand": Swept(None, tuple(HANDS)), "estimator": Swept(None, tuple(ESTIMATORS))}
+    return {**{name: Swept(unit) for name, unit in NUMBERS.items()}, **named}
+
+
+def _files(study: Described) -> list[Path]:
+    return files_named(study, "club")
+
+
+def _task(study: Described) -> OneByOne:
+    table = study.table
+    held: dict[str, Any] = {"seed": 1.0, "roughness": ROUGHNESS, "club": "driver", "hand": None}
+    held |= {"estimator": next(iter(ESTIMATORS))}
+    held |= {name: number(name, table[name], unit) for name, unit in NUMBERS.items() if name in table}
+    held |= {name: table[name] for name in NAMES if name in table}
+    if "swing" not in {*held, *(each.name for each in study.design.axes)}:
+        raise InputError("swing", None, "sweep it, as in swing = { from = 0, to = 199, step = 1 }")
+
+    @lru_cache(maxsize=len(ESTIMATORS))
+    def reader(club: str, hand: str | None, cameras: Cameras, estimator: str, roughness: float) -> Any:
+        made = random_swing(0, club=resolved(club, study.folder), hand=hand).club
+        return made, prepare(positions_map(made, cameras), made, estimator=estimator, roughness=roughness)
+
+    def compute(task: Values) -> dict[str, Any]:
+        how = {**held, **task}
+        cameras = replace(Cameras(), **{name: how[name] for name in OF_CAMERAS if name in how})
+        club, ready = reader(how["club"], how["hand"], cameras, how["estimator"], how["roughness"])
+        _, errors, stated, touch = read_swing(
+            int(how["swing"]), seed=int(how["seed"]), club=club, cameras=cameras, ready=(ready,)
+        )
+        figures = {f"{name}_error": each for name, each in zip(QUANTITIES, errors[0], strict=True)}
+        figures |= {f"{name}_stated": each for name, each in zip(QUANTITIES, stated[0], strict=True)}
+        return {**figures, "touch_error": touch[0]}
+
+    columns = _columns()
+    usual = tuple(name for name in columns if name.endswith("_error"))
+    return OneByOne(study, chosen_columns(table, columns, usual), compute)
+
+
+KIND = Kind(name="capture", keys=(*NAMES, *NUMBERS, "outputs"), swept=_swept, files=_files, task=_task)

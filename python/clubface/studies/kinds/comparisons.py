@@ -1,0 +1,111 @@
+"""Studies of two shots side by side, such as two clubs, at every input that is swept."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.studies.designs import Design
+from clubface.studies.kinds.impacts import KIND as IMPACT, Impacts
+from clubface.studies.kinds.kind import Column, Computed, Described, Kind
+from clubface.studies.kinds.shot_inputs import CHOSEN, KEYS, files_of_shots, swept_shots
+from clubface.support.checks import check_names
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+OTHER = "other"
+"""The table of what is different in the second shot."""
+
+
+class DesignWithout:
+    """A design that leaves some inputs out. See :class:`clubface.studies.designs.Design`."""
+
+    def __init__(self, of: Design, names: Collection[str]) -> None:
+        self.axes = tuple(each for each in of.axes if each.name not in names)
+        self.count = of.count
+        self._of = of
+
+    def values(self, tasks: range) -> dict[str, NDArray[Any]]:
+        """Return the inputs of consecutive tasks by name."""
+        found = self._of.values(tasks)
+        return {each.name: found[each.name] for each in self.axes}
+
+
+@dataclass(frozen=True)
+class OneShot:
+    """One of the two shots. See :class:`clubface.studies.kinds.kind.Described`."""
+
+    of: Described
+    table: Mapping[str, Any]
+    design: Design
+
+    @property
+    def sweep(self) -> Mapping[str, Any]:
+        """What is swept of it."""
+        return {each.name: self.of.sweep.get(each.name) for each in self.design.axes}
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the study."""
+        return self.of.folder
+
+    def wrap(self, error: ClubfaceError) -> FileError:
+        """Return an error with file and line."""
+        return self.of.wrap(error)
+
+
+def _first(study: Described) -> OneShot:
+    return OneShot(study, {name: each for name, each in study.table.items() if name != OTHER}, study.design)
+
+
+def _second(study: Described) -> OneShot:
+    """Return the second shot: what it holds itself is not swept in it."""
+    other = study.table.get(OTHER)
+    if not isinstance(other, Mapping) or not other:
+        raise InputError(OTHER, other, 'a table of what is different, as in other = { club = "3-wood" }')
+    check_names(f"key of {OTHER}", other, KEYS)
+    first, held = _first(study).table, other.get("held", {})
+    table = {**first, **other, "held": {**first.get("held", {}), **held}}
+    return OneShot(study, table, DesignWithout(study.design, {*held, *(name for name in CHOSEN if name in other)}))
+
+
+class Comparisons:
+    """Two shots and their difference. See :class:`clubface.studies.kinds.kind.Task`."""
+
+    columns: Mapping[str, Column]
+    depends_on: Mapping[str, str]
+
+    def __init__(self, study: Described) -> None:
+        self._both = (Impacts(_first(study)), Impacts(_second(study)))
+        self._names = tuple(self._both[0].columns)
+        self.depends_on = {**self._both[0].depends_on, **self._both[1].depends_on}
+        self.columns = {}
+        for name, each in self._both[0].columns.items():
+            self.columns |= {name: each, f"{name}_other": Column(each.unit, f"of the other: {each.meaning}")}
+            self.columns[f"{name}_difference"] = Column(each.unit, f"of the other less of the first: {each.meaning}")
+
+    def run(self, indices: range) -> Computed:
+        """Compute both shots of every task."""
+        from clubface.simulation.outside import Tally
+
+        first, second = (each.run(indices) for each in self._both)
+        found, tally = {}, Tally()
+        for each in (first, second):
+            tally.add_counts(each.outside)
+        for name in self._names:
+            one, other = first.columns[name], second.columns[name]
+            found |= {name: one, f"{name}_other": other, f"{name}_difference": other - one}
+        return Computed(found, sorted(({**dict(second.failed), **dict(first.failed)}).items()), tally.counts())
+
+
+def _files(study: Described) -> list[Path]:
+    other = study.table.get(OTHER)
+    both = [study, OneShot(study, other, study.design)] if isinstance(other, Mapping) else [study]
+    return list(dict.fromkeys(path for each in both for path in files_of_shots(each)))
+
+
+KIND = Kind(name="comparison", keys=(*IMPACT.keys, OTHER), swept=swept_shots, files=_files, task=Comparisons)

@@ -1,0 +1,149 @@
+"""What a study may compute: the interface of a kind of study and of its task.
+
+A kind is a module with a ``KIND``. The study names it, gives it a table of its own, and sweeps what it says may be
+swept. From the study it makes a task, whose columns at any index follow from the study and the index alone. One more is
+added by one such module and one line in :mod:`clubface.studies.kinds.registry`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+
+from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.studies.axes import Swept
+from clubface.studies.designs import Design
+from clubface.support.checks import check_names
+from clubface.support.shipped import is_path
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+class Column(NamedTuple):
+    """A column that a task computes.
+
+    Attributes
+    ----------
+    unit
+        Its SI unit, "1" for none.
+    meaning
+        One line.
+    """
+
+    unit: str
+    meaning: str
+
+
+class Computed(NamedTuple):
+    """What a task computes at some indices.
+
+    Attributes
+    ----------
+    columns
+        Numbers by name [SI], float64, shape (indices,); NaN where there is no result.
+    failed
+        The indices without a result, and why; rising.
+    outside
+        The shots outside the range of their model, as :meth:`clubface.simulation.outside.Tally.counts` tells them.
+    """
+
+    columns: Mapping[str, NDArray[Any]]
+    failed: Sequence[tuple[int, str]] = ()
+    outside: Sequence[Any] = ({}, [])
+
+
+class Task(Protocol):
+    """What is computed.
+
+    Attributes
+    ----------
+    columns
+        The columns by name.
+    depends_on
+        What beside study and version may change bits of the result, such as the processor; told with each part.
+    """
+
+    columns: Mapping[str, Column]
+    depends_on: Mapping[str, str]
+
+    def run(self, indices: range) -> Computed:
+        """Compute consecutive indices on one thread; the result must not depend on which are computed together."""
+        ...
+
+
+class Described(Protocol):
+    """What a kind knows of a study, which is a :class:`clubface.studies.study.StudyFile`."""
+
+    @property
+    def table(self) -> Mapping[str, Any]:
+        """The table of the kind, as in the file."""
+        ...
+
+    @property
+    def sweep(self) -> Mapping[str, Any]:
+        """The table [sweep], as in the file."""
+        ...
+
+    @property
+    def design(self) -> Design:
+        """Which inputs each task has."""
+        ...
+
+    @property
+    def folder(self) -> Path:
+        """The folder in which relative names of files begin."""
+        ...
+
+    def wrap(self, error: ClubfaceError) -> FileError:
+        """Return an error about a value of the kind's table with file and line."""
+        ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Kind:
+    """A kind of study.
+
+    Attributes
+    ----------
+    name
+        As in the file of a study, and the name of the table that the kind has there.
+    keys
+        The keys of that table.
+    swept
+        From the kind's table and [sweep], as the file has them, to the inputs that may be swept.
+    files
+        From a study to the files that its result depends on, without those that they name in turn.
+    task
+        From a study to its task; what is wrong with the study is an error here, before any work.
+    """
+
+    name: str
+    keys: tuple[str, ...]
+    swept: Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Swept]]
+    files: Callable[[Described], Sequence[Path]]
+    task: Callable[[Described], Task]
+
+    def prepare(self, study: Described) -> Task:
+        """Return the task of a study; an error about a value of the kind's table names file and line."""
+        try:
+            return self.task(study)
+        except ClubfaceError as error:
+            raise study.wrap(error) from None
+
+
+def files_named(study: Described, *keys: str) -> list[Path]:
+    """Return the files that a study names under some keys of its kind's table, or sweeps there."""
+    names = [*(study.table.get(key) for key in keys), *(each for key in keys for each in study.sweep.get(key, ()))]
+    return [study.folder / each for each in names if isinstance(each, str) and is_path(each)]
+
+
+def chosen_columns(table: Mapping[str, Any], every: Mapping[str, Column], usual: Sequence[str]) -> dict[str, Column]:
+    """Return the columns that the table of a kind asks for by ``outputs``, or the usual ones."""
+    names = table.get("outputs", usual)
+    if not isinstance(names, list | tuple) or not names:
+        raise InputError("outputs", names, f'a list of quantities, as in ["{usual[0]}"]')
+    check_names("output", names, every)
+    return {name: every[name] for name in names}

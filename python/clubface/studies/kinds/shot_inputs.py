@@ -1,0 +1,220 @@
+"""What all studies of shots have in common: club, ball and model, what of them may be swept, and the conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, TypeGuard
+
+from clubface.equipment.backends import MODULES, OWN
+from clubface.equipment.balls import RIGID, ball as ball_of
+from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
+from clubface.equipment.described import HANDS
+from clubface.equipment.models import DEFAULT_MODEL, model as model_of, models
+from clubface.equipment.parameters import ParameterSet
+from clubface.errors import InputError, Told
+from clubface.simulation.air import Air
+from clubface.simulation.flight_inputs import check_conditions, conditions
+from clubface.simulation.grounds import ground_of
+from clubface.simulation.inputs import parameter_set
+from clubface.simulation.quantities import flight_inputs, inputs
+from clubface.simulation.run_options import tolerance
+from clubface.studies.axes import Swept, number
+from clubface.studies.kinds.kind import Described, files_named
+from clubface.support.checks import check_choice, check_names
+from clubface.support.processors import vector_units
+from clubface.support.shipped import is_path
+
+CHOSEN = ("model", "club", "ball", "hand")
+"""What has names: one shot after the other cannot have its own, so that shots are computed by these."""
+CONDITIONS = ("air", "wind", "ground")
+KEYS = (*CHOSEN, "parameters", "accuracy", "held", *CONDITIONS)
+WANTED = {
+    "club": 'give it, as in club = "driver"',
+    "speed": 'give it under [sweep], or hold it, as in held = { speed = "113 mph" }',
+}  # fmt: skip
+OF_CLUB = {"club_mass": "mass", "static_loft": "loft"}
+OF_CLUB |= {name: name for name in CLUB_PROPERTIES if name not in ("mass", "loft", "cor")}
+"""The field of a club by the input of a shot that has its value."""
+OF_WIND = {"wind_x": "m/s", "wind_y": "m/s", "wind_z": "m/s", "wind_speed": "m/s", "wind_direction": "rad"}
+OF_AIR = {name: "m" if name == "altitude" else flight_inputs()[name].unit for name in Air.__dataclass_fields__}
+OF_GROUND = {name: each.unit for name, each in flight_inputs().items() if each.group == "ground"}
+"""Units of the numbers of the conditions."""
+BY_GROUP = dict(zip(CONDITIONS, (OF_AIR, OF_WIND, OF_GROUND), strict=True))
+
+
+def swept_conditions() -> dict[str, Swept]:
+    """Return the numbers of air, wind and ground that may be swept."""
+    return {name: Swept(unit, group=group) for group, known in BY_GROUP.items() for name, unit in known.items()}
+
+
+def swept_shots(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
+    """Return what of a shot may be swept: its inputs, the parameters of its models, conditions, and what has names."""
+    named = {"club": Swept(None), "ball": Swept(None), "model": Swept(None, tuple(models()))}
+    numbers = {name: Swept(each.unit) for name, each in inputs().items() if name != "hand"}
+    given = sweep.get("model", table.get("model", DEFAULT_MODEL))
+    parameters: dict[str, Swept] = {}
+    for each in given if isinstance(given, list) else [given]:
+        if each in OWN:
+            raise InputError("model", each, "one of the package: a law of your own is known in one process alone")
+        parameters |= {of.name: Swept(of.unit) for of in model_of(each).parameters}
+    return {**parameters, **numbers, **swept_conditions(), **named, "hand": Swept(None, tuple(HANDS))}
+
+
+def files_of_shots(study: Described) -> list[Path]:
+    """Return the files of clubs, balls and parameters."""
+    given = study.table.get("parameters")
+    texts = [given] if isinstance(given, str) else given.values() if _is_by_model(given) else ()
+    parameters = [study.folder / each for each in texts if isinstance(each, str) and is_path(each)]
+    return [*files_named(study, "club", "ball"), *parameters]
+
+
+class Conditions:
+    """Air, wind and ground of flights: what a table holds, and what is swept of it."""
+
+    def __init__(self, study: Described) -> None:
+        self._held = {group: study.table.get(group) for group in CONDITIONS}
+        for group, known in BY_GROUP.items():
+            held = self._held[group]
+            swept = [each.name for each in study.design.axes if each.name in known]
+            if swept and not isinstance(held or {}, Mapping):
+                raise InputError(group, held, f"a table of {', '.join(known)}, since {swept[0]} is swept")
+            for name in swept if held else ():
+                _refuse_twice(name, held)
+        ground_of(self._held["ground"])
+        # What is swept may leave its range here and there; whether it goes with what is held is known now.
+        first = self.at({name: float(each[0]) for name, each in study.design.values(range(1)).items()})
+        conditions(first["air"], first["wind"])
+        if first["wind"] == self._held["wind"]:
+            check_conditions(self._held["air"], self._held["wind"])
+
+    def at(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return air, wind and ground as a flight takes them, from what is swept; the rest of the values is left."""
+        found = dict(self._held)
+        for group, known in BY_GROUP.items():
+            if changed := {name: each for name, each in values.items() if name in known}:
+                found[group] = {**(found[group] or {}), **changed}
+        return found
+
+
+class ShotInputs:
+    """Shots of a study, of which some things are held and others swept.
+
+    Attributes
+    ----------
+    choices
+        The names of what is swept by names, in the order of the axes.
+    conditions
+        Air, wind and ground.
+    depends_on
+        As of :class:`clubface.studies.kinds.kind.Task`.
+    """
+
+    def __init__(self, study: Described, *, needs: Sequence[str] = ("club", "speed")) -> None:
+        _check(study, needs)
+        self._folder = study.folder
+        self.table = table = study.table
+        axes = {each.name: each for each in study.design.axes}
+        self.choices = {name: axes[name].choices for name in CHOSEN if name in axes}
+        for name in axes:
+            _refuse_twice(name, table, table.get("held", {}))
+        # Files are read once: what they hold later is another study.
+        named = self.choices.get
+        self._clubs = {each: club_of(resolved(each, self._folder)) for each in named("club") or _one(table, "club")}
+        self._balls = {
+            each: ball_of(path) if is_path(path := resolved(each, self._folder)) else each
+            for each in named("ball") or [table.get("ball")]
+        }
+        self.conditions = Conditions(study)
+        self._held = {name: number(name, each, inputs()[name].unit) for name, each in table.get("held", {}).items()}
+        delivery = {*inputs(), *CHOSEN, *swept_conditions()}
+        known = swept_shots(table, study.sweep)
+        self._parameters = [name for name in axes if name in known and name not in delivery]
+        self._accuracy = tolerance(table.get("accuracy"))
+        names = named("model") or (table.get("model", DEFAULT_MODEL),)
+        self.depends_on = {"processor": vector_units()} if any(name in MODULES for name in names) else {}
+
+    def equipped(self, names: Mapping[str, str], values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the options of :func:`clubface.impact` for what has names and for parameters that are swept."""
+        table = {**self.table, **names}
+        which = self._clubs.get(table.get("club"))
+        model = table.get("model", DEFAULT_MODEL)
+        given = _given(table, model, self._folder)
+        changed = {name: values[name] for name in self._parameters}
+        if changed:
+            of: ParameterSet = parameter_set(model, which or club_of("driver"), given)
+            given = of.replace(**changed)
+        return {
+            "club": which, "model": model, "parameters": given, "ball": self._balls[table.get("ball")],
+            "accuracy": self._accuracy,
+        }  # fmt: skip
+
+    def single(self, task: Mapping[str, Any], club: Club | None = None) -> dict[str, Any]:
+        """Return the options of :func:`clubface.impact` for one task, whose club and ball have what is swept of them.
+
+        A ``club`` stands in where neither the study nor the task names one.
+        """
+        names = {name: task[name] for name in self.choices}
+        options = self.equipped(names, task)
+        values = {**self._held, **{name: each for name, each in task.items() if name in inputs()}}
+        of_club = {field: values.pop(name) for name, field in OF_CLUB.items() if name in values}
+        of_ball = {name: values.pop(f"ball_{name}") for name in RIGID if f"ball_{name}" in values}
+        hand = {**self.table, **names}.get("hand")
+        of_club |= {} if hand is None else {"hand": HANDS[hand]}
+        own: Any = options["club"] or club
+        options["club"] = own.replace(**of_club) if of_club else own
+        if of_ball:
+            options["ball"] = ball_of(options["ball"]).replace(**of_ball)
+        return {**options, "delivery": values}
+
+    def delivered(self, names: Mapping[str, str], values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the inputs of shots that are held and swept."""
+        hand = {**self.table, **names}.get("hand")
+        swept = {name: each for name, each in values.items() if name in inputs()}
+        return {**self.table.get("held", {}), **swept, **({} if hand is None else {"hand": HANDS[hand]})}
+
+
+def _check(study: Described, needs: Sequence[str]) -> None:
+    """Refuse what no shot can have, before one is computed."""
+    table = study.table
+    for name in CHOSEN:
+        if not isinstance(table.get(name, ""), str):
+            raise InputError(name, table[name], "one name in quotes; several go to [sweep]")
+    check_choice("hand", table.get("hand", "right"), HANDS)
+    held = table.get("held", {})
+    if not isinstance(held, Mapping):
+        raise InputError("held", held, 'a table, as in held = { speed = "113 mph" }')
+    check_names("input", held, [each for each in inputs() if each != "hand"])
+    for name, value in held.items():
+        number(name, value, inputs()[name].unit)
+    swept = {each.name for each in study.design.axes}
+    for name in needs:
+        if name not in held and name not in swept and name not in table:
+            raise InputError(name, None, WANTED[name])
+
+
+def _refuse_twice(name: str, *tables: Any) -> None:
+    if any(isinstance(each, Mapping) and name in each for each in tables):
+        raise InputError(name, Told("held and swept"), "given in one of both tables alone")
+
+
+def _one(table: Mapping[str, Any], name: str) -> list[Any]:
+    return [table[name]] if name in table else []
+
+
+def resolved(which: Any, folder: Path) -> Any:
+    """Return a name as it is, and the path of a file from the folder of the study."""
+    return folder / which if isinstance(which, str) and is_path(which) else which
+
+
+def _is_by_model(given: Any) -> TypeGuard[Mapping[str, Any]]:
+    """Tell a table of parameters for each of several models from one of values."""
+    return isinstance(given, Mapping) and given.keys() <= set(models())
+
+
+def _given(table: Mapping[str, Any], model: str, folder: Path) -> Any:
+    """Return the parameters that are given for a model: of several models, those under its name."""
+    given = table.get("parameters")
+    if _is_by_model(given):
+        given = given.get(model)
+    return resolved(given, folder)
