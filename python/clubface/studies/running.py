@@ -20,7 +20,7 @@ from clubface.studies.shards import Shard, shard as shard_of
 from clubface.studies.sizing import chunk_size
 from clubface.studies.store import StudyStore, begin, store_of
 from clubface.studies.study import StudyFile, read_study
-from clubface.support.checks import is_count
+from clubface.support.checks import check_count
 from clubface.support.fingerprint import fingerprint
 from clubface.support.processors import processors
 from clubface.support.version import __version__
@@ -140,8 +140,8 @@ def run(
     KeyboardInterrupt
         Ctrl-C was pressed; the message says where the finished chunks are.
     """
-    if workers is not None and not is_count(workers, 1, MOST_WORKERS):
-        raise InputError("workers", workers, f"a whole number from 1 to {MOST_WORKERS}")
+    if workers is not None:
+        workers = check_count("workers", workers, 1, MOST_WORKERS)
     if scheduler is not None and workers is not None:
         raise InputError("workers", workers, "leave it out with a scheduler, whose cluster has its own workers")
     share = Shard(1, 1) if shard is None else shard_of(shard)
