@@ -51,3 +51,9 @@ def test_a_byte_order_mark_is_no_part_of_the_first_name(tmp_path):
     file = tmp_path / "x.toml"
     file.write_bytes(b"\xef\xbb\xbf" + TEXT.encode())
     assert Document.read(file).data["name"] == "x"
+
+
+@pytest.mark.parametrize("value", ['"a\\u0000.toml"', '[["a"], ["\\u0000"]]', '{ of = "\\u0000" }'])
+def test_a_text_with_a_zero_character_is_refused_with_its_line(value):
+    with pytest.raises(FileError, match=r"x\.toml:2: club holds the character \\u0000"):
+        Document(f'name = "x"\nclub = {value}\n', "x.toml")
