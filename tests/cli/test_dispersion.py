@@ -95,7 +95,11 @@ def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_pat
 
 @pytest.mark.parametrize(
     ("mean", "words"),
-    [('lie = "120 deg"', "lie: 120.00 deg"), ('speed = "95 m"', "robot.toml:3"), ('toe = "9 cm"', "toe: impact at 90.0")],
+    [
+        ('lie = "120 deg"', "lie: 120.00 deg"),
+        ('speed = "95 m"', "robot.toml:3"),
+        ('toe = "9 cm"', "toe: impact at 90.0"),
+    ],
 )
 def test_a_mean_that_cannot_be_hit_is_told_of_the_golfer_and_not_of_an_option(clubface_, tmp_path, mean, words):
     file = tmp_path / "robot.toml"

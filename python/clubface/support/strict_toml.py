@@ -13,6 +13,8 @@ MAXIMUM_SIZE = 1_000_000
 MOST_PARTS = 16
 """Names in a dotted key, and brackets in brackets; the files of clubface have three."""
 NESTED = f"nested too deeply, more than {MOST_PARTS} tables or lists in each other"
+TWICE = ("Cannot overwrite a value", "Cannot declare")
+"""How the parser begins to tell that a key or a table is there twice."""
 INTEGERS = range(-(2**63), 2**63)
 """Whole numbers that TOML has."""
 _TEXT = r'"""(?:[^\\]|\\.)*?"""|\'\'\'.*?\'\'\'|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'|#[^\n]*'
@@ -44,9 +46,11 @@ class Document:
             self.data: dict[str, Any] = tomllib.loads(text)
         except (ValueError, RecursionError) as error:
             message = NESTED if isinstance(error, RecursionError) else str(error)
+            line = _line_in(message)
             if "int_max_str_digits" in message:
                 message = "a whole number has thousands of digits"
-            line = _line_in(message)
+            elif message.startswith(TWICE):
+                message = "what this line sets or opens is set or opened before"
             raise FileError(path, line, f"this is not TOML: {message}{self._unquoted(line)}") from None
         for key, value in self.data.items():
             if flaw := _flaw_of(value):
