@@ -93,6 +93,23 @@ def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_pat
     assert_mistake(clubface_("dispersion", str(mine), *FEW), "--club is missing", "my-club", "mine")
 
 
+@pytest.mark.parametrize(
+    ("mean", "words"),
+    [
+        ('lie = "120 deg"', "lie: 120.00 deg"),
+        ('speed = "95 m"', "robot.toml:3"),
+        ('toe = "9 cm"', "toe: impact at 90.0"),
+    ],
+)
+def test_a_mean_that_cannot_be_hit_is_told_of_the_golfer_and_not_of_an_option(clubface_, tmp_path, mean, words):
+    file = tmp_path / "robot.toml"
+    speed = "" if mean.startswith("speed") else 'speed = "95 mph"\n'
+    file.write_text(f'title = "robot"\n[mean]\n{mean}\n{speed}[spread]\n')
+    ran = clubface_("dispersion", str(file), *FEW)
+    assert_mistake(ran, "robot", words)
+    assert "--" not in ran.err
+
+
 @pytest.mark.parametrize(("spread", "shares"), [("", False), ('face = "2 deg"', True)])
 def test_a_golfer_in_whom_little_varies_is_hit_with(clubface_, tmp_path, spread, shares):
     file = tmp_path / "robot.toml"

@@ -313,6 +313,7 @@ def test_points_by_finite_elements_are_kept_when_they_are_interrupted(tmp_path):
         ({"points": ([[0.0, 0.01]], [0.0])}, InputError, "rising"),
         ({"points": ([1.0], [1.0])}, RunError, "no point"),
         ({"workers": 2}, InputError, "workers"),
+        ({"model": ["response"]}, InputError, "model is .* text"),
         ({"air": {"temperature": "900 degC"}}, InputError, "temperature"),
         ({"model": "fem", "wind": ("900 m/s", 0.0, 0.0)}, InputError, "wind"),
         ({"loft": "95 deg"}, ShotError, "loft"),

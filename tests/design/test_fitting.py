@@ -78,6 +78,14 @@ def test_a_setting_with_which_no_shot_can_be_computed_is_told(free):
         fit(from_text(BEGIN + text))
 
 
+@pytest.mark.parametrize("free", ["", 'loft = ["-1 deg", "1 deg"]\n'])
+@pytest.mark.parametrize("change", ['cg_x = "3 m"', 'loft = "90 deg"'])
+def test_a_setting_that_leaves_no_head_is_told_by_its_name(free, change):
+    text = f'[fit]\nclubs = ["driver"]\n{free}[[fit.setting]]\nname = "far back"\n{change}\n'
+    with pytest.raises(ValueError, match=r"fit\.setting is 'far back'; it must be changes with which driver is a head"):
+        fit(from_text(BEGIN + text))
+
+
 TWO = (
     BEGIN + 'wind = ["-3 m/s", "0 m/s", "1 m/s"]\n[fit]\nclubs = ["driver", "3-wood"]\nballs = ["modern", "distance"]\n'
 )

@@ -104,6 +104,7 @@ def test_a_variable_may_stay_as_it_is():
         ({"covariance": np.ones((3, 3)) + np.diag([0.0, 0.0, -2.0])}, "correlations that are possible together"),
         ({"covariance": np.eye(2)}, r"shape \(3, 3\)"),
         ({"mean": [np.nan, 0.0, 0.0]}, "finite"),
+        ({"mean": 10**400}, "numbers of shape"),
         ({"variables": ("speed", "path", "path")}, "each once"),
         ({"variables": ("attack", "path", "face")}, "the speed among them"),
         ({"mishit_share": 1.0}, "from 0 to below 1"),

@@ -207,6 +207,9 @@ def test_a_bad_file_is_told_with_its_line(write, old, new, words_of_error):
     ("launch", "options", "words_of_error"),
     [
         ({}, {}, "at least one of ball_speed"),
+        (70.0, {}, "launch is 70.0; it must be a mapping"),
+        ({"ball_speed": 70.0}, {"delivery": ["speed"]}, "delivery is .* a mapping"),
+        ({"ball_speed": 70.0}, {"seed": -1}, "seed is -1; it must be a whole number from 0"),
         ({"ball_sped": 70.0}, {}, "did you mean ball_speed"),
         ({"total_spin": 300.0}, {}, "give total_spin and spin_axis together"),
         ({"ball_speed": "70 deg"}, {}, "ball_speed"),

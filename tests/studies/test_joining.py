@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from clubface import studies
+from clubface.errors import InputError
 from clubface.units import from_si
 from study_files import shots, squares
 
@@ -67,6 +68,12 @@ def test_a_study_is_summed_up_as_the_definitions_say(drives, tmp_path):
         assert figures.count.tolist() == [6, 6]
         assert figures.mean[0] == pytest.approx(here.mean(), rel=1e-14)
         assert figures.deviation[0] == pytest.approx(here.std(), rel=1e-12)
+
+
+@pytest.mark.parametrize("quantities", ["carry", 3])
+def test_quantities_to_sum_up_are_a_list(drives, quantities):
+    with pytest.raises(InputError, match=r'a list of quantities, as in \["carry"\]'):
+        studies.summary(drives, quantities=quantities)
 
 
 def test_many_values_are_put_into_classes(tmp_path):

@@ -47,6 +47,7 @@ def test_a_share_is_typed_or_taken_from_the_scheduler(text, environment, found):
         ("0/40", {}, "1 to the number of shards"),
         ("41/40", {}, "1 to the number of shards"),
         ("3", {}, "such as 3/40"),
+        (3, {}, "shard is 3; it must be text"),
         ("3/-4", {}, "such as 3/40"),
         ("kubernetes", {"JOB_COMPLETION_INDEX": "0"}, "such as 3/40"),
         ("kubernetes/40", {}, "JOB_COMPLETION_INDEX is missing"),

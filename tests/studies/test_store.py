@@ -246,6 +246,17 @@ def test_a_study_with_a_result_in_its_first_or_last_chunk_goes_on(tmp_path):
     assert studies.run(path, workers=1).failed[0] == 24
 
 
+@pytest.mark.parametrize("chunk", ["chunk = 5", "seconds = 2"])
+@pytest.mark.parametrize("workers", [1, 2])
+def test_an_input_that_is_swept_too_far_to_both_sides_has_results_between(tmp_path, chunk, workers):
+    path = shots(tmp_path)
+    text = path.read_text().replace('toe = ["-10 mm", "0 mm", "10 mm"]\n', "").replace("chunk = 5", chunk)
+    path.write_text(text.replace("[sweep]\n", '[sweep]\ntoe = { from = "-80 mm", to = "80 mm", count = 33 }\n'))
+    done = studies.run(path, workers=workers)
+    assert done.missing == 0
+    assert 0 < done.failed[0] < done.tasks
+
+
 def test_a_mistake_that_only_a_task_shows_is_told_with_its_file_and_leaves_no_store(tmp_path):
     path = shots(tmp_path)
     path.write_text(path.read_text().replace("[sweep]", 'parameters = { friction = -1 }\nmodel = "area"\n[sweep]'))

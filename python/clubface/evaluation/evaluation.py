@@ -24,6 +24,7 @@ from clubface.simulation.inputs import parameter_set
 from clubface.simulation.launch import Launch
 from clubface.simulation.outside import warn_if_outside
 from clubface.support.arrays import Floats
+from clubface.support.checks import MOST_SEED, check_count, is_count
 from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
@@ -106,7 +107,8 @@ def evaluate(
     """
     names = model_names(models)
     enough = fewest_resamples(len(names))
-    if isinstance(resamples, bool) or not isinstance(resamples, int) or resamples < max(enough, FEWEST_RESAMPLES):
+    seed = check_count("seed", seed, 0, MOST_SEED)
+    if not is_count(resamples, max(enough, FEWEST_RESAMPLES), MOST_SEED):
         why = f": with fewer, none of {len(names)} models can be called worse than another" * (
             enough > FEWEST_RESAMPLES
         )

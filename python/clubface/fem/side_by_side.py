@@ -17,9 +17,11 @@ R = TypeVar("R")
 
 def workers_of(asked: int | None) -> int:
     """Return how many runs go side by side: as many as asked for, or as there are cores."""
-    if asked is not None and not is_count(asked, 1, 1024):
+    if asked is None:
+        return processors()
+    if not is_count(asked, 1, 1024):
         raise InputError("workers", asked, "a whole number from 1 to 1024, or None for all cores")
-    return asked or processors()
+    return int(asked)
 
 
 def side_by_side(

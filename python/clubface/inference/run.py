@@ -27,7 +27,7 @@ from clubface.simulation.impact import Parameters, impact
 from clubface.simulation.inputs import parameter_set
 from clubface.simulation.outside import Tally, warn_if_outside
 from clubface.support.arrays import Floats
-from clubface.support.checks import check_names
+from clubface.support.checks import MOST_SEED, check_count, check_names
 from clubface.support.warning import without_warnings
 
 NOISE = {"ball_speed": 0.25, **MONITOR}
@@ -139,9 +139,8 @@ class Inference:
         speed_at: str = CG,
         face_at: str = FACE,
     ) -> None:
-        if isinstance(samples, bool) or not isinstance(samples, int) or not 1 <= samples <= 100_000:
-            raise InputError("samples", samples, "a whole number from 1 to 100000")
-        self._samples, self._seed = samples, seed
+        self._samples = check_count("samples", samples, 1, 100_000)
+        self._seed = check_count("seed", seed, 0, MOST_SEED)
         self._noise = {**NOISE, **standard_deviations(noise, _DIMENSIONS, "noise")}
         self._club_noise = {**CLUB_NOISE, **standard_deviations(delivery_noise, OF_CLUB, "delivery_noise")}
         self.club = club_named(club)
@@ -249,6 +248,8 @@ class Inference:
 
 def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
     """Return the measured quantities, SI, total spin and axis as backspin and sidespin."""
+    if not isinstance(launch, Mapping):
+        raise InputError("launch", launch, 'a mapping of what was measured, as in {"ball_speed": "160 mph"}')
     dimensions = {**_DIMENSIONS, **_POLAR}
     check_names("launch value", launch, dimensions)
     given = {
@@ -269,6 +270,8 @@ def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
 
 def _measured_club(delivery: Mapping[str, Any]) -> dict[str, float]:
     """Return what was measured of the club, SI."""
+    if not isinstance(delivery, Mapping):
+        raise InputError("delivery", delivery, 'a mapping of what was measured, as in {"speed": "110 mph"}')
     check_names("delivery value", delivery, OF_CLUB)
     given = {
         name: units.parse(value, OF_CLUB[name], name=name) for name, value in delivery.items() if value is not None

@@ -22,6 +22,7 @@ from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import equipped, hand_value
 from clubface.simulation.launch import computed_with
 from clubface.simulation.run_options import thread_count, tolerance
+from clubface.support.checks import check_count
 from clubface.tables.headings import Column
 from clubface.tables.writer import is_parquet
 
@@ -172,8 +173,7 @@ def predict(
     target = Path(output) if output is not None else path.with_name(f"{path.stem}-launches.csv")
     aside = Path(rejects) if rejects is not None else target.with_name(f"{target.stem}.rejects.csv")
     _check_paths(path, target, aside)
-    if isinstance(chunk_rows, bool) or not isinstance(chunk_rows, int) or not 1 <= chunk_rows <= MOST_ROWS:
-        raise InputError("chunk_rows", chunk_rows, f"a whole number from 1 to {MOST_ROWS}")
+    chunk_rows = check_count("chunk_rows", chunk_rows, 1, MOST_ROWS)
     threads, accuracy = thread_count(threads) or None, tolerance(accuracy)
     own, ball = backend_of(model).balls(ball, accuracy)
     with_, chosen = equipped(model, club, ball, parameters)

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from operator import index
-
 from clubface import units
 from clubface.errors import InputError
-from clubface.support.checks import check_choice
+from clubface.support.checks import check_choice, whole
 
 MOST_THREADS = 1024
 """More than any machine has cores; a slip of the keyboard shall not start a million."""
@@ -21,11 +19,8 @@ def thread_count(threads: object) -> int:
     """Return the number of threads as the core takes it, 0 for all cores."""
     if threads is None:
         return 0
-    try:
-        count = 0 if isinstance(threads, bool) else index(threads)  # pyright: ignore[reportArgumentType]
-    except TypeError:
-        count = 0
-    if not 1 <= count <= MOST_THREADS:
+    count = whole(threads)
+    if count is None or not 1 <= count <= MOST_THREADS:
         raise InputError("threads", threads, f"a whole number from 1 to {MOST_THREADS}, or None for all cores")
     return count
 

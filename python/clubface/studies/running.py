@@ -13,14 +13,14 @@ from typing import Any
 
 from clubface.errors import ClubfaceError, InputError
 from clubface.simulation.outside import Tally
-from clubface.studies.chunk_size import chunk_size
+from clubface.studies.chunk_size import chunk_size, tried_first
 from clubface.studies.chunks import COMPUTED, MENDED
 from clubface.studies.kinds.kind import Task
 from clubface.studies.pool import Pool
 from clubface.studies.shards import Shard, shard as shard_of
 from clubface.studies.store import StudyStore, begin, store_of
 from clubface.studies.study import StudyFile, read_study
-from clubface.support.checks import is_count
+from clubface.support.checks import check_count
 from clubface.support.fingerprint import fingerprint
 from clubface.support.processors import processors
 from clubface.support.version import __version__
@@ -140,8 +140,8 @@ def run(
     KeyboardInterrupt
         Ctrl-C was pressed; the message says where the finished chunks are.
     """
-    if workers is not None and not is_count(workers, 1, MOST_WORKERS):
-        raise InputError("workers", workers, f"a whole number from 1 to {MOST_WORKERS}")
+    if workers is not None:
+        workers = check_count("workers", workers, 1, MOST_WORKERS)
     if scheduler is not None and workers is not None:
         raise InputError("workers", workers, "leave it out with a scheduler, whose cluster has its own workers")
     share = Shard(1, 1) if shard is None else shard_of(shard)
@@ -164,7 +164,7 @@ def _run(
     fresh = not folder.exists()
     opened = begin(folder, study, lambda: _description(study, task))
     mine = share.of_all(opened.chunks)
-    whole, ends = len(mine), {*mine[:1], *mine[-1:]}
+    whole, hopeless = len(mine), set(tried_first(mine))
     tally, done, results = Tallied(), 0, 0
 
     def ended(chunk: int, told: Mapping[str, Any]) -> None:
@@ -173,9 +173,9 @@ def _run(
         tally.add(chunk, told)
         failed, *first = told["failed"]
         results += (tried := len(opened.tasks(chunk))) - failed
-        if told["did"] == COMPUTED and failed == tried and chunk in ends:
-            ends.discard(chunk)
-            if not ends:
+        if told["did"] == COMPUTED and failed == tried and chunk in hopeless:
+            hopeless.discard(chunk)
+            if not hopeless and not results:
                 raise ClubfaceError(f"no task that was tried has a result: {first[0][1]}")
         if progress is not None:
             progress(done, whole)
@@ -215,11 +215,14 @@ def _run(
 def order(store: StudyStore, share: Shard) -> Iterator[int]:
     """Yield the chunks of a share: first those that are missing, then those that are there, to be checked.
 
-    Of each the last comes right after the first, since a study that has no result at both ends is not gone on with.
+    Of each those by which a study is judged come first.
     """
     there, mine = store.present(), share.of_all(store.chunks)
+    first = tried_first(mine)
     for wanted in (0, 1):
-        yield from (chunk for chunk in chain(mine[:1], mine[1:][-1:], mine[1:-1]) if there[chunk] == wanted)
+        yield from (
+            chunk for chunk in chain(first, (each for each in mine if each not in first)) if there[chunk] == wanted
+        )
 
 
 def _description(study: StudyFile, task: Task) -> dict[str, Any]:

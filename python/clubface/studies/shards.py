@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from clubface.errors import InputError
+from clubface.support.checks import check_text
 
 FORMS = 'such as 3/40 (the third of 40), or "slurm" or "kubernetes/40" in a job of an array'
 MOST = 1_000_000
@@ -44,6 +45,7 @@ def shard(text: str, environment: Mapping[str, str] = os.environ) -> Shard:
     environment
         The variables.
     """
+    check_text("shard", text)
     name, _, count = text.partition("/")
     if name == "slurm":
         step = _variable("SLURM_ARRAY_TASK_STEP", environment, "1") or 1

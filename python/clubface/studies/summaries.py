@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -202,6 +202,8 @@ def summary(
     """
     import numpy as np
 
+    if isinstance(quantities, str) or not isinstance(quantities, Iterable | None):
+        raise InputError("quantities", quantities, 'a list of quantities, as in ["carry"]')
     found = opened(which, store)
     known = {name: unit for name, (unit, _) in found.record["columns"].items()}
     names = list(dict.fromkeys(quantities if quantities is not None else known))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from numbers import Real
+from operator import index
 from typing import TypeGuard
 
 from clubface.errors import InputError, UnknownNameError
@@ -46,12 +47,27 @@ def check_share(share: object) -> None:
         raise InputError("share", share, "between 0 and 1")
 
 
+MOST_SEED = 2**63 - 1
+"""The largest seed of random numbers."""
+
+
+def whole(value: object) -> int | None:
+    """Return a whole number of any type, NumPy's among them, as an ``int``; of anything else, ``True`` too, None."""
+    try:
+        return None if isinstance(value, bool) else index(value)  # pyright: ignore[reportArgumentType]
+    except TypeError:
+        return None
+
+
 def is_count(value: object, least: int, most: int) -> bool:
-    """Tell a whole number within limits from anything else, ``True`` and ``False`` among it."""
-    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
+    """Tell a whole number within limits from anything else."""
+    count = whole(value)
+    return count is not None and least <= count <= most
 
 
-def check_count(parameter: str, value: object, least: int, most: int) -> None:
-    """Refuse what is not a whole number within limits."""
-    if not is_count(value, least, most):
+def check_count(parameter: str, value: object, least: int, most: int) -> int:
+    """Return a whole number within limits, and refuse anything else."""
+    count = whole(value)
+    if count is None or not least <= count <= most:
         raise InputError(parameter, value, f"a whole number from {least} to {most}")
+    return count

@@ -13,6 +13,8 @@ MAXIMUM_SIZE = 1_000_000
 MOST_PARTS = 16
 """Names in a dotted key, and brackets in brackets; the files of clubface have three."""
 NESTED = f"nested too deeply, more than {MOST_PARTS} tables or lists in each other"
+TWICE = ("Cannot overwrite a value", "Cannot declare")
+"""How the parser begins to tell that a key or a table is there twice."""
 INTEGERS = range(-(2**63), 2**63)
 """Whole numbers that TOML has."""
 _TEXT = r'"""(?:[^\\]|\\.)*?"""|\'\'\'.*?\'\'\'|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'|#[^\n]*'
@@ -44,14 +46,15 @@ class Document:
             self.data: dict[str, Any] = tomllib.loads(text)
         except (ValueError, RecursionError) as error:
             message = NESTED if isinstance(error, RecursionError) else str(error)
+            line = _line_in(message)
             if "int_max_str_digits" in message:
                 message = "a whole number has thousands of digits"
-            line = _line_in(message)
+            elif message.startswith(TWICE):
+                message = "what this line sets or opens is set or opened before"
             raise FileError(path, line, f"this is not TOML: {message}{self._unquoted(line)}") from None
         for key, value in self.data.items():
-            if not _is_within_integers(value):
-                message = f"{key} holds a whole number of more than 64 bits, which TOML does not have"
-                raise FileError(path, self.line(key), message, key)
+            if flaw := _flaw_of(value):
+                raise FileError(path, self.line(key), f"{key} holds {flaw}", key)
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Document:
@@ -157,13 +160,15 @@ def _check_depth(text: str, path: str) -> None:
                 raise FileError(path, line, f"this is not TOML of clubface: {NESTED}")
 
 
-def _is_within_integers(value: Any) -> bool:
-    """Tell whether all whole numbers in a document are such as TOML has; others would not fit any computation."""
-    if isinstance(value, dict):
-        return all(map(_is_within_integers, value.values()))
-    if isinstance(value, list):
-        return all(map(_is_within_integers, value))
-    return not isinstance(value, int) or value in INTEGERS
+def _flaw_of(value: Any) -> str:
+    """Say what is in a value that no computation and no name of a file can take, or return nothing."""
+    if isinstance(value, dict | list):
+        return next(filter(None, map(_flaw_of, value.values() if isinstance(value, dict) else value)), "")
+    if isinstance(value, str) and "\0" in value:
+        return "the character \\u0000, which is in no text or name of a file"
+    if isinstance(value, int) and value not in INTEGERS:
+        return "a whole number of more than 64 bits, which TOML does not have"
+    return ""
 
 
 def quoted(text: str) -> str:

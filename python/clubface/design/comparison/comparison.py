@@ -172,7 +172,7 @@ def compare(
         count = Told(f"{len(alternatives)} of them") if isinstance(alternatives, Mapping) else alternatives
         raise InputError("alternatives", count, f"a mapping of names to 2 to {MOST} alternatives")
     if nodes is not None:
-        check_count("nodes", nodes, 1, MOST_NODES)
+        nodes = check_count("nodes", nodes, 1, MOST_NODES)
         if not split:
             raise InputError("nodes", nodes, "leave it out where nothing is split into contributions")
     for name in alternatives:

@@ -8,7 +8,7 @@ from typing import Any, Literal, NamedTuple
 from clubface.design.dispersion.tally import FLOWN, LAUNCHED
 from clubface.design.golfer.golfer import Golfer
 from clubface.equipment.clubs import Club
-from clubface.errors import RangeWarning
+from clubface.errors import InputError, RangeWarning, ShotError
 from clubface.simulation.flight import Flight, fly
 from clubface.simulation.impact import impact
 from clubface.simulation.launch import Launch
@@ -33,7 +33,13 @@ class Hitting(NamedTuple):
 
     def mean(self, of: Golfer) -> tuple[Launch, dict[str, float]]:
         """Return what the mean delivery gives; if nothing, it is an error that says why."""
-        launch, flight = self._hit(of.delivery(), "raise")
+        try:
+            launch, flight = self._hit(of.delivery(), "raise")
+        except ShotError as error:
+            if error.parameter not in of.variables:
+                raise
+            # By itself it would be taken for an option of the same name, such as the lie that a shot is played from.
+            raise InputError("golfer", of.name, f"one whose mean shot has a result: {error}") from None
         found = {name: float(getattr(launch, name)) for name in LAUNCHED}
         if flight is not None:
             found |= {name: float(getattr(flight, name)) for name in FLOWN}

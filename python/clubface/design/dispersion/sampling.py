@@ -22,7 +22,7 @@ from clubface.errors import InputError, RangeWarning, Told
 from clubface.simulation.impact import Parameters
 from clubface.simulation.outside import Tally as RangeTally
 from clubface.support.arrays import Floats
-from clubface.support.checks import check_count, check_share
+from clubface.support.checks import MOST_SEED, check_count, check_share
 from clubface.support.warning import warn_once
 
 CHUNK = 2**16
@@ -208,7 +208,7 @@ def dispersion(
     progress
         Called with the number of shots done and that of all.
     """
-    check_count("count", count, 1, MOST)
+    count, seed = check_count("count", count, 1, MOST), check_count("seed", seed, 0, MOST_SEED)
     of_golfer = golfer_named(golfer)
     of_club = club_named(club_of(of_golfer)).replace(hand=of_golfer.hand) if club is None else club_named(club)
     of_golfer = of_golfer.for_hand(of_club.hand)

@@ -23,7 +23,7 @@ from clubface.simulation.impact import impact
 from clubface.simulation.inputs import as_values
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import outputs
-from clubface.support.checks import check_choice, check_share, is_count
+from clubface.support.checks import check_choice, check_share, check_text, is_count, is_number
 from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
@@ -219,12 +219,13 @@ def map_face(
     """
     chosen = club_of(club)
     check_conditions(air, wind, ground)
+    check_text("model", model)
     if workers is not None and model not in MODULES:
         raise InputError("workers", workers, f"leave it out: {model} computes all points at once")
     given = dict(as_values(delivery, values))
     for name in ("toe", "high"):
         struck = given.pop(name, None)  # a Delivery has zeros there
-        if struck is not None and not (isinstance(struck, int | float) and struck == 0.0):
+        if struck is not None and not (is_number(struck) and struck == 0.0):
             raise InputError(name, struck, "left out or zero: a map strikes the whole face")
     if model in MODULES:
         from clubface.simulation.backends import backend_of
@@ -276,10 +277,11 @@ def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[ND
                 raise InputError("points", each, f"1 to {MOST} places one after the other, each rising")
         counts = (len(toe), len(high))
     else:
-        counts = (COARSE if long else GRID) if grid is None else grid
-        counts = tuple(counts) if isinstance(counts, Iterable) else ()
-        if len(counts) != 2 or not all(is_count(each, LEAST, MOST) for each in counts):
+        asked = (COARSE if long else GRID) if grid is None else grid
+        asked = tuple(asked) if isinstance(asked, Iterable) else ()
+        if len(asked) != 2 or not all(is_count(each, LEAST, MOST) for each in asked):
             raise InputError("grid", grid, f"two whole numbers from {LEAST} to {MOST}, as in 101 by 101")
+        counts = (int(asked[0]), int(asked[1]))
         ends = zip(outline.least.tolist(), outline.greatest.tolist(), counts, strict=True)
         toe, high = (np.linspace(least, greatest, count) for least, greatest, count in ends)
     if long and counts[0] * counts[1] > MOST_LONG:

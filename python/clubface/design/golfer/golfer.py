@@ -13,7 +13,7 @@ from clubface import units
 from clubface.errors import InputError, Told
 from clubface.simulation.delivery import OF_CLUB, Delivery
 from clubface.support.arrays import Floats
-from clubface.support.checks import check_choice, check_count, check_name, check_text, is_number
+from clubface.support.checks import MOST_SEED, check_choice, check_count, check_name, check_text, is_number
 from clubface.support.frozen import Frozen
 
 ASSUMED = "assumed"
@@ -23,7 +23,6 @@ MIRRORED = ("path", "face")
 WIDEST = 20.0
 """The widest scale of mishits."""
 MOST_SHOTS = 2**32
-MOST_SEED = 2**63 - 1
 BITS = 32
 """Binary digits of the quasi-random numbers: as many as scipy can skip."""
 WORDS = {
@@ -231,9 +230,9 @@ def uniform(dimensions: int, count: int, *, seed: int = 0, start: int = 0) -> Fl
     """
     from scipy.stats import qmc
 
-    check_count("count", count, 1, MOST_SHOTS)
-    check_count("start", start, 0, MOST_SHOTS - count)
-    check_count("seed", seed, 0, MOST_SEED)
+    count = check_count("count", count, 1, MOST_SHOTS)
+    start = check_count("start", start, 0, MOST_SHOTS - count)
+    seed = check_count("seed", seed, 0, MOST_SEED)
     engine = qmc.Sobol(dimensions, scramble=True, bits=BITS, rng=np.random.default_rng(seed))
     if start:
         engine.fast_forward(start)
@@ -253,7 +252,7 @@ def _points(engine: Any, count: int) -> Floats:
 def _array(name: str, given: Any, shape: tuple[int, ...]) -> Floats:
     try:
         found = np.array(given, dtype=np.float64) if not np.iscomplexobj(given) else None
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         found = None
     if found is None:
         raise InputError(name, given, f"numbers of shape {shape}")

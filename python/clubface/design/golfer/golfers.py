@@ -21,7 +21,7 @@ def club_of(which: Golfer) -> str:
     if which.club in CLUB_NAMES or is_path(which.club):
         return which.club
     raise InputError(
-        "club", None, f"give the file of {which.club}, with which the deliveries of {which.name} were made"
+        "club", None, f"give the file of {which.club!r}, with which the deliveries of {which.name} were made"
     )
 
 

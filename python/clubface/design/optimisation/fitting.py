@@ -13,7 +13,8 @@ from clubface.design.optimisation.variables import check_bounds
 from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.errors import InputError
+from clubface.errors import InputError, RuleWarning
+from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
     from clubface.design.golfer.golfer import Golfer
@@ -61,7 +62,16 @@ class Fitting:
         if not 1 <= count <= MOST_COMBINATIONS:
             raise InputError("combinations of parts", count, f"from 1 to {MOST_COMBINATIONS}")
         for head, setting in product(self.clubs, self.settings or ("",)):
+            self._check_setting(head, setting)
             check_bounds(head, self.free(head, self.set(head, setting)), "fit")
+
+    def _check_setting(self, head: Club, setting: str) -> None:
+        """Refuse a setting with which a head is none that can be."""
+        try:
+            with without_warnings(RuleWarning):
+                head.replace(**{name: value for name, value in self.set(head, setting).items() if name != "lie"})
+        except InputError as error:
+            raise InputError("fit.setting", setting, f"changes with which {head.name} is a head: {error}") from None
 
     def judge(self, name: str) -> Objective:
         """Return an objective by its name."""

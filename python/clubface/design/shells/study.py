@@ -12,7 +12,7 @@ import numpy as np
 from clubface import units
 from clubface.design.rules import rules_of
 from clubface.design.shells.goal import Goal
-from clubface.errors import InputError
+from clubface.errors import InputError, ShotError
 from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
 from clubface.fem.heads.metal import Metal
@@ -164,9 +164,13 @@ class ShellStudy:
                         allowed = f"bounds at which there is a head ({error})"
                         raise InputError(f"variables.{name}", show(name, value), allowed) from error
             club = self.at(self.start(), self.metals[0]).mesh().club
-            for blow in (self.delivery, *(() if self.hardest is None else (self.hardest,))):
+            blows = {"delivery": self.delivery, **({} if self.hardest is None else {"hardest": self.hardest})}
+            for table, blow in blows.items():
                 for point in blow.points:
-                    impact(club, blow.at(point), ball=self.ball.rigid)
+                    try:
+                        impact(club, blow.at(point), ball=self.ball.rigid)
+                    except ShotError as error:
+                        raise ShotError(f"{table}.{error.parameter}", error.value, error.allowed) from None
 
     def start_value(self, name: str) -> float:
         """Return what the head to start from has of a variable [SI]."""

@@ -95,7 +95,8 @@ def _design(document: Document, folder: Path) -> Design:
     data = dict(document.data)
     kind = data.pop("kind", None)
     if not isinstance(kind, str) or kind not in KEYS:
-        raise document.error(f"kind must be one of {', '.join(KEYS)}, not {kind!r}", "kind")
+        given = "" if kind is None else f", not {kind!r}"
+        raise document.error(f"kind must be one of {', '.join(KEYS)}{given}", "kind")
     document.check_keys(data, KEYS[kind], ("name",))
     document.check_text(data, ("name", "description", "file", "unit", "element", "hand", "parameters"))
     data = {key: value for key, value in data.items() if key not in OF_A_CLUB}
