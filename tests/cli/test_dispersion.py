@@ -82,6 +82,16 @@ def test_a_golfer_is_estimated_from_a_file_and_can_be_hit_with(clubface_, tmp_pa
     assert written.json["name"] == "mine"
 
 
+def test_a_club_of_other_loft_is_said_to_be_hit_with_the_loft_that_the_golfer_delivers(clubface_, tmp_path):
+    head = tmp_path / "head.toml"
+    assert clubface_("club", "new", "head", "--like", "driver", "-o", str(head)).status == 0
+    assert "dynamic loft" not in clubface_("dispersion", "tour-driver", "--club", str(head), *FEW).err
+    head.write_text(head.read_text().replace('loft = "9.8 deg"', 'loft = "10.3 deg"'))
+    told = " ".join(clubface_("dispersion", "tour-driver", "--club", str(head), *FEW).err.split())
+    assert "head has 0.5 deg more loft than driver" in told
+    assert "with the dynamic loft of driver" in told
+
+
 def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_path):
     shots, head, mine = (tmp_path / name for name in ("shots.csv", "head.toml", "mine.toml"))
     assert clubface_("club", "new", "-o", str(head)).status == 0

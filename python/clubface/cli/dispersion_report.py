@@ -35,8 +35,9 @@ def write(
     golfer = of.golfer
     hole = {} if of.hole is None else {"hole": of.hole.told()}
     told = {"golfer": golfer.title or golfer.name, "shots": str(of.count), "seed": str(of.seed)}
+    with_ = "" if told["golfer"].endswith(of.club.name) else f" with {of.club.name}"
     reporting.write(
-        target, title=f"{told['golfer']}: where the shots go with {of.club.name}", words=_words(of),
+        target, title=f"{told['golfer']}: where the shots go{with_}", words=_words(of),
         picture=drawn, columns=columns, show=show, launches=[hit.mean(golfer)[0]],
         given=told | hole, conditions=conditions, sources=golfer_sources(golfer),
     )  # fmt: skip

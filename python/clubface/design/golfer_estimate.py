@@ -107,6 +107,8 @@ def estimate(shots: ReadyShots, *, name: str = "my golfer", like: str | None = N
         told = Told("such that one quantity follows from others or hardly ever changes")
         raise InputError("shots", told, f"leave out the column of one of {', '.join(names)}") from None
     together = _together(base, names, mean, covariance, same, shots)
+    looked_for = len(values) >= ENOUGH
+    together["sources"]["mishits"] = f"measured: {shots.source}" if looked_for else f"assumed: as of {base.name}"
     fitted = Golfer(
         name=name, title=f"{name}, {shots.club.name}", club=shots.club.name, hand=base.hand, mishit_share=share,
         mishit_scale=scale if share > 0.0 else 1.0, **together,
@@ -166,6 +168,7 @@ def _together(
             sources[f"mean of {name}"] = f"the same in every shot: {shots.source}"
     own = [variables.index(name) for name in names]
     matrix[np.ix_(own, own)] = covariance
+    sources["correlation"] = f"measured: {shots.source}"
     return {"variables": variables, "mean": centre, "covariance": matrix, "sources": sources}
 
 
