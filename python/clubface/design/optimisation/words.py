@@ -9,14 +9,18 @@ from typing import Any
 
 from clubface import units
 from clubface.design.optimisation.combination import Combination, named, told
-from clubface.design.optimisation.fitting import Fitting
+from clubface.design.optimisation.fitting import Fitting, as_it_is
 from clubface.design.optimisation.landings import FREE, own_value
 from clubface.design.optimisation.objectives import Objective
 from clubface.design.optimisation.result import Optimum
 from clubface.design.optimisation.study import UNITS
 
+HEADS = {"side_spread": "side ±", "ellipse": "90% ellipse"}
+"""What stands over columns of objectives whose names are no words."""
 SHOWN = 12
 """Combinations of a fitting that are shown; the file of --output has all."""
+FELT = 2.0
+"""Yards below which a golfer on a range does not see a difference, however certain it is of computed shots."""
 CERTAIN = 2.0
 """Standard errors beyond which a difference is called one."""
 
@@ -69,15 +73,13 @@ def limits_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
 
 def placement_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     """Return point masses that are one way to place the discretionary mass."""
+    masses: dict[tuple[str, ...], float] = {}
+    for each in found.placed():  # masses that the table has at one place are one
+        place = tuple(_tenths(units.from_si(value, "mm")) for value in each.place)
+        masses[place] = masses.get(place, 0.0) + each.mass
+    heaviest = sorted(masses.items(), key=lambda each: -each[1])
     rows = [
-        [
-            str(number),
-            *(
-                units.fixed(value, unit, 1).split()[0]
-                for value, unit in zip((each.mass, *each.place), ("g", "mm", "mm", "mm"), strict=True)
-            ),
-        ]
-        for number, each in enumerate(found.placed(), 1)
+        [str(number), _tenths(units.from_si(mass, "g")), *place] for number, (place, mass) in enumerate(heaviest, 1)
     ]
     return ["mass", "g", "x (mm)\nto the target", "y (mm)\nup", "z (mm)\nto the toe"], rows
 
@@ -196,7 +198,7 @@ def fit_table(of: Fitting, found: list[Combination]) -> tuple[list[str], list[li
     """Return the best combinations of parts."""
     judge = of.judge(of.objective)
     others = list(found[0].others)
-    heads = ["", "club", "ball", "setting", "changes", _head(judge), "behind the best"]
+    heads = ["", "club", "ball", "setting", "changes", _head(judge), "against\nthe best"]
     heads += [_head(of.judge(name)) for name in others]
     rows = []
     for number, each in enumerate(found[:SHOWN], 1):
@@ -229,17 +231,27 @@ def fit_advice(of: Fitting, found: list[Combination]) -> list[str]:
         if math.isnan(found[1].error):
             sure = "how sure that is cannot be told, since other shots miss its face"
         elif abs(found[1].value - best.value) > CERTAIN * found[1].error:
+            little = judge.unit == "yd" and abs(units.from_si(found[1].value - best.value, "yd")) < FELT
             sure = "that is more than chance leaves open"
+            sure += ", but less than a golfer notices" * little
         else:
             sure = "that is not clearly worse: more shots, or trying both, would tell"
         said.append(f"Next comes {named(found[1])}, {behind}{unit} behind; {sure}.")
+    now = as_it_is(of)[judge.name]
+    if not math.isnan(now):
+        ball = "the same ball" if of.balls[0] is None else f"the ball {of.balls[0].name}"
+        said.append(f"With {of.clubs[0].name} as it is now and {ball} it is {_value(now, judge)}{unit}.")
     return said
 
 
 def fit_notes(of: Fitting, found: list[Combination]) -> list[str]:
     """Return what a reader should know about a fitting."""
+    several = len(of.golfers) > 1
+    each, who = (
+        (f" of each of {len(of.golfers)} golfers", "who deliver") if several else (" of the golfer", "who delivers")
+    )
     said = [
-        f"{len(found)} combinations, all judged on the same {of.shots} shots of a golfer, who delivers every club like"
+        f"{len(found)} combinations, all judged on the same {of.shots} shots{each}, {who} every club like"
         f" {of.clubs[0].name}, with more dynamic loft where the club has more loft.",
     ]
     if any(math.isnan(each.error) for each in found):
@@ -252,6 +264,11 @@ def fit_notes(of: Fitting, found: list[Combination]) -> list[str]:
     if len(found) > SHOWN:
         said.append(f"{len(found) - SHOWN} more are not shown; --output and --json have all.")
     return said
+
+
+def _tenths(value: float) -> str:
+    text = f"{value:.1f}"
+    return "0.0" if text == "-0.0" else text
 
 
 def _number(value: float | None, unit: str) -> str:
@@ -270,7 +287,8 @@ def _short(allowed: str) -> str:
 
 
 def _head(judge: Objective) -> str:
-    return judge.name if judge.unit == "1" else f"{judge.name}\n({judge.unit})"
+    name = HEADS.get(judge.name, judge.name)
+    return name if judge.unit == "1" else f"{name}\n({judge.unit})"
 
 
 def _value(value: float, judge: Objective) -> str:
