@@ -21,6 +21,8 @@ SHOWN = 12
 """Combinations of a fitting that are shown; the file of --output has all."""
 FELT = 2.0
 """Yards below which a golfer on a range does not see a difference, however certain it is of computed shots."""
+ONE_PLACE = 2e-4
+"""Distance [m] within which point masses are shown as one."""
 CERTAIN = 2.0
 """Standard errors beyond which a difference is called one."""
 
@@ -73,13 +75,18 @@ def limits_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
 
 def placement_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     """Return point masses that are one way to place the discretionary mass."""
-    masses: dict[tuple[str, ...], float] = {}
-    for each in found.placed():  # masses that the table has at one place are one
-        place = tuple(_tenths(units.from_si(value, "mm")) for value in each.place)
-        masses[place] = masses.get(place, 0.0) + each.mass
-    heaviest = sorted(masses.items(), key=lambda each: -each[1])
+    grouped: list[tuple[tuple[float, ...], list[float]]] = []
+    for each in found.placed():  # the heaviest first; what lies beside one that is there is part of it
+        near = [masses for place, masses in grouped if math.dist(place, each.place) < ONE_PLACE]
+        if near:
+            near[0].append(each.mass)
+        else:
+            grouped.append((each.place, [each.mass]))
+    grouped.sort(key=lambda group: -sum(group[1]))
     rows = [
-        [str(number), _tenths(units.from_si(mass, "g")), *place] for number, (place, mass) in enumerate(heaviest, 1)
+        [str(number), _tenths(units.from_si(sum(masses), "g")), *(_tenths(units.from_si(x, "mm")) for x in place)]
+        for number, (place, masses) in enumerate(grouped, 1)
+        if _tenths(units.from_si(sum(masses), "g")) != "0.0"
     ]
     return ["mass", "g", "x (mm)\nto the target", "y (mm)\nup", "z (mm)\nto the toe"], rows
 
