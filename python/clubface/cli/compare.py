@@ -167,6 +167,9 @@ def _print_split(found: Any, name: str, shown: Shown) -> None:
     if made.left_out:
         output.print_notes([f"{title} cannot be told: {made.left_out}"])
         return
+    if not made.changes:
+        output.print_notes([f"{name} is like {found.names[0]} in everything that this shot depends on"])
+        return
     heads = ["", "from", "to", *(f"{each.replace('_', chr(10))}\n{shown[each][0]}" for each in SPLIT)]
 
     def cells(part: Any) -> list[str]:

@@ -143,14 +143,18 @@ def to_toml(subject: Any, properties: Properties, texts: Mapping[str, str], left
 
 
 def written(value: float, each: Property) -> str:
-    """Write ``value`` [SI] as text that parses to the same bits, in the usual unit where that is exact."""
+    """Write ``value`` [SI] as text that parses to the same bits, in the usual unit where one of its numbers does."""
     if math.isinf(value):
         return FLAT
     for unit in (each.unit, units.SI_UNITS[each.dimension]):
-        number = float(f"{units.from_si(value, unit):.15g}")
-        text = f"{number:.15g}" + ("" if unit == "1" else f" {unit}")
-        if math.isfinite(number) and units.parse(text, each.dimension) == value:
-            return text
+        number = float(units.from_si(value, unit))
+        for near in (
+            f"{number:.15g}",
+            *map(repr, (number, math.nextafter(number, 0.0), math.nextafter(number, 1e300))),
+        ):
+            text = near + ("" if unit == "1" else f" {unit}")
+            if math.isfinite(float(near)) and units.parse(text, each.dimension) == value:
+                return text
     return f"{value!r} {units.SI_UNITS[each.dimension]}"
 
 
