@@ -112,6 +112,10 @@ def compare(
         output.print_json(_document(found, alternatives))
     else:
         _print(found, shown)
+        struck = [(found.launches[name].club, each["delivery"]) for name, each in alternatives.items()]
+        if told := given.own_lofts(struck):
+            print()
+            output.print_paragraph(told)
     say_written([each for each in (target, plot, report) if each is not None])
 
 
