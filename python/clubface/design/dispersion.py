@@ -20,9 +20,11 @@ from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning, Told
 from clubface.simulation.impact import Parameters
 from clubface.simulation.outside import Tally as RangeTally
+from clubface.simulation.quantities import outputs
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_count, check_share
 from clubface.support.warning import warn_once
+from clubface.units import display_unit, from_si
 
 CHUNK = 2**16
 """Shots in memory at a time."""
@@ -30,6 +32,8 @@ SHOWN = 2**11
 """Shots whose landings are kept for pictures: the first."""
 MOST = 2**32
 COUNT = 2**14
+DISTANCE = "yd"
+"""The unit in which distances are told in text."""
 SHARES = (0.5, 0.9)
 """What the landing ellipses hold of the shots unless told otherwise."""
 
@@ -93,6 +97,22 @@ class Dispersion:
     lies: Mapping[str, float]
     points: Floats
     reasons: Mapping[str, str]
+
+    def __str__(self) -> str:
+        """Tell it as people read it: means and standard deviations in usual units."""
+        lost = f", {self.lost} without a result" * bool(self.lost)
+        lines = [f"{self.count} shots of {self.golfer.name} with {self.club.name} by {self.model}{lost}"]
+        known = outputs()
+        for name in self.quantities:
+            unit = DISTANCE if name in FLOWN else display_unit(name, known[name].unit)
+            unit = "mph" if unit == "m/s" else unit
+            values = (f"{from_si(each, unit):.4g}" for each in (self.mean(name), self.spread(name)))
+            lines.append(f"  {name:<12} {' ± '.join(values)} {unit}")
+        return "\n".join(lines)
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
+        """Show it in a notebook."""
+        printer.text("..." if cycle else str(self))
 
     @property
     def quantities(self) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from clubface import units
 from clubface.errors import InputError, Told
 from clubface.simulation.delivery import OF_CLUB, Delivery
 from clubface.support.arrays import Floats
@@ -81,6 +82,21 @@ class Golfer:
     mishit_share: float = 0.0
     mishit_scale: float = 1.0
     sources: Mapping[str, str] = field(default_factory=dict)
+
+    def __str__(self) -> str:
+        """Tell the golfer as people read it: means and standard deviations of the delivery in usual units."""
+        lines = [f"{self.name}: {self.title or 'golfer'}, with {self.club}{', left-handed' * (self.hand < 0)}"]
+        for name, mean, spread in zip(self.variables, self.mean, self.spread, strict=True):
+            unit = "mph" if name == "speed" else units.display_unit(name, units.SI_UNITS[OF_CLUB[name]])
+            numbers = (f"{units.from_si(float(each), unit):.4g}" for each in (mean, spread))
+            lines.append(f"  {name:<12} {' ± '.join(numbers)} {unit}")
+        if self.mishit_share > 0.0:
+            lines.append(f"  {self.mishit_share:.0%} mishits, {self.mishit_scale:.3g} times as far off")
+        return "\n".join(lines)
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
+        """Show the golfer in a notebook."""
+        printer.text("..." if cycle else str(self))
 
     def __post_init__(self) -> None:
         check_name(self.name)

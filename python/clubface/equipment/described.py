@@ -59,6 +59,23 @@ class Described:
 
     properties: ClassVar[Properties]
 
+    def __str__(self) -> str:
+        """Tell it as people read it: the name, and every number in its usual unit."""
+        hand = ", left-handed" if getattr(self, "hand", 1) < 0 else ""
+        about = getattr(self, "description", "")
+        lines = [f"{getattr(self, 'name', '')}{hand}{f': {about}' * bool(about)}"]
+        for key, each in self.properties.items():
+            value = getattr(self, key)
+            if value is not None:
+                number = FLAT if value == math.inf else f"{units.from_si(value, each.unit):.6g}"
+                unit = "" if each.unit == "1" or value == math.inf else f" {each.unit}"
+                lines.append(f"  {key:<20} {number}{unit}")
+        return "\n".join(lines)
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
+        """Show it in a notebook."""
+        printer.text("..." if cycle else str(self))
+
     def replace(self, **changes: Any) -> Self:
         """Return it with fields changed, as text with a unit or an SI number: ``mass="200 g"``."""
         return changed(self, changes)
