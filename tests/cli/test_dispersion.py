@@ -92,6 +92,13 @@ def test_a_club_of_other_loft_is_said_to_be_hit_with_the_loft_that_the_golfer_de
     assert "with the dynamic loft of driver" in told
 
 
+def test_a_monitor_that_sees_the_ball_alone_tells_no_golfer(clubface_, tmp_path):
+    file = tmp_path / "ball.csv"
+    file.write_text("ball_speed_mph,launch_deg\n" + "".join(f"{130 + one},12\n" for one in range(20)))
+    ran = clubface_("golfer", "estimate", str(file), "--club", "driver")
+    assert_mistake(ran, "club speed is missing from the shots", "golfer list")
+
+
 def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_path):
     shots, head, mine = (tmp_path / name for name in ("shots.csv", "head.toml", "mine.toml"))
     assert clubface_("club", "new", "-o", str(head)).status == 0

@@ -126,7 +126,9 @@ def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, flo
     names = tuple(name for name in OF_CLUB if name in given and np.isfinite(given[name]).mean() > 0.5)
     if "speed" not in names:
         raise InputError(
-            "shots", Told("without club speed"), "shots with the club's speed, path, face angle and the like"
+            "club speed",
+            Told("missing from the shots"),
+            "measured, since a golfer is how the club is delivered; clubface golfer list has golfers to take instead",
         )
     values = np.stack([given[name] for name in names], axis=1)
     values = values[np.isfinite(values).all(axis=1)]
