@@ -216,7 +216,7 @@ def _words(found: Summary) -> Iterator[str]:
     for place, (name, si) in enumerate(list(found.quantities.items())[:MOST_SHOWN]):
         unit = shown_unit(name, si)
         told = _shown(found.overall, place, unit)
-        least, most = (_number(each, _decimals(told[1])) for each in told[2:])
+        least, most = (_number(each, _decimals(told[1], max(map(abs, told)))) for each in told[2:])
         yield f"{name.replace('_', ' ').capitalize()} ranges from {least} to {most}{'' if unit == '1' else f' {unit}'}."
 
 
@@ -250,7 +250,13 @@ def _print(found: Summary) -> None:
     rows = []
     for place, (name, unit) in enumerate(units.items()):
         each = _shown(found.overall, place, unit)
-        rows.append([name, *(_number(value, _decimals(each[1])) for value in each), "" if unit == "1" else unit])
+        rows.append(
+            [
+                name,
+                *(_number(value, _decimals(each[1], max(map(abs, each)))) for value in each),
+                "" if unit == "1" else unit,
+            ]
+        )
     print_numbers(("", "mean", "deviation", "least", "most", "unit"), rows, title=f"{found.name}, {found.tasks} tasks")
     shown = list(units.items())[:MOST_SHOWN]
     for along in found.along:
@@ -258,7 +264,10 @@ def _print(found: Summary) -> None:
         columns = []
         for place, (_, unit) in enumerate(shown):
             pairs = [_shown(figures, place, unit)[:2] for figures in along.figures]
-            digits = _decimals(max((spread for _, spread in pairs if spread == spread), default=0.0))
+            known = [pair for pair in pairs if pair[1] == pair[1]]
+            digits = _decimals(
+                max((spread for _, spread in known), default=0.0), max((abs(mean) for mean, _ in known), default=0.0)
+            )
             columns.append([f"{_number(mean, digits)} ± {_number(spread, digits)}" for mean, spread in pairs])
         body = [[label, *cells] for label, *cells in zip(level_texts(along), *columns, strict=True)]
         print()
@@ -287,11 +296,13 @@ def _shown(figures: Figures, place: int, unit: str) -> list[float]:
     return [values[0], float(figures.deviation[place]) / size(unit), *values[1:]]
 
 
-def _decimals(spread: float) -> int | None:
-    """Return the decimals that show a spread to three digits; None where that many make no sense."""
+def _decimals(spread: float, largest: float) -> int | None:
+    """Return the decimals that show a spread to three digits, the ``largest`` value to six at most; None if none do."""
     if not 1e-6 <= spread < 1e7:
         return None
-    return max(2 - math.floor(math.log10(spread)), 0)
+    enough = 2 - math.floor(math.log10(spread))
+    most = 5 - math.floor(math.log10(max(abs(largest), spread)))
+    return max(min(enough, most), 0)
 
 
 def _number(value: float, decimals: int | None) -> str:
