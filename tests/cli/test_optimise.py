@@ -70,6 +70,23 @@ def test_the_json_has_the_optimum_in_si_units_and_every_verdict(clubface_, study
     assert set(found["fresh"]["error_of_difference_from_optimum"]["optimum"].values()) == {0.0}
 
 
+def test_the_report_says_what_changed_and_that_a_tolerance_was_used(clubface_, study, tmp_path):
+    pytest.importorskip("matplotlib")
+    text = STUDY.replace('loft = ["8 deg", "16 deg"]\ncg_x = ["38 mm", "44 mm"]', 'mass_distribution = "free"')
+    study.write_text(text.replace("starts = 2", "starts = 1"))
+    report = tmp_path / "best.md"
+    ran = clubface_("optimise", str(study), "--report", str(report), "--json")
+    assert "artists" not in ran.err  # only the mass distribution is free: no field has a place between bounds
+    start, best = ran.json["start"], ran.json["optimum"]
+    words = report.read_text()
+    back = 1e3 * (best["cg_x"] - start["cg_x"])
+    assert back > 0.05
+    assert f"its CG lies {back:.1f} mm farther back" in words
+    assert f"moment of inertia about the vertical axis is {1e7 * best['iyy']:.4g} g cm2 instead of 5679 g cm2" in words
+    # The published driver's face has 250 us: beyond the limit of 239, within its tolerance.
+    assert any("characteristic time of the face 250 us, limit 239 us" in each for each in ran.json["notes"])
+
+
 def test_a_front_is_a_table_of_clubs(clubface_, study):
     study.write_text(
         STUDY.replace('"carry"', '["carry", "side_spread"]').replace("starts = 2", "starts = 2\npoints = 3")

@@ -121,6 +121,16 @@ def notes(found: Optimum) -> list[str]:
     stopping = [each.limit for each in found.verdicts() if each.state == "kept, at the limit"]
     if stopping:
         said.append(f"What stops the optimum: {', '.join(stopping)}.")
+    beyond = [each for each in study.rule_values(found.built) if each.conforms and each.value > each.rule.most]
+    if study.conform and beyond:
+        which = ", ".join(
+            f"{each.rule.title} {units.show(each.value, each.rule.unit, 4)}, limit"
+            f" {units.show(each.rule.most, each.rule.unit, 4)}" for each in beyond
+        )  # fmt: skip
+        said.append(
+            f"It makes use of tolerances of the rules, which are there for what a measurement may be off: {which}."
+            " tolerance = false under [rules] keeps to the limits."
+        )
     if study.moves_mass and not found.placed():
         said.append(
             "No point masses in the volume were found that have the moments of the discretionary mass: a box refuses no"
@@ -146,10 +156,29 @@ def gains(found: Optimum) -> list[str]:
         unit = "" if judge.unit == "1" else f" {judge.unit}"
         said.append(f"The {judge.meaning} is {_value(after, judge)}{unit} instead of "
                     f"{_value(before, judge)}{unit}.")  # fmt: skip
+    if moved := _moved(found):
+        said.append(f"Beside the club at the start, its CG lies {moved}.")
+    for name, words in (("iyy", "moment of inertia about the vertical axis"), ("bulge", "bulge"), ("roll", "roll")):
+        if name in found.club:
+            before, after = (units.show(each, UNITS[name], 4) for each in (own_value(found.study.club, name),
+                                                                            found.club[name]))  # fmt: skip
+            if before != after:
+                said.append(f"The {words} is {after} instead of {before}.")
     if lie_or_loft := [name for name in ("loft", "lie") if name in found.club and name in found.study.bounds]:
         angles = [f"a {name} of {units.fixed(found.club[name], 'deg', 1)}" for name in lie_or_loft]
         said.append(f"The club has {' and '.join(angles)}.")
     return said
+
+
+def _moved(found: Optimum) -> str:
+    """Say where the CG went: "9.8 mm farther back and 2.4 mm higher"; nothing where it stayed."""
+    moved = [name for name in ("cg_x", "cg_y", "cg_z") if name in found.club]
+    parts = told({name: found.club[name] - own_value(found.study.club, name) for name in moved})
+    if not parts:
+        return ""
+    *others, last = re.sub(r"CG (\S+ mm)( (?=back|forward))?", lambda each: each[1] + " farther " * bool(each[2]),
+                           parts).split(", ")  # fmt: skip
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 def _against_nominal(found: Optimum) -> str:
