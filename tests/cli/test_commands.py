@@ -76,6 +76,16 @@ def test_a_new_club_is_a_club_that_passes_the_check(clubface_, tmp_path):
     assert clubface_("shot", str(file), *shot).json == clubface_("shot", "driver", *shot).json
 
 
+def test_the_check_of_a_club_tells_what_the_rules_say_of_it(clubface_, tmp_path):
+    file = tmp_path / "heavy.toml"
+    changes = "iyy=5950 g cm2, characteristic_time=230 us"
+    assert clubface_("club", "new", "heavy", "--set", changes, "-o", str(file)).status == 0
+    lines = [" ".join(line.split()) for line in clubface_("club", "check", str(file)).out.splitlines()]
+    assert "moment of inertia, vertical axis, g cm2 5950 5900 100 conforms within the tolerance" in lines
+    assert "characteristic time of the face, us 230 239 18 conforms" in lines
+    assert not any("volume" in line for line in lines)  # a club file knows none
+
+
 def test_a_new_club_goes_to_the_screen_or_starts_from_another(clubface_):
     assert clubface.Club.from_text(clubface_("club", "new").out).name == "my-club"
     like = clubface.Club.from_text(clubface_("club", "new", "lob", "--like", "9-iron").out)

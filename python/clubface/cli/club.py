@@ -100,4 +100,22 @@ def check(
         output.print_json(describe(found))
     else:
         print_club(found)
+        print()
+        _print_rules(found)
         print(f"\n{file}: a club that can exist")
+
+
+def _print_rules(of: Club) -> None:
+    """Print what the club has of every limit of the rules that a club file knows."""
+    from clubface import units
+    from clubface.cli.tables import print_numbers
+    from clubface.design.rules import check_rules
+
+    rows = []
+    for each in check_rules(of):
+        if each.conforms is not None:
+            unit = each.rule.unit
+            told = (units.from_si(value, unit) for value in (each.value, each.rule.most, each.rule.tolerance))
+            rows.append([f"{each.rule.title}, {unit}", *(f"{value:.4g}" for value in told), each.words])
+    if rows:
+        print_numbers(("", "club", "limit", "tolerance", ""), rows, title="Rules of golf")
