@@ -110,6 +110,19 @@ def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_pat
     assert_mistake(clubface_("dispersion", str(mine), *FEW), "--club is missing", "my-club", "mine")
 
 
+def test_the_report_says_what_spreads_the_shots_most(clubface_, tmp_path):
+    """The face angle makes the side, as the table of shares has it."""
+    pytest.importorskip("matplotlib")
+    report = tmp_path / "shots.md"
+    ran = clubface_("dispersion", "handicap-10-driver", "--count", "256", "--report", str(report), "--json")
+    shares = ran.json["shares"]
+    face = shares["share"]["side"][shares["variables"].index("face")]
+    assert face == max(shares["share"]["side"])
+    text = report.read_text()
+    assert f"off the line depends most on the face angle, which makes {face:.0%} of the differences" in text
+    assert "How far the ball goes depends most on" in text
+
+
 @pytest.mark.parametrize(("spread", "shares"), [("", False), ('face = "2 deg"', True)])
 def test_a_golfer_in_whom_little_varies_is_hit_with(clubface_, tmp_path, spread, shares):
     file = tmp_path / "robot.toml"
