@@ -214,7 +214,10 @@ def doubt(of: ClubFigures) -> Iterator[str]:
         if found.remarked:
             rows = ", ".join(str(row) for row in found.remarked[:10])
             more = f" and {len(found.remarked) - 10} more" * (len(found.remarked) > 10)
-            yield f"The figures in these lines of the file hardly go together, so that one of them may be wrong: {rows}{more}."
+            yield (
+                "The figures in these lines of the file hardly go together, so that one of them may be wrong:"
+                f" {rows}{more}."
+            )
         if found.refused:
             yield f"{found.refused} of the shots cannot be of this club as measured, and are left out there."
     elif of.club is None:
