@@ -240,9 +240,10 @@ def shortened(text: str, most: int) -> str:
 
 
 def _shown(value: object) -> str:
-    """Return ``repr`` of a value, cut to a length that still fits a line."""
+    """Return ``repr`` of a value on one line, cut to a length that still fits it."""
     try:
         text = repr(value)
     except Exception:
         text = f"a {type(value).__name__}"
-    return text if len(text) <= 80 else text[:77] + "..."
+    first, *more = text.splitlines() or [""]
+    return first if len(first) <= 80 and not more else first[:77] + "..."

@@ -1,6 +1,7 @@
 """The other commands: lists, clubs, sensitivities, flights, files, the tour."""
 
 import csv
+import math
 
 import pytest
 
@@ -75,10 +76,50 @@ def test_a_new_club_is_a_club_that_passes_the_check(clubface_, tmp_path):
     assert clubface_("shot", str(file), *shot).json == clubface_("shot", "driver", *shot).json
 
 
+def test_the_check_of_a_club_tells_what_the_rules_say_of_it(clubface_, tmp_path):
+    file = tmp_path / "heavy.toml"
+    changes = "iyy=5950 g cm2, characteristic_time=230 us"
+    assert clubface_("club", "new", "heavy", "--set", changes, "-o", str(file)).status == 0
+    lines = [" ".join(line.split()) for line in clubface_("club", "check", str(file)).out.splitlines()]
+    assert "moment of inertia, vertical axis, g cm2 5950 5900 100 conforms within the tolerance" in lines
+    assert "characteristic time of the face, us 230 239 18 conforms" in lines
+    assert not any("volume" in line for line in lines)  # a club file knows none
+
+
 def test_a_new_club_goes_to_the_screen_or_starts_from_another(clubface_):
     assert clubface.Club.from_text(clubface_("club", "new").out).name == "my-club"
     like = clubface.Club.from_text(clubface_("club", "new", "lob", "--like", "9-iron").out)
     assert like.replace(name="9-iron") == clubface.club("9-iron")
+
+
+def test_a_new_club_may_differ_from_the_one_it_starts_from(clubface_):
+    driver = clubface.club("driver")
+    text = clubface_("club", "new", "mine", "--set", "cg_x=38 mm, iyy=5200 g cm2", "--set", "cor=0.82").out
+    found = clubface.Club.from_text(text)
+    assert found == driver.replace(name="mine", description="", cg_x="38 mm", iyy="5200 g cm2", cor=0.82, sources={})
+    assert "the MOI the rules limit" in text
+    text = clubface_("club", "new", "heavy", "--like", "driver", "--set", "inertia=-10 %, loft=11 deg").out
+    found = clubface.Club.from_text(text)
+    assert found.ixy == pytest.approx(0.9 * driver.ixy, rel=1e-5)
+    assert found.iyy == pytest.approx(0.9 * driver.iyy, rel=1e-5)
+    assert 'iyy = "5111.1 g cm2"' in text
+    assert found.loft == pytest.approx(math.radians(11.0))
+    # What was changed is no longer what the source says.
+    assert {"mass", "cg_x"} <= set(found.sources)
+    assert not {"loft", "ixx", "iyy"} & set(found.sources)
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ("cgx=1 mm", "did you mean cg_x"),
+        ("inertia=10", "per cent"),
+        ("cg_x=10 kg", "not a mass"),
+        ("cg_x", "name=value"),
+    ],
+)
+def test_a_wrong_change_of_a_new_club_is_told(clubface_, change, told):
+    assert_mistake(clubface_("club", "new", "--set", change), told)
 
 
 def test_a_file_that_exists_is_not_overwritten(clubface_, write):

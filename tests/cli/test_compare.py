@@ -163,3 +163,11 @@ def test_too_many_combinations_are_refused(clubface_):
     arguments = ["--model", "all", "--ball", "modern", "--ball", "distance"]
     clubs = ["driver", "3-wood", "5-wood"]
     assert_mistake(clubface_("compare", *clubs, "--speed", "105 mph", *arguments), "at most 24")
+
+
+def test_clubs_that_differ_in_nothing_are_said_to(clubface_, tmp_path):
+    same = tmp_path / "same.toml"
+    assert clubface_("club", "new", "same", "-o", str(same)).status == 0
+    ran = clubface_("compare", "driver", str(same), "--speed", "105 mph")
+    assert "same is like driver in everything that this shot depends on" in ran.out
+    assert "remainder" not in ran.out

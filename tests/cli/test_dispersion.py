@@ -82,6 +82,23 @@ def test_a_golfer_is_estimated_from_a_file_and_can_be_hit_with(clubface_, tmp_pa
     assert written.json["name"] == "mine"
 
 
+def test_a_club_of_other_loft_is_said_to_be_hit_with_the_loft_that_the_golfer_delivers(clubface_, tmp_path):
+    head = tmp_path / "head.toml"
+    assert clubface_("club", "new", "head", "--like", "driver", "-o", str(head)).status == 0
+    assert "dynamic loft" not in clubface_("dispersion", "tour-driver", "--club", str(head), *FEW).err
+    head.write_text(head.read_text().replace('loft = "9.8 deg"', 'loft = "10.3 deg"'))
+    told = " ".join(clubface_("dispersion", "tour-driver", "--club", str(head), *FEW).err.split())
+    assert "head has 0.5 deg more loft than driver" in told
+    assert "with the dynamic loft of driver" in told
+
+
+def test_a_monitor_that_sees_the_ball_alone_tells_no_golfer(clubface_, tmp_path):
+    file = tmp_path / "ball.csv"
+    file.write_text("ball_speed_mph,launch_deg\n" + "".join(f"{130 + one},12\n" for one in range(20)))
+    ran = clubface_("golfer", "estimate", str(file), "--club", "driver")
+    assert_mistake(ran, "club speed is missing from the shots", "golfer list")
+
+
 def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_path):
     shots, head, mine = (tmp_path / name for name in ("shots.csv", "head.toml", "mine.toml"))
     assert clubface_("club", "new", "-o", str(head)).status == 0
@@ -108,6 +125,19 @@ def test_a_mean_that_cannot_be_hit_is_told_of_the_golfer_and_not_of_an_option(cl
     ran = clubface_("dispersion", str(file), *FEW)
     assert_mistake(ran, "robot", words)
     assert "--" not in ran.err
+
+
+def test_the_report_says_what_spreads_the_shots_most(clubface_, tmp_path):
+    """The face angle makes the side, as the table of shares has it."""
+    pytest.importorskip("matplotlib")
+    report = tmp_path / "shots.md"
+    ran = clubface_("dispersion", "handicap-10-driver", "--count", "256", "--report", str(report), "--json")
+    shares = ran.json["shares"]
+    face = shares["share"]["side"][shares["variables"].index("face")]
+    assert face == max(shares["share"]["side"])
+    text = report.read_text()
+    assert f"off the line depends most on the face angle, which makes {face:.0%} of the differences" in text
+    assert "How far the ball goes depends most on" in text
 
 
 @pytest.mark.parametrize(("spread", "shares"), [("", False), ('face = "2 deg"', True)])

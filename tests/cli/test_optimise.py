@@ -70,6 +70,23 @@ def test_the_json_has_the_optimum_in_si_units_and_every_verdict(clubface_, study
     assert set(found["fresh"]["error_of_difference_from_optimum"]["optimum"].values()) == {0.0}
 
 
+def test_the_report_says_what_changed_and_that_a_tolerance_was_used(clubface_, study, tmp_path):
+    pytest.importorskip("matplotlib")
+    text = STUDY.replace('loft = ["8 deg", "16 deg"]\ncg_x = ["38 mm", "44 mm"]', 'mass_distribution = "free"')
+    study.write_text(text.replace("starts = 2", "starts = 1"))
+    report = tmp_path / "best.md"
+    ran = clubface_("optimise", str(study), "--report", str(report), "--json")
+    assert "artists" not in ran.err  # only the mass distribution is free: no field has a place between bounds
+    start, best = ran.json["start"], ran.json["optimum"]
+    words = report.read_text()
+    back = 1e3 * (best["cg_x"] - start["cg_x"])
+    assert back > 0.05
+    assert f"its CG lies {back:.1f} mm farther back" in words
+    assert f"moment of inertia about the vertical axis is {1e7 * best['iyy']:.4g} g cm2 instead of 5679 g cm2" in words
+    # The published driver's face has 250 us: beyond the limit of 239, within its tolerance.
+    assert any("characteristic time of the face 250 us, limit 239 us" in each for each in ran.json["notes"])
+
+
 def test_a_front_is_a_table_of_clubs(clubface_, study):
     study.write_text(
         STUDY.replace('"carry"', '["carry", "side_spread"]').replace("starts = 2", "starts = 2\npoints = 3")
@@ -91,7 +108,7 @@ def test_a_fitting_ranks_the_parts(clubface_, study):
 
 def test_the_report_of_a_fitting_advises_the_best_combination(clubface_, study, tmp_path):
     pytest.importorskip("matplotlib")
-    study.write_text(FIT)
+    study.write_text(FIT.replace("shots = 32", "shots = 1024"))
     report, target, picture = (tmp_path / f"fitting.{ending}" for ending in ("md", "csv", "svg"))
     files = ("--report", str(report), "-o", str(target), "--plot", str(picture))
     found = clubface_("optimise", str(study), "--json", *files).json["combinations"]
@@ -100,6 +117,10 @@ def test_the_report_of_a_fitting_advises_the_best_combination(clubface_, study, 
     carry = f"the mean carry is {best['value'] / 0.9144:.2f} yd"
     assert f"Of 2 combinations the best is {best['club']} with the ball {best['ball']}: {carry}." in text
     assert f"{(best['value'] - next_one['value']) / 0.9144:.2f} yd behind" in text
+    # The golfer sees what the new parts are worth: the same shots with the first club and ball as they are.
+    unchanged = next(each for each in found if each["ball"] == "modern")
+    assert f"as it is now and the ball modern it is {unchanged['value'] / 0.9144:.2f} yd" in text
+    assert "less than a golfer notices" in text
     assert "Which ball" in text
     assert "| wind | none |" in text
     rows = list(csv.DictReader(target.open()))
@@ -108,6 +129,16 @@ def test_the_report_of_a_fitting_advises_the_best_combination(clubface_, study, 
     assert picture.read_text().startswith("<?xml")
     for ball in ("modern", "distance"):
         assert f"Club driver and ball {ball}, by the model response" in text
+
+
+def test_the_changes_of_a_setting_are_told_in_words(clubface_, study):
+    study.write_text(
+        FIT + '[[fit.setting]]\nname = "a"\nloft = "-1.5 deg"\ncg_x = "2 mm"\n'
+        '[[fit.setting]]\nname = "b"\nlie = "1 deg"\ncg_y = "-3 mm"\n'
+    )
+    told = " ".join(clubface_("optimise", str(study)).out.split())
+    assert "1.5 deg less loft, CG 2.0 mm back" in told
+    assert "1.0 deg more upright, CG 3.0 mm higher" in told
 
 
 @pytest.mark.parametrize(

@@ -261,7 +261,7 @@ def test_what_was_measured_is_not_called_assumed(clubface_, files, monkeypatch):
     words = words_of(clubface_, files / "report.html", *COMMANDS["estimate"])
     assert words.startswith("These figures come from 60 shots")
     assert (
-        "Measured or published is how much these differ from shot to shot: speed, attack, path, loft, face, lie;"
+        "How much these differ from shot to shot was measured or published: speed, attack, path, loft, face, lie"
         in words
     )
 

@@ -216,8 +216,22 @@ def test_a_crosswind_blows_to_the_right(clubface_):
     assert row["side_m"] > 5.0
 
 
+def test_a_loft_that_was_not_given_is_said_to_be_the_clubs_own(clubface_):
+    told = "delivered with the static loft (7-iron 30.5 deg), which few golfers do"
+    shot = ("shot", "7-iron", "--speed", "40 m/s")
+    assert told in " ".join(clubface_(*shot).out.split())
+    assert "static loft" not in clubface_(*shot, "--loft", "25 deg").out
+    assert "static loft" not in clubface_(*shot, "--json").out
+    compared = ("compare", "driver", "7-iron", "--speed", "40 m/s", "--no-split")
+    assert "(driver 9.8 deg, 7-iron 30.5 deg)" in " ".join(clubface_(*compared).out.split())
+    assert "static loft (" not in clubface_(*compared, "--delivery", "loft=15 deg").out
+    face = ("map", "driver", "--speed", "40 m/s", "--grid", "5x5")
+    assert "(driver 9.8 deg)" in " ".join(clubface_(*face).out.split())
+    assert "static loft" not in clubface_(*face, "--loft", "14 deg").out
+
+
 def test_one_line_under_the_table_says_where_the_caveats_of_the_models_stand(clubface_):
-    shot = ["shot", "driver", "--speed", "50 m/s"]
+    shot = ["shot", "driver", "--speed", "50 m/s", "--loft", "12 deg"]
     table, note = clubface_(*shot, "--model", "adjusted").out.rsplit("\n", 2)[:2]
     assert note == "Caveats: clubface models adjusted"
     assert table.splitlines()[-1].startswith("landing angle ")

@@ -37,14 +37,6 @@ def test_moments_and_quantiles_are_those_of_the_shots_one_by_one(drives):
     assert covariance == pytest.approx(np.cov([forward(carry, side), side], bias=True), rel=1e-8)
 
 
-def test_it_says_in_a_line_where_the_shots_go(drives):
-    carry = f"carry {drives.mean('carry') / 0.9144:.1f} yd ± {drives.spread('carry') / 0.9144:.1f} yd"
-    assert carry in repr(drives)
-    assert f"{COUNT} shots ({drives.lost} without a result) of handicap-10-driver" in repr(drives)
-    assert f"{drives.strokes:.3f} strokes" in repr(drives)
-    assert f"driver at {drives.golfer.mean[0] / 0.44704:.1f} mph ± " in repr(drives.golfer)
-
-
 def test_chunks_and_threads_change_no_count_and_no_strokes(drives, monkeypatch):
     monkeypatch.setattr(module, "CHUNK", 1000)
     again = dispersion("handicap-10-driver", count=COUNT, hole=Hole(length="400 yd"), threads=1)

@@ -291,3 +291,23 @@ def test_the_drives_of_shipped_amateurs_spread_in_direction_as_published(name, s
     flight = clubface.fly(launch, on_error="nan")
     direction = np.arctan2(flight.side, np.sqrt(flight.carry**2 - flight.side**2))
     assert np.nanstd(direction) == pytest.approx(known, rel=0.06)
+
+
+def test_a_golfer_a_club_and_a_dispersion_are_told_in_the_units_of_golfers():
+    """What a notebook shows of them: one line a number, with its unit, not the fields in SI."""
+    from clubface import Ball, Hole, club, dispersion, golfer
+
+    player = golfer("handicap-10-driver")
+    lines = str(player).splitlines()
+    assert lines[1].split() == ["speed", "95", "±", "1.4", "mph"]
+    assert lines[-1].split() == ["10%", "mishits,", "2", "times", "as", "far", "off"]
+    head = str(club("driver").replace(hand="left", roll="flat"))
+    assert head.startswith("driver, left-handed")
+    assert "  cg_x                 40.8 mm\n" in head
+    assert "  roll                 flat\n" in head
+    assert "45.6 g" in str(Ball.builtin("modern"))
+    found = dispersion(player, count=64, hole=Hole(length="400 yd"))
+    (carry,) = [line.split() for line in str(found).splitlines() if "carry" in line]
+    assert float(carry[1]) == pytest.approx(found.mean("carry") / 0.9144, rel=1e-3)
+    assert carry[-1] == "yd"
+    assert f"{found.strokes:.3f} after the shot" in str(found)

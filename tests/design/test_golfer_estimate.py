@@ -114,6 +114,10 @@ def test_what_was_not_measured_comes_from_the_nearest_golfer_and_says_so():
     assert found.like == "handicap-5-driver"
     assert found.golfer.source("spread of closure") == "assumed: as of handicap-5-driver"
     assert found.golfer.source("spread of face") == "measured: shots.csv"
+    assert found.golfer.source("correlation") == "measured: shots.csv"
+    assert found.golfer.source("mishits") == "measured: shots.csv"
+    few = estimate_golfer(hit(known(), 20, 3)).golfer
+    assert few.source("mishits") == "assumed: as of handicap-5-driver"  # 20 shots tell nothing of them
     assert any("not measured" in note for note in found.notes)
 
 

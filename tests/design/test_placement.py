@@ -1,11 +1,14 @@
 """Point masses that are printed for a designer have the moments of the head, and lie in it."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from clubface import club
 from clubface.design.feasibility import Envelope, Volume, of_club, pseudo_inertia
-from clubface.design.optimisation.placement import NEAR, placement
+from clubface.design.optimisation.placement import NEAR, PointMass, placement
+from clubface.design.optimisation.words import placement_table
 
 BOX = Volume(shape="box", centre=(-0.055, 0.002, 0.003), size=(0.115, 0.062, 0.124))
 AROUND = Volume(shape="ellipsoid", centre=(-0.055, -0.003, 0.003), size=(0.15, 0.09, 0.16))
@@ -56,3 +59,12 @@ def test_a_point_mass_at_a_place_of_the_grid_is_found_there():
     (one,) = placement(envelope, 0.02 * np.outer(row, row))
     assert one.mass == pytest.approx(0.02)
     assert one.place == pytest.approx(tuple(place), abs=1e-12)
+
+
+def test_point_masses_side_by_side_are_one_row_with_the_mass_of_all():
+    at = (-0.1, 0.03, -1e-6)
+    beside = (-0.1, 0.03 - 1e-4, 1e-5)
+    far = (-0.1, -0.03, 0.0)
+    masses = [PointMass(0.006, at), PointMass(0.005, far), PointMass(0.004, beside), PointMass(1e-8, (0.0, 0.0, 0.0))]
+    _, rows = placement_table(SimpleNamespace(placed=lambda: masses))  # type: ignore[arg-type]
+    assert rows == [["1", "10.0", "-100.0", "30.0", "0.0"], ["2", "5.0", "-100.0", "-30.0", "0.0"]]

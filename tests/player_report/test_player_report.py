@@ -1,6 +1,7 @@
 """The report for a player: every number is one of the file or of a model, sides and doubts are in words, one file."""
 
 import base64
+import dataclasses
 import re
 from html.parser import HTMLParser
 
@@ -73,6 +74,39 @@ def test_sides_are_in_words():
         (YD, "side", "1 yard to the right"),
     ):  # fmt: skip
         assert words.sided(value, name) == told
+
+
+def test_a_closing_face_is_told_with_what_it_does_to_start_and_bend():
+    """A face that closes on the way moves to the left, which is a face open to that path: left start, bend right."""
+    found = figures_of(shots(), "Driver")
+    assert found.inferred is not None
+    base = found.inferred.mean
+    without = clubface.impact("driver", {**base, "closure": 0.0})
+    moved = clubface.impact("driver", base).azimuth - without.azimuth
+    assert found.closing["azimuth"] == pytest.approx(moved, rel=0.1)
+    text = " ".join(words.line(found))
+    assert "usual for golfers of your speed, and so moves to the left" in text
+    assert (
+        f"starts the ball {abs(np.degrees(found.closing['azimuth'])):.1f}° further left and bends it to the right"
+        in text
+    )
+    measured = shots()
+    measured.deliveries["closure"] = np.full(12, 2500 * DEG)
+    assert "usual for golfers" not in " ".join(words.line(figures_of(measured, "Driver")))
+
+
+def test_the_only_player_of_a_file_is_named():
+    given = shots()
+    assert " by " not in str(next(iter(list(blocks([], given))[1:])))
+    named = dataclasses.replace(given, players=np.full(12, "Maria", dtype=object))
+    assert "12 shots by Maria of range.csv" in str(next(iter(list(blocks([], named))[1:])))
+
+
+def test_a_mile_per_hour_more_is_told_to_a_tenth_of_ball_speed():
+    found = figures_of(shots(), "Driver")
+    faster = next(each for each in found.changes if each.name == "speed")
+    told = f"ball speed {faster.launch['ball_speed'] / MPH:+.1f} mph"
+    assert any(each.startswith("If you swing 1 mph faster: " + told) for each in words.what_if(found))
 
 
 def test_a_strike_that_was_measured_is_told_and_one_that_was_not_is_estimated_with_its_doubt():

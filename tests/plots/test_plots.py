@@ -123,6 +123,19 @@ def test_each_model_has_its_own_colour_and_dash_whatever_else_is_drawn(histories
     assert len(set(looks)) == len(looks)
 
 
+def test_finite_elements_look_like_no_other_model():
+    """A drive by the default model and by finite elements, drawn together, had one colour and one dash."""
+    from clubface.equipment.models import models
+    from clubface.plots.style import look, marker
+
+    names = [*models(), "fem"]
+    for of in (look, marker):
+        assert len({of(name)["color"] for name in names}) == len(names)
+    assert len({str(marker(name)["marker"]) for name in names}) == len(names)
+    for name in models():
+        assert str(look(name)["linestyle"]) != str(look("fem")["linestyle"])
+
+
 def test_errors_of_every_model_and_club_are_drawn_with_their_sign(averages):
     figure = figures.error_figure(averages)
     spin = figure.axes[4]

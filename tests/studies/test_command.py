@@ -33,6 +33,26 @@ def test_a_study_is_run_looked_at_joined_and_summed_up(study, tmp_path):
     assert document["overall"]["carry"]["count"] == 24
 
 
+def test_a_summary_is_in_the_units_of_golfers_and_no_finer_than_its_spread(study, tmp_path):
+    path = shots(tmp_path)
+    study("run", path)
+    found = study("summary", path, "--json").json["overall"]["carry"]  # SI
+    mean, deviation = found["mean"] / 0.9144, found["deviation"] / 0.9144
+    assert 1.0 <= deviation < 100.0
+    digits = 2 if deviation < 10.0 else 1
+    (row,) = [line.split() for line in study("summary", path).out.splitlines() if line.startswith("carry")]
+    assert row[1:3] == [f"{mean:.{digits}f}", f"{deviation:.{digits}f}"]
+    assert row[-1] == "yd"
+
+
+def test_a_tiny_spread_does_not_fill_a_summary_with_digits(study, tmp_path):
+    path = tmp_path / "same.toml"
+    path.write_text('[impact]\nclub = "driver"\noutputs = ["carry"]\n[sweep]\nspeed = ["50 m/s", "50.00001 m/s"]\n')
+    study("run", path)
+    (row,) = [line.split() for line in study("summary", path).out.splitlines() if line.startswith("carry")]
+    assert [len(each.replace(".", "")) for each in row[1:2]] == [6]
+
+
 def test_shares_and_damage_are_told(study, tmp_path):
     path = squares(tmp_path)
     assert "10 chunks of the whole study left to other runs" in study("run", path, "--shard", "1/2").out

@@ -109,8 +109,8 @@ def test_a_picture_shows_every_quantity_along_every_input(drives):
     assert [figure.axes[3 * row].get_ylabel() for row in range(4)] == [
         "ball speed, mph",
         "backspin, rpm",
-        "carry, m",
-        "side, m",
+        "carry, yd",
+        "side, yd",
     ]
     mean = figure.axes[0].get_lines()[0].get_ydata()
     assert len(mean) == 4

@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+import re
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import options, output
+from clubface.cli import option_values, options, output
+from clubface.errors import InputError
+from clubface.support.checks import check_choice
+from clubface.support.strict_toml import quoted
+
+if TYPE_CHECKING:
+    from clubface.equipment.clubs import Club
+
+WHOLE, INERTIA = "inertia", ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+"""What ``--set`` calls the whole tensor of inertia, and its elements."""
 
 app = typer.Typer(add_completion=False, help="Make and check a club file.", no_args_is_help=True)
 
@@ -18,13 +28,64 @@ def new(
         str | None,
         options.option("--like", metavar="CLUB", text="Start from this club instead of the explained template."),
     ] = None,
+    settings: Annotated[
+        list[str] | None,
+        options.option(
+            "--set",
+            metavar='"cg_x=38 mm"',
+            text="Change a value, several with commas or repeated; inertia=+10% scales the whole tensor.",
+        ),
+    ] = None,
     target: options.Template = None,
 ) -> None:
     """Write a template of a club file."""
     from clubface.equipment.clubs import Club, club
 
-    text = Club.template(name) if like is None else club(like).replace(name=name).to_toml()
+    base = Club.from_text(Club.template(name)) if like is None else club(like).replace(name=name)
+    changes = _changes(
+        base, option_values.pairs([part for each in settings or () for part in each.split(",")], "--set")
+    )
+    changed = base.replace(**changes)  # refuses what cannot be
+    text = changed.to_toml() if like is not None else _template(name, changes)
     output.write_template(text, target, f"fill it in, then try: clubface club check {target}")
+
+
+def _changes(base: Club, typed: dict[str, str]) -> dict[str, Any]:
+    """Return the fields that change, the whole tensor of inertia as its elements."""
+    from clubface import units
+    from clubface.equipment.clubs import CLUB_PROPERTIES
+
+    for key in typed:
+        check_choice("change of a club", key, [*CLUB_PROPERTIES, WHOLE])
+    whole = typed.pop(WHOLE, None)
+    if whole is None:
+        return dict(typed)
+    factor = _factor(whole)
+    scaled = {key: f"{units.from_si(factor * getattr(base, key), 'g cm2'):.6g} g cm2" for key in INERTIA}
+    return scaled | typed
+
+
+def _template(name: str, changes: dict[str, Any]) -> str:
+    """Return the explained template with other values."""
+    from clubface.equipment.clubs import Club
+
+    text = Club.template(name)
+    for key, value in changes.items():
+        other = {"cor": "characteristic_time", "characteristic_time": "cor"}.get(key)
+        if other is not None:  # the face is described by one of them
+            text = re.sub(rf"^{other} = ", f"# {other} = ", text, flags=re.MULTILINE)
+        entry = f"{key} = {quoted(value)}"
+        text = re.sub(rf"^(?:# )?{key} = .*?( +#.*)?$", lambda line, new=entry: f"{new:<27} {(line[1] or '').strip()}",
+                      text, count=1, flags=re.MULTILINE)  # fmt: skip
+    return text
+
+
+def _factor(text: str) -> float:
+    """Return what "+10%" or "-5 %" multiplies by."""
+    found = re.fullmatch(r"([+-]\s*\d+(?:\.\d*)?)\s*%", text)
+    if found is None:
+        raise InputError(f"--set {WHOLE}", text, 'a change in per cent, as in "inertia=+10%"')
+    return 1.0 + float(found[1].replace(" ", "")) / 100.0
 
 
 @app.command()
@@ -41,4 +102,22 @@ def check(
         output.print_json(describe(found))
     else:
         print_club(found)
+        print()
+        _print_rules(found)
         print(f"\n{file}: a club that can exist")
+
+
+def _print_rules(of: Club) -> None:
+    """Print what the club has of every limit of the rules that a club file knows."""
+    from clubface import units
+    from clubface.cli.tables import print_numbers
+    from clubface.design.rules import check_rules
+
+    rows = []
+    for each in check_rules(of):
+        if each.conforms is not None:
+            unit = each.rule.unit
+            told = (units.from_si(value, unit) for value in (each.value, each.rule.most, each.rule.tolerance))
+            rows.append([f"{each.rule.title}, {unit}", *(f"{value:.4g}" for value in told), each.words])
+    if rows:
+        print_numbers(("", "club", "limit", "tolerance", ""), rows, title="Rules of golf")

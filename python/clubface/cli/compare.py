@@ -112,6 +112,10 @@ def compare(
         output.print_json(_document(found, alternatives))
     else:
         _print(found, shown)
+        struck = [(found.launches[name].club, each["delivery"]) for name, each in alternatives.items()]
+        if told := option_values.own_lofts(struck):
+            print()
+            output.print_paragraph(told)
     say_written([each for each in (target, plot, report) if each is not None])
 
 
@@ -166,6 +170,9 @@ def _print_split(found: Any, name: str, shown: Shown) -> None:
     title = f"What makes {name} differ from {found.names[0]}"
     if made.left_out:
         output.print_notes([f"{title} cannot be told: {made.left_out}"])
+        return
+    if not made.changes:
+        output.print_notes([f"{name} is like {found.names[0]} in everything that this shot depends on"])
         return
     heads = ["", "from", "to", *(f"{each.replace('_', chr(10))}\n{shown[each][0]}" for each in SPLIT)]
 

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 app = typer.Typer(add_completion=False)
 
+LOFT_THAT_COUNTS = 0.05
+"""Degrees of static loft from which a club is said to be delivered with the dynamic loft of another."""
 _HOLE = "Hole"
 _CLUB = options.option(
     "--club", panel="Club and ball", metavar="CLUB", text="Name or TOML file; the golfer's unless given."
@@ -127,8 +129,18 @@ def _check(player: Golfer, head: Any, model: str, count: int | None) -> None:
 
     if count is None and model not in models():
         raise ClubfaceError(f"--count is missing; give it, as in --count 64: each shot by {model} takes long")
-    if player.club in CLUB_NAMES and club(player.club).parameters != head.parameters:
+    if player.club not in CLUB_NAMES:
+        return
+    usual = club(player.club)
+    more = from_si(head.loft - usual.loft, "deg")
+    if usual.parameters != head.parameters:
         say(f"note: the deliveries of {player.name} are those with a {player.club}, not with {head.name}")
+    elif "loft" in player.variables and abs(more) >= LOFT_THAT_COUNTS:
+        say(
+            f"note: {head.name} has {abs(more):.1f} deg {'more' if more > 0.0 else 'less'} loft than {player.club}, and"
+            f" {player.name} hits it with the dynamic loft of {player.club}; clubface optimise with [fit] delivers a"
+            " club of more loft with more"
+        )
 
 
 def _file(target: str | None) -> Any:

@@ -35,15 +35,16 @@ def write(
     golfer = of.golfer
     hole = {} if of.hole is None else {"hole": of.hole.told()}
     told = {"golfer": golfer.title or golfer.name, "shots": str(of.count), "seed": str(of.seed)}
+    with_ = "" if told["golfer"].endswith(of.club.name) else f" with {of.club.name}"
     reporting.write(
-        target, title=f"{told['golfer']}: where the shots go with {of.club.name}", words=_words(of),
+        target, title=f"{told['golfer']}: where the shots go{with_}", words=_words(of, shares),
         picture=drawn, columns=columns, show=show, launches=[hit.mean(golfer)[0]],
         given=told | hole, conditions=conditions, sources=golfer_sources(golfer),
     )  # fmt: skip
 
 
-def _words(of: Dispersion) -> Iterator[str]:
-    """Say where shots go, in sentences."""
+def _words(of: Dispersion, shares: Indices | None) -> Iterator[str]:
+    """Say where shots go, and what spreads them most, in sentences."""
 
     def told(name: str, share: float) -> str:
         return f"{from_si(of.quantile(name, share), VALUES[name][0]):.0f}"
@@ -58,5 +59,16 @@ def _words(of: Dispersion) -> Iterator[str]:
     left, right = (from_si(of.quantile("side", share), "yd") for share in (0.05, 0.95))
     places = [reporting.more_or_less(each, "yd", ("right", "left"), 0) for each in (left, right)]
     yield f"Nine of ten land between {' and '.join(places)} of the line."
+    if shares is not None:
+        from clubface.design.golfer.golfer import told as name_of
+
+        words = {"carry": "How far the ball goes", "side": "How far it is off the line"}
+        for name, parts in shares.share.items():
+            most = max(range(len(parts)), key=lambda place, parts=parts: float(parts[place]))
+            if name in words:
+                yield (
+                    f"{words[name]} depends most on the {name_of(shares.variables[most])}, which makes"
+                    f" {float(parts[most]):.0%} of the differences (of the variance)."
+                )
     if of.hole is not None:
         yield f"On the hole given, the shot leaves {of.strokes:.2f} strokes to play, as tour players count."

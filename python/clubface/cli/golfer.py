@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Golfers: how their deliveries spread from shot to shot."
 )
+WEAK = 0.2
+"""Correlations below this are counted but not listed: in sessions of a few dozen shots chance alone makes them."""
 GolferArgument = Annotated[str, typer.Argument(metavar="GOLFER", help="Name of a shipped golfer, or a TOML file.")]
 
 
@@ -141,10 +143,17 @@ def _print(of: Golfer, estimated: Estimate | None = None) -> None:
         rows.append(row)
     shots = "" if estimated is None else f", {output.counted(estimated.shots, 'shot')}"
     print_numbers(heads, rows, title=f"{of.title or of.name} ({of.club}){shots}")
-    pairs = _pairs(of)
     notes = ["± is the standard deviation from shot to shot, mishits left out"]
+    if estimated is not None:
+        notes.append("error of ± is how well that is known, as a standard error")
+        notes.append(
+            "drift compares the whole session with shots that follow each other: well above 1, something was changed"
+            " on the way"
+        )
+    pairs, fewer = _pairs(of)
     if pairs:
-        notes.append(f"correlations: {', '.join(pairs)}")
+        weaker = f"; {fewer} are weaker than ±{WEAK:g}" * (fewer > 0)
+        notes.append(f"correlations: {', '.join(pairs)}{weaker}")
     if of.mishit_share > 0.0:
         notes.append(
             f"{100.0 * of.mishit_share:.3g} % of the shots are mishits, {of.mishit_scale:.3g} times as far off"
@@ -152,13 +161,13 @@ def _print(of: Golfer, estimated: Estimate | None = None) -> None:
     output.print_notes(notes)
 
 
-def _pairs(of: Golfer) -> list[str]:
-    return [
-        f"{of.variables[one]} with {of.variables[other]} {of.correlation[one, other]:+.2f}"
-        for one in range(len(of.variables))
-        for other in range(one)
-        if abs(of.correlation[one, other]) >= 0.005
-    ]
+def _pairs(of: Golfer) -> tuple[list[str], int]:
+    """Return the correlations that count, the strongest first, and how many are weaker."""
+    names, every = of.variables, of.correlation
+    found = {(one, other): float(every[one, other]) for one in range(len(names)) for other in range(one)}
+    strong = sorted((pair for pair in found if abs(found[pair]) >= WEAK), key=lambda pair: -abs(found[pair]))
+    told = [f"{names[one]} with {names[other]} {found[one, other]:+.2f}" for one, other in strong]
+    return told, sum(0.005 <= abs(value) < WEAK for value in found.values())
 
 
 def _told(of: Estimate, name: str) -> list[str]:

@@ -85,8 +85,8 @@ def _words(of: Golfer, found: Doubts | None, estimated: Estimate | None) -> Iter
     spreads = [f"spread of {name}" for name in of.variables if spread[name] > 0.0]
     sourced = [each.removeprefix("spread of ").replace("_", " ") for each in spreads if not is_assumed(of, each)]
     if sourced:
-        others = "the others are assumed" if len(sourced) < len(spreads) else "none is assumed"
-        yield f"Measured or published is how much these differ from shot to shot: {', '.join(sourced)}; {others}."
+        others = " For the rest it is assumed." if len(sourced) < len(spreads) else ""
+        yield f"How much these differ from shot to shot was measured or published: {', '.join(sourced)}.{others}"
     else:
         yield (
             "How much the shots differ from each other has no source, and counts as assumed for every part of the"
@@ -99,8 +99,8 @@ def _words(of: Golfer, found: Doubts | None, estimated: Estimate | None) -> Iter
         more = 100.0 * found.changes(most, name)[1]
         yield (
             f"{way} differs by {from_si(found.spread[name], 'yd'):.1f} yd from shot to shot (standard deviation). It "
-            f"rests most on the {most.figure.replace('_', ' ')}{', which is assumed' * most.assumed}: were that "
-            f"{found.off:.0%} larger, the shots would differ by {more:.0f} % more."
+            f"rests most on the {most.figure.replace('_', ' ')}{', which is assumed' * most.assumed}: if that "
+            f"were {found.off:.0%} larger, the shots would differ by {more:.0f}% more."
         )
 
 

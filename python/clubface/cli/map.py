@@ -132,6 +132,8 @@ def map_(
         output.print_json(document(found, maps, spreads, names))
     else:
         _print(found, maps, spreads, names, shown)
+        if told := option_values.own_lofts([(each.centre.club, delivery) for each in maps]):
+            output.print_paragraph(told)
     say_written([each for each in (target, plot, report) if each is not None])
 
 

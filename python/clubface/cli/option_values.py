@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from clubface.cli import options
 from clubface.cli.failures import say
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.support.checks import check_choice, check_names
+
+if TYPE_CHECKING:
+    from clubface.equipment.clubs import Club
 
 USUAL = {
     "speed": (0.0, 115.0, "mph"), "angle": (0.0, 1.3, "deg"), "length": (0.0, 0.2, "mm"),
@@ -198,6 +201,20 @@ def _wind(text: str) -> tuple[float, float, float]:
         raise InputError("--wind", text, 'a tailwind, or "along, right" as in "-5 m/s, 2 m/s"')
     speeds = [parsed("--wind", part, "speed") for part in parts]
     return speeds[0], 0.0, speeds[1] if len(speeds) == 2 else 0.0
+
+
+def own_lofts(struck: Iterable[tuple[Club, Collection[str]]]) -> str:
+    """Say which clubs were delivered with their static loft, as theirs alone was known; "" if none.
+
+    ``struck`` are clubs with the names of what was given of their deliveries.
+    """
+    from clubface import units
+
+    told = {head.name: f"{units.from_si(head.loft, 'deg'):.4g} deg" for head, known in struck if "loft" not in known}
+    if not told:
+        return ""
+    which = ", ".join(f"{name} {loft}" for name, loft in told.items())
+    return f"--loft is not given: delivered with the static loft ({which}), which few golfers do."
 
 
 def pairs(texts: Iterable[str], option: str) -> dict[str, str]:

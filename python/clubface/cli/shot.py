@@ -77,6 +77,8 @@ def shot(
     if plot is not None or report is not None:
         _draw(plot, report, launches, flights, conditions, delivery)
     _print(launches, flights, as_json)
+    if not as_json and (told := option_values.own_lofts([(head, delivery)])):
+        output.print_paragraph(told)
     say_written([each for each in (plot, report) if each is not None])
     if not (texts["model"] or as_json):
         output.print_paragraph("--model all shows every model side by side.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from pathlib import Path
@@ -208,11 +209,14 @@ def _flown(study: str) -> dict[str, Any]:
 
 def _words(found: Summary) -> Iterator[str]:
     """Say how much was computed, and over what the quantities range, in sentences."""
+    from clubface.studies.summaries import shown_unit
+
     along = " and ".join(each.name.replace("_", " ") for each in found.along)
     yield f"{found.tasks} tasks were computed, which differ in {along}."
     for place, (name, si) in enumerate(list(found.quantities.items())[:MOST_SHOWN]):
-        unit = heading_of(name, si)[1]
-        _, _, least, most = map(_number, _shown(found.overall, place, unit))
+        unit = shown_unit(name, si)
+        told = _shown(found.overall, place, unit)
+        least, most = (_number(each, _decimals(told[1], max(map(abs, told)))) for each in told[2:])
         yield f"{name.replace('_', ' ').capitalize()} ranges from {least} to {most}{'' if unit == '1' else f' {unit}'}."
 
 
@@ -240,19 +244,32 @@ def _tell(failed: tuple[int, str], remark: str) -> None:
 
 
 def _print(found: Summary) -> None:
-    units = {name: heading_of(name, unit)[1] for name, unit in found.quantities.items()}
+    from clubface.studies.summaries import shown_unit
+
+    units = {name: shown_unit(name, unit) for name, unit in found.quantities.items()}
     rows = []
     for place, (name, unit) in enumerate(units.items()):
         each = _shown(found.overall, place, unit)
-        rows.append([name, *map(_number, each), "" if unit == "1" else unit])
+        rows.append(
+            [
+                name,
+                *(_number(value, _decimals(each[1], max(map(abs, each)))) for value in each),
+                "" if unit == "1" else unit,
+            ]
+        )
     print_numbers(("", "mean", "deviation", "least", "most", "unit"), rows, title=f"{found.name}, {found.tasks} tasks")
     shown = list(units.items())[:MOST_SHOWN]
     for along in found.along:
         heads = [f"{name}\n{'' if unit == '1' else unit}" for name, unit in shown]
-        body = []
-        for label, figures in zip(level_texts(along), along.figures, strict=True):
-            cells = [_shown(figures, place, unit) for place, (_, unit) in enumerate(shown)]
-            body.append([label, *(f"{_number(mean)} ± {_number(spread)}" for mean, spread, *_ in cells)])
+        columns = []
+        for place, (_, unit) in enumerate(shown):
+            pairs = [_shown(figures, place, unit)[:2] for figures in along.figures]
+            known = [pair for pair in pairs if pair[1] == pair[1]]
+            digits = _decimals(
+                max((spread for _, spread in known), default=0.0), max((abs(mean) for mean, _ in known), default=0.0)
+            )
+            columns.append([f"{_number(mean, digits)} ± {_number(spread, digits)}" for mean, spread in pairs])
+        body = [[label, *cells] for label, *cells in zip(level_texts(along), *columns, strict=True)]
         print()
         print_numbers(["", *heads], body, title=f"Mean and deviation along {along.name}")
 
@@ -279,8 +296,19 @@ def _shown(figures: Figures, place: int, unit: str) -> list[float]:
     return [values[0], float(figures.deviation[place]) / size(unit), *values[1:]]
 
 
-def _number(value: float) -> str:
-    return "" if value != value else f"{value:.5g}"
+def _decimals(spread: float, largest: float) -> int | None:
+    """Return the decimals that show a spread to three digits, the ``largest`` value to six at most; None if none do."""
+    if not 1e-6 <= spread < 1e7:
+        return None
+    enough = 2 - math.floor(math.log10(spread))
+    most = 5 - math.floor(math.log10(max(abs(largest), spread)))
+    return max(min(enough, most), 0)
+
+
+def _number(value: float, decimals: int | None) -> str:
+    if value != value:
+        return ""
+    return f"{value:.5g}" if decimals is None else f"{value:.{decimals}f}"
 
 
 def _document(found: Summary) -> dict[str, Any]:

@@ -45,7 +45,7 @@ RIGID = ("mass", "radius", "inertia")
 """What every model takes."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Ball(Described):
     """A golf ball, SI.
 

@@ -70,7 +70,7 @@ CLUB_PROPERTIES = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Club(Described):
     """A clubhead, SI and radians, described for a right-handed club (its mirror image carries ``hand = -1``).
 

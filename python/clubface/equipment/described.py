@@ -59,6 +59,18 @@ class Described:
 
     properties: ClassVar[Properties]
 
+    def __repr__(self) -> str:
+        hand = ", left-handed" if getattr(self, "hand", 1) < 0 else ""
+        about = getattr(self, "description", "")
+        lines = [f"{getattr(self, 'name', '')}{hand}{f': {about}' * bool(about)}"]
+        for key, each in self.properties.items():
+            value = getattr(self, key)
+            if value is not None:
+                number = FLAT if value == math.inf else f"{units.from_si(value, each.unit):.6g}"
+                unit = "" if each.unit == "1" or value == math.inf else f" {each.unit}"
+                lines.append(f"  {key:<20} {number}{unit}")
+        return "\n".join(lines)
+
     def replace(self, **changes: Any) -> Self:
         """Return it with fields changed, as text with a unit or an SI number: ``mass="200 g"``."""
         return changed(self, changes)
@@ -143,14 +155,18 @@ def to_toml(subject: Any, properties: Properties, texts: Mapping[str, str], left
 
 
 def written(value: float, each: Property) -> str:
-    """Write ``value`` [SI] as text that parses to the same bits, in the usual unit where that is exact."""
+    """Write ``value`` [SI] as text that parses to the same bits, in the usual unit where one of its numbers does."""
     if math.isinf(value):
         return FLAT
     for unit in (each.unit, units.SI_UNITS[each.dimension]):
-        number = float(f"{units.from_si(value, unit):.15g}")
-        text = f"{number:.15g}" + ("" if unit == "1" else f" {unit}")
-        if math.isfinite(number) and units.parse(text, each.dimension) == value:
-            return text
+        number = float(units.from_si(value, unit))
+        for near in (
+            f"{number:.15g}",
+            *map(repr, (number, math.nextafter(number, 0.0), math.nextafter(number, 1e300))),
+        ):
+            text = near + ("" if unit == "1" else f" {unit}")
+            if math.isfinite(float(near)) and units.parse(text, each.dimension) == value:
+                return text
     return f"{value!r} {units.SI_UNITS[each.dimension]}"
 
 

@@ -23,8 +23,10 @@ def blocks(clubs: list[ClubFigures], shots: RecordedShots) -> Iterator[Block]:
     """Yield the pieces of the report on shots, of which ``clubs`` holds the figures club by club."""
     yield Heading(1, "Your shots, and what they say")
     names = [f"{each.title} ({len(each.shots)})" for each in clubs]
+    player = _only_player(shots)
+    whose = f" by {player}" if player else ""
     yield Paragraph(
-        (f"This report is about {words.counted(len(shots))} of {Path(shots.source).name}: {', '.join(names)}.",)
+        (f"This report is about {words.counted(len(shots))}{whose} of {Path(shots.source).name}: {', '.join(names)}.",)
     )
     for each in clubs:
         yield Heading(2, each.title[:1].upper() + each.title[1:])
@@ -74,6 +76,12 @@ def figures_by_club(shots: RecordedShots) -> list[ClubFigures]:
             theirs = of if of.clubs is None else of.select(of.clubs == name)
             found.append(replace(figures_of(theirs, str(name) or CLUBLESS), player=player))
     return found
+
+
+def _only_player(shots: RecordedShots) -> str:
+    """Return the player whose shots all are, "" where the file does not say."""
+    named = set() if shots.players is None else set(map(str, shots.players))
+    return named.pop() if len(named) == 1 else ""
 
 
 def _picture(of: ClubFigures) -> Picture:

@@ -111,6 +111,9 @@ class ClubFigures:
         What the models make of them; None and empty without a club or launch.
     start
         Degrees of start line for one degree of face and of path.
+    closing
+        What the closing of the face adds to start line [rad] and sidespin [rad/s], to the first order; empty without
+        changes.
     launch
         The mean shot by the model, from which changes are told; None without them.
     """
@@ -123,6 +126,7 @@ class ClubFigures:
     inferred: Inferred | None = None
     changes: tuple[Change, ...] = ()
     start: dict[str, float] = field(default_factory=dict)
+    closing: dict[str, float] = field(default_factory=dict)
     player: str = ""
     launch: Launch | None = None
 
@@ -151,10 +155,10 @@ def figures_of(shots: RecordedShots, name: str) -> ClubFigures:
     found = _inferred(shots, head)
     if found is None:
         return plain
-    launch, changes, start = _changes(head, found.mean)
+    launch, changes, start, closing = _changes(head, found.mean)
     return ClubFigures(
         name=name, club=head, shots=shots, measured=measured, computed=computed, inferred=found, changes=changes,
-        start=start, launch=launch,
+        start=start, closing=closing, launch=launch,
     )  # fmt: skip
 
 
@@ -201,10 +205,14 @@ def _at(columns: dict[str, Floats], names: Any, place: int) -> dict[str, float]:
     return {name: value for name, value in found.items() if math.isfinite(value)}
 
 
-def _changes(head: Club, delivery: dict[str, float]) -> tuple[Launch, tuple[Change, ...], dict[str, float]]:
-    """Return the mean shot, what changes do to it by exact derivatives, and the derivatives of the start line."""
+def _changes(
+    head: Club, delivery: dict[str, float]
+) -> tuple[Launch, tuple[Change, ...], dict[str, float], dict[str, float]]:
+    """Return the mean shot, what changes do to it by exact derivatives, those of the start line, and of the closing."""
     with without_warnings(RangeWarning):
-        table = sensitivity(head, delivery, model=DEFAULT_MODEL, outputs=list(LAUNCHED), variables=list(CHANGES))
+        table = sensitivity(
+            head, delivery, model=DEFAULT_MODEL, outputs=list(LAUNCHED), variables=[*CHANGES, "closure"]
+        )
     base = {name: float(getattr(table.launch, name)) for name in LAUNCHED}
     before = _flown({name: np.array([value]) for name, value in base.items()})
     found = []
@@ -214,7 +222,9 @@ def _changes(head: Club, delivery: dict[str, float]) -> tuple[Launch, tuple[Chan
         after = _flown({each: np.array([base[each] + moved[each]]) for each in LAUNCHED})
         carry, side = (float(after[each][0] - before[each][0]) for each in ("carry", "side"))
         found.append(Change(name=name, step=step, launch=moved, carry=carry, side=side))
-    return table.launch, tuple(found), {name: table.value("azimuth", name) for name in ("face", "path")}
+    start = {name: table.value("azimuth", name) for name in ("face", "path")}
+    closing = {name: table.value(name, "closure") * delivery["closure"] for name in ("azimuth", "sidespin")}
+    return table.launch, tuple(found), start, closing
 
 
 def _flown(launch: dict[str, Floats]) -> dict[str, Floats]:

@@ -80,4 +80,4 @@ def _draw_directions(axes: Axes, of: ClubFigures) -> None:
     axes.set_xlabel("left - degrees from the target - right")
     axes.set_title("From above, the target up")
     if degrees:
-        axes.legend(loc="upper left")
+        axes.legend(loc="upper left", frameon=True, framealpha=1.0, edgecolor="none")  # it covers the target line

@@ -42,11 +42,11 @@ def unit_of(name: str) -> str:
     return units.display_unit(name, units.SI_UNITS[DIMENSIONS[name]] if name in DIMENSIONS else outputs()[name].unit)
 
 
-def amount(value: float, name: str, *, signed: bool = False) -> str:
-    """Write a value [SI] with its unit: "148 mph", "12.3°"."""
+def amount(value: float, name: str, *, signed: bool = False, digits: int | None = None) -> str:
+    """Write a value [SI] with its unit: "148 mph", "12.3°", with the digits of the unit unless given."""
     unit = unit_of(name)
     number = float(units.from_si(value, unit))
-    text = f"{number:{'+' if signed else ''}.{DIGITS.get(unit, 1)}f}"
+    text = f"{number:{'+' if signed else ''}.{DIGITS.get(unit, 1) if digits is None else digits}f}"
     text = text if text.strip("+-0.") else text.lstrip("+-")
     one = unit == "yd" and text.lstrip("+-") == "1"
     return text + (" yard" if one else WRITTEN.get(unit, f" {unit}"))
@@ -131,9 +131,22 @@ def line(of: ClubFigures) -> Iterator[str]:
     if abs(apart) > known_to and abs(math.degrees(apart)) >= SMALL["deg"]:
         side = "right" if apart > 0.0 else "left"
         yield (
-            f"The face looks {amount(abs(apart), 'face')} further {side} than the club moves, which bends a ball"
-            f" struck in the middle to the {side}."
+            f"The face looks {amount(abs(apart), 'face')} further {side} than the club moves, which by itself"
+            f" bends a ball struck in the middle to the {side}."
         )
+    if of.closing and abs(math.degrees(of.closing["azimuth"])) >= SMALL["deg"]:
+        yield _closing(of)
+
+
+def _closing(of: ClubFigures) -> str:
+    """Say what the closing of the face does to start and bend."""
+    start, spin = of.closing["azimuth"], of.closing["sidespin"]
+    side, bend = ("right" if each > 0.0 else "left" for each in (start, spin))
+    typical = "" if "closure" in of.measured else " at the rate that is usual for golfers of your speed"
+    return (
+        f"The face also closes while it meets the ball{typical}, and so moves to the {side}: that alone starts the ball"
+        f" {amount(abs(start), 'azimuth')} further {side} and bends it to the {bend}."
+    )
 
 
 def strike(of: ClubFigures) -> Iterator[str]:
@@ -162,13 +175,14 @@ def what_if(of: ClubFigures) -> Iterator[str]:
     """Yield what a change does to the average shot, all else the same."""
     for each in of.changes:
         told = [
-            f"{NAMES[name]} {amount(each.launch[name], name, signed=True)}"
+            f"{NAMES[name]} {told}"
             for name in ("ball_speed", "launch")
-            if amount(each.launch[name], name, signed=True).strip("+-0. °mph")
+            if (told := amount(each.launch[name], name, signed=True, digits=1)).strip("+-0. °mph")
         ]
         spin = amount(each.launch["backspin"], "backspin", signed=True)
         told.append(f"backspin {spin}")
-        told.append(f"carry {amount(each.carry, 'carry', signed=True)}")
+        carry = amount(each.carry, "carry", signed=True)
+        told.append(f"carry {carry}" if carry.strip("+-0. yards") else "carry as before")
         side = amount(abs(each.side), "side")
         told.append(f"finishing {side} more to the {'right' if each.side > 0.0 else 'left'}")
         shown = told[:-1] if abs(units.from_si(each.side, "yd")) < 0.5 else told
@@ -200,7 +214,10 @@ def doubt(of: ClubFigures) -> Iterator[str]:
         if found.remarked:
             rows = ", ".join(str(row) for row in found.remarked[:10])
             more = f" and {len(found.remarked) - 10} more" * (len(found.remarked) > 10)
-            yield f"The figures of these rows hardly go together, so that one of them may be wrong: {rows}{more}."
+            yield (
+                "The figures in these lines of the file hardly go together, so that one of them may be wrong:"
+                f" {rows}{more}."
+            )
         if found.refused:
             yield f"{found.refused} of the shots cannot be of this club as measured, and are left out there."
     elif of.club is None:

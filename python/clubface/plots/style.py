@@ -20,13 +20,13 @@ from clubface.support.whole_file import whole_file
 P = ParamSpec("P")
 R = TypeVar("R")
 
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9", "#8C510A")
-"""One a model, in the order of the registry; colour-blind readers tell them apart (Okabe and Ito, and brown)."""
-DASHES: tuple[Any, ...] = tuple(
-    each for _ in range(2) for each in ("-", (0, (5, 1.5)), (0, (1, 1.2)), (0, (5, 1.2, 1, 1.2)))
-)
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9", "#8C510A", "#7F7F7F")
+"""One a model, in the order of the registry, the last for finite elements; colour-blind readers tell them apart (Okabe
+and Ito, brown and grey)."""
+_FOUR: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1, 1.2)), (0, (5, 1.2, 1, 1.2)))
+DASHES: tuple[Any, ...] = (*_FOUR, *_FOUR, (0, (9, 1.2)))
 """So that a print without colour keeps them apart."""
-MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
+MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "h")
 ENDINGS = (".png", ".svg", ".pdf")
 WIDTH = 7.2
 """Inches: two columns of a journal."""

@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from clubface.plots.style import COLOURS, WIDTH, legend_above, styled
-from clubface.studies.summaries import Along, Summary
+from clubface.studies.summaries import Along, Summary, shown_unit
 from clubface.tables.headings import heading_of
 from clubface.units import from_si, size
 
@@ -27,7 +27,7 @@ def draw(found: Summary) -> Figure:
     figure = Figure(figsize=(WIDTH, 0.7 + HEIGHT * max(len(quantities), 2)), layout="constrained")
     axes = figure.subplots(len(quantities), len(inputs), sharex="col", sharey="row", squeeze=False)
     for row, (name, unit) in enumerate(quantities):
-        shown = heading_of(name, unit)[1]
+        shown = shown_unit(name, unit)
         for column, along in enumerate(inputs):
             _panel(axes[row, column], along, row, shown)
         axes[row, 0].set_ylabel(_label(name, shown))

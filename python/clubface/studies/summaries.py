@@ -15,6 +15,7 @@ from clubface.studies.parts import Names
 from clubface.studies.running import Tallied
 from clubface.studies.state import opened
 from clubface.support.checks import check_names
+from clubface.tables.headings import heading_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 MOST_LEVELS = 40
 """Different values of an input that are told one by one; more are put together in classes."""
 CLASSES = 10
+FLOWN = {"carry", "side", "total", "apex", "ellipse"}
+"""Words in the names of distances over ground, which golfers read in yards."""
 
 
 @dataclass(frozen=True)
@@ -232,3 +235,9 @@ def summary(
         overall=overall.figures()[0], failed=(tally.failed, tally.reason), remark=tally.remark,
         along=[Along(of.name, of.unit, of.levels, each.figures()) for of, each in zip(along, sums, strict=True)],
     )  # fmt: skip
+
+
+def shown_unit(name: str, si_unit: str) -> str:
+    """Return the unit in which a quantity of a study is shown: distances over ground in yards, as everywhere."""
+    unit = heading_of(name, si_unit)[1]
+    return "yd" if unit == "m" and FLOWN & set(name.split("_")) else unit

@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from clubface import units
 from clubface.design.dispersion.hitting import Hitting
 from clubface.design.dispersion.tally import FLOWN, LAUNCHED, Tally, forward
 from clubface.design.golfer.golfer import Golfer
@@ -21,9 +20,11 @@ from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning, Told
 from clubface.simulation.impact import Parameters
 from clubface.simulation.outside import Tally as RangeTally
+from clubface.simulation.quantities import outputs
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, check_count, check_share
 from clubface.support.warning import warn_once
+from clubface.units import display_unit, from_si
 
 CHUNK = 2**16
 """Shots in memory at a time."""
@@ -31,6 +32,8 @@ SHOWN = 2**11
 """Shots whose landings are kept for pictures: the first."""
 MOST = 2**32
 COUNT = 2**14
+DISTANCE = "yd"
+"""The unit in which distances are told in text."""
 SHARES = (0.5, 0.9)
 """What the landing ellipses hold of the shots unless told otherwise."""
 
@@ -96,19 +99,17 @@ class Dispersion:
     reasons: Mapping[str, str]
 
     def __repr__(self) -> str:
-        shown = {"ball_speed": "mph", "carry": "yd", "side": "yd"}
-        told = [
-            f"{name.replace('_', ' ')} {units.fixed(self.mean(name), unit, 1)}"
-            f" ± {units.fixed(self.spread(name), unit, 1)}"
-            for name, unit in shown.items()
-            if name in self.quantities
-        ]
-        strokes = [] if self.hole is None else [f"{self.strokes:.3f} strokes to go"]
-        lost = f" ({self.lost} without a result)" if self.lost else ""
-        return (
-            f"{self.count} shots{lost} of {self.golfer.name} with {self.club.name} by {self.model}:"
-            f" {', '.join([*told, *strokes])}"
-        )
+        lost = f", {self.lost} without a result" * bool(self.lost)
+        lines = [f"{self.count} shots of {self.golfer.name} with {self.club.name} by {self.model}{lost}"]
+        known = outputs()
+        for name in self.quantities:
+            unit = DISTANCE if name in FLOWN else display_unit(name, known[name].unit)
+            unit = "mph" if unit == "m/s" else unit
+            values = (f"{from_si(each, unit):.4g}" for each in (self.mean(name), self.spread(name)))
+            lines.append(f"  {name:<12} {' ± '.join(values)} {unit}")
+        if self.hole is not None:
+            lines.append(f"  {'strokes':<12} {self.strokes:.3f} after the shot")
+        return "\n".join(lines)
 
     @property
     def quantities(self) -> tuple[str, ...]:

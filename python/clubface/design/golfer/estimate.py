@@ -66,7 +66,7 @@ class Estimate(NamedTuple):
     notes: tuple[str, ...]
 
     def __repr__(self) -> str:
-        return f"{self.golfer}, estimated from {self.shots} shots; measured: {', '.join(self.measured)}"
+        return f"estimated from {self.shots} shots; measured: {', '.join(self.measured)}\n{self.golfer}"
 
 
 def estimate_golfer(
@@ -128,6 +128,8 @@ def estimate_golfer(
         told = Told("such that one quantity follows from others or hardly ever changes")
         raise InputError("shots", told, f"leave out the column of one of {', '.join(names)}") from None
     together = _together(base, names, mean, covariance, same, shots)
+    looked_for = len(values) >= ENOUGH
+    together["sources"]["mishits"] = f"measured: {shots.source}" if looked_for else f"assumed: as of {base.name}"
     fitted = Golfer(
         name=name, title=f"{name}, {shots.club.name}", club=shots.club.name, hand=base.hand, mishit_share=share,
         mishit_scale=scale if share > 0.0 else 1.0, **together,
@@ -145,7 +147,9 @@ def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, flo
     names = tuple(name for name in OF_CLUB if name in given and np.isfinite(given[name]).mean() > 0.5)
     if "speed" not in names:
         raise InputError(
-            "shots", Told("without club speed"), "shots with the club's speed, path, face angle and the like"
+            "club speed",
+            Told("missing from the shots"),
+            "measured, since a golfer is how the club is delivered; clubface golfer list has golfers to take instead",
         )
     values = np.stack([given[name] for name in names], axis=1)
     values = values[np.isfinite(values).all(axis=1)]
@@ -187,6 +191,7 @@ def _together(
             sources[f"mean of {name}"] = f"the same in every shot: {shots.source}"
     own = [variables.index(name) for name in names]
     matrix[np.ix_(own, own)] = covariance
+    sources["correlation"] = f"measured: {shots.source}"
     return {"variables": variables, "mean": centre, "covariance": matrix, "sources": sources}
 
 

@@ -82,6 +82,16 @@ class Golfer:
     mishit_scale: float = 1.0
     sources: Mapping[str, str] = field(default_factory=dict)
 
+    def __repr__(self) -> str:
+        lines = [f"{self.name}: {self.title or 'golfer'}, with {self.club}{', left-handed' * (self.hand < 0)}"]
+        for name, mean, spread in zip(self.variables, self.mean, self.spread, strict=True):
+            unit = "mph" if name == "speed" else units.display_unit(name, units.SI_UNITS[OF_CLUB[name]])
+            numbers = (f"{units.from_si(float(each), unit):.4g}" for each in (mean, spread))
+            lines.append(f"  {name:<12} {' ± '.join(numbers)} {unit}")
+        if self.mishit_share > 0.0:
+            lines.append(f"  {self.mishit_share:.0%} mishits, {self.mishit_scale:.3g} times as far off")
+        return "\n".join(lines)
+
     def __post_init__(self) -> None:
         check_name(self.name)
         check_text("title", self.title)
@@ -112,12 +122,6 @@ class Golfer:
         if not isinstance(self.sources, Mapping):
             raise InputError("sources", self.sources, "a mapping of figures to texts")
         object.__setattr__(self, "sources", Frozen(self.sources))
-
-    def __repr__(self) -> str:
-        at = self.variables.index("speed")
-        mean, spread = (units.fixed(each[at], "mph", 1) for each in (self.mean, self.spread))
-        mishits = f", {100.0 * self.mishit_share:.3g} % mishits" if self.mishit_share > 0.0 else ""
-        return f"golfer {self.name}: {self.club} at {mean} ± {spread}, {len(self.variables)} variables{mishits}"
 
     @property
     def dimensions(self) -> int:

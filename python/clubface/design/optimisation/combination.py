@@ -11,8 +11,8 @@ SETTINGS = ("loft", "lie", "cg_x", "cg_y", "cg_z")
 """What a setting of a head may change."""
 WORDS = {
     "loft": ("more loft", "less loft"), "lie": ("more upright", "flatter"),
-    "cg_x": ("of CG farther back", "of CG farther forward"), "cg_y": ("of CG lower", "of CG higher"),
-    "cg_z": ("of CG closer to the heel", "of CG closer to the toe"),
+    "cg_x": ("back", "forward"), "cg_y": ("lower", "higher"),
+    "cg_z": ("closer to the heel", "closer to the toe"),
 }  # fmt: skip
 """What a positive and a negative change of a setting mean; the CG is told by where the face centre is from it."""
 
@@ -51,20 +51,18 @@ class Combination(NamedTuple):
 
 
 def named(each: Combination) -> str:
-    """Write a combination in words: "driver with the ball modern, the setting back, 1.0 degrees more loft"."""
-    parts = [f"{each.club} with the ball {each.ball}", *([f"the setting {each.setting}"] if each.setting else [])]
-    for name, change in each.changes.items():
-        unit = "degrees" if name in ("loft", "lie") else "mm"
-        size = f"{abs(units.from_si(change, unit.replace('degrees', 'deg'))):.1f}"
-        if float(size):
-            parts.append(f"{size} {unit} {WORDS[name][change < 0.0]}")
-    return ", ".join(parts)
+    """Write a combination in words: "driver with the ball modern, the setting "back" and 1.0 deg more loft"."""
+    parts = [f"{each.club} with the ball {each.ball}", *([f'the setting "{each.setting}"'] if each.setting else [])]
+    changed = told(each.changes)
+    return ", ".join([*parts, changed] if changed else parts)
 
 
 def told(changes: Mapping[str, float]) -> str:
-    """Write the changes of a setting: "loft +1 deg, cg_x -3 mm"."""
+    """Write the changes of a setting: "1.0 deg more loft, CG 3.0 mm forward"; nothing where none changes."""
     parts = []
     for name, change in changes.items():
         unit = "deg" if name in ("loft", "lie") else "mm"
-        parts.append(f"{name} {units.from_si(change, unit):+.2f} {unit}")
+        size = f"{abs(units.from_si(change, unit)):.1f}"
+        if float(size):
+            parts.append(f"{'CG ' * name.startswith('cg')}{size} {unit} {WORDS[name][change < 0.0]}")
     return ", ".join(parts)

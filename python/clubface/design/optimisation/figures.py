@@ -30,6 +30,9 @@ UNIT = "yd"
 def optimum_figure(of: Optimum) -> Figure:
     """Draw the landings with the start and with the optimum; beside them the front, or every field in its bounds."""
     figure = Figure(figsize=(WIDTH, 3.4), layout="constrained")
+    if not (of.front or any(name in of.study.bounds for name in of.club)):  # nothing has a place between bounds
+        _draw_landings(figure.subplots(), of)
+        return figure
     left, right = figure.subplots(1, 2, width_ratios=(1.0, 1.2))
     _draw_landings(left, of)
     if of.front:

@@ -143,6 +143,11 @@ def landings(of: Fitting, found: Combination) -> list[Any]:
     return [each.of(club) for each, _ in _landings(of, head, ball, of.samples())]
 
 
+def as_it_is(of: Fitting) -> dict[str, float]:
+    """Return what the first club with the first ball is judged by, with nothing changed [SI]."""
+    return _values(of, [(each.of({}), weight) for each, weight in _landings(of, *of.names()[0][:2], of.samples())])
+
+
 def _landings(of: Fitting, head: Club, ball: Ball | None, samples: Any) -> list[tuple[Landings, float]]:
     """Return the shots of the golfers with a head and a ball."""
     own, base_loft = replace(of.setting, ball=ball), of.clubs[0].loft
@@ -170,18 +175,20 @@ def _tried(of: Fitting, head: Club, ball: Ball | None, setting: str, samples: An
     landed = [each.of(club) for each, _ in golfers]
     if any(np.isnan(each).any() for each in landed):
         raise _impossible(head, setting)
-    total = sum(weight for _, weight in golfers)
-    values = {
-        each.name: sum(
-            weight * each.judge(one)[0] for (_, weight), one in zip(golfers, landed, strict=True)
-        ) / total
-        for each in objectives(of.hole)
-    }  # fmt: skip
+    values = _values(of, [(one, weight) for one, (_, weight) in zip(landed, golfers, strict=True)])
     parts = [
         [judge.judge(part)[0] for part in np.array_split(one, BLOCKS, axis=1)] if one.shape[1] >= 2 * BLOCKS else []
         for one in landed
     ]
     return _Tried(golfers[0][0].ball.name, changes, values, [one.shape[1] for one in landed], parts)
+
+
+def _values(of: Fitting, landed: Sequence[tuple[Any, float]]) -> dict[str, float]:
+    """Return every objective of the landings of golfers, each with how much he counts, by its name."""
+    total = sum(weight for _, weight in landed)
+    return {
+        each.name: sum(weight * each.judge(one)[0] for one, weight in landed) / total for each in objectives(of.hole)
+    }
 
 
 def _impossible(head: Club, setting: str) -> InputError:

@@ -10,13 +10,20 @@ from typing import Any
 from clubface import units
 from clubface.design.optimisation.combination import Combination, named, told
 from clubface.design.optimisation.fitting import Fitting
+from clubface.design.optimisation.fitting_run import as_it_is
 from clubface.design.optimisation.landings import FREE, own_value
 from clubface.design.optimisation.objectives import Objective
 from clubface.design.optimisation.result import Optimum
 from clubface.design.optimisation.study import UNITS
 
+HEADS = {"side_spread": "side ±", "ellipse": "90% ellipse"}
+"""What stands over columns of objectives whose names are no words."""
 SHOWN = 12
 """Combinations of a fitting that are shown; the file of --output has all."""
+FELT = 2.0
+"""Yards below which a golfer on a range does not see a difference, however certain it is of computed shots."""
+ONE_PLACE = 2e-4
+"""Distance [m] within which point masses are shown as one."""
 CERTAIN = 2.0
 """Standard errors beyond which a difference is called one."""
 
@@ -69,15 +76,18 @@ def limits_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
 
 def placement_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     """Return point masses that are one way to place the discretionary mass."""
+    grouped: list[tuple[tuple[float, ...], list[float]]] = []
+    for each in found.placed():  # the heaviest first; what lies beside one that is there is part of it
+        near = [masses for place, masses in grouped if math.dist(place, each.place) < ONE_PLACE]
+        if near:
+            near[0].append(each.mass)
+        else:
+            grouped.append((each.place, [each.mass]))
+    grouped.sort(key=lambda group: -sum(group[1]))
     rows = [
-        [
-            str(number),
-            *(
-                units.fixed(value, unit, 1).split()[0]
-                for value, unit in zip((each.mass, *each.place), ("g", "mm", "mm", "mm"), strict=True)
-            ),
-        ]
-        for number, each in enumerate(found.placed(), 1)
+        [str(number), _tenths(units.from_si(sum(masses), "g")), *(_tenths(units.from_si(x, "mm")) for x in place)]
+        for number, (place, masses) in enumerate(grouped, 1)
+        if _tenths(units.from_si(sum(masses), "g")) != "0.0"
     ]
     return ["mass", "g", "x (mm)\nto the target", "y (mm)\nup", "z (mm)\nto the toe"], rows
 
@@ -112,6 +122,16 @@ def notes(found: Optimum) -> list[str]:
     stopping = [each.limit for each in found.verdicts() if each.state == "kept, at the limit"]
     if stopping:
         said.append(f"What stops the optimum: {', '.join(stopping)}.")
+    beyond = [each for each in study.rule_values(found.built) if each.conforms and each.value > each.rule.most]
+    if study.conform and beyond:
+        which = ", ".join(
+            f"{each.rule.title} {units.show(each.value, each.rule.unit, 4)}, limit"
+            f" {units.show(each.rule.most, each.rule.unit, 4)}" for each in beyond
+        )  # fmt: skip
+        said.append(
+            f"It makes use of tolerances of the rules, which are there for what a measurement may be off: {which}."
+            " tolerance = false under [rules] keeps to the limits."
+        )
     if study.moves_mass and not found.placed():
         said.append(
             "No point masses in the volume were found that have the moments of the discretionary mass: a box refuses no"
@@ -137,10 +157,29 @@ def gains(found: Optimum) -> list[str]:
         unit = "" if judge.unit == "1" else f" {judge.unit}"
         said.append(f"The {judge.meaning} is {_value(after, judge)}{unit} instead of "
                     f"{_value(before, judge)}{unit}.")  # fmt: skip
+    if moved := _moved(found):
+        said.append(f"Beside the club at the start, its CG lies {moved}.")
+    for name, words in (("iyy", "moment of inertia about the vertical axis"), ("bulge", "bulge"), ("roll", "roll")):
+        if name in found.club:
+            before, after = (units.show(each, UNITS[name], 4) for each in (own_value(found.study.club, name),
+                                                                            found.club[name]))  # fmt: skip
+            if before != after:
+                said.append(f"The {words} is {after} instead of {before}.")
     if lie_or_loft := [name for name in ("loft", "lie") if name in found.club and name in found.study.bounds]:
         angles = [f"a {name} of {units.fixed(found.club[name], 'deg', 1)}" for name in lie_or_loft]
         said.append(f"The club has {' and '.join(angles)}.")
     return said
+
+
+def _moved(found: Optimum) -> str:
+    """Say where the CG went: "9.8 mm farther back and 2.4 mm higher"; nothing where it stayed."""
+    moved = [name for name in ("cg_x", "cg_y", "cg_z") if name in found.club]
+    parts = told({name: found.club[name] - own_value(found.study.club, name) for name in moved})
+    if not parts:
+        return ""
+    *others, last = re.sub(r"CG (\S+ mm)( (?=back|forward))?", lambda each: each[1] + " farther " * bool(each[2]),
+                           parts).split(", ")  # fmt: skip
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 def _against_nominal(found: Optimum) -> str:
@@ -196,7 +235,7 @@ def fit_table(of: Fitting, found: list[Combination]) -> tuple[list[str], list[li
     """Return the best combinations of parts."""
     judge = of.judge(of.objective)
     others = list(found[0].others)
-    heads = ["", "club", "ball", "setting", "changes", _head(judge), "behind the best"]
+    heads = ["", "club", "ball", "setting", "changes", _head(judge), "against\nthe best"]
     heads += [_head(of.judge(name)) for name in others]
     rows = []
     for number, each in enumerate(found[:SHOWN], 1):
@@ -229,17 +268,27 @@ def fit_advice(of: Fitting, found: list[Combination]) -> list[str]:
         if math.isnan(found[1].error):
             sure = "how sure that is cannot be told, since other shots miss its face"
         elif abs(found[1].value - best.value) > CERTAIN * found[1].error:
+            little = judge.unit == "yd" and abs(units.from_si(found[1].value - best.value, "yd")) < FELT
             sure = "that is more than chance leaves open"
+            sure += ", but less than a golfer notices" * little
         else:
             sure = "that is not clearly worse: more shots, or trying both, would tell"
         said.append(f"Next comes {named(found[1])}, {behind}{unit} behind; {sure}.")
+    now = as_it_is(of)[judge.name]
+    if not math.isnan(now):
+        ball = "the same ball" if of.balls[0] is None else f"the ball {of.balls[0].name}"
+        said.append(f"With {of.clubs[0].name} as it is now and {ball} it is {_value(now, judge)}{unit}.")
     return said
 
 
 def fit_notes(of: Fitting, found: list[Combination]) -> list[str]:
     """Return what a reader should know about a fitting."""
+    several = len(of.golfers) > 1
+    each, who = (
+        (f" of each of {len(of.golfers)} golfers", "who deliver") if several else (" of the golfer", "who delivers")
+    )
     said = [
-        f"{len(found)} combinations, all judged on the same {of.shots} shots of a golfer, who delivers every club like"
+        f"{len(found)} combinations, all judged on the same {of.shots} shots{each}, {who} every club like"
         f" {of.clubs[0].name}, with more dynamic loft where the club has more loft.",
     ]
     if any(math.isnan(each.error) for each in found):
@@ -252,6 +301,11 @@ def fit_notes(of: Fitting, found: list[Combination]) -> list[str]:
     if len(found) > SHOWN:
         said.append(f"{len(found) - SHOWN} more are not shown; --output and --json have all.")
     return said
+
+
+def _tenths(value: float) -> str:
+    text = f"{value:.1f}"
+    return "0.0" if text == "-0.0" else text
 
 
 def _number(value: float | None, unit: str) -> str:
@@ -270,7 +324,8 @@ def _short(allowed: str) -> str:
 
 
 def _head(judge: Objective) -> str:
-    return judge.name if judge.unit == "1" else f"{judge.name}\n({judge.unit})"
+    name = HEADS.get(judge.name, judge.name)
+    return name if judge.unit == "1" else f"{name}\n({judge.unit})"
 
 
 def _value(value: float, judge: Objective) -> str:

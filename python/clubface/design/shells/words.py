@@ -99,7 +99,8 @@ def gains(found: Improved) -> list[str]:
             words, _, unit = QUANTITIES[name]
             before, after = (number(step.values[name], unit) for step in (search.start, search.best))
             shown = SHORT.get(unit, unit)
-            told.append(f"The {words} of the best head is {after} {shown} instead of {before} {shown}.")
+            if before != after:
+                told.append(f"The {words} of the best head is {after} {shown} instead of {before} {shown}.")
     return told
 
 
