@@ -9,6 +9,7 @@ from hypothesis import given, strategies as st
 
 from clubface import units
 from clubface.errors import InputError, UnitError
+from clubface.units.table import UNITS
 
 # One unit is so many of the SI, and zero of it is so much. Sources: BIPM, The International System of Units (2019), for
 # prefixes, degrees, minutes and the degree Celsius; the agreement of 1959 on yard (0.9144 m) and pound (0.45359237 kg),
@@ -61,12 +62,12 @@ DEFINITIONS = [
     ("83 %", "dimensionless", 0.83),
     ("0.83", "dimensionless", 0.83),
 ]
-ALL_UNITS = sorted({each.symbol for each in units._UNITS.values()})
+ALL_UNITS = sorted({each.symbol for each in UNITS.values()})
 
 
 @pytest.mark.parametrize("dimension", FACTORS)
 def test_every_unit_has_the_size_of_its_source(dimension):
-    known = {each.symbol for each in units._UNITS.values() if each.dimension == dimension}
+    known = {each.symbol for each in UNITS.values() if each.dimension == dimension}
     assert known == set(FACTORS[dimension])
     for symbol, factor in FACTORS[dimension].items():
         zero = ZEROS.get(symbol, 0.0)
@@ -76,7 +77,7 @@ def test_every_unit_has_the_size_of_its_source(dimension):
 
 
 def test_every_dimension_is_in_the_table():
-    assert {each.dimension for each in units._UNITS.values()} == set(FACTORS)
+    assert {each.dimension for each in UNITS.values()} == set(FACTORS)
 
 
 @pytest.mark.parametrize(("text", "dimension", "expected"), DEFINITIONS)

@@ -20,7 +20,7 @@ from clubface.equipment.models import model, models
 from clubface.equipment.parameters import builtin_sets
 from clubface.evaluation.published_accuracy import published
 from clubface.measured.shots import QUANTITIES
-from clubface.tour import averages as tour, tables as tour_tables
+from clubface.tour import averages as tour_averages, tables as tour_tables, tour
 
 
 def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> list[str]:
@@ -124,7 +124,7 @@ class TourSummary(CoreTable):
 
     def table(self) -> list[str]:
         """One row a model."""
-        return markdown_table(*tour_tables.summary(compared(name) for name in tour.TABLES))
+        return markdown_table(*tour_tables.summary(compared(name) for name in tour_averages.TABLES))
 
 
 class BenchmarkMeans(CoreTable):

@@ -17,7 +17,7 @@ from clubface.findings.effects import effect_sizes
 from clubface.findings.error_budget import error_budget, extrapolated
 from clubface.findings.implied_bias import bias_of, bias_of_magnitudes, mean_magnitude
 from clubface.measured.shots import QUANTITIES
-from clubface.tour import averages as tour
+from clubface.tour import averages
 
 pytest.importorskip("pyarrow")
 pytest.importorskip("scipy")
@@ -95,7 +95,7 @@ def test_lines_through_frames_without_noise_miss_only_by_the_arc():
 
 def test_one_set_for_all_clubs_is_better_than_the_published_ones_and_launches_as_published():
     found = tour_fit.fit("slip")
-    before = tour_fit.Bag(tour.averages(tour_fit.SEASON))
+    before = tour_fit.Bag(averages.averages(tour_fit.SEASON))
     published_set = ParameterSet(
         model="slip", club="any", name="x", values=ParameterSet.builtin("slip", "7-iron").values
     )
@@ -107,7 +107,7 @@ def test_one_set_for_all_clubs_is_better_than_the_published_ones_and_launches_as
     assert np.abs(launch - before.launch)[solved].max() < 2e-6
     # A club alone, with its own values, is launched as in the batch.
     place = found.clubs.index("9-iron")
-    average = tour.averages(tour_fit.SEASON)[place]
+    average = averages.averages(tour_fit.SEASON)[place]
     alone = clubface.impact(
         "9-iron", speed=average.club_speed, attack=average.attack, loft=float(found.lofts[place]), model="slip",
         parameters=found.parameters, ball=published_ball(),
@@ -173,7 +173,7 @@ def test_a_study_is_resumed_and_keeps_what_was_finished(tmp_path, monkeypatch):
 )
 def test_the_sets_for_all_clubs_that_are_shipped_have_the_errors_they_state(model, speed, spin):
     shipped = ParameterSet.builtin(model, "any", "tour-averages")
-    errors, _ = tour_fit.Bag(tour.averages(tour_fit.SEASON)).errors(shipped)
+    errors, _ = tour_fit.Bag(averages.averages(tour_fit.SEASON)).errors(shipped)
     # Half of the last digit stated.
     assert np.abs(errors["ball_speed"]).mean() / 0.44704 == pytest.approx(speed, abs=0.051)
     assert np.abs(errors["spin"]).mean() * 30 / math.pi == pytest.approx(spin, abs=10)

@@ -18,7 +18,7 @@ from clubface.findings import study, tour_fit
 from clubface.findings.error_budget import error_budget
 from clubface.findings.implied_bias import bias_of, bias_of_magnitudes
 from clubface.measured.shots import QUANTITIES
-from clubface.tour import averages as tour
+from clubface.tour import averages
 
 pytest.importorskip("pyarrow")
 
@@ -95,7 +95,7 @@ def test_the_error_budget_is_that_of_the_parameters_stored():
 def test_one_set_for_all_clubs_has_the_errors_stored(model):
     found = FOUND["tour"][model]
     of = ParameterSet(model=model, club="any", name="x", values=found["parameters"])
-    errors, lofts = tour_fit.Bag(tour.averages(tour_fit.SEASON)).errors(of)
+    errors, lofts = tour_fit.Bag(averages.averages(tour_fit.SEASON)).errors(of)
     # Parameters of nine digits; the errors are differences of numbers a hundred times larger. In a contact model the
     # tenth digit can move a step through contact, and its launch is computed to 1e-4.
     contact = clubface.models()[model].kind == "contact"

@@ -12,7 +12,7 @@ from clubface import plots
 from clubface.identification.figures import identification_figure
 from clubface.plots import style
 from clubface.simulation.trajectory import trajectory
-from clubface.tour import averages as tour, figures
+from clubface.tour import figures, tour
 from synthetic_shots import recorded
 
 SHOT = {"speed": "113 mph", "attack": "-1.3 deg", "loft": "12.8 deg", "toe": "8 mm"}

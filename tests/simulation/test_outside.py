@@ -17,7 +17,7 @@ from clubface.motion_capture.attitude import delivered, face_axes
 from clubface.simulation.outside import Tally
 from clubface.support import warning
 from clubface.support.warning import without_warnings
-from clubface.tour.averages import tour
+from clubface.tour.tour import tour
 from clubface.validation import validate
 from deliveries import table
 

@@ -5,7 +5,7 @@ import pytest
 import clubface
 from clubface import studies
 from clubface.motion_capture.synthetic.files import synthesize
-from clubface.tour.averages import tour
+from clubface.tour.tour import tour
 from study_files import squares
 
 pytestmark = pytest.mark.usefixtures("in_this_process")

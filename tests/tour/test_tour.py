@@ -15,7 +15,8 @@ from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import InputError, UnknownNameError
-from clubface.tour import averages as job, report, tables as tour_tables
+from clubface.tour import report, solved_loft, tables as tour_tables, tour as job
+from clubface.tour.averages import averages
 from clubface.tour.spin_ratio import loft_of_ratio, spin_ratio, spin_ratio_of
 
 
@@ -25,7 +26,7 @@ def result() -> job.Tour:
 
 
 def test_the_published_averages_are_read_with_their_units():
-    rows = job.averages()
+    rows = averages()
     driver, wedge = rows[0], rows[-1]
     # The rows of the published table, to the last digit: a conversion is the only arithmetic.
     assert driver.club_speed == pytest.approx(115 * 0.44704, rel=1e-15)
@@ -44,7 +45,7 @@ def test_the_published_averages_are_read_with_their_units():
     ],
 )
 def test_every_table_has_its_own_rows_and_source(table, row):
-    found = {each.club: each for each in job.averages(table)}[row[0]]
+    found = {each.club: each for each in averages(table)}[row[0]]
     parts = ("club_speed", "mph"), ("attack", "deg"), ("ball_speed", "mph"), ("launch", "deg"), ("spin", "rpm")
     assert [float(units.from_si(getattr(found, name), unit)) for name, unit in parts] == pytest.approx(row[1:])
     result = job.tour(["standard"], table=table)
@@ -65,7 +66,7 @@ def test_a_club_without_a_head_is_left_out_and_told():
 
 
 def test_every_built_in_club_has_its_row():
-    assert tuple(each.club for each in job.averages()) == CLUB_NAMES
+    assert tuple(each.club for each in averages()) == CLUB_NAMES
 
 
 @pytest.mark.parametrize(
@@ -119,8 +120,8 @@ class TiltedLaunches:
 
 def test_a_model_that_takes_long_is_asked_a_few_times_only(monkeypatch):
     launches = TiltedLaunches()
-    monkeypatch.setattr(job, "impact", launches)
-    loft = job.solve_loft("7-iron", 40.0, math.radians(-4.0), math.radians(16.0), model="fem")
+    monkeypatch.setattr(solved_loft, "impact", launches)
+    loft = solved_loft.solve_loft("7-iron", 40.0, math.radians(-4.0), math.radians(16.0), model="fem")
     wanted = math.radians(20.0)
     # 0.7 x - 0.2 x^2 = 20 degrees; the resolution over the slope there.
     assert loft - math.radians(-4.0) == pytest.approx((0.7 - math.sqrt(0.49 - 0.8 * wanted)) / 0.4, abs=4e-5)
@@ -128,10 +129,10 @@ def test_a_model_that_takes_long_is_asked_a_few_times_only(monkeypatch):
 
 
 def test_the_finite_elements_get_a_loft_of_their_own_too():
-    iron = next(each for each in job.averages("pga-2019") if each.club == "7-iron")
-    loft = job.solve_loft("7-iron", iron.club_speed, iron.attack, iron.launch, model="fem")
+    iron = next(each for each in averages("pga-2019") if each.club == "7-iron")
+    loft = solved_loft.solve_loft("7-iron", iron.club_speed, iron.attack, iron.launch, model="fem")
     shot = clubface.impact("7-iron", speed=iron.club_speed, attack=iron.attack, loft=loft, model="fem")
-    assert shot.launch == pytest.approx(iron.launch, abs=2 * job.COARSE_RESOLUTION)
+    assert shot.launch == pytest.approx(iron.launch, abs=2 * solved_loft.COARSE_RESOLUTION)
 
 
 def test_progress_tells_of_every_club():
@@ -156,7 +157,7 @@ def test_another_ball_is_hit_by_every_club_and_told(result):
 @pytest.mark.parametrize(("attack", "launch"), [(0.0, 77.0), (0.0, 79.0), (0.0, -30.0)])
 def test_a_launch_angle_out_of_reach_is_refused(attack, launch):
     with pytest.raises(InputError, match="launch angle driver can reach"):
-        job.solve_loft("driver", 50.0, math.radians(attack), math.radians(launch), model="standard")
+        solved_loft.solve_loft("driver", 50.0, math.radians(attack), math.radians(launch), model="standard")
 
 
 def test_a_force_along_the_face_at_the_radius_of_a_round_ball_gives_a_ratio_of_one():
@@ -170,9 +171,9 @@ def test_a_force_along_the_face_at_the_radius_of_a_round_ball_gives_a_ratio_of_o
 
 @pytest.mark.parametrize(("club", "least", "most"), [("driver", 0.1, 0.4), ("3-wood", 0.1, 0.4), ("7-iron", 0.5, 0.9)])
 def test_until_maximum_compression_a_head_turns_as_the_page_says(club, least, most):
-    average = next(each for each in job.averages("pga-2019") if each.club == club)
+    average = next(each for each in averages("pga-2019") if each.club == club)
     for name in ("rings", "volumetric"):
-        loft = job.solve_loft(club, average.club_speed, average.attack, average.launch, model=name)
+        loft = solved_loft.solve_loft(club, average.club_speed, average.attack, average.launch, model=name)
         contact = clubface.history(
             club, speed=average.club_speed, attack=average.attack, loft=loft, model=name, accuracy=1e-8
         )
@@ -205,7 +206,7 @@ def test_the_published_lofts_fit_the_launches_of_their_season_and_not_the_driver
         assert ((result.lofts["standard"][given] > low) & (result.lofts["standard"][given] < high)).all()
         ratios = result.published_ratios("standard")[given]
         assert ((ratios > 0.90) & (ratios < 0.96)).all()
-    driver, ball = job.averages("pga-2023")[0], clubface.ball()
+    driver, ball = averages("pga-2023")[0], clubface.ball()
     assert spin_ratio(ball, driver.ball_speed, driver.launch, driver.spin, math.radians(12.8)) < 0.72
 
 

@@ -13,7 +13,7 @@ from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
 
 if TYPE_CHECKING:
-    from clubface.tour.averages import Tour
+    from clubface.tour.tour import Tour
 
 app = typer.Typer(add_completion=False)
 
@@ -29,13 +29,13 @@ def tour(
     as_json: options.Json = False,
 ) -> None:
     """Compute the published tour averages, club by club, by the default model, then by every model."""
-    from clubface.tour import averages as job
+    from clubface.tour import averages as published, tour as job
 
     names = option_values.model_names(model)
-    wanted = option_values.names([averages or job.DEFAULT_TABLE])
-    which = list(dict.fromkeys(name for each in wanted for name in (job.TABLES if each == "all" else [each])))
+    wanted = option_values.names([averages or published.DEFAULT_TABLE])
+    which = list(dict.fromkeys(name for each in wanted for name in (published.TABLES if each == "all" else [each])))
     for each in which:
-        job.averages(each)  # before the work: a name that does not exist is found at once
+        published.averages(each)  # before the work: a name that does not exist is found at once
     output.prepare_folder(folder)
     from clubface.errors import RangeWarning
     from clubface.simulation.outside import Tally

@@ -16,7 +16,7 @@ from clubface import units
 from clubface.equipment.core import check_body
 from clubface.equipment.described import Described, Property, set_si, template_lines, to_toml
 from clubface.equipment.models import model
-from clubface.equipment.parameters import checked
+from clubface.equipment.parameter_values import checked
 from clubface.equipment.pieces import Construction, body, pieces_lines, toml_lines
 from clubface.errors import ClubfaceError, FileError, InputError, RuleWarning
 from clubface.support.checks import check_name, check_text

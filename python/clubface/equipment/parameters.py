@@ -1,22 +1,4 @@
-"""Sets of model parameters: the published ones, one file a source, and the user's own.
-
-A file names its source and holds one or more ``[[set]]``, each with the model and club it was found for, its
-values with units, and what must be said of them::
-
-    title = "My range session"
-    reference = "42 drives, June"
-
-    [[set]]
-    model = "volumetric"
-    club = "driver"                       # driver, 7-iron or any
-    [set.range]                           # optional: the shots it was found from
-    speed = ["101 mph", "118 mph"]
-    [set.values]
-    stiffness = "6.25e9 N/m3"
-    ...
-    [set.value_caveats]
-    stiffness = "not identifiable from launch data"
-"""
+"""Sets of model parameters: the published ones, and the user's own."""
 
 from __future__ import annotations
 
@@ -28,8 +10,10 @@ from typing import Any, Self, TypeVar
 
 from clubface import units
 from clubface.equipment.backends import MODULES, OWN
-from clubface.equipment.models import Model, Parameter, model
-from clubface.equipment.ranges import OF_THE_RANGE, QUANTITIES, RANGES, Range, checked_range
+from clubface.equipment.models import Model, model
+from clubface.equipment.parameter_file import FLAGS, check_entry, entries
+from clubface.equipment.parameter_values import checked, parsed, parsed_scalar
+from clubface.equipment.ranges import OF_THE_RANGE, RANGES, Range, checked_range
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.support.checks import check_choice
 from clubface.support.frozen import Frozen
@@ -40,10 +24,6 @@ FAMILIES = ("driver", "7-iron", "any")
 T = TypeVar("T")
 _TOLD = 5
 """How many names of values are told one by one."""
-_FILE_KEYS = ("title", "reference", "set")
-_SET_TEXTS = ("model", "club", "variant", "source")
-_SET_FLAGS = {"default": False, "includes_face": True}
-_SET_KEYS = (*_SET_TEXTS, *_SET_FLAGS, "characteristic_time", "caveats", "range", "values", "value_caveats")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -153,7 +133,7 @@ class ParameterSet:
     def replace(self, **changes: Any) -> Self:
         """Return the set with values changed, each text with a unit, an SI number or an array: ``friction="0.4"``."""
         declared: Model = model(self.model)
-        new = {key: _parsed(value, declared.parameter(key)) for key, value in changes.items()}
+        new = {key: parsed(value, declared.parameter(key)) for key, value in changes.items()}
         kept = {key: text for key, text in self.value_caveats.items() if key not in changes}
         source = self.source + (f"; changed: {', '.join(changes)}" if changes else "")
         return replace(
@@ -265,53 +245,30 @@ def builtin_sets(model_name: str | None = None) -> tuple[ParameterSet, ...]:
 
 def read_sets(document: Document, name: str | None = None) -> list[ParameterSet]:
     """Read all sets of a document; ``name`` (else the title) names them."""
-    data = document.data
-    document.check_keys(data, _FILE_KEYS, ("title", "reference", "set"))
-    document.check_text(data, ("title", "reference"))
-    entries = data["set"]
-    if not (isinstance(entries, list) and entries and all(isinstance(each, dict) for each in entries)):
-        raise document.error("there must be at least one [[set]]", "set")
-    return [_read_set(document, entry, index, name or data["title"]) for index, entry in enumerate(entries)]
+    found = entries(document)
+    return [_read_set(document, each, index, name or document.data["title"]) for index, each in enumerate(found)]
 
 
 def _read_set(document: Document, entry: dict[str, Any], index: int, name: str) -> ParameterSet:
-    document.check_keys(entry, _SET_KEYS, ("model", "club", "values"), "set", index)
-    document.check_text(entry, _SET_TEXTS, "set", index)
-    caveats, flags = entry.get("caveats", []), {key: entry.get(key, usual) for key, usual in _SET_FLAGS.items()}
-    if not (isinstance(caveats, list) and all(isinstance(each, str) for each in caveats)):
-        raise document.error("caveats must be a list of texts", "caveats", "set", index)
-    for key, flag in flags.items():
-        if not isinstance(flag, bool):
-            raise document.error(f"{key} must be true or false", key, "set", index)
-    values, value_caveats, within = entry["values"], entry.get("value_caveats", {}), entry.get("range", {})
-    if not all(isinstance(each, dict) for each in (values, value_caveats, within)):
-        raise document.error("values, value_caveats and range must be tables", "values", "set", index)
-    try:
-        declared = model(entry["model"])
-    except ClubfaceError as error:
-        raise document.wrap(error, "set", index) from error
-    names = [each.name for each in declared.parameters]
-    document.check_keys(values, names, names, "set.values", index)
-    document.check_keys(value_caveats, names, (), "set.value_caveats", index)
-    document.check_text(value_caveats, value_caveats, "set.value_caveats", index)
-    document.check_keys(within, QUANTITIES, (), "set.range", index)
+    declared = check_entry(document, entry, index)
     variant = f"/{entry['variant']}" if "variant" in entry else ""
     try:
         return ParameterSet(
             model=entry["model"],
             club=entry["club"],
             name=name + variant,
-            values={key: _parsed_scalar(value, declared.parameter(key)) for key, value in values.items()},
+            values={key: parsed_scalar(value, declared.parameter(key)) for key, value in entry["values"].items()},
             source=entry.get("source", ""),
             reference=document.data["reference"],
-            caveats=tuple(caveats),
-            value_caveats=value_caveats,
+            caveats=tuple(entry.get("caveats", [])),
+            value_caveats=entry.get("value_caveats", {}),
             characteristic_time=entry.get("characteristic_time"),
-            range=within,
-            **flags,
+            range=entry.get("range", {}),
+            **{key: entry.get(key, usual) for key, usual in FLAGS.items()},
         )
     except ClubfaceError as error:
         at = str(getattr(error, "parameter", ""))
+        names = [each.name for each in declared.parameters]
         table = "set.values" if at in names else "set.range" if at.endswith(OF_THE_RANGE) else "set"
         raise document.wrap(error, table, index) from error
 
@@ -324,28 +281,3 @@ def _choose(sets: list[ParameterSet], document: Document, model_name: str | None
         return fitting[0]
     held = "; ".join(f"{each.model} for {each.club}" for each in sets)
     raise document.error(f"{'no' if not fitting else 'more than one'} set fits; the file holds: {held}")
-
-
-def _dimension(parameter: Parameter) -> str:
-    return units.unit(parameter.unit, name=parameter.name).dimension
-
-
-def _parsed(value: Any, parameter: Parameter) -> Any:
-    return units.parse_values(value, _dimension(parameter), name=parameter.name)
-
-
-def _parsed_scalar(value: Any, parameter: Parameter) -> float:
-    return units.parse(value, _dimension(parameter), name=parameter.name)
-
-
-def checked(value: Any, parameter: Parameter) -> Any:
-    """Return ``value`` as float or float64 array, refused where it is outside the bounds of ``parameter``."""
-    value = _parsed(value, parameter)
-    low = value if isinstance(value, float) else value.min(initial=parameter.upper)
-    high = value if isinstance(value, float) else value.max(initial=parameter.lower)
-    if not (low >= parameter.lower and high <= parameter.upper):
-        outside = low if not low >= parameter.lower else high
-        symbol = parameter.unit
-        allowed = f"from {units.show(parameter.lower, symbol)} to {units.show(parameter.upper, symbol)}"
-        raise InputError(parameter.name, units.show(float(outside), symbol), allowed)
-    return value

@@ -8,11 +8,12 @@ from typing import Any
 from clubface import units
 from clubface.equipment.clubs import Club, club
 from clubface.errors import RunError
-from clubface.fem.balls import Ball, Piece
+from clubface.fem.balls import Ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head as meshed, mesh_of
 from clubface.fem.heads.read import Design
 from clubface.fem.materials import Material
+from clubface.fem.pieces import Piece
 from clubface.fem.result import Impact
 from clubface.fem.run import AnyBall, strike
 from clubface.fem.settings import Settings

@@ -190,7 +190,8 @@ def tour(head: Club) -> Prior:
     the one with which the default model gives the published launch angle. All other means and the spreads are those of
     the benchmark shots: of the driver for woods, and of the 7-iron for the other clubs.
     """
-    from clubface.tour.averages import averages, published_lofts, solve_loft
+    from clubface.tour.averages import averages, published_lofts
+    from clubface.tour.solved_loft import solve_loft
 
     known = {each.club: each for each in averages(TOUR)}
     if head.name not in known:

@@ -17,7 +17,7 @@ from clubface.plots.style import WIDTH, legend_above, marker, styled
 from clubface.tour.tables import DIGITS, FLIGHT_ONLY, compared
 
 if TYPE_CHECKING:
-    from clubface.tour.averages import Tour
+    from clubface.tour.tour import Tour
 
 TITLES = {"ball_speed": "ball speed", "launch": "launch angle", "spin": "spin", "carry": "carry"}
 

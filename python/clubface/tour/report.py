@@ -6,8 +6,8 @@ from pathlib import Path
 
 from clubface.support.folders import prepared_folder
 from clubface.support.whole_file import write_text
-from clubface.tour.averages import Tour
 from clubface.tour.tables import as_csv, as_json, as_markdown
+from clubface.tour.tour import Tour
 
 
 def write(result: Tour, folder: Path) -> list[Path]:

@@ -13,8 +13,9 @@ import numpy as np
 from clubface import units
 from clubface.equipment.balls import DEFAULT_BALL
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.tour.averages import QUANTITIES, TABLES, Tour, mean_absolute_error
+from clubface.tour.averages import TABLES
 from clubface.tour.spin_ratio import FLATTENED, RIGID
+from clubface.tour.tour import QUANTITIES, Tour, mean_absolute_error
 
 TITLES = {"ball_speed": "Ball speed", "launch": "Launch angle", "spin": "Spin", "carry": "Carry"}
 DIGITS = {"ball_speed": 1, "launch": 1, "spin": 0, "carry": 1}

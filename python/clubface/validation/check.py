@@ -18,7 +18,7 @@ from clubface.simulation.impact import impact
 from clubface.simulation.launch import Launch
 from clubface.simulation.outside import Tally
 from clubface.support.warning import without_warnings
-from clubface.tour.averages import solve_loft
+from clubface.tour.solved_loft import solve_loft
 
 
 class Figure(NamedTuple):

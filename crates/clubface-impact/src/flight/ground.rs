@@ -58,6 +58,15 @@ pub struct Ground<S> {
     pub rolling_friction: S,
 }
 
+/// Coefficient of rolling friction rho_g of a green on which a ball runs `distance` [m] off a Stimpmeter.
+///
+/// The ball leaves it at 1.83 m/s (6.00 ft/s) and rolls v^2 / (2 (5/7) rho_g g).
+#[must_use]
+pub fn rolling_friction_of_stimp(distance: f64) -> f64 {
+    let speed: f64 = 1.83;
+    0.7 * speed.powi(2) / (GRAVITY * distance)
+}
+
 /// Penner's coefficient of restitution at a normal speed, m/s.
 #[inline(always)]
 pub fn restitution<S: Scalar>(normal_speed: S) -> S {

@@ -9,127 +9,25 @@ from __future__ import annotations
 import math
 from collections.abc import Collection
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from clubface.errors import InputError, Told, UnitError, nearest_names
+from clubface.units.table import (
+    DIMENSIONLESS as DIMENSIONLESS,
+    DISPLAY_UNITS,
+    DISPLAY_UNITS_BY_NAME,
+    OF_A_HEAD,
+    SI_UNITS as SI_UNITS,
+    UNITS,
+    Unit as Unit,
+    key,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-DIMENSIONLESS = "dimensionless"
 MOST_DIMENSIONS = 32
 """Of an array, as the core takes it."""
-
-
-class Unit(NamedTuple):
-    """One unit: SI value = value * numerator / denominator + offset."""
-
-    symbol: str
-    dimension: str
-    numerator: float
-    denominator: float
-    offset: float
-
-
-def _table() -> dict[str, Unit]:
-    units: dict[str, Unit] = {}
-
-    def add(dimension: str, spellings: str, numerator: float = 1.0, denominator: float = 1.0, offset: float = 0.0):
-        names = spellings.split(",")
-        unit = Unit(names[0], dimension, numerator, denominator, offset)
-        for name in names:
-            units[_key(name)] = unit
-
-    add("speed", "m/s,mps,m_s")
-    add("speed", "mph,mi/h,MPH", 44704.0, 1e5)
-    add("speed", "km/h,kmh,kph,km_h", 10.0, 36.0)
-    add("speed", "ft/s,fps,ft_s", 3048.0, 1e4)
-    add("angle", "rad,radians")
-    add("angle", "deg,degrees,degree,°", math.pi, 180.0)
-    add("length", "m,metres,meters")
-    add("length", "mm", 1.0, 1e3)
-    add("length", "cm", 1.0, 1e2)
-    add("length", "in,inch,inches", 254.0, 1e4)
-    add("length", "yd,yard,yards,yds", 9144.0, 1e4)
-    add("length", "ft,feet,foot", 3048.0, 1e4)
-    add("area", "m2")
-    add("area", "cm2", 1.0, 1e4)
-    add("area", "mm2", 1.0, 1e6)
-    add("volume", "m3")
-    add("volume", "cm3,cc,ml", 1.0, 1e6)
-    add("mass", "kg")
-    add("mass", "g,grams,gram", 1.0, 1e3)
-    add("mass", "oz", 28349523125.0, 1e12)
-    add("inertia", "kg m2")
-    add("inertia", "g cm2", 1.0, 1e7)
-    add("angular rate", "rad/s,radps,rad_s")
-    add("angular rate", "deg/s,degps,deg_s,°/s", math.pi, 180.0)
-    add("angular rate", "rpm,rev/min,RPM", math.pi, 30.0)
-    add("temperature", "K,kelvin")
-    add("temperature", "degC,C,°C,degc,celsius", offset=273.15)
-    add("temperature", "degF,F,°F,degf,fahrenheit", 5.0, 9.0, 273.15 - 160.0 / 9.0)
-    add("pressure", "Pa,pa")
-    add("pressure", "hPa,mbar,hpa", 100.0)
-    add("pressure", "kPa,kpa", 1e3)
-    add("pressure", "MPa,N/mm2", 1e6)
-    add("pressure", "GPa", 1e9)
-    add("pressure", "inHg,inhg", 3386.389)
-    add("time", "s,seconds,sec")
-    add("time", "ms", 1.0, 1e3)
-    add("time", "us,µs,μs", 1.0, 1e6)
-    add("force", "N,n")
-    add("force", "kN,kn", 1e3)
-    add("energy", "J")
-    add("density", "kg/m3,kg_m3")
-    add("density", "g/cm3,g_cm3", 1e3)
-    add("volumetric stiffness", "N/m3")
-    add("inverse speed", "s/m")
-    add("inverse speed", "ms/m", 1.0, 1e3)
-    add("rotary stiffness", "N m/rad,N m")
-    add("rotary damping", "N m s/rad,N m s")
-    add("area damping", "N s/m2,Pa s")
-    add(DIMENSIONLESS, "1,-")
-    add(DIMENSIONLESS, "%,percent,pct", 1.0, 1e2)
-    return units
-
-
-_SUPERSCRIPTS = str.maketrans({"²": "2", "³": "3", "^": None, "*": None, "·": None, "⋅": None, " ": None, "\t": None})
-
-
-def _key(spelling: str) -> str:
-    """Return one spelling of ``kg m2``, ``kg m^2``, ``kg·m²`` and ``kg*m^2``."""
-    return spelling.translate(_SUPERSCRIPTS)
-
-
-_UNITS = _table()
-
-SI_UNITS: dict[str, str] = {
-    unit.dimension: unit.symbol
-    for unit in reversed(_UNITS.values())
-    if unit.numerator == unit.denominator and not unit.offset
-}
-"""The SI unit of each dimension."""
-
-_DISPLAY_UNITS = {
-    "angle": "deg",
-    "angular rate": "rpm",
-    "inertia": "g cm2",
-    "mass": "g",
-    "temperature": "degC",
-    "pressure": "hPa",
-}
-_DISPLAY_UNITS_BY_NAME = {
-    "closure": "deg/s", "pitch_rate": "deg/s", "lie_rate": "deg/s",
-    "ball_backspin": "rpm", "ball_sidespin": "rpm", "ball_riflespin": "rpm",
-    "toe": "mm", "high": "mm", "bulge": "mm", "roll": "mm", "face_width": "mm", "face_height": "mm",
-    "cg_x": "mm", "cg_y": "mm", "cg_z": "mm", "dcg_x": "mm", "dcg_y": "mm", "dcg_z": "mm",
-    "ball_radius": "mm", "radius": "mm", "cover_thickness": "mm", "penetration": "mm",
-    "contact_area": "mm2", "area": "mm2", "face_area": "mm2", "stress": "MPa",
-    "contact_time": "us", "characteristic_time": "us", "included_time": "us", "peak_force": "kN",
-    "shear_modulus": "MPa", "ring_modulus": "MPa", "humidity": "%",
-}  # fmt: skip
-_OF_A_HEAD = ("shape_", "thickness_", "target_", "grooves_"), ("_toe", "_high")
-"""How names begin and end of lengths of a head, which people read in millimetres."""
 
 
 def unit(symbol: str, *, name: str = "unit", dimension: str | None = None) -> Unit:
@@ -142,7 +40,7 @@ def unit(symbol: str, *, name: str = "unit", dimension: str | None = None) -> Un
 @lru_cache(maxsize=256)
 def _unit(symbol: str, dimension: str | None, name: str, value: str) -> Unit:
     """Return the unit written ``symbol``, with which ``value`` was given for the quantity called ``name``."""
-    found = _UNITS.get(_key(symbol)) if symbol.strip() else _UNITS["1"]
+    found = UNITS.get(key(symbol)) if symbol.strip() else UNITS["1"]
     if found is not None and dimension in (None, found.dimension):
         return found
     allowed = symbols(dimension)
@@ -155,7 +53,7 @@ def _unit(symbol: str, dimension: str | None, name: str, value: str) -> Unit:
 
 def symbols(dimension: str | None = None) -> tuple[str, ...]:
     """List the units of one dimension, or all, the SI unit first."""
-    return tuple(dict.fromkeys(each.symbol for each in _UNITS.values() if dimension in (None, each.dimension)))
+    return tuple(dict.fromkeys(each.symbol for each in UNITS.values() if dimension in (None, each.dimension)))
 
 
 def parse(value: object, dimension: str, *, name: str = "value") -> float:
@@ -280,17 +178,17 @@ def show_range(least: float, most: float, symbol: str) -> str:
 
 def display_unit(quantity: str, si_unit: str) -> str:
     """Return the unit people read ``quantity`` (held in ``si_unit``) in: spin in rpm, loft in degrees."""
-    if quantity in _DISPLAY_UNITS_BY_NAME:
-        return _DISPLAY_UNITS_BY_NAME[quantity]
+    if quantity in DISPLAY_UNITS_BY_NAME:
+        return DISPLAY_UNITS_BY_NAME[quantity]
     found = unit(si_unit)
     # What is computed of a quantity, such as its mean, is read in its unit.
-    of = _DISPLAY_UNITS_BY_NAME.get(quantity.rpartition("_")[0])
+    of = DISPLAY_UNITS_BY_NAME.get(quantity.rpartition("_")[0])
     if of is not None and unit(of).dimension == found.dimension:
         return of
-    begins, ends = _OF_A_HEAD
+    begins, ends = OF_A_HEAD
     if found.dimension == "length" and (quantity.startswith(begins) or quantity.endswith(ends)):
         return "mm"
-    return _DISPLAY_UNITS.get(found.dimension, found.symbol)
+    return DISPLAY_UNITS.get(found.dimension, found.symbol)
 
 
 def parse_column_name(column: str, names: Collection[str] = ()) -> tuple[str, str | None]:
@@ -309,8 +207,8 @@ def parse_column_name(column: str, names: Collection[str] = ()) -> tuple[str, st
     words = text.split("_")
     for count in (2, 1):
         suffix = "_".join(words[-count:])
-        if len(words) > count and suffix not in ("1", "-") and suffix in _UNITS:
-            return "_".join(words[:-count]), _UNITS[suffix].symbol
+        if len(words) > count and suffix not in ("1", "-") and suffix in UNITS:
+            return "_".join(words[:-count]), UNITS[suffix].symbol
     return text, None
 
 
