@@ -1,5 +1,7 @@
 """The command line of studies: what it prints, and mistakes told in one line with status 2."""
 
+import re
+
 import pytest
 
 from command_line import assert_mistake
@@ -51,6 +53,19 @@ def test_a_tiny_spread_does_not_fill_a_summary_with_digits(study, tmp_path):
     study("run", path)
     (row,) = [line.split() for line in study("summary", path).out.splitlines() if line.startswith("carry")]
     assert [len(each.replace(".", "")) for each in row[1:2]] == [6]
+
+
+def test_classes_of_an_input_are_told_no_finer_than_they_are_wide(study, tmp_path):
+    """Ten classes of 85 to 120 mph are 3.5 mph wide: their ends are told to a tenth."""
+    path = tmp_path / "many.toml"
+    path.write_text(
+        '[study]\ndesign = "sobol"\nsamples = 64\n[impact]\nclub = "driver"\noutputs = ["carry"]\n'
+        '[sweep]\nspeed = { from = "85 mph", to = "120 mph" }\n'
+    )
+    study("run", path)
+    lines = [line.split("mph")[0].strip() for line in study("summary", path).out.splitlines() if " to " in line]
+    assert len(lines) == 10
+    assert all(re.fullmatch(r"\d{2,3}\.\d to \d{2,3}\.\d", each) for each in lines), lines
 
 
 def test_shares_and_damage_are_told(study, tmp_path):

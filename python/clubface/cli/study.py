@@ -153,10 +153,6 @@ def summary(
     with progress_bar("parts") as progress:
         found = sum_up(study, quantities=names, store=store, progress=progress)
     _tell(found.failed, found.remark)
-    if as_json:
-        output.print_json(_document(found))
-    else:
-        _print(found)
     if plot is not None:
         from clubface.plots.style import save
         from clubface.studies.picture import draw
@@ -164,6 +160,10 @@ def summary(
         save(draw(found), plot)
     if report is not None:
         _report(found, study, report)
+    if as_json:
+        output.print_json(_document(found))
+    else:
+        _print(found)
     say_written([each for each in (plot, report) if each is not None])
 
 
@@ -281,13 +281,15 @@ def level_texts(along: Along) -> list[str]:
     unit = heading_of(along.name, along.unit)[1]
     after = "" if unit == "1" else f" {unit}"
 
-    def told(value: float) -> str:
-        return f"{from_si(value, unit):.6g}"
+    def told(each: Any) -> str:
+        if not isinstance(each, tuple):
+            return f"{from_si(each, unit):.6g}"
+        low, high = (float(from_si(value, unit)) for value in each)
+        # The ends of a class are told to a tenth of its width, or a hundredth.
+        digits = max(1 - math.floor(math.log10(high - low)), 0) if high - low > 1e-6 else None
+        return f"{_number(low, digits)} to {_number(high, digits)}"
 
-    return [
-        (f"{told(each[0])} to {told(each[1])}" if isinstance(each, tuple) else told(each)) + after
-        for each in along.levels
-    ]
+    return [told(each) + after for each in along.levels]
 
 
 def _shown(figures: Figures, place: int, unit: str) -> list[float]:
