@@ -108,7 +108,7 @@ def _print(found: Any) -> None:
 
 
 def _fit(asked: Any, target: str | None, picture: str | None, report: str | None, resume: bool, as_json: bool) -> None:
-    from clubface.design.optimisation import words
+    from clubface.design.optimisation import fitting_words
     from clubface.design.optimisation.fitting_run import fit, table
 
     with progress_bar("combinations") as progress:
@@ -117,9 +117,9 @@ def _fit(asked: Any, target: str | None, picture: str | None, report: str | None
         say(f"wrote {target}")
 
     def show() -> None:
-        print_numbers(*words.fit_table(asked, found), title=asked.title)
+        print_numbers(*fitting_words.table(asked, found), title=asked.title)
         print()
-        output.print_notes(words.fit_notes(asked, found))
+        output.print_notes(fitting_words.notes(asked, found))
 
     if picture is not None or report is not None:
         from clubface.design.optimisation.fit_figure import fit_figure
@@ -132,14 +132,14 @@ def _fit(asked: Any, target: str | None, picture: str | None, report: str | None
         if report is not None:
             data = table(asked, found)
             reporting.write(
-                report, title=asked.title, words=words.fit_advice(asked, found),
+                report, title=asked.title, words=fitting_words.advice(asked, found),
                 picture=("Landings with the best parts, and how far behind the others are", figure),
                 columns=dict(zip(data.headings, zip(*data.rows, strict=True), strict=True)), show=show,
                 launches=_deliveries(asked, asked.clubs, asked.balls), **_asked(asked),
             )  # fmt: skip
             say(f"wrote {report}")
     if as_json:
-        output.print_json(words.fit_document(asked, found))
+        output.print_json(fitting_words.document(asked, found))
     else:
         show()
 

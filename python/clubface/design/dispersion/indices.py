@@ -22,7 +22,8 @@ from numpy.typing import NDArray
 from clubface.design.dispersion.derivatives import ByDerivatives
 from clubface.design.dispersion.hitting import Hitting
 from clubface.design.dispersion.tally import FLOWN, LAUNCHED
-from clubface.design.golfer.golfer import Golfer, uniform
+from clubface.design.golfer.golfer import Golfer
+from clubface.design.golfer.quasi_random import uniform
 from clubface.errors import InputError
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_names

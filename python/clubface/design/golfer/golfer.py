@@ -10,10 +10,11 @@ from typing import Any, Self
 import numpy as np
 
 from clubface import units
+from clubface.design.golfer.quasi_random import uniform
 from clubface.errors import InputError, Told
 from clubface.simulation.delivery import OF_CLUB, Delivery
 from clubface.support.arrays import Floats
-from clubface.support.checks import MOST_SEED, check_choice, check_count, check_name, check_text, is_number
+from clubface.support.checks import check_choice, check_name, check_text, is_number
 from clubface.support.frozen import Frozen
 
 ASSUMED = "assumed"
@@ -22,9 +23,6 @@ MIRRORED = ("path", "face")
 """The variables whose sign a left-handed golfer changes."""
 WIDEST = 20.0
 """The widest scale of mishits."""
-MOST_SHOTS = 2**32
-BITS = 32
-"""Binary digits of the quasi-random numbers: as many as scipy can skip."""
 WORDS = {
     "attack": "attack angle", "path": "club path", "loft": "dynamic loft", "face": "face angle",
     "toe": "strike, heel to toe", "high": "strike, low to high",
@@ -225,32 +223,6 @@ class Golfer:
     def replace(self, **changes: Any) -> Self:
         """Return the golfer with some attributes changed."""
         return replace(self, **changes)
-
-
-def uniform(dimensions: int, count: int, *, seed: int = 0, start: int = 0) -> Floats:
-    """Return points ``start`` to ``start + count`` of a scrambled Sobol sequence, shape (count, dimensions).
-
-    Numbers lie strictly between 0 and 1. Point i depends on seed, number of dimensions and i alone.
-    """
-    from scipy.stats import qmc
-
-    count = check_count("count", count, 1, MOST_SHOTS)
-    start = check_count("start", start, 0, MOST_SHOTS - count)
-    seed = check_count("seed", seed, 0, MOST_SEED)
-    engine = qmc.Sobol(dimensions, scramble=True, bits=BITS, rng=np.random.default_rng(seed))
-    if start:
-        engine.fast_forward(start)
-    # The middle of the cell that a point names, since its corner may be 0, whose normal deviate is infinite.
-    return _points(engine, count) + 0.5 ** (BITS + 1)
-
-
-def _points(engine: Any, count: int) -> Floats:
-    import warnings
-
-    with warnings.catch_warnings():
-        # Its balance is that of a power of two; what is asked for here is any part of the sequence.
-        warnings.simplefilter("ignore", UserWarning)
-        return engine.random(count)
 
 
 def _array(name: str, given: Any, shape: tuple[int, ...]) -> Floats:

@@ -1,4 +1,4 @@
-"""An optimum and a fitting in tables and sentences."""
+"""An optimum in tables and sentences."""
 
 from __future__ import annotations
 
@@ -8,24 +8,14 @@ from dataclasses import asdict
 from typing import Any
 
 from clubface import units
-from clubface.design.optimisation.combination import Combination, named, told
-from clubface.design.optimisation.fitting import Fitting
-from clubface.design.optimisation.fitting_run import as_it_is
+from clubface.design.optimisation.combination import told
+from clubface.design.optimisation.formatting import CERTAIN, number, short, signed, written
 from clubface.design.optimisation.landings import FREE, own_value
-from clubface.design.optimisation.objectives import Objective
 from clubface.design.optimisation.result import Optimum
 from clubface.design.optimisation.study import UNITS
 
-HEADS = {"side_spread": "side ±", "ellipse": "90% ellipse"}
-"""What stands over columns of objectives whose names are no words."""
-SHOWN = 12
-"""Combinations of a fitting that are shown; the file of --output has all."""
-FELT = 2.0
-"""Yards below which a golfer on a range does not see a difference, however certain it is of computed shots."""
 ONE_PLACE = 2e-4
 """Distance [m] within which point masses are shown as one."""
-CERTAIN = 2.0
-"""Standard errors beyond which a difference is called one."""
 
 
 def design_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
@@ -38,7 +28,7 @@ def design_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
         nominal = found.nominal.get(name)
         low_high = study.bounds.get(name)
         allowed = "follows" if low_high is None else units.show_range(*low_high, unit)
-        rows.append([f"{name} ({unit})", *(_number(each, unit) for each in (start, nominal, value)), allowed])
+        rows.append([f"{name} ({unit})", *(number(each, unit) for each in (start, nominal, value)), allowed])
     return ["", "start", "best for the\nmean delivery", "optimum", "allowed"], rows
 
 
@@ -47,9 +37,9 @@ def shots_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     rows = []
     for judge in found.study.known():
         values = [found.fresh.value(club, judge.name) for club in found.fresh.clubs]
-        cells = [_value(each, judge) for each in values]
+        cells = [written(each, judge) for each in values]
         gains = [
-            f"{_signed(values[2] - values[place], judge)} ± {_value(found.fresh.error(club, judge.name), judge)}"
+            f"{signed(values[2] - values[place], judge)} ± {written(found.fresh.error(club, judge.name), judge)}"
             for place, club in enumerate(found.fresh.clubs[:2])
         ]
         unit = "" if judge.unit == "1" else f" ({judge.unit})"
@@ -68,7 +58,7 @@ def shots_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
 def limits_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     """Return the verdict of every limit."""
     rows = [
-        [each.limit.removeprefix("the "), each.value, _short(each.allowed), each.state.removeprefix("kept, ")]
+        [each.limit.removeprefix("the "), each.value, short(each.allowed), each.state.removeprefix("kept, ")]
         for each in found.verdicts()
     ]
     return ["limit", "optimum", "allowed", "verdict"], rows
@@ -92,6 +82,11 @@ def placement_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     return ["mass", "g", "x (mm)\nto the target", "y (mm)\nup", "z (mm)\nto the toe"], rows
 
 
+def _tenths(value: float) -> str:
+    text = f"{value:.1f}"
+    return "0.0" if text == "-0.0" else text
+
+
 def front_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     """Return the clubs between two objectives."""
     judges = [found.study.objective(name) for name in found.study.objectives]
@@ -99,8 +94,8 @@ def front_table(found: Optimum) -> tuple[list[str], list[list[str]]]:
     heads = [*(f"{each.name}\n({each.unit})" for each in judges), *(f"{name}\n({UNITS[name]})" for name in fields)]
     rows = [
         [
-            *(_value(point.values[each.name], each) for each in judges),
-            *(_number(point.club[f], UNITS[f]) for f in fields),
+            *(written(point.values[each.name], each) for each in judges),
+            *(number(point.club[f], UNITS[f]) for f in fields),
         ]
         for point in found.front
     ]
@@ -155,8 +150,8 @@ def gains(found: Optimum) -> list[str]:
     for judge in found.study.known():
         before, after = (found.fresh.value(club, judge.name) for club in ("start", "optimum"))
         unit = "" if judge.unit == "1" else f" {judge.unit}"
-        said.append(f"The {judge.meaning} is {_value(after, judge)}{unit} instead of "
-                    f"{_value(before, judge)}{unit}.")  # fmt: skip
+        said.append(f"The {judge.meaning} is {written(after, judge)}{unit} instead of "
+                    f"{written(before, judge)}{unit}.")  # fmt: skip
     if moved := _moved(found):
         said.append(f"Beside the club at the start, its CG lies {moved}.")
     for name, words in (("iyy", "moment of inertia about the vertical axis"), ("bulge", "bulge"), ("roll", "roll")):
@@ -229,114 +224,3 @@ def _by_club(clubs: tuple[str, ...], names: tuple[str, ...], table: Any) -> dict
     return {
         club: dict(zip(names, map(float, row), strict=True)) for club, row in zip(clubs, table, strict=True)
     }  # fmt: skip
-
-
-def fit_table(of: Fitting, found: list[Combination]) -> tuple[list[str], list[list[str]]]:
-    """Return the best combinations of parts."""
-    judge = of.judge(of.objective)
-    others = list(found[0].others)
-    heads = ["", "club", "ball", "setting", "changes", _head(judge), "against\nthe best"]
-    heads += [_head(of.judge(name)) for name in others]
-    rows = []
-    for number, each in enumerate(found[:SHOWN], 1):
-        behind = (
-            "" if each is found[0] else f"{_signed(each.value - found[0].value, judge)} ± {_error(each.error, judge)}"
-        )
-        rows.append(
-            [str(number), each.club, each.ball, each.setting, told(each.changes), _value(each.value, judge), behind]
-            + [_value(each.others[name], of.judge(name)) for name in others]
-        )
-    return heads, rows
-
-
-def fit_document(of: Fitting, found: list[Combination]) -> dict[str, Any]:
-    """Return a fitting as JSON has it, in SI units, all combinations from the best to the worst."""
-    return {"title": of.title, "objective": of.objective, "combinations": [each._asdict() for each in found]}
-
-
-def fit_advice(of: Fitting, found: list[Combination]) -> list[str]:
-    """Return what a fitting comes to, in sentences for the golfer."""
-    best, judge = found[0], of.judge(of.objective)
-
-    unit = "" if judge.unit == "1" else f" {judge.unit}"
-    said = [
-        f"Of {len(found)} combinations the best is {named(best)}: "
-        f"the {judge.meaning} is {_value(best.value, judge)}{unit}."
-    ]
-    if len(found) > 1:
-        behind = _value(abs(found[1].value - best.value), judge)
-        if math.isnan(found[1].error):
-            sure = "how sure that is cannot be told, since other shots miss its face"
-        elif abs(found[1].value - best.value) > CERTAIN * found[1].error:
-            little = judge.unit == "yd" and abs(units.from_si(found[1].value - best.value, "yd")) < FELT
-            sure = "that is more than chance leaves open"
-            sure += ", but less than a golfer notices" * little
-        else:
-            sure = "that is not clearly worse: more shots, or trying both, would tell"
-        said.append(f"Next comes {named(found[1])}, {behind}{unit} behind; {sure}.")
-    now = as_it_is(of)[judge.name]
-    if not math.isnan(now):
-        ball = "the same ball" if of.balls[0] is None else f"the ball {of.balls[0].name}"
-        said.append(f"With {of.clubs[0].name} as it is now and {ball} it is {_value(now, judge)}{unit}.")
-    return said
-
-
-def fit_notes(of: Fitting, found: list[Combination]) -> list[str]:
-    """Return what a reader should know about a fitting."""
-    several = len(of.golfers) > 1
-    each, who = (
-        (f" of each of {len(of.golfers)} golfers", "who deliver") if several else (" of the golfer", "who delivers")
-    )
-    said = [
-        f"{len(found)} combinations, all judged on the same {of.shots} shots{each}, {who} every club like"
-        f" {of.clubs[0].name}, with more dynamic loft where the club has more loft.",
-    ]
-    if any(math.isnan(each.error) for each in found):
-        said.append("After ± stands ? where other shots miss the face than with the best club.")
-    close = sum(abs(each.value - found[0].value) <= CERTAIN * each.error for each in found[1:])
-    if close:
-        said.append(f"Not clearly behind the best: {close} of the others.")
-    if ends := [name for name, limits in of.bounds.items() if _at_an_end(found[0].changes.get(name), limits)]:
-        said.append(f"The best is at an end of the range of {' and '.join(ends)}; a wider range may give a better one.")
-    if len(found) > SHOWN:
-        said.append(f"{len(found) - SHOWN} more are not shown; --output and --json have all.")
-    return said
-
-
-def _tenths(value: float) -> str:
-    text = f"{value:.1f}"
-    return "0.0" if text == "-0.0" else text
-
-
-def _number(value: float | None, unit: str) -> str:
-    return "" if value is None else f"{units.from_si(value, unit):.4g}"
-
-
-def _at_an_end(value: float | None, limits: tuple[float, float]) -> bool:
-    low, high = limits
-    return value is not None and min(value - low, high - value) < 1e-3 * (high - low)
-
-
-def _short(allowed: str) -> str:
-    """Return what a limit allows, such that the table fits a terminal: "≤ 20 yd", "8 to 14 deg"."""
-    text = allowed.replace("at most", "≤").replace("at least", "≥")
-    return re.sub(r"(\S+) (\S+) to (\S+ \2)$", r"\1 to \3", text)
-
-
-def _head(judge: Objective) -> str:
-    name = HEADS.get(judge.name, judge.name)
-    return name if judge.unit == "1" else f"{name}\n({judge.unit})"
-
-
-def _value(value: float, judge: Objective) -> str:
-    digits = 4 if judge.unit == "1" else 0 if judge.unit == "m2" else 2
-    return f"{units.from_si(value, judge.unit):.{digits}f}"
-
-
-def _error(value: float, judge: Objective) -> str:
-    return "?" if math.isnan(value) else _value(value, judge)
-
-
-def _signed(value: float, judge: Objective) -> str:
-    text = _value(value, judge)
-    return text if text.startswith("-") else f"+{text}"
