@@ -12,11 +12,11 @@ from clubface.design.golfers import golfer as golfer_of
 from clubface.design.optimisation.landings import FREE
 from clubface.design.optimisation.run import optimise
 from clubface.design.optimisation.study import DIMENSIONS, DesignStudy
-from clubface.design.optimisation.study_file import JUDGED, read
+from clubface.design.optimisation.study_file import COUNTS, JUDGED, read
 from clubface.equipment.balls import ball as ball_of
 from clubface.equipment.clubs import club as club_of
 from clubface.errors import InputError
-from clubface.studies.axes import Swept
+from clubface.studies.axes import Swept, whole_number
 from clubface.studies.golfing import changed_golfer, changed_hole, swept_golfers
 from clubface.studies.kinds import Column, Described, chosen_columns
 from clubface.studies.shooting import BY_GROUP, resolved, swept_conditions
@@ -26,6 +26,7 @@ from clubface.support.shipped import is_path
 ENDS = ("least", "most")
 NAMED = ("golfer", "club", "ball", "model")
 COUNTED = ("shots", "seed", "starts")
+"""Of the numbers of ``COUNTS``, those that may be swept."""
 
 
 def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
@@ -109,7 +110,8 @@ def changed_study(of: DesignStudy, task: Values, folder: Path) -> DesignStudy:
         of, bounds=ends["variables"], limits=ends["limits"], head=head, setting=setting,
         club=club_of(resolved(task["club"], folder)) if "club" in task else of.club,
         golfers=tuple((changed_golfer(each, task), weight) for each, weight in golfers),
-        hole=changed_hole(of.hole, task), **{name: int(task[name]) for name in COUNTED if name in task},
+        hole=changed_hole(of.hole, task),
+        **{name: whole_number(name, task[name], *COUNTS[name]) for name in COUNTED if name in task},
     )  # fmt: skip
 
 
