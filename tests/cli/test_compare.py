@@ -141,6 +141,18 @@ def test_a_mistake_is_one_message(clubface_, arguments, words):
     assert_mistake(clubface_("compare", *arguments, "--speed", "105 mph"), *words)
 
 
+@pytest.mark.parametrize(
+    ("rows", "words"),
+    [
+        ("centre,100,0\nheel,100,-90\n", ["--toe of heel: ", "outside the face"]),
+        ('centre,100,0\n"a\nb",100,1\n', [":3: the name 'a\\nb' is no printable text"]),
+    ],
+)
+def test_a_row_that_cannot_be_struck_is_named(clubface_, write, rows, words):
+    file = str(write(f"name,speed_mph,toe_mm\n{rows}", "swings.csv"))
+    assert_mistake(clubface_("compare", "driver", "--deliveries", file), *words)
+
+
 def test_what_every_row_has_is_not_given_for_all(clubface_, write):
     file = str(write("speed_mph,loft_deg\n100,12\n101,13\n"))
     assert_mistake(

@@ -55,6 +55,14 @@ def test_a_reader_that_goes_away_is_no_error():
         assert child.returncode == 141
 
 
+def test_a_reader_that_leaves_before_the_help_is_no_error_either():
+    reading, writing = os.pipe()
+    os.close(reading)
+    with open(writing, "w") as nobody:
+        ran = subprocess.run([sys.executable, "-c", MAIN, "map", "--help"], stdout=nobody, stderr=subprocess.PIPE)
+    assert (ran.returncode, ran.stderr) == (141, b"")
+
+
 def test_a_terminal_without_greek_letters_gets_its_table():
     ran = process(
         "shot", "driver", "--speed", "50 m/s", "--model", "all", env={**os.environ, "PYTHONIOENCODING": "ascii"}

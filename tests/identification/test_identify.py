@@ -124,7 +124,7 @@ def test_a_checkpoint_of_something_else_is_refused(tmp_path):
         for content in (b"", b"[1]", b"\xff", b"[" * 100_000):
             (damaged,) = path.glob(f"*/{name}")
             damaged.write_bytes(content)
-            with pytest.raises(FileError, match="begun with another"):
+            with pytest.raises(FileError, match="begun as other work, whose record is damaged"):
                 small(checkpoint=path, resume=True, seed=4)
     assert answer(small(checkpoint=path, resume=True)) == answer(small())
     path = tmp_path / "mine.json"

@@ -1,6 +1,7 @@
 """Every kind of study gives what the function of the package gives that it calls, whatever is swept."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -246,11 +247,30 @@ def test_a_study_of_motion_capture_is_that_of_the_package(tmp_path):
         ("head", "", "toe = [0]", "head is missing"),
         ("capture", "", "rate = [720]", "swing is missing"),
         ("head", 'head = "papr"', "toe = [0]", "did you mean paper"),
+        ("dispersion", 'golfer = "tour-driver"\nhole = { lie = "tee" }', "spread_factor = [1]", "with the length"),
+        ("map", 'club = "driver"\nheld = { speed = 45 }\nabout_toe = 0.01', "loft = [0.2]", "about_toe is given"),
+        ("map", 'club = "driver"\nheld = { speed = 45 }\nspread_toe = 0.01', "loft = [0.2]", "spread_toe is given"),
+        ("capture", "swing = 1", "swing = [1]", "swing is held and swept"),
     ],
 )
 def test_what_is_wrong_is_told_with_its_file(tmp_path, name, table, sweep, words):
     with pytest.raises(FileError, match=words):
         computed(tmp_path, name, table, sweep)
+
+
+@pytest.mark.parametrize(
+    ("name", "table", "sweep", "words"),
+    [
+        ("dispersion", 'golfer = "tour-driver"\nshots = 64', "seed = [1.5]", "seed is .*1.5.* a whole number"),
+        ("dispersion", 'golfer = "tour-driver"\nshots = 64\nseed = "a"', "spread_factor = [1]", "seed is 'a'"),
+        ("capture", "swing = 1", "seed = [0.5]", "seed is .*0.5.* a whole number"),
+        ("optimise", 'file = "better.toml"', "starts = [0]", "starts is 0; it must be a whole number from 1"),
+    ],
+)
+def test_what_counts_is_whole_and_within_limits(tmp_path, name, table, sweep, words):
+    (tmp_path / "better.toml").write_text(BETTER)
+    _, found = computed(tmp_path, name, table, sweep)
+    assert re.search(words, found.failed[0][1])
 
 
 def test_a_task_that_cannot_be_computed_is_told_and_the_others_have_their_result(tmp_path):

@@ -53,12 +53,6 @@ def test_a_byte_order_mark_is_no_part_of_the_first_name(tmp_path):
     assert Document.read(file).data["name"] == "x"
 
 
-@pytest.mark.parametrize("value", ['"a\\u0000.toml"', '[["a"], ["\\u0000"]]', '{ of = "\\u0000" }'])
-def test_a_text_with_a_zero_character_is_refused_with_its_line(value):
-    with pytest.raises(FileError, match=r"x\.toml:2: club holds the character \\u0000"):
-        Document(f'name = "x"\nclub = {value}\n', "x.toml")
-
-
 @pytest.mark.parametrize("again", ["of = 2", "[shape]"])
 def test_what_is_there_twice_is_told_in_plain_words(again):
     with pytest.raises(FileError, match=r"x\.toml:3: this is not TOML: .* set or opened before"):

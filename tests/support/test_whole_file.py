@@ -126,6 +126,12 @@ def test_a_store_keeps_what_is_finished(tmp_path):
         assert store.once("b", lambda: 2) == store.once("b", lambda: 3) == 2
     with pytest.raises(FileError, match="begun with another speed; start again without resuming"):
         Store(folder, {"speed": 2.0})
+    (record,) = folder.glob("*/record.json")
+    whole = record.read_text()
+    record.write_text(whole[:-9])
+    with pytest.raises(FileError, match="begun as other work, whose record is damaged; start again without resuming"):
+        Store(folder, {"speed": 2.0})
+    record.write_text(whole)
     with Store(folder, {"speed": 2.0}, resume=False) as store:
         assert not len(store)
     assert not folder.exists()  # nothing was kept

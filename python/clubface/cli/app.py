@@ -133,7 +133,7 @@ def run(arguments: Sequence[str]) -> int:
     try:
         status = typer.main.get_command(app).main(list(arguments), prog_name="clubface", standalone_mode=False)
         sys.stdout.flush()  # what the parser printed by itself, such as help
-    except (ReaderGone, BrokenPipeError):
+    except (ReaderGone, BrokenPipeError, SystemExit):  # Rich, which prints the help, takes a broken pipe for the end
         # A pager or head has seen enough: nothing is left to say.
         let_go_of_output()
         return READER_GONE

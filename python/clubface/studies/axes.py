@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from clubface import units
 from clubface.equipment.described import FLAT
 from clubface.errors import InputError
-from clubface.support.checks import check_choice, check_names, is_count
+from clubface.support.checks import check_choice, check_count, check_names, is_count
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -149,3 +149,8 @@ def number(name: str, value: Any, unit: str) -> float:
     if value == FLAT and name in ("bulge", "roll"):
         return float("inf")
     return units.parse(value, units.unit(unit).dimension, name=name)
+
+
+def whole_number(name: str, value: Any, least: int, most: int) -> int:
+    """Return a value that counts something; swept, it comes as a float."""
+    return check_count(name, int(value) if isinstance(value, float) and value.is_integer() else value, least, most)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from clubface.errors import FileError
 from clubface.support.fingerprint import fingerprint_of_file
 from clubface.support.strict_toml import Document
 
@@ -21,6 +22,8 @@ def files_of(path: Path) -> list[Path]:
 
 
 def _files(path: Path, seen: set[Path]) -> Iterator[Path]:
+    if "\0" in str(path):
+        raise FileError(str(path), None, "cannot be read: no name of a file has the character \\u0000")
     if (real := path.resolve()) in seen:
         return
     seen.add(real)

@@ -138,6 +138,9 @@ def read_study(path: str | os.PathLike[str]) -> StudyFile:
     except ClubfaceError as error:
         raise document.wrap(error, chosen.name) from None
     try:
+        for each in sweep:
+            if each in table:
+                raise InputError(each, Told("held and swept"), "given in one of both tables alone")
         made = _design(document, known, sweep, (method, head.get("samples"), seed))
     except InputError as error:
         if error.parameter == "samples":

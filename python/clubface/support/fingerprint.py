@@ -64,5 +64,5 @@ def fingerprints(content: Mapping[str, Any]) -> dict[str, str]:
 def check_same(folder: Path, told: Mapping[str, str], begun: Mapping[str, str], otherwise: str) -> None:
     """Refuse to go on with work in ``folder`` that was begun with other content; both as of :func:`fingerprints`."""
     if other := [name for name in {**told, **begun} if told.get(name) != begun.get(name)]:
-        message = f"this was begun with another {', another '.join(other)}; {otherwise}"
-        raise FileError(str(folder), None, message)
+        what = f"with another {', another '.join(other)}" if begun else "as other work, whose record is damaged"
+        raise FileError(str(folder), None, f"this was begun {what}; {otherwise}")

@@ -161,11 +161,9 @@ def _check_depth(text: str, path: str) -> None:
 
 
 def _flaw_of(value: Any) -> str:
-    """Say what is in a value that no computation and no name of a file can take, or return nothing."""
+    """Say what is in a value that no computation can take, or return nothing."""
     if isinstance(value, dict | list):
         return next(filter(None, map(_flaw_of, value.values() if isinstance(value, dict) else value)), "")
-    if isinstance(value, str) and "\0" in value:
-        return "the character \\u0000, which is in no text or name of a file"
     if isinstance(value, int) and value not in INTEGERS:
         return "a whole number of more than 64 bits, which TOML does not have"
     return ""

@@ -12,7 +12,7 @@ from clubface.design.comparison.quantities import QUANTITIES, quantities, symbol
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import club as club_of
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.errors import InputError, RangeWarning, Told
+from clubface.errors import InputError, RangeWarning, ShotError, Told
 from clubface.simulation.flight import Flight, fly
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import as_values
@@ -180,7 +180,7 @@ def compare(
     asked = {name: _alternative(each) for name, each in alternatives.items()}
     conditions = {"air": air, "wind": wind, "ground": ground}
     with without_warnings(RangeWarning):
-        launches = {name: each.launch() for name, each in asked.items()}
+        launches = {name: _launch(name, each) for name, each in asked.items()}
         flights = {name: fly(each, **conditions) for name, each in launches.items()}
         levels = {name: values(each, flights[name]) for name, each in launches.items()}
         found = {}
@@ -193,6 +193,13 @@ def compare(
             )  # fmt: skip
     warn_if_outside(launches.values())
     return Compared(launches, flights, found, levels)
+
+
+def _launch(name: str, alternative: Alternative) -> Launch:
+    try:
+        return alternative.launch()
+    except ShotError as error:
+        raise ShotError(f"{error.parameter} of {name}", error.value, error.allowed) from None
 
 
 def _counted(progress: Callable[[int, int], object], place: int, count: int) -> Callable[[int, int], object]:

@@ -41,6 +41,8 @@ def read_deliveries(
                         raise FileError(reader.path, line, missing[row])
                 cells = chunk.texts([row])[0]
                 name = next((cells[place].strip() for place in naming), "") or f"{reader.counts} {line}"
+                if not name.isprintable():
+                    raise FileError(reader.path, line, f"the name {name!r} is no printable text")
                 if name in found:
                     raise FileError(reader.path, line, f"a row is called {name!r} already; give each another name")
                 found[name] = {

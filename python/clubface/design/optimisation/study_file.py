@@ -52,6 +52,8 @@ from clubface.support.strict_toml import Document
 
 OPEN = "none"
 """The word for a limit that is not there."""
+COUNTS = {"shots": (1, MOST_SHOTS), "seed": (0, 2**31), "starts": (1, 1000), "points": (3, 200)}
+"""Least and greatest value of what is counted."""
 JUDGED = {**{name: each.dimension for name, each in OBJECTIVES.items()}, "strokes": units.DIMENSIONLESS}
 _COMMON = ("title", "golfer", "objective", "model", "shots", "seed", "hole", "air", "wind", "ground")
 _STUDY = (*_COMMON, "club", "ball", "starts", "points", "variables", "head", "limits", "rules", "mass")
@@ -122,10 +124,9 @@ def _common(document: Document, folder: Path) -> dict[str, Any]:
     if "hole" in data:
         document.check_keys(data["hole"], tuple(Hole.__dataclass_fields__), ("length",), "hole")
         found["hole"] = Hole(**data["hole"])
-    for name, least, most in (("shots", 1, MOST_SHOTS), ("seed", 0, 2**31), ("starts", 1, 1000), ("points", 3, 200)):
+    for name, limits in COUNTS.items():
         if name in data:
-            check_count(name, data[name], least, most)
-            found[name] = data[name]
+            found[name] = check_count(name, data[name], *limits)
     model = data.get("model", DEFAULT_MODEL)
     reduced_model(model, "one with derivatives")
     flown: dict[str, Any] = {name: data.get(name) for name in ("air", "wind", "ground")}

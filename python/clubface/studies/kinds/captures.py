@@ -18,10 +18,11 @@ from clubface.motion_capture.synthetic.files import positions_map
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.simulation.quantities import inputs
-from clubface.studies.axes import Swept, number
+from clubface.studies.axes import Swept, number, whole_number
 from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
 from clubface.studies.kinds.one_by_one import OneByOne, Values
 from clubface.studies.kinds.shot_inputs import resolved
+from clubface.support.checks import MOST_SEED
 
 NUMBERS = {"swing": "1", "seed": "1", "rate": "1", "noise": "m", "gaps": "1", "gap": "1", "roughness": "1"}
 """Units of what may be given or swept: which swing, and the laboratory; the rate is a number of frames a second."""
@@ -66,7 +67,11 @@ def _task(study: Described) -> OneByOne:
         cameras = replace(Cameras(), **{name: how[name] for name in OF_CAMERAS if name in how})
         club, ready = reader(how["club"], how["hand"], cameras, how["estimator"], how["roughness"])
         _, errors, stated, touch = read_swing(
-            int(how["swing"]), seed=int(how["seed"]), club=club, cameras=cameras, ready=(ready,)
+            whole_number("swing", how["swing"], 0, MOST_SEED),
+            seed=whole_number("seed", how["seed"], 0, MOST_SEED),
+            club=club,
+            cameras=cameras,
+            ready=(ready,),
         )
         figures = {f"{name}_error": each for name, each in zip(QUANTITIES, errors[0], strict=True)}
         figures |= {f"{name}_stated": each for name, each in zip(QUANTITIES, stated[0], strict=True)}

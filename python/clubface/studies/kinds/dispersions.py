@@ -10,12 +10,12 @@ from typing import Any
 from clubface.errors import InputError
 from clubface.simulation.delivery import OF_CLUB
 from clubface.simulation.quantities import flight_outputs, outputs
-from clubface.studies.axes import Swept
+from clubface.studies.axes import Swept, whole_number
 from clubface.studies.kinds.golfer_inputs import changed_golfer, changed_hole, swept_golfers
 from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
 from clubface.studies.kinds.one_by_one import OneByOne, Values
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, files_of_shots, resolved, swept_shots
-from clubface.support.checks import check_names, is_count
+from clubface.support.checks import MOST_SEED, check_names, is_count
 
 PERCENTILES = (10, 50, 90)
 SHARE = 90
@@ -84,7 +84,9 @@ def _task(study: Described) -> OneByOne:
         if not isinstance(table["hole"], Mapping):
             raise InputError("hole", table["hole"], 'a table, as in hole = { length = "400 yd" }')
         check_names("value of the hole", table["hole"], Hole.__dataclass_fields__)
-        held = Hole(**{"length": "400 yd", **table["hole"]} if "hole_length" in swept else table["hole"])
+        if not {"length", "hole_length"} & {*table["hole"], *swept}:
+            raise InputError("hole", table["hole"], 'a table with the length, as in hole = { length = "400 yd" }')
+        held = Hole(**{"length": "400 yd", **table["hole"]})
     plays = held is not None or "hole_length" in swept
     columns = chosen_columns(table, _columns(tuple(percentiles)), (*USUAL, *(ON_A_HOLE if plays else ())))
     if not plays and (named := [name for name in ON_A_HOLE if name in columns]):
@@ -98,7 +100,8 @@ def _task(study: Described) -> OneByOne:
             raise InputError(name, delivery[name], "left out: the golfer says how the club is delivered")
         found = dispersion(
             golfer, **options, **shot_inputs.conditions.at(task), count=count, threads=1,
-            seed=int(task.get("seed", table.get("seed", 0))), hole=changed_hole(held, task),
+            seed=whole_number("seed", task.get("seed", table.get("seed", 0)), 0, MOST_SEED),
+            hole=changed_hole(held, task),
         )  # fmt: skip
         figures: dict[str, Any] = {"lost": found.lost / found.count, "strokes": found.strokes, "gained": found.gained}
         figures |= found.lies

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from clubface.equipment.backends import MODULES
-from clubface.errors import InputError
+from clubface.errors import InputError, Told
 from clubface.studies.axes import Swept, number
 from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns
 from clubface.studies.kinds.one_by_one import OneByOne, Values
@@ -57,6 +57,8 @@ def _task(study: Described) -> OneByOne:
     columns = chosen_columns(table, _columns(), (*FACE, *(SCATTERED if scatters else ())))
     if not scatters and (named := [name for name in columns if name not in FACE]):
         raise InputError("spread_toe", None, f'give it and spread_high, as in spread_toe = "10 mm", for {named[0]}')
+    if not scatters and (idle := [each for each in PLACE if each != "share" and each in {*table, *study.sweep}]):
+        raise InputError(idle[0], Told("given"), "left out unless both spread_toe and spread_high are given")
     grid = table.get("grid")
 
     def compute(task: Values) -> dict[str, Any]:

@@ -12,11 +12,11 @@ from clubface.design.golfer.golfers import golfer as golfer_of
 from clubface.design.optimisation.landings import FREE
 from clubface.design.optimisation.run import optimise
 from clubface.design.optimisation.study import DIMENSIONS, DesignStudy
-from clubface.design.optimisation.study_file import JUDGED, read
+from clubface.design.optimisation.study_file import COUNTS, JUDGED, read
 from clubface.equipment.balls import ball as ball_of
 from clubface.equipment.clubs import club as club_of
 from clubface.errors import InputError
-from clubface.studies.axes import Swept
+from clubface.studies.axes import Swept, whole_number
 from clubface.studies.kinds.golfer_inputs import changed_golfer, changed_hole, swept_golfers
 from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
 from clubface.studies.kinds.one_by_one import OneByOne, Values
@@ -25,6 +25,7 @@ from clubface.studies.kinds.shot_inputs import BY_GROUP, resolved, swept_conditi
 ENDS = ("least", "most")
 NAMED = ("golfer", "club", "ball", "model")
 COUNTED = ("shots", "seed", "starts")
+"""Of the numbers of ``COUNTS``, those that may be swept."""
 
 
 def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
@@ -107,7 +108,8 @@ def changed_study(of: DesignStudy, task: Values, folder: Path) -> DesignStudy:
         of, bounds=ends["variables"], limits=ends["limits"], head=head, setting=setting,
         club=club_of(resolved(task["club"], folder)) if "club" in task else of.club,
         golfers=tuple((changed_golfer(each, task), weight) for each, weight in golfers),
-        hole=changed_hole(of.hole, task), **{name: int(task[name]) for name in COUNTED if name in task},
+        hole=changed_hole(of.hole, task),
+        **{name: whole_number(name, task[name], *COUNTS[name]) for name in COUNTED if name in task},
     )  # fmt: skip
 
 
