@@ -110,7 +110,7 @@ def check_accuracy(names: Iterable[str], accuracy: float | None) -> None:
 
     if accuracy is not None and all(model(name).kind == "impulse" for name in names):
         contact = [name for name in models() if model(name).kind == "contact"]
-        told = f"leave it out: {', '.join(names)} take no steps; those that do are {', '.join(contact)}"
+        told = f"leave it out: no steps are taken by {', '.join(names)}; those with steps are {', '.join(contact)}"
         raise InputError("--accuracy", accuracy, told)
 
 

@@ -62,9 +62,8 @@ def run(
         output.print_json(asdict(done))
         return
     kept = done.chunks - done.computed
-    print(
-        f"{done.tasks} tasks in {output.counted(done.chunks, 'chunk')}: {done.computed} computed, {kept} there already"
-    )
+    tasks, chunks = output.counted(done.tasks, "task"), output.counted(done.chunks, "chunk")
+    print(f"{tasks} in {chunks}: {done.computed} computed, {kept} there already")
     if done.missing:
         print(f"{output.counted(done.missing, 'chunk')} of the whole study left to other runs; parts in {done.store}")
     else:
@@ -86,7 +85,9 @@ def status(
     if as_json:
         output.print_json(asdict(found))
         return
-    print(f"{found.name}: {found.done} of {found.chunks} chunks are done; {found.tasks} tasks, {found.chunk} a chunk")
+    tasks, chunks = output.counted(found.tasks, "task"), output.counted(found.chunks, "chunk")
+    done = "is done" if found.chunks == 1 else "are done"
+    print(f"{found.name}: {found.done} of {chunks} {done}; {tasks}, {found.chunk} a chunk")
     size = f"{found.size / 1e6:.1f} MB" if found.size >= 1e6 else f"{found.size / 1e3:.1f} kB"
     print(f"parts in {found.store}, {size}")
     for what, chunks in (("missing", found.missing), ("damaged", found.damaged)):
@@ -113,7 +114,7 @@ def join(
     if as_json:
         output.print_json(asdict(found))
     else:
-        print(f"{found.tasks} tasks; SHA-256 of their columns:")
+        print(f"{output.counted(found.tasks, 'task')}; SHA-256 of their columns:")
         width = max(map(len, found.sums))
         for name, each in found.sums.items():
             print(f"{name.ljust(width)}  {each}")

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from clubface.cli import reporting
+from clubface.cli import output, reporting
 from clubface.cli.tables import print_numbers
 from clubface.tables.headings import heading_of
 from clubface.units import from_si, size
@@ -65,7 +65,7 @@ def _words(found: Summary) -> Iterator[str]:
     from clubface.studies.summaries import shown_unit
 
     along = " and ".join(each.name.replace("_", " ") for each in found.along)
-    yield f"{found.tasks} tasks were computed, which differ in {along}."
+    yield f"{output.counted(found.tasks, 'task')} of different {along}."
     for place, (name, si) in enumerate(list(found.quantities.items())[:MOST_SHOWN]):
         unit = shown_unit(name, si)
         told = _shown(found.overall, place, unit)
@@ -103,7 +103,8 @@ def print_summary(found: Summary) -> None:
                 "" if unit == "1" else unit,
             ]
         )
-    print_numbers(("", "mean", "deviation", "least", "most", "unit"), rows, title=f"{found.name}, {found.tasks} tasks")
+    title = f"{found.name}, {output.counted(found.tasks, 'task')}"
+    print_numbers(("", "mean", "deviation", "least", "most", "unit"), rows, title=title)
     shown = list(units.items())[:MOST_SHOWN]
     for along in found.along:
         heads = [f"{name}\n{'' if unit == '1' else unit}" for name, unit in shown]
