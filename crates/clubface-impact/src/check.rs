@@ -4,8 +4,10 @@ use crate::club::Club;
 use crate::description::ModelInfo;
 use crate::error::ImpactError;
 use crate::face_spring::{CHARACTERISTIC_TIMES, GUIDED_MASS};
+use crate::fault::{angle_fault, fault, shown};
+use crate::inertia_check::{check_inertia, ROUNDING};
 use crate::shot::{Shot, DELIVERY_COUNT, INPUTS, INPUT_COUNT};
-use clubface_math::{Mask, Mat3, Scalar, Vec3};
+use clubface_math::{Mask, Scalar};
 use core::f64::consts::FRAC_PI_2;
 
 /// Largest loft, rad: beyond it the face no longer drives the ball forwards.
@@ -14,9 +16,6 @@ pub const LARGEST_LOFT: f64 = 80.0 * core::f64::consts::PI / 180.0;
 /// Largest size of any input and its inverse, in SI units: far from all clubs, balls and swings, and safe from
 /// overflow.
 const LARGEST: f64 = 1e12;
-
-/// Slack of the bounds that a body can meet with equality, up to rounding: a flat plate, a thin shell.
-const ROUNDING: f64 = 1.0 + 1e-9;
 
 /// Checks the values of a shot, in the order of [`INPUTS`].
 ///
@@ -99,7 +98,7 @@ pub fn check_club(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
         let message = format!(
             "{} m with a roll of {} m does not reach the corners of the face outline, {} m x {} m; allowed: larger \
              radii or a smaller outline",
-            club.bulge, club.roll, club.face_width, club.face_height
+            shown(club.bulge), shown(club.roll), shown(club.face_width), shown(club.face_height)
         );
         return Err(ImpactError::new("bulge", message));
     }
@@ -264,42 +263,17 @@ pub fn check_parameters(info: &ModelInfo, values: &[f64]) -> Result<(), ImpactEr
     for (parameter, &value) in info.parameters.iter().zip(values) {
         if !(parameter.lower..=parameter.upper).contains(&value) {
             let message = format!(
-                "parameter of {} is {value}; allowed: {} to {} {}",
-                info.name, parameter.lower, parameter.upper, parameter.unit
+                "parameter of {} is {}; allowed: {} to {} {}",
+                info.name,
+                shown(value),
+                parameter.lower,
+                parameter.upper,
+                parameter.unit
             );
             return Err(ImpactError::new(parameter.name, message));
         }
     }
     Ok(())
-}
-
-/// Positive definite, and no principal moment larger than the sum of the other two.
-fn check_inertia(inertia: &[f64; 6]) -> Result<(), ImpactError> {
-    let [xx, yy, zz, xy, xz, yz] = *inertia;
-    if !is_positive_definite(inertia) {
-        let allowed = "is not positive definite; check units and signs of the products of inertia";
-        return Err(inertia_fault(inertia, allowed));
-    }
-    // The second moments of mass, trace/2 - I, are positive for any real body, but for a plate, which has one of 0.
-    let half = (xx + yy + zz) / 2.0 * ROUNDING;
-    if !is_positive_definite(&[half - xx, half - yy, half - zz, -xy, -xz, -yz]) {
-        let allowed =
-            "has a principal moment larger than the sum of the other two (triangle inequality): no body \
-                       has that";
-        return Err(inertia_fault(inertia, allowed));
-    }
-    Ok(())
-}
-
-fn inertia_fault([xx, yy, zz, xy, xz, yz]: &[f64; 6], allowed: &str) -> ImpactError {
-    let value =
-        format!("[xx {xx:.4e}, yy {yy:.4e}, zz {zz:.4e}, xy {xy:.4e}, xz {xz:.4e}, yz {yz:.4e}] kg m2");
-    ImpactError::new("ixx", format!("{value} {allowed}"))
-}
-
-fn is_positive_definite(e: &[f64; 6]) -> bool {
-    let [a, b, c]: [Vec3<f64>; 3] = Mat3::symmetric(*e).rows;
-    a.x > 0.0 && a.x * b.y - a.y * b.x > 0.0 && a.dot(b.cross(c)) > 0.0
 }
 
 fn positive(name: &'static str, value: f64) -> Result<(), ImpactError> {
@@ -311,12 +285,4 @@ fn positive(name: &'static str, value: f64) -> Result<(), ImpactError> {
         let unit = INPUTS.iter().find(|input| input.name == name).map_or("", |input| input.unit);
         Err(fault(name, value, &format!("must be above 0 {unit}")))
     }
-}
-
-fn fault(name: &'static str, value: f64, allowed: &str) -> ImpactError {
-    ImpactError::new(name, format!("{value} {allowed}"))
-}
-
-fn angle_fault(name: &'static str, value: f64, allowed: &str) -> ImpactError {
-    ImpactError::new(name, format!("{:.2} deg {allowed}", value.to_degrees()))
 }

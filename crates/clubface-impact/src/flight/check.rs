@@ -2,6 +2,7 @@
 
 use super::shot::{FlightInput, INPUTS, INPUT_COUNT};
 use crate::error::ImpactError;
+use crate::fault::shown;
 
 /// First input of a shot that is not allowed.
 ///
@@ -17,8 +18,9 @@ pub fn check(inputs: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
         return Err(ImpactError::new(
             "ball_inertia",
             format!(
-                "{inertia} kg m2 is more than {largest:.4e}, that of a hollow shell of this mass and radius; \
-                 check the units"
+                "{} kg m2 is more than {largest:.4e}, that of a hollow shell of this mass and radius; \
+                 check the units",
+                shown(inertia)
             ),
         ));
     }
@@ -38,7 +40,7 @@ fn check_range(input: &FlightInput, value: f64) -> Result<(), ImpactError> {
     let message = if value.is_nan() {
         format!("is not a number; allowed is {lower} to {upper}{unit}")
     } else {
-        format!("{value}{unit} is not allowed; allowed is {lower} to {upper}{unit}")
+        format!("{}{unit} is not allowed; allowed is {lower} to {upper}{unit}", shown(value))
     };
     Err(ImpactError::new(input.name, message))
 }
