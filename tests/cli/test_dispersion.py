@@ -96,7 +96,7 @@ def test_a_monitor_that_sees_the_ball_alone_tells_no_golfer(clubface_, tmp_path)
     file = tmp_path / "ball.csv"
     file.write_text("ball_speed_mph,launch_deg\n" + "".join(f"{130 + one},12\n" for one in range(20)))
     ran = clubface_("golfer", "estimate", str(file), "--club", "driver")
-    assert_mistake(ran, "club speed is missing from the shots", "golfer list")
+    assert_mistake(ran, "session is without club speed", "golfer list")
 
 
 def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_path):

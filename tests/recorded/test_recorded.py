@@ -7,6 +7,7 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings, strategies as st
 
 import clubface
+from clubface import launch_monitor
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
 from clubface.recorded.file import read_shots
 from clubface.recorded.shots import RecordedShots, RejectedRow
@@ -208,3 +209,19 @@ def test_whatever_a_file_holds_only_an_error_of_the_package_comes_out(tmp_path, 
         return
     assert len(found) > 0
     assert not set(found.rows) & {each.line for each in found.rejected}
+
+
+def test_units_that_are_told_are_those_of_columns_without_one(tmp_path):
+    """By quantity or dimension; a heading with a unit keeps it, and what nobody tells is in SI units."""
+    file = tmp_path / "shots.csv"
+    file.write_text("speed,path,face_deg,ball_speed,toe\n100,2,3,60,0.01\n")
+    shots = launch_monitor.read(file, units={"speed": "mph", "angle": "deg", "ball_speed": "km/h"})
+    assert shots.deliveries["speed"][0] == pytest.approx(44.704)
+    assert shots.deliveries["path"][0] == pytest.approx(2.0 * DEG)
+    assert shots.deliveries["face"][0] == pytest.approx(3.0 * DEG)
+    assert shots.launches["ball_speed"][0] == pytest.approx(60.0 / 3.6)
+    assert [note for note in shots.notes if "names no unit" in note] == [
+        "the column 'toe' names no unit and is taken in m"
+    ]
+    with pytest.raises(InputError, match="the unit of speed is 'deg'"):
+        launch_monitor.read(file, units={"speed": "deg"})

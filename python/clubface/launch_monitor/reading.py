@@ -91,14 +91,14 @@ def read(
     mapped = mapping_of(mapping) if mapping is not None else None
     _refuse_no_table(source)
     if mapped is None and (format == OWN or source.suffix.lower() in PARQUET):
-        return _own(path, hand, club)
+        return _own(path, hand, told_units, club)
     rows = CsvRows(source, any_encoding=True, head_lines=HEAD_ROWS, delimiter=mapped.delimiter if mapped else None)
     try:
         every = _rows(rows)
         head = list(islice(every, HEAD_ROWS))
         layout = mapped.layout if mapped else asked_for(FORMATS[format], head) if format else detected(str(path), head)
         if layout is None:
-            return _own(path, hand, club)
+            return _own(path, hand, told_units, club)
         session = _session(str(path), layout, mapped, hand, told_units, head, every, rows.delimiter)
     finally:
         rows.close()
@@ -134,9 +134,9 @@ def _refuse_no_table(path: Path) -> None:
         raise FileError(str(path), None, "this is a spreadsheet; save it as CSV")
 
 
-def _own(path: str | os.PathLike[str], hand: str | None, club: Any) -> RecordedShots:
+def _own(path: str | os.PathLike[str], hand: str | None, units: Mapping[str, str], club: Any) -> RecordedShots:
     """Return the shots of a table of clubface."""
-    return _referred(_with_hand(read_shots(path), hand), club)
+    return _referred(_with_hand(read_shots(path, units=units), hand), club)
 
 
 def _referred(shots: RecordedShots, club: Any) -> RecordedShots:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -27,14 +28,15 @@ SHOWN = 3
 """Reasons an error names."""
 
 
-def read_shots(path: str | os.PathLike[str]) -> RecordedShots:
+def read_shots(path: str | os.PathLike[str], *, units: Mapping[str, str] | None = None) -> RecordedShots:
     """Read recorded shots from a CSV or Parquet file with the columns of clubface.
 
     Columns are found by name and carry their unit, as for :func:`predict`: ``club_speed_mph``, ``attack [deg]``, and
     of the launch ``ball_speed_mph``, ``launch_deg``, ``azimuth_deg``, ``backspin_rpm``, ``sidespin_rpm``,
     ``total_spin_rpm``, ``spin_axis_deg``, ``carry_yd`` and so on; ``club`` names the club, ``player`` the player,
     ``hand`` is right or left.
-    An empty cell is a value not measured.
+    An empty cell is a value not measured. ``units`` are those of columns that name none, by quantity or dimension, such
+    as ``{"speed": "mph"}``; without it, such columns are in SI units.
 
     Raises
     ------
@@ -44,7 +46,7 @@ def read_shots(path: str | os.PathLike[str]) -> RecordedShots:
     """
     reader = open_table(Path(path))
     try:
-        found = layout(reader.headings, reader.path, reader.header_line, shot_words())
+        found = layout(reader.headings, reader.path, reader.header_line, shot_words(), units)
         if not [each for each in found.used if each.quantity != HAND]:
             message = f"no column is of a delivery or a launch, such as ball_speed_mph; {listed(found.headings)}"
             raise FileError(reader.path, reader.header_line, message)

@@ -135,11 +135,19 @@ POINTS = {"speed_at": ("cg", "face", "unknown"), "face_at": ("face", "contact", 
 models want them. They are there only where it is elsewhere."""
 
 
-def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabulary | None = None) -> Layout:
+def layout(
+    headings: Sequence[str],
+    path: str,
+    line: int | None,
+    words: Vocabulary | None = None,
+    told_units: Mapping[str, str] | None = None,
+) -> Layout:
     """Find the quantities among ``headings``; a unit that does not fit or a repeated column is an error.
 
-    Without ``words`` they are the inputs of an impact.
+    Without ``words`` they are the inputs of an impact. ``told_units`` are the units, by quantity or dimension, of
+    columns that name none.
     """
+    told_units = told_units or {}
     words = words or delivery_words()
     named = tuple(heading.strip() or f"column_{place + 1}" for place, heading in enumerate(headings))
     if len(set(named)) < len(named):
@@ -162,6 +170,8 @@ def layout(headings: Sequence[str], path: str, line: int | None, words: Vocabula
         dimension = words.dimensions[quantity]
         if unit is not None:
             symbol = unit_of_column(unit, dimension, heading, (path, line))
+        elif (told := told_units.get(quantity) or told_units.get(dimension)) is not None:
+            symbol = told
         elif (symbol := units.SI_UNITS[dimension]) != "1":
             notes.append(f"the column {shortened(heading, 80)!r} names no unit and is taken in {symbol}")
         used[quantity] = Column(place, heading, quantity, symbol)

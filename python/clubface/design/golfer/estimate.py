@@ -146,10 +146,12 @@ def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, flo
     # What was measured in fewer than half of the shots would leave too few of them.
     names = tuple(name for name in OF_CLUB if name in given and np.isfinite(given[name]).mean() > 0.5)
     if "speed" not in names:
+        why = "".join(f"; {note}" for note in shots.notes if "speed" in note)
         raise InputError(
-            "club speed",
-            Told("missing from the shots"),
-            "measured, since a golfer is how the club is delivered; clubface golfer list has golfers to take instead",
+            "session",
+            Told("without club speed"),
+            "one whose club speed was measured, since a golfer is how the club is delivered (clubface golfer list has"
+            f" golfers to take instead){why}",
         )
     values = np.stack([given[name] for name in names], axis=1)
     values = values[np.isfinite(values).all(axis=1)]
