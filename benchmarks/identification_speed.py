@@ -18,7 +18,7 @@ PUBLISHED_SECONDS = 0.0683
 
 def main() -> None:
     """Identify one model of the driver and print the figures."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--model", default="volumetric")
     parser.add_argument("--threads", type=int, default=None)
     chosen = parser.parse_args()

@@ -13,6 +13,7 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from clubface import studies
 from clubface.studies.axes import Axis
@@ -21,7 +22,7 @@ from clubface.studies.pool import Pool
 from clubface.studies.running import Tallied, order
 from clubface.studies.shards import Shard
 from clubface.studies.state import opened
-from clubface.studies.store import PartStore
+from clubface.studies.store import StudyStore
 
 EMPTY = """
 [study]
@@ -107,7 +108,7 @@ def empty_chunks(folder: Path, count: int) -> None:
 def handed_out(folder: Path) -> None:
     """A million chunks, none of them there, handed out to workers that do nothing."""
     many = 1_000_000
-    store = PartStore(folder / "none", {"count": many, "chunk": 1, "content": {}})
+    store = StudyStore(folder / "none", {"count": many, "chunk": 1, "content": {}})
     worker = [sys.executable, "-c", ANSWERS]
     tally = Tallied()
 
@@ -150,7 +151,8 @@ def cluster(folder: Path) -> None:
     except ImportError:
         return
     count = 500
-    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as made:
+    made: Any  # distributed types a cluster as if it were always asynchronous
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as made:
         path = empty(folder, "cluster", count, 0.0)
         clock, _ = measured(lambda: studies.run(path, scheduler=made.scheduler_address))
         print(f"{count} empty chunks on a Dask cluster of two workers: {1e3 * clock / count:.1f} ms of a clock each")
