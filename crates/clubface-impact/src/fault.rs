@@ -3,23 +3,27 @@
 use crate::error::ImpactError;
 
 /// Digits of a value in a message.
-const DIGITS: usize = 6;
+const DIGITS: i32 = 6;
 
 /// A value as messages tell it: six digits, with a power of ten where it is very large or very small.
 #[must_use]
 pub fn shown(value: f64) -> String {
-    let scientific = format!("{value:.*e}", DIGITS - 1);
+    let scientific = format!("{value:.*e}", decimals(0));
     let Some((digits, Ok(power))) =
         scientific.split_once('e').map(|(digits, power)| (digits, power.parse::<i32>()))
     else {
         return scientific; // an infinity, or no number
     };
-    if (-4..=6).contains(&power) {
-        let decimals = usize::try_from(5 - power).unwrap_or(0);
-        without_zeros(&format!("{value:.decimals$}")).to_owned()
+    if (-4..=DIGITS).contains(&power) {
+        without_zeros(&format!("{value:.*}", decimals(power))).to_owned()
     } else {
         format!("{}e{power}", without_zeros(digits))
     }
+}
+
+/// Decimals with which a value of a power of ten has its digits.
+fn decimals(power: i32) -> usize {
+    usize::try_from(DIGITS - 1 - power).unwrap_or(0)
 }
 
 fn without_zeros(text: &str) -> &str {
