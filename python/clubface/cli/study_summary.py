@@ -65,7 +65,7 @@ def _words(found: Summary) -> Iterator[str]:
     from clubface.studies.summaries import shown_unit
 
     along = " and ".join(each.name.replace("_", " ") for each in found.along)
-    yield f"{output.counted(found.tasks, 'task')} of different {along}."
+    yield f"The study has {output.counted(found.tasks, 'task')}, which differ in {along}."
     for place, (name, si) in enumerate(list(found.quantities.items())[:MOST_SHOWN]):
         unit = shown_unit(name, si)
         told = _shown(found.overall, place, unit)

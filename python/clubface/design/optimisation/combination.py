@@ -59,10 +59,15 @@ def named(each: Combination) -> str:
 
 def told(changes: Mapping[str, float]) -> str:
     """Write the changes of a setting: "1.0 deg more loft, CG 3.0 mm forward"; nothing where none changes."""
-    parts = []
+    return ", ".join("CG " * name.startswith("cg") + words for name, words in in_words(changes).items())
+
+
+def in_words(changes: Mapping[str, float]) -> dict[str, str]:
+    """Return each change that counts in words: "1.0 deg more loft" and "3.0 mm forward"."""
+    parts = {}
     for name, change in changes.items():
         unit = "deg" if name in ("loft", "lie") else "mm"
         size = f"{abs(units.from_si(change, unit)):.1f}"
         if float(size):
-            parts.append(f"{'CG ' * name.startswith('cg')}{size} {unit} {WORDS[name][change < 0.0]}")
-    return ", ".join(parts)
+            parts[name] = f"{size} {unit} {WORDS[name][change < 0.0]}"
+    return parts

@@ -14,7 +14,8 @@ from clubface.design.optimisation.formatting import CERTAIN, at_an_end, heading,
 SHOWN = 12
 """Combinations of a fitting that are shown; the file of --output has all."""
 FELT = 2.0
-"""Yards below which a golfer on a range does not see a difference, however certain it is of computed shots."""
+"""Yards below which a difference is taken to escape a golfer on a range, however certain it is of computed shots. It is
+assumed: no measurement was found."""
 
 
 def table(of: Fitting, found: list[Combination]) -> tuple[list[str], list[list[str]]]:

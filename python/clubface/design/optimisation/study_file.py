@@ -74,7 +74,7 @@ def read(path: str | os.PathLike[str]) -> DesignStudy | Fitting:
 
 
 def design_study(given: DesignStudy | str | os.PathLike[str]) -> DesignStudy:
-    """Return a study, or that of a file."""
+    """Return a study, or that of a file; the file of a fitting is an :class:`InputError`."""
     if isinstance(given, DesignStudy):
         return given
     found = read(given)
@@ -84,7 +84,7 @@ def design_study(given: DesignStudy | str | os.PathLike[str]) -> DesignStudy:
 
 
 def fitting(given: Fitting | str | os.PathLike[str]) -> Fitting:
-    """Return a fitting, or that of a file."""
+    """Return a fitting, or that of a file; the file of a study is an :class:`InputError`."""
     if isinstance(given, Fitting):
         return given
     found = read(given)

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import asdict
 from typing import Any
 
 from clubface import units
-from clubface.design.optimisation.combination import told
+from clubface.design.optimisation.combination import in_words
 from clubface.design.optimisation.formatting import CERTAIN, number, short, signed, written
 from clubface.design.optimisation.landings import FREE, own_value
 from clubface.design.optimisation.result import Optimum
@@ -169,11 +168,10 @@ def gains(found: Optimum) -> list[str]:
 def _moved(found: Optimum) -> str:
     """Say where the CG went: "9.8 mm farther back and 2.4 mm higher"; nothing where it stayed."""
     moved = [name for name in ("cg_x", "cg_y", "cg_z") if name in found.club]
-    parts = told({name: found.club[name] - own_value(found.study.club, name) for name in moved})
-    if not parts:
-        return ""
-    *others, last = re.sub(r"CG (\S+ mm)( (?=back|forward))?", lambda each: each[1] + " farther " * bool(each[2]),
-                           parts).split(", ")  # fmt: skip
+    parts = in_words({name: found.club[name] - own_value(found.study.club, name) for name in moved})
+    if "cg_x" in parts:
+        parts["cg_x"] = parts["cg_x"].replace("mm ", "mm farther ")
+    *others, last = parts.values() or ("",)
     return f"{', '.join(others)} and {last}" if others else last
 
 
