@@ -181,7 +181,7 @@ def _told(of: Estimate, name: str) -> list[str]:
 
 
 def _unit(name: str) -> tuple[str, int]:
-    from clubface.design.golfer.file import UNIT
+    from clubface.design.golfer.golfer import UNIT
     from clubface.simulation.delivery import OF_CLUB
 
     unit = UNIT[OF_CLUB[name]]

@@ -18,22 +18,20 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning, Told
+from clubface.reports.quantity_units import SHOWN
 from clubface.simulation.impact import Parameters
 from clubface.simulation.outside import Tally as RangeTally
-from clubface.simulation.quantities import outputs
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, check_count, check_share
 from clubface.support.warning import warn_once
-from clubface.units import display_unit, from_si
+from clubface.units import from_si
 
 CHUNK = 2**16
 """Shots in memory at a time."""
-SHOWN = 2**11
+DRAWN = 2**11
 """Shots whose landings are kept for pictures: the first."""
 MOST = 2**32
 COUNT = 2**14
-DISTANCE = "yd"
-"""The unit in which distances are told in text."""
 SHARES = (0.5, 0.9)
 """What the landing ellipses hold of the shots unless told otherwise."""
 
@@ -101,11 +99,9 @@ class Dispersion:
     def __repr__(self) -> str:
         lost = f", {self.lost} without a result" * bool(self.lost)
         lines = [f"{self.count} shots of {self.golfer.name} with {self.club.name} by {self.model}{lost}"]
-        known = outputs()
         for name in self.quantities:
-            unit = DISTANCE if name in FLOWN else display_unit(name, known[name].unit)
-            unit = "mph" if unit == "m/s" else unit
-            values = (f"{from_si(each, unit):.4g}" for each in (self.mean(name), self.spread(name)))
+            unit, digits = SHOWN[name]
+            values = (f"{from_si(each, unit):.{digits}f}" for each in (self.mean(name), self.spread(name)))
             lines.append(f"  {name:<12} {' ± '.join(values)} {unit}")
         if self.hole is not None:
             lines.append(f"  {'strokes':<12} {self.strokes:.3f} after the shot")
@@ -232,8 +228,8 @@ def dispersion(
         if each is not None:
             each(deliveries, values)
         if flight:
-            if start < SHOWN:
-                points.append(_landings(values["carry"][: SHOWN - start], values["side"][: SHOWN - start]))
+            if start < DRAWN:
+                points.append(_landings(values["carry"][: DRAWN - start], values["side"][: DRAWN - start]))
             if hole is not None:
                 strokes += _count_strokes(hole, values, lies)
         if progress is not None:

@@ -37,7 +37,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.design.golfer.golfer import Golfer
+from clubface.design.golfer.golfer import UNIT, Golfer
 from clubface.equipment.described import HANDS
 from clubface.errors import ClubfaceError, InputError
 from clubface.simulation.delivery import OF_CLUB
@@ -49,8 +49,6 @@ from clubface.units import SI_UNITS
 KEYS = ("title", "club", "hand", "mean", "spread", "correlation", "mishit", "sources")
 PARTS = ("mean", "spread", "correlation", "mishits")
 """What sources may be told of."""
-UNIT = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"}
-"""The unit in which each dimension is written."""
 
 
 def read(which: str | os.PathLike[str]) -> Golfer:

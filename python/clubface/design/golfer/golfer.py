@@ -17,6 +17,8 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_name, check_text, is_number
 from clubface.support.frozen import Frozen
 
+UNIT = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"}
+"""The unit in which each dimension of a delivery is read and written."""
 ASSUMED = "assumed"
 """The source of a figure that has none."""
 MIRRORED = ("path", "face")
@@ -83,7 +85,7 @@ class Golfer:
     def __repr__(self) -> str:
         lines = [f"{self.name}: {self.title or 'golfer'}, with {self.club}{', left-handed' * (self.hand < 0)}"]
         for name, mean, spread in zip(self.variables, self.mean, self.spread, strict=True):
-            unit = "mph" if name == "speed" else units.display_unit(name, units.SI_UNITS[OF_CLUB[name]])
+            unit = UNIT[OF_CLUB[name]]
             numbers = (f"{units.from_si(float(each), unit):.4g}" for each in (mean, spread))
             lines.append(f"  {name:<12} {' ± '.join(numbers)} {unit}")
         if self.mishit_share > 0.0:
