@@ -4,6 +4,7 @@ import pickle
 
 import pytest
 
+from clubface import club
 from clubface.errors import (
     ClubfaceError,
     FileError,
@@ -61,6 +62,9 @@ def test_a_file_error_starts_with_file_and_line():
 
 def test_a_huge_value_does_not_flood_the_message():
     assert len(str(InputError("speed", "9" * 10**6, "finite"))) < 150
+    # Of a value that is shown in many lines, the first stands for all.
+    told = str(InputError("speed", club("driver"), "finite"))
+    assert told == "speed is driver: driver of the published impact models...; it must be finite"
 
 
 def test_nearest_names_ignore_case_and_put_the_best_first():

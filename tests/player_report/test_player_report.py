@@ -83,6 +83,7 @@ def test_a_closing_face_is_told_with_what_it_does_to_start_and_bend():
     base = found.inferred.mean
     without = clubface.impact("driver", {**base, "closure": 0.0})
     moved = clubface.impact("driver", base).azimuth - without.azimuth
+    # To the first order: what the second adds over all of the rate is some per cent of it.
     assert found.closing["azimuth"] == pytest.approx(moved, rel=0.1)
     text = " ".join(words.line(found))
     assert "usual for golfers of your speed, and so moves to the left" in text
