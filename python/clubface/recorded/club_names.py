@@ -1,4 +1,4 @@
-"""What a club is from the name that people and monitors give it: ``Dr``, ``3W``, ``5h``, ``7 Iron``, ``PW``, ``56``."""
+"""What a club is from the name that people and monitors give it: ``Dr``, ``3W``, ``Fer 7``, ``PW``, ``56``."""
 
 from __future__ import annotations
 
@@ -9,32 +9,77 @@ from itertools import pairwise
 
 WEDGES = {"pitching": (40, 49), "gap": (48, 53), "sand": (52, 58), "lob": (57, 64)}
 """Lofts in degrees by which wedges go, from and to; makers differ, so that the ranges overlap."""
+WEDGE = "wedge"
 
-_ALONE = {"d": "driver", "p": "pitching-wedge", "g": "gap-wedge", "a": "gap-wedge", "s": "sand-wedge", "l": "lob-wedge"}
+_WEDGE_LETTERS = {"p": "pitching-wedge", "g": "gap-wedge", "a": "gap-wedge", "u": "gap-wedge", "s": "sand-wedge",
+                  "l": "lob-wedge"}  # fmt: skip
+_ALONE = {"d": "driver", **{each: kind for each, kind in _WEDGE_LETTERS.items() if each != "u"}}
 """What a single letter is, as it is stamped on soles and as Rapsodo writes the driver."""
 _WHOLE = {
-    "driver": "driver", "dr": "driver", "drv": "driver", "putter": "putter", "pt": "putter",
-    "pitching": "pitching-wedge", "pw": "pitching-wedge",
+    "driver": "driver", "dr": "driver", "drv": "driver", "drive": "driver", "putter": "putter", "pt": "putter",
+    "putt": "putter", "pitching": "pitching-wedge", "pitch": "pitching-wedge", "pw": "pitching-wedge",
     "gap": "gap-wedge", "gw": "gap-wedge", "approach": "gap-wedge", "attack": "gap-wedge", "aw": "gap-wedge",
-    "sand": "sand-wedge", "sw": "sand-wedge", "lob": "lob-wedge", "lw": "lob-wedge",
+    "uw": "gap-wedge", "sand": "sand-wedge", "sw": "sand-wedge", "lob": "lob-wedge", "lw": "lob-wedge",
 }  # fmt: skip
-"""Words of which one tells the club, whatever stands beside it."""
+"""Words of which one names the club, whatever stands next to it."""
 _FAMILIES = {
-    "w": "wood", "fw": "wood", "wood": "wood", "fairway": "wood", "holz": "wood", "madera": "wood", "hout": "wood",
-    "h": "hybrid", "hy": "hybrid", "hyb": "hybrid", "hybrid": "hybrid", "rescue": "hybrid", "hibrido": "hybrid",
-    "i": "iron", "iron": "iron", "eisen": "iron", "hierro": "iron", "ijzer": "iron",
+    **dict.fromkeys(
+        ("w", "fw", "wood", "woods", "fairway", "holz", "holzer", "madera", "madeira", "hout", "bois", "legno", "tra",
+         "trae", "tre", "puu", "drevo", "drewno"),
+        "wood",
+    ),
+    **dict.fromkeys(
+        ("h", "hy", "hyb", "hybrid", "hybride", "hybridi", "rescue", "hibrido", "ibrido", "u", "ut", "uti", "utility"),
+        "hybrid",
+    ),
+    **dict.fromkeys(
+        ("i", "iron", "irons", "eisen", "hierro", "ijzer", "fer", "ferro", "jarn", "jern", "rauta", "zelezo",
+         "zelazo"),
+        "iron",
+    ),
 }  # fmt: skip
-"""Words that go with a number; those of other languages are those of the layouts that are read."""
-_PASSED_OVER = frozenset({"er", "driving", "deg", "degree", "degrees"})
-WEDGE = "wedge"
+"""Words that go with a number, without accents."""
+_SHORT = {"f": "iron", "e": "iron", "j": "iron", "b": "wood"}
+"""Letters for a family where they and a number are the whole name: ``F7`` (fer), ``E7`` (Eisen), ``J7``, ``B3``."""
+_NUMBERS = {"wood": range(1, 16), "hybrid": range(1, 10), "iron": range(1, 12)}
+"""The numbers that clubs of each family have."""
+_PASSED_OVER = frozenset({"er", "st", "nd", "rd", "th", "no", "nr", "driving", "deg", "degree", "degrees", "grad",
+                          "graden", "grados", "degres", "gradi"})  # fmt: skip
+_EASTERN = {
+    "スプーン": "3 wood", "バフィー": "4 wood", "クリーク": "5 wood", "ドライバー": "driver", "ドライバ": "driver",
+    "フェアウェイウッド": "wood", "フェアウェイ": "wood", "ウッド": "wood", "ユーティリティー": "hybrid",
+    "ユーティリティ": "hybrid", "ハイブリッド": "hybrid", "アイアン": "iron", "ピッチング": "pitching",
+    "アプローチ": "approach", "ギャップ": "gap", "サンド": "sand", "ロブ": "lob", "ウェッジ": WEDGE, "ウエッジ": WEDGE,
+    "パター": "putter",
+    "发球木": "driver", "發球木": "driver", "开球木": "driver", "開球木": "driver", "球道木": "wood", "铁木": "hybrid",
+    "鐵木": "hybrid", "小鸡腿": "hybrid", "小雞腿": "hybrid", "混合": "hybrid", "劈起": "pitching", "沙坑": "sand",
+    "沙杆": "sand", "沙桿": "sand", "高抛": "lob", "高拋": "lob", "挖起": WEDGE, "切杆": WEDGE, "切桿": WEDGE,
+    "推杆": "putter", "推桿": "putter", "铁": "iron", "鐵": "iron", "木": "wood", "杆": " ", "桿": " ",
+    "드라이버": "driver", "페어웨이우드": "wood", "페어웨이": "wood", "우드": "wood", "유틸리티": "hybrid",
+    "하이브리드": "hybrid", "아이언": "iron", "피칭": "pitching", "어프로치": "approach", "샌드": "sand", "로브": "lob",
+    "갭": "gap", "웨지": WEDGE, "퍼터": "putter",
+    "番": " ", "号": " ", "號": " ", "번": " ", "度": " ", "도": " ",
+}  # fmt: skip
+"""Words in Japanese, Chinese and Korean, which are written without spaces, longer ones before their parts."""
+_EASTERN_WORDS = re.compile("|".join(sorted(_EASTERN, key=len, reverse=True)))
+_NUMERALS = str.maketrans("一二三四五六七八九", "123456789")
+_COMPOUND = re.compile(
+    r"(fairway|driving|pitching|sand|lob|gap|approach|attack|utility|vayla|[pgasul])"
+    r"(wedge|wood|woods|holz|iron|eisen|hout|trae?|puu)"
+)
+"""Words that are written as one: ``Sandwedge``, ``Fairwayholz``, ``PWedge``."""
+_PIECES = re.compile(r"[a-z]+|\d+(?:[.,]\d+)?")
+_LOFT = re.compile(r"(4[4-9]|5\d|6[0-4])(?:[.,]\d+)?")
+"""The loft of a wedge; what follows a point may be its bounce: ``56.10``."""
 
 
 @lru_cache(maxsize=4096)
 def club_kind(name: str) -> str | None:
-    """Return what a club is from its name, or None if the name does not tell.
+    """Return what a club is from its name, or None if the name does not say it.
 
     ``"driver"``, ``"3-wood"``, ``"4-hybrid"``, ``"7-iron"``, ``"pitching-wedge"``, ``"gap-wedge"``, ``"sand-wedge"``,
     ``"lob-wedge"``, ``"putter"``; a wedge that goes by its loft is ``"56-wedge"``; ``"hybrid"`` is one without number.
+    A number that belongs to the name of a model (``ZX5``, ``AP2``, ``SM9``) is not that of a club.
     """
     words = _words(name)
     if len(words) == 1 and words[0] in _ALONE:
@@ -43,13 +88,22 @@ def club_kind(name: str) -> str | None:
     if whole is not None:
         return whole
     pairs = list(pairwise(words))
-    for number, family in (*pairs, *((second, first) for first, second in pairs)):
-        if re.fullmatch(r"[1-9]", number) and family in _FAMILIES:
-            return "driver" if (number, _FAMILIES[family]) == ("1", "wood") else f"{number}-{_FAMILIES[family]}"
-    lofts = [each for each in words if re.fullmatch(r"4[4-9]|5\d|6[0-4]", each)]
-    if len(lofts) == 1 and (WEDGE in words or len(words) == 1):
+    letter = next((first for first, second in pairs if first in _WEDGE_LETTERS and second == WEDGE), None)
+    if letter is None and len(words) == 2 and words[1] == "w" and words[0] in _WEDGE_LETTERS:
+        letter = words[0]
+    if letter is not None:
+        return _WEDGE_LETTERS[letter]
+    lofts = [found[1] for each in words if (found := _LOFT.fullmatch(each))]
+    short = len(words) <= 2 and len(words) - len(lofts) == sum(len(each) == 1 for each in words)
+    if len(lofts) == 1 and (short or WEDGE in words or "vokey" in words):
         return f"{lofts[0]}-{WEDGE}"
-    return "hybrid" if words == ["hybrid"] else None
+    # A letter behind a number names the family in a longer name too ("P790 7i"); before one, a model ("Ping i5").
+    after = [(second, first) for first, second in pairs if len(first) > 1 or len(words) == 2]
+    for number, word in (*pairs, *after):
+        family = _FAMILIES.get(word) or (_SHORT.get(word) if (number, word) in after and len(words) == 2 else None)
+        if family and number.isdigit() and int(number) in _NUMBERS[family]:
+            return "driver" if (number, family) == ("1", "wood") else f"{int(number)}-{family}"
+    return "hybrid" if len(words) == 1 and len(words[0]) > 1 and _FAMILIES.get(words[0]) == "hybrid" else None
 
 
 def same_club(one: str, other: str) -> bool:
@@ -80,7 +134,20 @@ def _lofts(kind: str) -> tuple[str | int, int, int]:
 
 
 def _words(name: str) -> list[str]:
-    """Return words and whole numbers in lower case: ``PitchingWedge``, ``7er Eisen`` and ``5h`` are two each."""
-    apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", unicodedata.normalize("NFKD", name))
-    letters = "".join(each for each in apart if not unicodedata.combining(each)).lower()
-    return [each for each in re.findall(r"[a-z]+|\d+", letters) if each not in _PASSED_OVER]
+    """Return words and numbers in lower case without accents: ``PitchingWedge``, ``7er Eisen`` and ``5h`` are two each.
+
+    A number behind letters that name no club, as in ``ZX5``, is left out with them.
+    """
+    text = unicodedata.normalize("NFKC", name.replace("º", "°")).translate(_NUMERALS)
+    text = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", _EASTERN_WORDS.sub(lambda found: f" {_EASTERN[found[0]]} ", text))
+    letters = "".join(each for each in unicodedata.normalize("NFKD", text) if not unicodedata.combining(each)).lower()
+    letters = re.sub(r"(?<=\d):an?\b", " ", letters.replace("æ", "ae"))  # Swedish: 7:an
+    words: list[str] = []
+    for chunk in re.findall(r"[a-z\d]+(?:(?<=\d)[.,]\d+[a-z]*)?", letters):
+        pieces = _PIECES.findall(_COMPOUND.sub(r"\1 \2", chunk))
+        is_model = len(pieces) > 1 and pieces[1][0].isdigit() and not (pieces[0] in _KNOWN or pieces[0].isdigit())
+        words += [pieces[0]] if is_model else pieces
+    return [each for each in words if each not in _PASSED_OVER]
+
+
+_KNOWN = frozenset({*_FAMILIES, *_SHORT, *_WHOLE, *_PASSED_OVER, *_WEDGE_LETTERS, WEDGE})
