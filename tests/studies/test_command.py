@@ -96,7 +96,7 @@ def test_shares_and_damage_are_told(study, tmp_path):
         ('club = "driver"', 'club = "no.toml"', ("no.toml", "cannot be read")),
         ('club = "driver"', 'club = "driver"\nmodel = "are"', ("unknown model 'are'", "did you mean area")),
         ('club = "driver"', 'club = "driver"\nweather = 1', ("unknown key 'weather'",)),
-        ('speed = "105 mph"', 'attack = "1 deg"', ("speed is missing", "give it under [sweep]")),
+        ('speed = "105 mph"', 'lie = "1 deg"', ("speed is missing", "give it under [sweep]")),
         ('speed = "105 mph"', 'speed = "105 mph", loft = "9 deg"', ("loft is held and swept",)),
         ('speed = "105 mph"', 'speed = "105 deg"', ("speed", "not an angle")),
         ('speed = "105 mph"', 'sped = "105 mph"', ("unknown input 'sped'", "did you mean speed")),

@@ -32,6 +32,83 @@ def test_evenly_spaced_values_begin_and_end_where_the_file_says():
     np.testing.assert_allclose(np.diff(found), to_si(1.0, "mph"), rtol=1e-12)  # rounding of values of 50 m/s
 
 
+@settings(max_examples=200, deadline=None)
+@given(
+    st.decimals(-200, 200, places=2), st.decimals("0.01", 7, places=2), st.integers(1, 400), st.sampled_from((1, -1)),
+    st.sampled_from(["mph", "m/s", "km/h"]), st.booleans(),
+)  # fmt: skip
+def test_evenly_spaced_values_are_those_of_a_list_to_the_last_bit(first, step, count, sign, unit, by_count):
+    """Each value is what is read where it is written: 0.1 in steps of 0.1 ends with 0.3, not 0.30000000000000004."""
+    written = [f"{first + sign * step * place} {unit}" for place in range(count + 1)]
+    how = {"count": count + 1} if by_count else {"step": f"{sign * step} {unit}"}
+    made = axis("speed", {"from": written[0], "to": written[-1], **how}, SPEED)
+    assert made.count == count + 1
+    assert made.at(np.arange(count + 1)).tolist() == list(axis("speed", written, SPEED).values)
+
+
+@pytest.mark.parametrize(
+    "how", [{"from": 0, "to": 199, "step": 1}, {"from": 199, "to": 0, "step": -1}, {"from": 0, "to": 199, "count": 200}]
+)
+def test_whole_numbers_are_whole_at_every_step(how):
+    made = axis("swing", how, Swept("1", limits=(0, 10**9)))
+    assert sorted(made.at(np.arange(200)).tolist()) == list(range(200))
+    made = axis("swing", how, Swept("1"))
+    assert sorted(made.at(np.arange(200)).tolist()) == list(range(200))
+
+
+@pytest.mark.parametrize("method", ["sobol", "latin-hypercube"])
+def test_samples_of_whole_numbers_are_whole_and_each_as_frequent(method):
+    pytest.importorskip("scipy")
+    made = axis("swing", {"from": 3, "to": 10}, Swept("1", limits=(0, 10**9)))
+    found = Samples([made], 64, method, 1).values(range(64))["swing"]
+    assert np.bincount(found.astype(int)).tolist() == [0] * 3 + [8] * 8
+    assert (found == np.floor(found)).all()
+
+
+@pytest.mark.parametrize(
+    ("how", "unit", "degrees"),
+    [
+        ({"from": "0 degC", "to": "35 degC", "step": "5 degC"}, "degC", [0, 5, 10, 15, 20, 25, 30, 35]),
+        ({"from": "35 degC", "to": "0 degC", "step": "-5 degC"}, "degC", [35, 30, 25, 20, 15, 10, 5, 0]),
+        ({"from": "50 degF", "to": "77 degF", "step": "9 degF"}, "degF", [50, 59, 68, 77]),
+        ({"from": "10 degC", "to": "25 degC", "step": "9 degF"}, "degC", [10, 15, 20, 25]),
+        ({"from": "50 degF", "to": "25 degC", "step": 5}, "degC", [10, 15, 20, 25]),
+        ({"from": "50 degF", "to": "25 degC", "count": 4}, "degC", [10, 15, 20, 25]),
+        ({"from": "-40 degC", "to": "-40 degF", "count": 1}, "degF", [-40]),
+    ],
+)
+def test_a_step_of_a_temperature_is_a_difference(how, unit, degrees):
+    made = axis("temperature", how, Swept("K"))
+    assert made.count == len(degrees)
+    np.testing.assert_allclose(made.at(np.arange(made.count)), to_si(np.array(degrees, dtype=float), unit), atol=1e-10)
+
+
+def test_units_are_mixed_between_the_ends_and_the_step():
+    made = axis("speed", {"from": "90 mph", "to": "53.6448 m/s", "step": "0.44704 m/s"}, SPEED)
+    np.testing.assert_allclose(made.at(np.arange(made.count)), to_si(np.arange(90.0, 121.0), "mph"), rtol=1e-12)
+    assert made.at(np.array([0, 30])).tolist() == [to_si(90.0, "mph"), 53.6448]
+
+
+@pytest.mark.parametrize(
+    ("how", "words"),
+    [
+        ({"from": "90 mph", "to": "100 mph", "step": "0 mph"}, "step of speed is '0 mph'"),
+        ({"from": "90 mph", "to": "90 mph", "step": "0 mph"}, "step of speed is '0 mph'"),
+        ({"from": "100 mph", "to": "90 mph", "step": "1 mph"}, "from the first value, 100 mph, to the last, 90 mph"),
+        ({"from": "90 mph", "to": "100 mph", "step": "3 mph"}, "in whole steps, not 3.33333"),
+        ({"from": "90 mph", "to": "50 m/s", "step": "3 mph"}, "in whole steps, not 7.28"),
+        ({"from": "90 mph", "to": "100 mph", "step": "5 deg"}, "not an angle"),
+        ({"from": "90 mph", "to": "100 mph", "step": True}, "step of speed is True"),
+        ({"from": "90 mph", "to": "100 mph", "count": 1}, "count of speed is 1; it must be at least 2"),
+        ({"from": "90 mph", "to": "1e400 mph", "count": 3}, "finite"),
+        ({"from": "90 mph", "to": "100 mph", "step": "1e-999999999 mph"}, "step of speed"),
+    ],
+)
+def test_a_step_that_does_not_end_at_the_last_value_is_refused(how, words):
+    with pytest.raises(InputError, match=words):
+        axis("speed", how, SPEED)
+
+
 def test_steps_reach_the_last_value_in_spite_of_the_rounding_of_units():
     for last in (100, 113, 120):
         made = axis("speed", {"from": "90 mph", "to": f"{last} mph", "step": "0.1 mph"}, SPEED)

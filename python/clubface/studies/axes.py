@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Container, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface import units
@@ -13,10 +13,14 @@ from clubface.errors import InputError
 from clubface.support.checks import check_choice, check_count, check_names, is_count
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from numpy.typing import NDArray
 
 MOST = 10**12
 """Tasks of a study; what is more, no cluster computes."""
+EXACT = 2**53
+"""Whole numbers up to which a float holds each."""
 FORMS = '["90 mph", "100 mph"], {from = "90 mph", to = "120 mph", count = 31}, or step = "1 mph" in place of the count'
 FORM = ("from", "to", "count", "step")
 """The keys of such a table."""
@@ -34,11 +38,14 @@ class Swept(NamedTuple):
         The names there are; empty where any text is one, or where it holds numbers.
     group
         What a column of a table may name before it, as in ``air_temperature``.
+    limits
+        The least and the greatest of what counts something; None for what may be any number.
     """
 
     unit: str | None
     choices: tuple[str, ...] = ()
     group: str = ""
+    limits: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,6 +66,10 @@ class Axis:
         First and last value [SI] of evenly spaced values or of an interval.
     count
         How many values there are; None for an interval.
+    spacing
+        First value, step and their common denominator in a unit, of evenly spaced values whose digits integers hold.
+    whole
+        Whether an interval is one of whole numbers.
     """
 
     name: str
@@ -67,9 +78,11 @@ class Axis:
     values: tuple[float, ...] = ()
     ends: tuple[float, float] = (0.0, 0.0)
     count: int | None = None
+    spacing: tuple[int, int, int, str] | None = None
+    whole: bool = False
 
     def at(self, places: NDArray[Any]) -> NDArray[Any]:
-        """Return the values at places from 0 on; the last of evenly spaced values is the end itself."""
+        """Return the values at places from 0 on; evenly spaced ones are those that a list would hold."""
         import numpy as np
 
         if self.choices:
@@ -77,6 +90,9 @@ class Axis:
         if self.values:
             return np.array(self.values)[places]
         assert self.count is not None
+        if self.spacing is not None:
+            start, step, denominator, unit = self.spacing
+            return units.to_si((start + step * places) / denominator, unit)
         first, last = self.ends
         shares = places / max(self.count - 1, 1)
         return np.where(places == self.count - 1, last if self.count > 1 else first, first + (last - first) * shares)
@@ -87,7 +103,7 @@ class Axis:
 
         if self.count is None:
             first, last = self.ends
-            return first + (last - first) * shares
+            return np.floor(first + (last - first + 1.0) * shares) if self.whole else first + (last - first) * shares
         return self.at(np.minimum((shares * self.count).astype(np.int64), self.count - 1))
 
 
@@ -108,31 +124,81 @@ def axis(name: str, given: Any, swept: Swept) -> Axis:
     check_names(f"key of {name}", given, FORM)
     if not ("from" in given and "to" in given) or ("count" in given and "step" in given):
         raise InputError(name, dict(given), f"given as {FORMS}")
-    first, last = (number(name, given[key], swept.unit) for key in ("from", "to"))
-    if not math.isfinite(last - first):
+    if FLAT in (given["from"], given["to"]):
         raise InputError(name, dict(given), f'finite from end to end; "{FLAT}" is for a list')
+    ends = [_check_whole(name, number(name, given[key], swept.unit), swept) for key in ("from", "to")]
+    if not math.isfinite(ends[1] - ends[0]):
+        raise InputError(name, dict(given), "finite from end to end")
+    made = Axis(name=name, unit=swept.unit, ends=(ends[0], ends[1]), whole=swept.limits is not None)
     if "count" in given:
         if not is_count(given["count"], 1, MOST):
             raise InputError(f"count of {name}", given["count"], f"a whole number from 1 to {MOST}")
-        return Axis(name=name, unit=swept.unit, ends=(first, last), count=given["count"])
-    if "step" not in given:
-        if not last > first:
-            raise InputError(name, dict(given), "an interval whose end is above its beginning")
-        return Axis(name=name, unit=swept.unit, ends=(first, last))
-    step = number(name, given["step"], swept.unit)
-    steps = (last - first) / step if step else -1.0
-    if not (steps == 0.0 if first == last else 1.0 - 1e-9 <= steps < MOST):
-        raise InputError(f"step of {name}", given["step"], "a step that leads from the first value to the last")
-    # What a unit's conversion rounds off does not cost the last value.
-    whole = int(steps + 1e-9)
-    return Axis(name=name, unit=swept.unit, ends=(first, first + whole * step), count=whole + 1)
+        if given["count"] == 1 and ends[0] != ends[1]:
+            raise InputError(f"count of {name}", 1, f"at least 2 for values from {given['from']} to {given['to']}")
+        return _spaced(made, given, given["count"], swept)
+    if "step" in given:
+        return _spaced(made, given, _steps(name, given, swept.unit) + 1, swept)
+    if not ends[1] > ends[0]:
+        raise InputError(name, dict(given), "an interval whose end is above its beginning")
+    return made
+
+
+def _written(name: str, given: Mapping[str, Any], unit: str, *keys: str) -> tuple[list[Fraction], units.Unit] | None:
+    """Return numbers as they are written, and their unit; None where they have different ones."""
+    dimension = units.unit(unit).dimension
+    pairs = [units.parse_exactly(given[key], dimension, name=name) for key in keys]
+    return ([number for number, _ in pairs], pairs[0][1]) if len({each for _, each in pairs}) == 1 else None
+
+
+def _steps(name: str, given: Mapping[str, Any], unit: str) -> int:
+    """Return how many steps lead from the first value to the last; a step is a difference, also of degrees Celsius."""
+    dimension = units.unit(unit).dimension
+    step, of = units.parse_exactly(given["step"], dimension, name=f"step of {name}")
+    first, last = (units.parse(given[key], dimension, name=name) for key in ("from", "to"))
+    alike = _written(name, given, unit, "from", "to", "step")
+    if alike is not None:
+        exact = (alike[0][1] - alike[0][0]) / step if step else None
+    else:
+        size = float(step) * units.size(of.symbol)
+        # What a unit's conversion rounds off is no part of a step.
+        exact = (last - first) / size if size else None
+        if exact is not None and math.isfinite(exact) and abs(exact - round(exact)) <= 1e-9 * max(abs(exact), 1.0):
+            exact = round(exact)
+    if first == last and step:
+        return 0
+    wanted = f"a step that leads from the first value, {given['from']}, to the last, {given['to']}"
+    if exact is None or not 0 < exact < MOST:
+        raise InputError(f"step of {name}", given["step"], wanted)
+    if exact != int(exact):
+        near = ", or count in its place"
+        raise InputError(f"step of {name}", given["step"], f"{wanted}, in whole steps, not {float(exact):.6g}{near}")
+    return int(exact)
+
+
+def _spaced(made: Axis, given: Mapping[str, Any], count: int, swept: Swept) -> Axis:
+    """Return so many evenly spaced values from end to end, in the digits in which they are written where possible."""
+    made = replace(made, count=count)
+    alike = _written(made.name, given, swept.unit or "1", "from", "to")
+    if alike is None:
+        if swept.limits is not None:
+            raise InputError(made.name, dict(given), "in one unit, since they count something")
+        return made
+    (first, last), unit = alike
+    step = (last - first) / max(count - 1, 1)
+    common = math.lcm(first.denominator, step.denominator)
+    if swept.limits is not None and (common != 1 or unit.symbol != "1"):
+        raise InputError(made.name, dict(given), "whole numbers at every step")
+    start, by = int(first * common), int(step * common)
+    if max(abs(start), abs(start + by * (count - 1)), common) > EXACT:
+        return made
+    return replace(made, spacing=(start, by, common, unit.symbol))
 
 
 def _list(name: str, given: Sequence[Any], swept: Swept) -> Axis:
     if not given:
         raise InputError(name, given, "a list of at least one value")
     if swept.unit is not None:
-        values = tuple(number(name, each, swept.unit) for each in given)
+        values = tuple(_check_whole(name, number(name, each, swept.unit), swept) for each in given)
         return Axis(name=name, unit=swept.unit, values=values, count=len(values))
     for each in given:
         if not isinstance(each, str):
@@ -151,6 +217,41 @@ def number(name: str, value: Any, unit: str) -> float:
     return units.parse(value, units.unit(unit).dimension, name=name)
 
 
-def whole_number(name: str, value: Any, least: int, most: int) -> int:
-    """Return a value that counts something; swept, it comes as a float."""
-    return check_count(name, int(value) if isinstance(value, float) and value.is_integer() else value, least, most)
+def held_number(name: str, value: Any, swept: Swept) -> float:
+    """Return the value that a table holds of an input that could be swept; what counts something is an int."""
+    if swept.limits is not None:
+        return check_count(name, value, *swept.limits)
+    return number(name, value, swept.unit or "1")
+
+
+def _check_whole(name: str, value: float, swept: Swept) -> float:
+    if flaw := whole_flaw(value, swept):
+        raise InputError(name, int(value) if value.is_integer() else value, flaw)
+    return value
+
+
+def whole_flaw(value: float, swept: Swept) -> str:
+    """Say what a swept value must be that counts something, where it is not; else return nothing."""
+    if swept.limits is None:
+        return ""
+    least, most = swept.limits[0], min(swept.limits[1], EXACT)
+    return "" if value.is_integer() and least <= value <= most else f"a whole number from {least} to {most}"
+
+
+def inputs_named(table: Mapping[str, Any], known: Container[str]) -> Iterator[tuple[str, str, Any]]:
+    """Yield name, place and value of each line of a table and of the tables in it.
+
+    An input has one name, whatever group it stands in: ``air.temperature`` is the known ``temperature``.
+    """
+
+    def walk(parts: tuple[str, ...], given: Any) -> Iterator[tuple[str, str, Any]]:
+        names = ["_".join(parts[place:]) for place in range(len(parts))]
+        name = next((each for each in names if each in known), names[-1])
+        if name not in known and isinstance(given, Mapping) and not given.keys() <= set(FORM):
+            for each, inner in given.items():
+                yield from walk((*parts, each), inner)
+        else:
+            yield name, ".".join(parts), given
+
+    for key, given in table.items():
+        yield from walk((key,), given)

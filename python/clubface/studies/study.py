@@ -31,7 +31,7 @@ from typing import Any
 
 from clubface import units
 from clubface.errors import ClubfaceError, FileError, InputError, Told, UnknownNameError
-from clubface.studies.axes import FORM, Axis, Swept, axis
+from clubface.studies.axes import Axis, Swept, axis, inputs_named
 from clubface.studies.designs import DESIGNS, GRID, HYPERCUBE, SOBOL, TABLE, Design, Remembered, Rows, design
 from clubface.studies.kinds.kind import Kind
 from clubface.studies.kinds.registry import kind
@@ -138,10 +138,8 @@ def read_study(path: str | os.PathLike[str]) -> StudyFile:
     except ClubfaceError as error:
         raise document.wrap(error, chosen.name) from None
     try:
-        for each in sweep:
-            if each in table:
-                raise InputError(each, Told("held and swept"), "given in one of both tables alone")
         made = _design(document, known, sweep, (method, head.get("samples"), seed))
+        _check_held(document, chosen, table, {each.name: known[each.name] for each in made.axes})
     except InputError as error:
         if error.parameter == "samples":
             raise document.wrap(error, "study") from None
@@ -162,21 +160,22 @@ def _table(document: Document, name: str) -> dict[str, Any]:
 def _flat(sweep: Mapping[str, Any], known: Mapping[str, Swept]) -> dict[str, Any]:
     """Return [sweep] with inputs named by group and name, as in ``air.temperature``, under the one name they have."""
     found: dict[str, Any] = {}
-
-    def walk(parts: tuple[str, ...], given: Any) -> None:
-        names = ["_".join(parts[place:]) for place in range(len(parts))]
-        name = next((each for each in names if each in known), names[-1])
-        if name not in known and isinstance(given, Mapping) and not given.keys() <= set(FORM):
-            for each, inner in given.items():
-                walk((*parts, each), inner)
-        elif name in found:
+    for name, _, given in inputs_named(sweep, known):
+        if name in found:
             raise InputError(name, Told("swept twice"), "one line of [sweep]")
-        else:
-            found[name] = given
-
-    for group, given in sweep.items():
-        walk((group,), given)
+        found[name] = given
     return found
+
+
+def _check_held(document: Document, kind: Kind, table: Mapping[str, Any], swept: Mapping[str, Swept]) -> None:
+    """Refuse what the table of a kind holds although it is swept, or is a column of the table that is swept."""
+    shared = {key: value for key, value in table.items() if key not in kind.apart}
+    for name, place, _ in inputs_named(shared, swept):
+        if name in swept:
+            inside, _, key = place.rpartition(".")
+            line = document.line(key, f"{kind.name}.{inside}" if inside else kind.name)
+            where = f"as {place} of [{kind.name}]{'' if line is None else f' in line {line}'}"
+            raise InputError(name, Told(f"held and swept, {where} and in [sweep]"), "given in one of both places alone")
 
 
 def _chunk(head: Mapping[str, Any]) -> tuple[int | None, float]:

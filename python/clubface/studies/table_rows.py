@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from clubface import units
 from clubface.errors import FileError
-from clubface.studies.axes import Swept
+from clubface.studies.axes import Swept, whole_flaw
 from clubface.tables.headings import Vocabulary, delivery_words, layout, plain_name
 from clubface.tables.reader import open_table
 
@@ -50,7 +50,12 @@ def table_columns(path: Path, known: Mapping[str, Swept]) -> dict[str, tuple[str
                 if bad:
                     row = min(bad)
                     raise FileError(str(path), chunk.lines[row], bad[row], column.quantity)
-                parts[column.quantity].append(units.to_si(numbers, column.unit))
+                values = units.to_si(numbers, column.unit)
+                flaws = (whole_flaw(each, known[column.quantity]) for each in values.tolist())
+                if flaw := next(((row, each) for row, each in enumerate(flaws) if each), None):
+                    message = f"{column.quantity} must be {flaw[1]}"
+                    raise FileError(str(path), chunk.lines[flaw[0]], message, column.quantity)
+                parts[column.quantity].append(values)
     finally:
         reader.close()
     if not any(map(len, parts.values())):

@@ -40,7 +40,8 @@ class Document:
         import tomllib
 
         self.path = path
-        self._lines = text.splitlines()
+        self._lines, self._text = text.splitlines(), text
+        self._places: dict[tuple[str, int, str], int] | None = None
         _check_depth(text, path)
         try:
             self.data: dict[str, Any] = tomllib.loads(text)
@@ -88,24 +89,25 @@ class Document:
     def line(self, key: str, table: str = "", occurrence: int = 0) -> int | None:
         """Find the line (from 1) that sets ``key`` in the given ``occurrence`` of ``table``, or opens it, or None.
 
-        Without ``key`` it is the line that opens the table.
+        Without ``key`` it is the line that opens the table. A key may stand behind a heading, in a dotted key, or in
+        braces.
         """
-        here, seen = "", {"": 0}
-        opened = (key, 0) if not table else (table, occurrence) if not key else None
-        for number, line in enumerate(self._lines, 1):
-            text = line.strip()
-            if text.startswith("["):
-                here = text.split("#")[0].strip("[] \t").replace(" ", "")
-                seen[here] = seen.get(here, -1) + 1
-                if (here, seen[here]) == opened:
-                    return number
-            elif key and here == table and seen[here] == occurrence and text.split("=")[0].strip(" \t\"'") == key:
+        if self._places is None:
+            self._places = _places(self._text)
+        return self._places.get((table, occurrence, key))
+
+    def _line_like(self, key: str, table: str) -> int | None:
+        """Find the first line of a table whose key and group end so: ``ground_tilt`` stands in ``ground.tilt``."""
+        for (above, _, last), number in (self._places or {}).items():
+            whole = f"{above}.{last}" if above else last
+            if whole.startswith(f"{table}." if table else "") and f".{whole}".replace(".", "_").endswith(f"_{key}"):
                 return number
         return None
 
     def error(self, message: str, key: str | None = None, table: str = "", occurrence: int = 0) -> FileError:
         """Make a :class:`FileError` at the line of ``key``."""
         line = self.line(key, table, occurrence) if key is not None else None
+        line = line or (self._line_like(key, table) if key and not occurrence else None)
         return FileError(self.path, line, message, key or None)
 
     def check_keys(
@@ -141,7 +143,57 @@ class Document:
         # The last two: a table inside another, and one written in one line under its own name.
         places = [(named, table), (key, inside or table), (key, f"{table}.{inside}"), (inside, table)]
         lines = (self.line(name, place, occurrence) for name, place in places if name)
-        return FileError(self.path, next(filter(None, lines), None), str(error), named or None)
+        line = next(filter(None, lines), None) or (self._line_like(key or inside, table) if key or inside else None)
+        return FileError(self.path, line, str(error), named or None)
+
+
+def _places(text: str) -> dict[tuple[str, int, str], int]:
+    """Return the lines of a valid document by table, how often that was opened before, and key; "" is its opening."""
+    import re
+
+    found: dict[tuple[str, int, str], int] = {}
+    opened: dict[str, int] = {}
+    heading, prefix, parts, within = "", "", [], []
+    keys, in_heading, line = True, False, 1
+
+    def note(prefix: str, parts: list[str]) -> str:
+        for part in parts:
+            found.setdefault((prefix, opened.get(prefix, 0), part), line)
+            prefix = f"{prefix}.{part}" if prefix else part
+        return prefix
+
+    for token in re.finditer(rf"{_TEXT}|[\[\]{{}},=\n]|[\w-]+", text, flags=re.DOTALL):
+        sign = token[0]
+        if sign in ("=", "{", "}", "[", "]", ",", "\n"):
+            if sign == "\n":
+                line += 1
+                if not within:
+                    keys, in_heading, parts = True, False, []
+            elif keys and not within and sign == "[" and not parts:
+                in_heading = True
+            elif in_heading:
+                if sign == "]" and parts:
+                    heading = ".".join(parts)
+                    note("", parts)
+                    opened[heading] = opened.get(heading, -1) + 1
+                    found[heading, opened[heading], ""] = line
+                    parts = []
+            elif sign == "=" and keys:
+                prefix = note(within[-1][1] if within else heading, parts)
+                keys, parts = False, []
+            elif sign in "[{":
+                keys = sign == "{"
+                within.append((sign, prefix))
+            elif sign in "]}" and within:
+                prefix = within.pop()[1]
+                keys = False
+            elif sign == "," and within:
+                keys, parts = within[-1][0] == "{", []
+                prefix = within[-1][1]
+        elif keys and not sign.startswith("#"):
+            parts.append(sign.strip("\"'"))
+        line += sign.count("\n") if len(sign) > 1 else 0
+    return found
 
 
 def _check_depth(text: str, path: str) -> None:

@@ -24,6 +24,8 @@ from clubface.units.table import (
 )
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from numpy.typing import NDArray
 
 MOST_DIMENSIONS = 32
@@ -78,9 +80,10 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
     if dimension not in SI_UNITS:
         raise ValueError(f"unknown dimension {dimension!r}; known: {', '.join(SI_UNITS)}")
     if isinstance(value, str):
-        number, symbol = _split(value)
-        if number is None:
+        digits, symbol = _split(value)
+        if not digits:
             raise InputError(name, value, _wanted(dimension))
+        number = float(digits)
         if symbol:
             found = _unit(symbol, dimension, name, value)
             number = number * found.numerator / found.denominator + found.offset
@@ -94,6 +97,21 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
     if not math.isfinite(number):
         raise InputError(name, value, _wanted(dimension))
     return number
+
+
+def parse_exactly(value: object, dimension: str, *, name: str = "value") -> tuple[Fraction, Unit]:
+    """Return the number as it was written, to the last digit, and its unit; errors are those of :func:`parse`.
+
+    A value too small for a float is 0.
+    """
+    from fractions import Fraction
+
+    found = parse(value, dimension, name=name)
+    si = _unit(SI_UNITS[dimension], dimension, name, "")
+    if not isinstance(value, str):
+        return Fraction(repr(found)), si
+    digits, symbol = _split(value)
+    return Fraction(digits if float(digits) else 0), _unit(symbol, dimension, name, value) if symbol else si
 
 
 def dimension_of(value: object, *, name: str = "value") -> str:
@@ -212,8 +230,8 @@ def parse_column_name(column: str, names: Collection[str] = ()) -> tuple[str, st
     return text, None
 
 
-def _split(text: str) -> tuple[float | None, str]:
-    """Split off the leading number of ``text`` (None where there is none) and what follows it, stripped."""
+def _split(text: str) -> tuple[str, str]:
+    """Split off the leading number of ``text`` ("" where there is none) and what follows it, stripped."""
     text = text.strip().replace("−", "-")
     digits = "0123456789"
     end, size = 0, len(text)
@@ -227,7 +245,7 @@ def _split(text: str) -> tuple[float | None, str]:
         while end < size and text[end] in digits:
             end += 1
     if text[start:end] in ("", "."):
-        return None, text
+        return "", text
     if end < size and text[end] in "eE":
         exponent = end + 1
         if exponent < size and text[exponent] in "+-":
@@ -237,4 +255,4 @@ def _split(text: str) -> tuple[float | None, str]:
             last += 1
         if last > exponent:
             end = last
-    return float(text[:end]), text[end:].strip()
+    return text[:end], text[end:].strip()

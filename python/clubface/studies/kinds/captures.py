@@ -18,14 +18,16 @@ from clubface.motion_capture.synthetic.files import positions_map
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.simulation.quantities import inputs
-from clubface.studies.axes import Swept, number, whole_number
+from clubface.studies.axes import Swept, held_number
 from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
 from clubface.studies.kinds.one_by_one import OneByOne, Values
 from clubface.studies.kinds.shot_inputs import resolved
 from clubface.support.checks import MOST_SEED
 
-NUMBERS = {"swing": "1", "seed": "1", "rate": "1", "noise": "m", "gaps": "1", "gap": "1", "roughness": "1"}
-"""Units of what may be given or swept: which swing, and the laboratory; the rate is a number of frames a second."""
+COUNTED = Swept("1", limits=(0, MOST_SEED))
+UNITS = {"rate": "1", "noise": "m", "gaps": "1", "gap": "1", "roughness": "1"}
+NUMBERS = {"swing": COUNTED, "seed": COUNTED, **{name: Swept(unit) for name, unit in UNITS.items()}}
+"""What may be given or swept: which swing, and the laboratory; the rate is a number of frames a second."""
 NAMES = ("club", "hand", "estimator")
 OF_CAMERAS = ("rate", "noise", "gaps", "gap")
 
@@ -41,7 +43,7 @@ def _columns() -> dict[str, Column]:
 
 def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
     named = {"club": Swept(None), "hand": Swept(None, tuple(HANDS)), "estimator": Swept(None, tuple(ESTIMATORS))}
-    return {**{name: Swept(unit) for name, unit in NUMBERS.items()}, **named}
+    return {**NUMBERS, **named}
 
 
 def _files(study: Described) -> list[Path]:
@@ -50,9 +52,9 @@ def _files(study: Described) -> list[Path]:
 
 def _task(study: Described) -> OneByOne:
     table = study.table
-    held: dict[str, Any] = {"seed": 1.0, "roughness": ROUGHNESS, "club": "driver", "hand": None}
+    held: dict[str, Any] = {"seed": 1, "roughness": ROUGHNESS, "club": "driver", "hand": None}
     held |= {"estimator": next(iter(ESTIMATORS))}
-    held |= {name: number(name, table[name], unit) for name, unit in NUMBERS.items() if name in table}
+    held |= {name: held_number(name, table[name], each) for name, each in NUMBERS.items() if name in table}
     held |= {name: table[name] for name in NAMES if name in table}
     if "swing" not in {*held, *(each.name for each in study.design.axes)}:
         raise InputError("swing", None, "sweep it, as in swing = { from = 0, to = 199, step = 1 }")
@@ -67,8 +69,8 @@ def _task(study: Described) -> OneByOne:
         cameras = replace(Cameras(), **{name: how[name] for name in OF_CAMERAS if name in how})
         club, ready = reader(how["club"], how["hand"], cameras, how["estimator"], how["roughness"])
         _, errors, stated, touch = read_swing(
-            whole_number("swing", how["swing"], 0, MOST_SEED),
-            seed=whole_number("seed", how["seed"], 0, MOST_SEED),
+            int(how["swing"]),
+            seed=int(how["seed"]),
             club=club,
             cameras=cameras,
             ready=(ready,),

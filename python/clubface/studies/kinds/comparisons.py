@@ -7,11 +7,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.errors import ClubfaceError, FileError, InputError, Told
+from clubface.studies.axes import inputs_named
 from clubface.studies.designs import Design
 from clubface.studies.kinds.impacts import KIND as IMPACT, Impacts
 from clubface.studies.kinds.kind import Column, Computed, Described, Kind
-from clubface.studies.kinds.shot_inputs import CHOSEN, KEYS, files_of_shots, swept_shots
+from clubface.studies.kinds.shot_inputs import (
+    KEYS,
+    changed_table,
+    files_of_shots,
+    is_parameter,
+    replaced_by,
+    swept_shots,
+)
 from clubface.support.checks import check_names
 
 if TYPE_CHECKING:
@@ -63,14 +71,22 @@ def _first(study: Described) -> OneShot:
 
 
 def _second(study: Described) -> OneShot:
-    """Return the second shot: what it holds itself is not swept in it."""
+    """Return the second shot: what it has itself is not swept in it."""
     other = study.table.get(OTHER)
     if not isinstance(other, Mapping) or not other:
         raise InputError(OTHER, other, 'a table of what is different, as in other = { club = "3-wood" }')
     check_names(f"key of {OTHER}", other, KEYS)
-    first, held = _first(study).table, other.get("held", {})
-    table = {**first, **other, "held": {**first.get("held", {}), **held}}
-    return OneShot(study, table, DesignWithout(study.design, {*held, *(name for name in CHOSEN if name in other)}))
+    table = changed_table(_first(study).table, other)
+    swept = {each.name for each in study.design.axes}
+    own = {name: place for name, place, _ in inputs_named(other, swept)}
+    for name, place in own.items():
+        if name in swept and place.count(".") == 2:
+            wanted = "given in one of both places alone, or for all models"
+            raise InputError(name, Told(f"in [sweep] and for one model as {OTHER}.{place}"), wanted)
+    shot = OneShot(study, table, DesignWithout(study.design, replaced_by(own)))
+    if isinstance(given := other.get("parameters"), str) and (both := [*filter(is_parameter, shot.sweep)]):
+        raise InputError("parameters", given, f"a table of values: {both[0]} is swept, and a whole set has it, too")
+    return shot
 
 
 class Comparisons:
@@ -80,7 +96,13 @@ class Comparisons:
     depends_on: Mapping[str, str]
 
     def __init__(self, study: Described) -> None:
-        self._both = (Impacts(_first(study)), Impacts(_second(study)))
+        first = Impacts(_first(study))
+        try:
+            self._both = (first, Impacts(_second(study)))
+        except InputError as error:
+            if error.parameter in study.table.get(OTHER, ()):
+                raise InputError(f"{OTHER}.{error.parameter}", error.value, error.allowed) from None
+            raise
         self._names = tuple(self._both[0].columns)
         self.depends_on = {**self._both[0].depends_on, **self._both[1].depends_on}
         self.columns = {}
@@ -108,4 +130,6 @@ def _files(study: Described) -> list[Path]:
     return list(dict.fromkeys(path for each in both for path in files_of_shots(each)))
 
 
-KIND = Kind(name="comparison", keys=(*IMPACT.keys, OTHER), swept=swept_shots, files=_files, task=Comparisons)
+KIND = Kind(
+    name="comparison", keys=(*IMPACT.keys, OTHER), swept=swept_shots, files=_files, task=Comparisons, apart=(OTHER,)
+)

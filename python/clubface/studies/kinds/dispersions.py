@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from clubface.errors import InputError
-from clubface.simulation.delivery import OF_CLUB
+from clubface.simulation.delivery import DIMENSIONS
 from clubface.simulation.quantities import flight_outputs, outputs
-from clubface.studies.axes import Swept, whole_number
+from clubface.studies.axes import Swept, held_number
 from clubface.studies.kinds.golfer_inputs import changed_golfer, changed_hole, swept_golfers
 from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
 from clubface.studies.kinds.one_by_one import OneByOne, Values
@@ -24,6 +24,7 @@ USUAL = (
     "carry_mean", "carry_deviation", "side_mean", "side_deviation", "total_mean", "total_deviation", "ball_speed_mean",
     "ellipse_area", "lost",
 )  # fmt: skip
+SEED = Swept("1", limits=(0, MOST_SEED))
 ON_A_HOLE = ("strokes", "gained", "green", "fairway", "rough", "recovery")
 
 
@@ -50,8 +51,12 @@ def _columns(percentiles: tuple[int, ...]) -> dict[str, Column]:
 
 
 def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
-    equipment = {name: each for name, each in swept_shots(table, sweep).items() if name not in OF_CLUB}
-    return {**equipment, **swept_golfers(), "seed": Swept("1")}
+    equipment = {name: each for name, each in swept_shots(table, sweep).items() if name not in DIMENSIONS}
+    return {**equipment, **swept_golfers(), "seed": SEED}
+
+
+def _of_golfer(name: str, value: Any) -> InputError:
+    return InputError(name, value, "left out: the golfer says how the club is delivered")
 
 
 def files_of_golfers(study: Described) -> list[Path]:
@@ -68,6 +73,7 @@ def _task(study: Described) -> OneByOne:
     table = study.table
     swept = {each.name: each for each in study.design.axes}
     shot_inputs = ShotInputs(study, needs=())
+    seed = held_number("seed", table.get("seed", 0), SEED)
     if not isinstance(count := table.get("shots", COUNT), int) or not is_count(count, 1, MOST):
         raise InputError("shots", count, f"a whole number from 1 to {MOST}")
     percentiles = table.get("percentiles", PERCENTILES)
@@ -77,6 +83,9 @@ def _task(study: Described) -> OneByOne:
         raise InputError("ellipse", share, "a whole number of percent from 1 to 99")
     if "golfer" not in table and "golfer" not in swept:
         raise InputError("golfer", None, 'give it, as in golfer = "tour-driver"')
+    for name, value in table.get("held", {}).items():
+        if name in DIMENSIONS:
+            raise _of_golfer(name, value)
     names = swept["golfer"].choices if "golfer" in swept else (table["golfer"],)
     golfers = {each: golfer_of(resolved(each, study.folder)) for each in names}
     held = None
@@ -96,11 +105,10 @@ def _task(study: Described) -> OneByOne:
         golfer = changed_golfer(golfers[task.get("golfer", table.get("golfer"))], task)
         options = shot_inputs.single(task, club_of(golfer.club).replace(hand=golfer.hand))
         if delivery := options.pop("delivery"):
-            name = next(iter(delivery))
-            raise InputError(name, delivery[name], "left out: the golfer says how the club is delivered")
+            raise _of_golfer(*next(iter(delivery.items())))
         found = dispersion(
             golfer, **options, **shot_inputs.conditions.at(task), count=count, threads=1,
-            seed=whole_number("seed", task.get("seed", table.get("seed", 0)), 0, MOST_SEED),
+            seed=int(task.get("seed", seed)),
             hole=changed_hole(held, task),
         )  # fmt: skip
         figures: dict[str, Any] = {"lost": found.lost / found.count, "strokes": found.strokes, "gained": found.gained}

@@ -118,6 +118,8 @@ class Kind:
         From a study to the files that its result depends on, without those that they name in turn.
     task
         From a study to its task; what is wrong with the study is an error here, before any work.
+    apart
+        Those of the keys whose tables may hold what is swept, as the kind says what that means.
     """
 
     name: str
@@ -125,6 +127,7 @@ class Kind:
     swept: Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Swept]]
     files: Callable[[Described], Sequence[Path]]
     task: Callable[[Described], Task]
+    apart: tuple[str, ...] = ()
 
     def prepare(self, study: Described) -> Task:
         """Return the task of a study; an error about a value of the kind's table names file and line."""

@@ -16,7 +16,7 @@ from clubface.design.optimisation.study_file import COUNTS, JUDGED, read
 from clubface.equipment.balls import ball as ball_of
 from clubface.equipment.clubs import club as club_of
 from clubface.errors import InputError
-from clubface.studies.axes import Swept, whole_number
+from clubface.studies.axes import Swept
 from clubface.studies.kinds.golfer_inputs import changed_golfer, changed_hole, swept_golfers
 from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
 from clubface.studies.kinds.one_by_one import OneByOne, Values
@@ -33,7 +33,8 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
     known = {**JUDGED, **DIMENSIONS}
     bounds = {f"variables_{name}_{end}": Swept(_unit(known[name])) for name in FREE for end in ENDS}
     limits = {f"limits_{name}_{end}": Swept(_unit(each)) for name, each in known.items() for end in ENDS}
-    single = {"speed_exponent": Swept("1"), "discretionary_mass": Swept("kg"), **{name: Swept("1") for name in COUNTED}}
+    single = {"speed_exponent": Swept("1"), "discretionary_mass": Swept("kg")}
+    single |= {name: Swept("1", limits=COUNTS[name]) for name in COUNTED}
     conditions, named = swept_conditions(), {name: Swept(None) for name in NAMED}
     return {**bounds, **limits, **swept_golfers(), **conditions, **single, **named}
 
@@ -109,7 +110,7 @@ def changed_study(of: DesignStudy, task: Values, folder: Path) -> DesignStudy:
         club=club_of(resolved(task["club"], folder)) if "club" in task else of.club,
         golfers=tuple((changed_golfer(each, task), weight) for each, weight in golfers),
         hole=changed_hole(of.hole, task),
-        **{name: whole_number(name, task[name], *COUNTS[name]) for name in COUNTED if name in task},
+        **{name: int(task[name]) for name in COUNTED if name in task},
     )  # fmt: skip
 
 

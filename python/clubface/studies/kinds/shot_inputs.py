@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeGuard
 
@@ -12,9 +12,9 @@ from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.described import HANDS
 from clubface.equipment.models import DEFAULT_MODEL, model as model_of, models
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, Told
+from clubface.errors import InputError
 from clubface.simulation.air import Air
-from clubface.simulation.flight_inputs import check_conditions, conditions
+from clubface.simulation.flight_inputs import LEVEL, check_conditions, conditions
 from clubface.simulation.grounds import ground_of
 from clubface.simulation.inputs import parameter_set
 from clubface.simulation.quantities import flight_inputs, inputs
@@ -55,10 +55,15 @@ def swept_shots(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str,
     given = sweep.get("model", table.get("model", DEFAULT_MODEL))
     parameters: dict[str, Swept] = {}
     for each in given if isinstance(given, list) else [given]:
-        if each in OWN:
+        if isinstance(each, str) and each in OWN:
             raise InputError("model", each, "one of the package: a law of your own is known in one process alone")
         parameters |= {of.name: Swept(of.unit) for of in model_of(each).parameters}
     return {**parameters, **numbers, **swept_conditions(), **named, "hand": Swept(None, tuple(HANDS))}
+
+
+def is_parameter(name: str) -> bool:
+    """Tell a parameter of a model from everything else of a shot that may be swept."""
+    return name not in {*inputs(), *CHOSEN, *swept_conditions()}
 
 
 def files_of_shots(study: Described) -> list[Path]:
@@ -79,8 +84,6 @@ class Conditions:
             swept = [each.name for each in study.design.axes if each.name in known]
             if swept and not isinstance(held or {}, Mapping):
                 raise InputError(group, held, f"a table of {', '.join(known)}, since {swept[0]} is swept")
-            for name in swept if held else ():
-                _refuse_twice(name, held)
         ground_of(self._held["ground"])
         # What is swept may leave its range here and there; whether it goes with what is held is known now.
         first = self.at({name: float(each[0]) for name, each in study.design.values(range(1)).items()})
@@ -116,8 +119,6 @@ class ShotInputs:
         self.table = table = study.table
         axes = {each.name: each for each in study.design.axes}
         self.choices = {name: axes[name].choices for name in CHOSEN if name in axes}
-        for name in axes:
-            _refuse_twice(name, table, table.get("held", {}))
         # Files are read once: what they hold later is another study.
         named = self.choices.get
         self._clubs = {each: club_of(resolved(each, self._folder)) for each in named("club") or _one(table, "club")}
@@ -127,9 +128,8 @@ class ShotInputs:
         }
         self.conditions = Conditions(study)
         self._held = {name: number(name, each, inputs()[name].unit) for name, each in table.get("held", {}).items()}
-        delivery = {*inputs(), *CHOSEN, *swept_conditions()}
         known = swept_shots(table, study.sweep)
-        self._parameters = [name for name in axes if name in known and name not in delivery]
+        self._parameters = [name for name in axes if name in known and is_parameter(name)]
         self._accuracy = tolerance(table.get("accuracy"))
         names = named("model") or (table.get("model", DEFAULT_MODEL),)
         self.depends_on = {"processor": vector_units()} if any(name in MODULES for name in names) else {}
@@ -156,7 +156,8 @@ class ShotInputs:
         """
         names = {name: task[name] for name in self.choices}
         options = self.equipped(names, task)
-        values = {**self._held, **{name: each for name, each in task.items() if name in inputs()}}
+        delivered = {name: each for name, each in task.items() if name in inputs() and name not in names}
+        values = {**self._held, **delivered}
         of_club = {field: values.pop(name) for name, field in OF_CLUB.items() if name in values}
         of_ball = {name: values.pop(f"ball_{name}") for name in RIGID if f"ball_{name}" in values}
         hand = {**self.table, **names}.get("hand")
@@ -172,6 +173,43 @@ class ShotInputs:
         hand = {**self.table, **names}.get("hand")
         swept = {name: each for name, each in values.items() if name in inputs()}
         return {**self.table.get("held", {}), **swept, **({} if hand is None else {"hand": HANDS[hand]})}
+
+
+ALTERNATIVES = (("altitude",), ("pressure",)), (LEVEL, ("wind_x", "wind_z"))
+"""What says the same in two ways, of which a flight takes one."""
+
+
+def changed_table(table: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the table of a kind with changes: each of its numbers and names stays that is not changed."""
+    found = {**table, **changes}
+    for group in ("held", "parameters", *CONDITIONS):
+        first, other = _values(group, table.get(group)), changes.get(group)
+        if not first or not isinstance(other, Mapping) or (group == "parameters" and "model" in changes):
+            continue
+        if _is_by_model(first) and _is_by_model(other):
+            found[group] = {name: {**first.get(name, {}), **other.get(name, {})} for name in {**first, **other}}
+        elif not (_is_by_model(first) or _is_by_model(other)):
+            gone = replaced_by(other)
+            found[group] = {**{name: each for name, each in first.items() if name not in gone}, **other}
+    return found
+
+
+def replaced_by(names: Iterable[str]) -> set[str]:
+    """Return inputs and those that say the same in another way."""
+    found = {*names}
+    for one, two in ALTERNATIVES:
+        if found & {*one, *two}:
+            found |= {*two} if found & {*one} else {*one}
+    return found
+
+
+def _values(group: str, given: Any) -> Mapping[str, Any]:
+    """Return the values by name that a table has for a group; nothing for a set of parameters that has a name."""
+    if group == "wind" and isinstance(given, list) and len(given) == 3:
+        return dict(zip(("wind_x", "wind_y", "wind_z"), given, strict=True))
+    if group == "ground" and isinstance(given, str):
+        return ground_of(given)
+    return given if isinstance(given, Mapping) else {}
 
 
 def _check(study: Described, needs: Sequence[str]) -> None:
@@ -191,11 +229,6 @@ def _check(study: Described, needs: Sequence[str]) -> None:
     for name in needs:
         if name not in held and name not in swept and name not in table:
             raise InputError(name, None, WANTED[name])
-
-
-def _refuse_twice(name: str, *tables: Any) -> None:
-    if any(isinstance(each, Mapping) and name in each for each in tables):
-        raise InputError(name, Told("held and swept"), "given in one of both tables alone")
 
 
 def _one(table: Mapping[str, Any], name: str) -> list[Any]:
