@@ -94,7 +94,7 @@ def dispersion(
         "flight": not no_flight, "accuracy": texts["accuracy"], **conditions,
     }  # fmt: skip
     played = _hole(hole, fairway, rough, lie)
-    with progress_bar("shots") as progress, _file(target) as each:
+    with progress_bar("shots") as progress, _file(target, seed) as each:
         found = compute(
             player, head, count=COUNT if count is None else count, seed=seed, hole=played, each=each, progress=progress,
             **hitting,
@@ -143,7 +143,7 @@ def _check(player: Golfer, head: Any, model: str, count: int | None) -> None:
         )
 
 
-def _file(target: str | None) -> Any:
+def _file(target: str | None, seed: int) -> Any:
     """Open the file of every shot, if one is wanted."""
     if target is None:
         from contextlib import nullcontext
@@ -151,7 +151,7 @@ def _file(target: str | None) -> Any:
         return nullcontext()
     from clubface.design.dispersion.file import shots_file
 
-    return shots_file(target)
+    return shots_file(target, seed=seed)
 
 
 def _hole(length: str | None, fairway: str | None, rough: str | None, lie: str | None) -> Hole | None:

@@ -148,7 +148,8 @@ def _print(of: Golfer, estimated: Estimate | None = None) -> None:
         notes.append("error of ± is how well that is known, as a standard error")
         notes.append(
             "drift compares the whole session with shots that follow each other: well above 1, something was changed"
-            " on the way"
+            " on the way; well below 1, the rows do not stand in the order of play; chance alone moves it by"
+            f" {0.5 / estimated.shots**0.5:.2f} (standard deviation)"
         )
     pairs, fewer = _pairs(of)
     if pairs:
@@ -208,5 +209,5 @@ def _document(of: Golfer) -> dict[str, Any]:
 def _estimated(of: Estimate) -> dict[str, Any]:
     return {
         "shots": of.shots, "measured": of.measured, "error_of_spread": of.error.tolist(), "drift": of.drift.tolist(),
-        "like": of.like, "notes": of.notes,
+        "shrinkage": of.shrinkage, "like": of.like, "notes": of.notes,
     }  # fmt: skip

@@ -24,15 +24,24 @@ Write = Callable[[dict[str, Floats]], None]
 
 
 @contextmanager
-def shots_file(path: str | os.PathLike[str]) -> Iterator[Sink]:
+def shots_file(path: str | os.PathLike[str], *, seed: int = 0) -> Iterator[Sink]:
     """Open a file for shots; it has its name once the block is left, whole or not at all.
 
-    Columns carry their units. A shot without a result has empty cells (in Parquet nulls).
+    Columns carry their units. A shot without a result has empty cells (in Parquet nulls). Shots come in quasi-random
+    order, in which those that follow each other are more different than by chance. Rows are therefore shuffled within
+    each chunk, as ``seed`` has it: what is taken from their order, such as a drift, is then that of a session.
     """
     target = Path(path)
     opened = _parquet if is_parquet(target) else _csv
+    random = np.random.default_rng(seed)
     with whole_file(target) as file, opened(file, target) as write:
-        yield lambda deliveries, values: write(_columns({**deliveries, **values}))
+
+        def take(deliveries: Mapping[str, Floats], values: Mapping[str, Floats]) -> None:
+            columns = _columns({**deliveries, **values})
+            order = random.permutation(len(next(iter(columns.values()))))
+            write({name: each[order] for name, each in columns.items()})
+
+        yield take
 
 
 def _columns(values: Mapping[str, Floats]) -> dict[str, Floats]:

@@ -14,12 +14,15 @@ from clubface.design.dispersion.sampling import dispersion
 from clubface.design.golfer.golfer import ASSUMED, Golfer
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError
+from clubface.support.arrays import Floats
 
 OFF = 0.3
 """Share by which a figure is taken to be off."""
 COUNT = 2**13
 """Shots of each change; with them a standard deviation is known to about 1%, and a change of one better."""
 QUANTITIES = ("carry", "side")
+LEAST = 0.01
+"""Least eigenvalue of correlations made stronger: what is left of a variable that all but follows from others."""
 
 
 class Doubt(NamedTuple):
@@ -104,11 +107,26 @@ def changed(golfer: Golfer, figure: str, factor: float) -> Golfer:
         return golfer.replace(mishit_share=min(golfer.mishit_share * factor, 0.99))
     spread = golfer.spread
     if figure == "correlation":
-        correlation = np.clip(golfer.correlation * factor, -0.99, 0.99)
+        correlation = golfer.correlation * factor
         np.fill_diagonal(correlation, 1.0)
-        return golfer.replace(covariance=correlation * np.outer(spread, spread))
+        return golfer.replace(covariance=possible(correlation) * np.outer(spread, spread))
     scale = np.where([f"spread of {name}" == figure for name in golfer.variables], factor, 1.0)
     return golfer.replace(covariance=golfer.covariance * np.outer(scale, scale))
+
+
+def possible(correlation: Floats) -> Floats:
+    """Return correlations that are possible together, near those given: eigenvalues are raised to ``LEAST``.
+
+    Strong correlations made stronger may contradict each other.
+    """
+    values, vectors = np.linalg.eigh(correlation)
+    if values[0] >= LEAST:
+        return correlation
+    raised = (vectors * np.maximum(values, LEAST)) @ vectors.T
+    scale = np.sqrt(np.diag(raised))
+    found = raised / np.outer(scale, scale)
+    np.fill_diagonal(found, 1.0)
+    return 0.5 * (found + found.T)
 
 
 def _figures(golfer: Golfer) -> list[str]:

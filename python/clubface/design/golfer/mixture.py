@@ -4,6 +4,10 @@ A difference of two shots then has the covariance 2 C with the probability (1 - 
 2 c^2 C with s^2; share s, scale c and covariance C are those of the greatest likelihood. A mishit counts for little in
 C, as in other robust estimates. How far C could be another with other mishits that go nearly as well with the shots is
 part of its stated error.
+
+Correlations are drawn towards zero by the share that makes their expected square error least (Ledoit and Wolf, 2004):
+few shots and many quantities make strong correlations by chance alone. Spreads stay, and any number of shots gives
+correlations that are possible together.
 """
 
 from __future__ import annotations
@@ -22,6 +26,10 @@ SCALES = np.arange(1.5, 6.01, 0.25)
 GAIN = 4.0
 """Least gain in logarithmic likelihood by which mishits are taken to exist."""
 ROUNDS = 60
+SETTLED = 1e-7
+"""Part of the variances by which a covariance still changes when it is taken to be that of the greatest likelihood."""
+VANISHES = 1e-12
+"""Part of a variance below which a quantity is one that hardly ever changes: all its changes count as mishits."""
 STANDARD_ERROR = 0.75
 """Variance of the estimated spread, in squared spreads over the number of shots: 3/4 from successive differences of
 normally distributed shots, where it is 1/2 about the mean."""
@@ -46,7 +54,7 @@ def mixture(steps: Floats) -> tuple[Floats, float, float]:
     for scale in map(float, SCALES):
         share = 0.1
         for _ in range(ROUNDS):
-            covariance = covariance_of(steps, share, scale)
+            covariance = covariance_of(steps, share, scale, start=covariance)
             before, share = share, _weighed(steps, covariance, share, scale).mishits
             if abs(share - before) < 1e-5:
                 break
@@ -55,15 +63,62 @@ def mixture(steps: Floats) -> tuple[Floats, float, float]:
     return found
 
 
-def covariance_of(steps: Floats, share: float, scale: float) -> Floats:
-    """Return the covariance of shots that are no mishits, of the greatest likelihood for a share and scale of these."""
-    covariance = steps.T @ steps / (2.0 * len(steps))
+def covariance_of(steps: Floats, share: float, scale: float, *, start: Floats | None = None) -> Floats:
+    """Return the covariance of shots that are no mishits, of the greatest likelihood for a share and scale of these.
+
+    ``start`` is a covariance to begin with, such as that of another share.
+    """
+    first = shrunk(steps, np.full(len(steps), 0.5)).covariance
+    covariance = first if start is None else start
     for _ in range(ROUNDS):
         weights = _weighed(steps, covariance, share, scale).weights
-        before, covariance = covariance, (steps * weights[:, None]).T @ steps / len(steps)
-        if np.abs(covariance - before).max() <= 1e-9 * np.abs(covariance).max():
+        before, covariance = covariance, shrunk(steps, weights).covariance
+        size = np.sqrt(np.outer(np.diag(first), np.diag(first)))
+        if (np.diag(covariance) < VANISHES * np.diag(first)).any():
+            raise np.linalg.LinAlgError
+        if (np.abs(covariance - before) <= SETTLED * size).all():
             break
     return covariance
+
+
+class Shrunk(NamedTuple):
+    """A covariance whose correlations are drawn towards zero, and by which share of them."""
+
+    covariance: Floats
+    share: float
+
+
+def shrunk(steps: Floats, weights: Floats) -> Shrunk:
+    """Return the covariance of weighted differences of shots with correlations shrunk after Ledoit and Wolf (2004).
+
+    Their target is a multiple of the identity; here each quantity is in its own spread, so that spreads stay. The share
+    is the sum of the variances of the correlations over the sum of their squares, at most 1.
+
+    Parameters
+    ----------
+    steps
+        Differences of successive shots, shape (n, k).
+    weights
+        By which the square of each counts, shape (n,): 1/2 each for normally distributed shots.
+    """
+    count = len(steps)
+    weighted = steps * np.sqrt(weights)[:, None]
+    spread = np.sqrt((weighted**2).mean(axis=0))
+    if not (spread > 0.0).all():
+        raise np.linalg.LinAlgError
+    scaled = weighted / spread
+    correlation = scaled.T @ scaled / count
+    apart = ~np.eye(len(spread), dtype=bool)
+    sampled = ((scaled**2).T @ scaled**2 / count - correlation**2)[apart].sum() / max(TOLD * count - 1.0, 1.0)
+    squares = (correlation[apart] ** 2).sum()
+    share = float(min(sampled / squares, 1.0)) if squares > 0.0 else 0.0
+    correlation[apart] *= 1.0 - share
+    return Shrunk(correlation * np.outer(spread, spread), share)
+
+
+def shrinkage(steps: Floats, covariance: Floats, share: float, scale: float) -> float:
+    """Return by which share the correlations of an estimated covariance were drawn towards zero."""
+    return shrunk(steps, _weighed(steps, covariance, share, scale).weights).share
 
 
 class _Weighed(NamedTuple):
@@ -89,13 +144,14 @@ def _weighed(steps: Floats, covariance: Floats, share: float, scale: float) -> _
     return _Weighed((each / widths).sum(axis=1), likelihood, float((each[:, 1] + 2.0 * each[:, 2]).mean() / 2.0))
 
 
-def error_of(steps: Floats, spread: Floats, share: float, scale: float) -> Floats:
+def error_of(steps: Floats, covariance: Floats, share: float, scale: float) -> Floats:
     """Return the standard errors of the spreads: of the sample, and of not knowing the mishits."""
+    spread = np.sqrt(np.diag(covariance))
     of_sample = spread * np.sqrt(STANDARD_ERROR / (len(steps) + 1))
     if len(steps) + 1 >= ENOUGH:
         parts = np.array_split(np.arange(len(steps)), BLOCKS)
         without = [np.delete(steps, part, axis=0) for part in parts]
-        spreads = np.sqrt([np.diag(covariance_of(each, share, scale)) for each in without])
+        spreads = np.sqrt([np.diag(covariance_of(each, share, scale, start=covariance)) for each in without])
         of_sample = np.maximum(of_sample, OF_FEW * np.sqrt((BLOCKS - 1) * spreads.var(axis=0)))
     return np.hypot(of_sample, spread * _doubt(steps, spread))
 
