@@ -14,7 +14,7 @@ from clubface.errors import ClubfaceError, FileError, InputError, UnitError
 from clubface.fem.resumable import ResumableTable
 from clubface.identification.checkpoint import Checkpoint
 from clubface.identification.simulator import Effort
-from clubface.recorded.file import read_shots
+from clubface.launch_monitor.reading import read_shots
 from clubface.support.strict_toml import MOST_PARTS, Document
 from clubface.tables.cells import NUMBER
 from fem_meshes import HEAD, write_mesh

@@ -75,7 +75,7 @@ _HOME = {
     "models": "equipment.models",
     "optimise": "design.optimisation.run",
     "predict": "prediction.predict",
-    "read_shots": "recorded.file",
+    "read_shots": "launch_monitor.reading",
     "register_law": "simulation.own_law",
     "sensitivity": "simulation.sensitivity",
     "trajectory": "simulation.trajectory",

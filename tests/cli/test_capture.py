@@ -53,7 +53,7 @@ def test_one_swing_is_printed_value_by_value_each_with_its_standard_deviation(cl
 
 
 def test_a_swing_is_read_within_four_standard_deviations(clubface_, folder):
-    from clubface.recorded.file import read_shots
+    from clubface.launch_monitor.reading import read_shots
 
     truth = read_shots(folder / "truth.csv").deliveries
     found = clubface_(*arguments(folder), "--json").json
@@ -76,7 +76,7 @@ def test_the_last_row_of_many_swings_is_the_mean_of_their_standard_deviations(cl
 
 
 def test_json_holds_everything_in_si(clubface_, folder):
-    from clubface.recorded.file import read_shots
+    from clubface.launch_monitor.reading import read_shots
 
     found = clubface_(*arguments(folder), "--json").json
     truth = read_shots(folder / "truth.csv").deliveries

@@ -16,7 +16,7 @@ import pytest
 
 from clubface import launch_monitor
 from clubface.launch_monitor.open_connect import Listener, Sender
-from clubface.recorded.file import read_shots
+from clubface.launch_monitor.reading import read_shots
 from clubface.support.lock import Lock
 from command_line import MAIN, assert_mistake
 

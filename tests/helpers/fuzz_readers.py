@@ -31,10 +31,10 @@ from clubface.inference.prior import Prior
 from clubface.launch_monitor.mapping import mapping_of
 from clubface.launch_monitor.open_connect import MessageError, from_json, recorded
 from clubface.launch_monitor.open_connect.framing import Broken, ObjectStream
+from clubface.launch_monitor.reading import read_shots
 from clubface.motion_capture import MarkerMap, read_c3d, read_swings, template
 from clubface.motion_capture.synthetic import synthesize
 from clubface.prediction.predict import predict
-from clubface.recorded.file import read_shots
 from clubface.recorded.shots import RecordedShots
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document

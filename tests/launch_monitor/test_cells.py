@@ -95,5 +95,5 @@ def test_a_table_of_clubface_may_have_units_in_its_cells_too(tmp_path):
     np.testing.assert_allclose(shots.deliveries["attack"], [-2 * DEG, 0.1], rtol=1e-14)
     np.testing.assert_allclose(shots.launches["ball_speed"], [148 * MPH, 66.0], rtol=1e-14)
     path.write_text("club_speed_mph\n100 kg\n")
-    with pytest.raises(FileError, match="'100 kg' is not a number"):
+    with pytest.raises(FileError, match="'100 kg' is not in mph"):
         read_shots(path)

@@ -63,7 +63,7 @@ def test_the_mapping_of_the_page_reads_a_file(write):
 
 def test_a_mapped_column_needs_its_unit_from_somewhere(write):
     mapping = write('[columns.speed]\nheading = "Tempo"\n', "mapping.toml")
-    with pytest.raises(FileError, match="does not say the unit of 'Tempo'"):
+    with pytest.raises(FileError, match="the column 'Tempo' names no unit"):
         launch_monitor.read(write("Tempo\n100\n"), mapping=mapping)
     for content in ("Tempo [mph]\n100\n", "Tempo\n[mph]\n100\n"):
         assert launch_monitor.read(write(content), mapping=mapping).deliveries["speed"] == pytest.approx([44.704])

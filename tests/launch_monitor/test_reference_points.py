@@ -9,7 +9,7 @@ import clubface
 from clubface import launch_monitor
 from clubface.errors import FileError, UnknownNameError
 from clubface.launch_monitor import refer
-from clubface.recorded.file import read_shots
+from clubface.launch_monitor.reading import read_shots
 from clubface.recorded.shots import RecordedShots
 
 pytestmark = [
@@ -171,7 +171,7 @@ def test_shots_are_referred_once_even_over_a_file(tmp_path):
         "cg",
         "face",
     )
-    (tmp_path / "mixed.csv").write_text("speed,speed_at\n50,face\n51,cg\n")
+    (tmp_path / "mixed.csv").write_text("speed [m/s],speed_at\n50,face\n51,cg\n")
     with pytest.raises(
         FileError, match="'speed_at' holds cg, face; it must be one of cg, face, unknown, the same for all"
     ):

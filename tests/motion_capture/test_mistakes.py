@@ -290,7 +290,7 @@ def test_of_many_files_the_bad_ones_are_listed_and_the_good_ones_read(tmp_path):
     assert "cut short" in found.rejected[0].reason
     written = found.write(tmp_path / "shots.csv")
     assert [each.name for each in written] == ["shots.csv", "shots.sd.csv"]
-    from clubface.recorded.file import read_shots
+    from clubface.launch_monitor.reading import read_shots
 
     table = read_shots(written[0])
     assert table.deliveries["loft"] == pytest.approx(found.shots.deliveries["loft"], rel=1e-12)

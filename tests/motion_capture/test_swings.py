@@ -111,7 +111,7 @@ def test_a_calibration_places_the_cluster_as_well_as_given_positions(tmp_path):
         found = read_swings(files[:4], tmp_path / "markers.toml", "driver")
     truth = clubface.read_shots(tmp_path / "truth.csv") if hasattr(clubface, "read_shots") else None
     if truth is None:
-        from clubface.recorded.file import read_shots
+        from clubface.launch_monitor.reading import read_shots
 
         truth = read_shots(tmp_path / "truth.csv")
     for name in QUANTITIES:

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from captures import swings, world_cameras
+from clubface.launch_monitor.reading import read_shots
 from clubface.motion_capture.reduction import QUANTITIES, gap
 from clubface.motion_capture.rotations import logarithm
 from clubface.motion_capture.synthetic import Cameras, random_swing, synthesize
-from clubface.recorded.file import read_shots
 
 
 @pytest.mark.parametrize("club", ["driver", "7-iron"])

@@ -129,7 +129,7 @@ def test_rows_bad_for_different_reasons_are_told_apart(write, tmp_path, chunk):
 
 def test_long_rows_make_short_pieces(write, tmp_path, monkeypatch):
     """Rows of some thousand characters; a chunk ends after 10000, however many rows it may have."""
-    path = write("speed,note\n" + "".join(f"{40 + row},{'x' * 4000}\n" for row in range(10)))
+    path = write("speed [m/s],note\n" + "".join(f"{40 + row},{'x' * 4000}\n" for row in range(10)))
     whole, cut = tmp_path / "whole.csv", tmp_path / "cut.csv"
     predict(path, club="driver", output=whole)
     done = []
@@ -170,10 +170,13 @@ def test_a_column_is_known_by_many_names(write, tmp_path, heading):
     assert report.used[heading] == ("speed", "mph")
 
 
-def test_a_column_without_a_unit_is_si_and_said_so(write, tmp_path):
-    report = predict(write("speed,toe_mm\n50,5\n"), club="driver", output=tmp_path / "out.csv")
-    assert report.used["speed"] == ("speed", "m/s")
-    assert "names no unit and is taken in m/s" in report.notes[0]
+def test_a_column_without_a_unit_is_refused_until_the_unit_is_given(write, tmp_path):
+    path = write("speed,toe_mm\n112,5\n")
+    with pytest.raises(FileError, match=r"shots.csv:1: the column 'speed' names no unit.*--unit speed=mph"):
+        predict(path, club="driver", output=tmp_path / "out.csv")
+    report = predict(path, club="driver", output=tmp_path / "out.csv", units={"speed": "mph"})
+    assert report.used["speed"] == ("speed", "mph")
+    assert (tmp_path / "out.csv").read_text().splitlines()[1].startswith("112,5,")
 
 
 def test_a_misspelt_column_is_pointed_out(write, tmp_path):
@@ -294,7 +297,7 @@ def test_names_left_out_stand_beside_the_file(write, tmp_path):
 
 
 def test_rows_in_memory_are_one_to_a_million(write, tmp_path):
-    source = write("speed\n45\n46\n47\n")
+    source = write("speed [m/s]\n45\n46\n47\n")
     whole = None
     for chunk in (1, 2, 1_000_000):
         target = tmp_path / f"{chunk}.csv"

@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, example, given, settings, strategies as st
 import clubface
 from clubface import launch_monitor
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
-from clubface.recorded.file import read_shots
+from clubface.launch_monitor.reading import read_shots
 from clubface.recorded.shots import RecordedShots, RejectedRow
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
@@ -189,7 +189,9 @@ def test_a_missing_file_and_a_folder_are_refused(tmp_path):
 
 cells = st.one_of(st.sampled_from(["113", "-1", "nan", "1e400", "", "1_0", "L", '"', "9,5"]), st.text(max_size=4))
 texts = st.lists(st.lists(cells, max_size=4).map(",".join), max_size=5).map("\n".join)
-heads = st.sampled_from(["speed", "speed,toe_mm", "ball_speed;club", "hand,launch_deg,club", "spin [rpm]", "a,b", ""])
+heads = st.sampled_from(
+    ["speed", "speed_mph,toe_mm", "ball_speed [m/s];club", "hand,launch_deg,club", "spin [rpm]", "a,b", ""]
+)
 
 
 @settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
@@ -212,16 +214,17 @@ def test_whatever_a_file_holds_only_an_error_of_the_package_comes_out(tmp_path, 
 
 
 def test_units_that_are_told_are_those_of_columns_without_one(tmp_path):
-    """By quantity or dimension; a heading with a unit keeps it, and what nobody tells is in SI units."""
+    """By quantity or dimension; a heading with a unit keeps it, and a column without a unit is refused."""
     file = tmp_path / "shots.csv"
-    file.write_text("speed,path,face_deg,ball_speed,toe\n100,2,3,60,0.01\n")
-    shots = launch_monitor.read(file, units={"speed": "mph", "angle": "deg", "ball_speed": "km/h"})
+    file.write_text("speed,path,face_deg,ball_speed,toe\n100,2,3,160,10\n")
+    units = {"speed": "mph", "angle": "deg", "ball_speed": "km/h"}
+    with pytest.raises(FileError, match=r"the column 'toe' names no unit.*--unit length=mm"):
+        launch_monitor.read(file, units=units)
+    shots = launch_monitor.read(file, units=units | {"toe": "mm"})
     assert shots.deliveries["speed"][0] == pytest.approx(44.704)
     assert shots.deliveries["path"][0] == pytest.approx(2.0 * DEG)
     assert shots.deliveries["face"][0] == pytest.approx(3.0 * DEG)
-    assert shots.launches["ball_speed"][0] == pytest.approx(60.0 / 3.6)
-    assert [note for note in shots.notes if "names no unit" in note] == [
-        "the column 'toe' names no unit and is taken in m"
-    ]
+    assert shots.launches["ball_speed"][0] == pytest.approx(160.0 / 3.6)
+    assert shots.deliveries["toe"][0] == pytest.approx(0.01)
     with pytest.raises(InputError, match="the unit of speed is 'deg'"):
         launch_monitor.read(file, units={"speed": "deg"})

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from clubface.benchmark_data.recipe import CLUBS as CLUBS, FOLDER
-from clubface.recorded.file import read_shots
+from clubface.launch_monitor.reading import read_shots
 from clubface.recorded.shots import RecordedShots
 from clubface.support.checks import check_choice
 

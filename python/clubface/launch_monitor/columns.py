@@ -7,11 +7,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from clubface.errors import FileError
-from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, heading, unit_in
+from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, unit_in
 from clubface.launch_monitor.formats import Format, side_of
-from clubface.tables.headings import listed, shot_words
+from clubface.tables.headings import POINTS, given_unit, listed, missing_units, shot_words
 from clubface.tables.spelling import plain, unit_of_column, unit_symbol
-from clubface.units import symbols, unit
+from clubface.units import DIMENSIONLESS
 
 _WORD = re.compile(r"[^\W\d_]|[°%]")
 """A unit has one; a number or a dash, which stands for nothing measured, has none."""
@@ -46,26 +46,37 @@ class Columns(NamedTuple):
 
     Attributes
     ----------
-    width
-        How many there are.
+    width, needed
+        How many there are, and how many of them a row must have: those without a heading at the end may be lacking.
+    first
+        The place of the first column that is used.
     used
         The columns of each quantity: several where a heading is there more than once.
     club, player, hand
         The places of the columns that name the club (the preferred first), the player and the hand.
-    told
-        Places of columns whose values are told in a note.
+    points
+        The places of the columns that say where on the club its data was taken.
+    labels
+        The places of the columns of texts in which a row may say that it sums up others: with "club", "player", or
+        the heading.
+    counted
+        Places of columns whose values a note counts.
     assumed
-        Headings whose unit nothing tells, with the one taken.
+        Headings whose unit the file does not name, with the one taken.
     unused
         Headings that would give a quantity but for what is in their brackets, which is no unit.
     """
 
     width: int
+    needed: int
+    first: int
     used: Mapping[str, tuple[Used, ...]]
     club: tuple[int, ...]
     player: int | None
     hand: int | None
-    told: tuple[int, ...]
+    points: Mapping[str, int]
+    labels: Mapping[int, str]
+    counted: tuple[int, ...]
     assumed: tuple[tuple[str, str], ...]
     unused: tuple[str, ...]
 
@@ -83,54 +94,69 @@ def columns_of(
     headings: Sequence[str],
     units_row: Sequence[str] | None,
     units: Mapping[str, str],
-    place: tuple[str, int],
+    place: tuple[str, int | None],
     rows: Iterable[Sequence[str]] = (),
 ) -> Columns:
     """Return the columns of a header that a layout uses.
 
     ``units`` gives the units, by quantity or dimension, for columns where the file names none: neither the heading, nor
     a row of units, nor the first of the cells in ``rows`` that has one.
+
+    Raises
+    ------
+    FileError
+        No column is of the layout, a unit does not fit, or columns have none, all of which are named.
     """
-    heads = [heading(each) for each in headings]
-    best: dict[str, int] = {}
-    for each in heads:
-        known = layout.names.get(each.name)
-        if known and (known[0] not in best or known[1] < best[known[0]]):
-            best[known[0]] = known[1]
+    heads = [layout.heading(each) for each in headings]
+    preferred = _preferred(layout, heads)
     names = [each.name if each.unit is None else "" for each in heads]
     clubs = tuple(names.index(plain(each)) for each in layout.club if plain(each) in names)
     used: dict[str, list[Used]] = {}
     assumed: list[tuple[str, str]] = []
+    without_unit: list[tuple[str, str]] = []
     for position, each in enumerate(heads):
-        known = layout.names.get(each.name)
         # FlightScope calls both the club and its speed "Club"; the one without a unit names it.
-        if known is None or best[known[0]] != known[1] or position in clubs:
+        if each.name not in preferred or position in clubs:
             continue
-        quantity = known[0]
-        told = each.unit
-        if told is None and units_row is not None and position < len(units_row):
-            told = units_row[position].strip().strip("[]()").strip() or None
-        if told is None:
-            told = next((symbol for row in rows if position < len(row) and (symbol := unit_in(row[position]))), None)
-        symbol, was_assumed = _unit(layout, quantity, headings[position], told, units, place)
+        quantity = layout.names[each.name][0]
+        shown = headings[position].strip()
+        symbol = _named_unit(quantity, shown, each.unit, units_row, position, rows, place) or given_unit(
+            units, quantity, _dimension(quantity)
+        )
         if symbol is None:
-            continue
-        if was_assumed:
-            assumed.append((headings[position].strip(), symbol))
-        side = _side(layout, quantity, each)
-        used.setdefault(quantity, []).append(Used(position, headings[position].strip(), quantity, symbol, side))
+            symbol = layout.fields[quantity].unit
+            if symbol is None:
+                without_unit.append((shown, quantity))
+                continue
+            if not layout.needs_units and _dimension(quantity) in ("speed", "length"):
+                assumed.append((shown, symbol))
+        used.setdefault(quantity, []).append(Used(position, shown, quantity, symbol, _side(layout, quantity, each)))
+    if without_unit:
+        raise missing_units(without_unit, *place, {name: _dimension(name) for _, name in without_unit})
     if not used:
-        found = listed([each.strip() for each in headings])
-        raise FileError(*place, f"no column belongs to a {layout.title} file; {found}")
+        raise FileError(*place, f"no column belongs to a {layout.title} file; {listed([h.strip() for h in headings])}")
+    player, hand = (
+        next((names.index(plain(each)) for each in known if plain(each) in names), None)
+        for known in (layout.player, layout.hand)
+    )
+    places = {each.place for columns in used.values() for each in columns}
     return Columns(
-        len(headings),
-        {quantity: tuple(each) for quantity, each in used.items()},
-        clubs,
-        next((names.index(plain(each)) for each in layout.player if plain(each) in names), None),
-        next((names.index(plain(each)) for each in layout.hand if plain(each) in names), None),
-        tuple(names.index(plain(each)) for each in layout.told if plain(each) in names),
-        tuple(assumed),
-        tuple(
+        width=len(headings),
+        needed=max((place for place, each in enumerate(headings) if each.strip()), default=0) + 1,
+        first=min(places),
+        used={quantity: tuple(each) for quantity, each in used.items()},
+        club=clubs,
+        player=player,
+        hand=hand,
+        points={name: names.index(plain(name)) for name in POINTS if plain(name) in names},
+        labels={
+            place: "club" if place in clubs else "player" if place == player else names[place]
+            for place in range(len(headings))
+            if place not in places and place != hand
+        },
+        counted=tuple(names.index(plain(each)) for each in layout.told if plain(each) in names),
+        assumed=tuple(assumed),
+        unused=tuple(
             shown.strip()
             for each, shown in zip(heads, headings, strict=True)
             if each.name != each.bare and each.bare in layout.names and layout.names[each.bare][0] not in used
@@ -138,26 +164,35 @@ def columns_of(
     )
 
 
-def _unit(
-    layout: Format, quantity: str, shown: str, told: str | None, units: Mapping[str, str], place: tuple[str, int]
-) -> tuple[str | None, bool]:
-    """Return the unit of a column, None where it has none and so is another column; and whether it was assumed."""
+def _preferred(layout: Format, heads: Sequence[Heading]) -> set[str]:
+    """Return the headings that are used: of each quantity the preferred one, or all where the layout prefers none."""
+    known = {each.name: layout.names[each.name] for each in heads if each.name in layout.names}
+    if layout.all_columns:
+        return set(known)
+    best: dict[str, int] = {}
+    for quantity, rank in known.values():
+        best[quantity] = min(rank, best.get(quantity, rank))
+    return {name for name, (quantity, rank) in known.items() if rank == best[quantity]}
+
+
+def _named_unit(
+    quantity: str,
+    shown: str,
+    named: str | None,
+    units_row: Sequence[str] | None,
+    position: int,
+    rows: Iterable[Sequence[str]],
+    place: tuple[str, int | None],
+) -> str | None:
+    """Return the unit that the file names for a column, in its heading, the row of units or a cell."""
     dimension = _dimension(quantity)
-    if told is not None:
-        return unit_of_column(told, dimension, shown.strip(), place), False
-    given = units.get(quantity) or units.get(dimension)
-    if given is not None:
-        return unit(given, name=f"the unit of {quantity}", dimension=dimension).symbol, False
-    default = layout.fields[quantity].unit
-    if default is None and layout.needs_units:
-        examples = symbols(dimension)
-        some = " or ".join(examples[:3])
-        message = (
-            f"the file does not say the unit of {shown.strip()!r} ({some}), which depends on the settings of the app: "
-            f'give it, as in units={{"{dimension}": "{examples[0]}"}} or --unit {dimension}={examples[0]}'
-        )
-        raise FileError(*place, message, shown)
-    return default, default is not None and not layout.needs_units and dimension in ("speed", "length")
+    if named is None and units_row is not None and position < len(units_row):
+        named = units_row[position].strip().strip("[]()").strip() or None
+    if named is None:
+        named = next((symbol for row in rows if position < len(row) and (symbol := unit_in(row[position]))), None)
+    if named is not None:
+        return unit_of_column(named, dimension, shown, place)
+    return "1" if dimension == DIMENSIONLESS else None
 
 
 def _dimension(quantity: str) -> str:

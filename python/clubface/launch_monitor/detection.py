@@ -7,21 +7,21 @@ from dataclasses import replace
 
 from clubface.errors import FileError
 from clubface.launch_monitor.cells import heading
-from clubface.launch_monitor.columns import is_units_row
 from clubface.launch_monitor.formats import Format
 from clubface.launch_monitor.registry import FORMATS
+from clubface.launch_monitor.tables import TABLE
 from clubface.tables.csv_rows import Row
-from clubface.tables.headings import layout, listed, shot_words
+from clubface.tables.headings import listed
 from clubface.tables.rows import Reject
 
-OWN = "clubface"
-"""The name of the layout of clubface's own tables."""
+TELLING = frozenset({"speed", "ball_speed", "launch"})
+"""Quantities of which a table of shots has one."""
 FEWEST_KNOWN = 2
 """Headings of a layout that make a row its header where the layout was asked for by its name."""
 
 
-def detected(path: str, head: Sequence[Row | Reject]) -> Format | None:
-    """Return the layout whose header is among the first rows; None for the columns of clubface.
+def detected(path: str, head: Sequence[Row | Reject]) -> Format:
+    """Return the layout whose header is among the first rows; ``TABLE`` for columns with usual names of no maker.
 
     If several layouts fit, the one that knows most of the columns is taken.
     """
@@ -46,11 +46,8 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format | None:
             message = f"this may be a file of {' or '.join(fitting)}; give the format, such as {fitting[0]}"
             raise FileError(path, None, message)
         return FORMATS[fitting[0]]
-    headings, line, _ = rows[0]
-    used = {each.quantity for each in layout(list(dict.fromkeys(headings)), path, line, shot_words()).used}
-    has_units_row = len(rows) > 1 and is_units_row(rows[1][0])
-    if used & {"speed", "ball_speed", "launch"} and not has_units_row:
-        return None
+    if any(TABLE.is_header(cells) and TELLING & _quantities(TABLE, cells) for cells, _, _ in rows):
+        return TABLE
     widest = max(rows, key=lambda row: sum(bool(cell.strip()) for cell in row[0]))
     counts = {name: _known(each, widest[0]) for name, each in FORMATS.items()}
     alike = [name for name, count in counts.items() if count == max(counts.values()) >= FEWEST_KNOWN]
@@ -82,9 +79,23 @@ def asked_for(layout: Format, head: Sequence[Row | Reject]) -> Format:
 def others(layout: Format, head: Sequence[Row | Reject]) -> list[str]:
     """Return the names of the layouts whose header is among the first rows if that of ``layout`` is not."""
     rows = [row[0] for row in head if not isinstance(row, Reject)]
-    if _marked(FORMATS[layout.name], rows):
+    if layout.name in FORMATS and _marked(FORMATS[layout.name], rows):
         return []
     return [name for name, each in FORMATS.items() if _marked(each, rows)]
+
+
+def is_foreign(layout: Format, cells: Sequence[str]) -> bool:
+    """Tell whether a row is the header of a table that a layout cannot read."""
+    names = {layout.heading(each).name for each in cells}
+    if any(each.is_marked(names) for each in FORMATS.values() if each.name != layout.name):
+        return not layout.is_marked(names)
+    known = len(_quantities(layout, cells))
+    return TABLE.is_header(cells) and known < FEWEST_KNOWN <= len(_quantities(TABLE, cells))
+
+
+def _quantities(layout: Format, cells: Sequence[str]) -> set[str]:
+    """Return the quantities whose headings are among the cells of a row."""
+    return {layout.names[name][0] for each in cells if (name := layout.heading(each).name) in layout.names}
 
 
 def _marked(layout: Format, rows: Sequence[Sequence[str]]) -> bool:

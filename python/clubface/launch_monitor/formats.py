@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from clubface.launch_monitor.cells import SIDES, Side
-from clubface.tables.spelling import plain
+from clubface.launch_monitor.cells import SIDES, Heading, Side, heading
+from clubface.tables.cells import is_number
+from clubface.tables.spelling import bracketed, plain
+from clubface.units import parse_column_name
 
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
 POINTS = {
@@ -29,7 +31,7 @@ class Field:
     headings
         The headings without units, the preferred one first. Case, spaces and punctuation do not count.
     unit
-        The unit if neither the heading nor a row of units names one. With None, a column without a unit is not used.
+        The unit if neither the heading nor a row of units names one. With None, it must be given.
     positive
         The word for the positive side in the file, such as "right", "in-out" or "heel". A heading that names a side
         takes precedence.
@@ -62,7 +64,10 @@ class Format:
         A regular expression for the first cell of a row above the header that names the player of all shots below, as
         its group; "" where no row does.
     needs_units
-        Whether a file that names no units can only be read if they are given.
+        Whether the units of its columns, where the file names none, are those of a mapping or given, and not those
+        that the maker's program has when it is installed: the latter are said to be assumed.
+    all_columns
+        Whether all columns of a quantity are read, and must agree, instead of those of the preferred heading.
     speed_at
         Where speed, attack angle and path are measured: "cg", "face" or "unknown".
     face_at
@@ -84,6 +89,7 @@ class Format:
     hand: tuple[str, ...] = ("Hand", "Handed", "Handedness")
     title_of_player: str = ""
     needs_units: bool = False
+    all_columns: bool = False
     speed_at: str = UNKNOWN
     face_at: str = UNKNOWN
     told: tuple[str, ...] = ()
@@ -99,9 +105,47 @@ class Format:
             for rank, each in enumerate(columns.headings)
         }
 
+    @cached_property
+    def _marks(self) -> list[set[str]]:
+        return [{plain(each) for each in group} for group in self.marks]
+
     def is_marked(self, names: set[str]) -> bool:
-        """Return whether a row with these headings in plain words is the header of such a file."""
-        return any({plain(each) for each in group} <= names for group in self.marks)
+        """Return whether these headings in plain words are all of at least one group of marks."""
+        return any(group <= names for group in self._marks)
+
+    def is_header(self, cells: Sequence[str]) -> bool:
+        """Return whether a row names the columns of such a file.
+
+        A layout without marks is known by any of its columns, in a row without a number.
+        """
+        names = {self.heading(each).name for each in cells}
+        if self.marks:
+            return self.is_marked(names)
+        return bool(self.known(names)) and not any(map(is_number, cells))
+
+    def known(self, names: set[str]) -> int:
+        """Return how many of these headings in plain words are those of a quantity."""
+        return len(names & self.names.keys())
+
+    def heading(self, text: str) -> Heading:
+        """Return the parts of a heading, whose unit may follow without brackets: ``club_speed_mph``."""
+        if (found := self._headings.get(text)) is None:
+            found = self._headings[text] = self._parts(text)
+        return found
+
+    @cached_property
+    def _headings(self) -> dict[str, Heading]:
+        return {}
+
+    def _parts(self, text: str) -> Heading:
+        parts = heading(text)
+        if parts.name not in self.names and bracketed(text)[1] is None:
+            words = "_".join(text.replace("-", "_").split())
+            for spelled in (words, words.lower()):
+                name, unit = parse_column_name(spelled)
+                if unit is not None and plain(name) in self.names:
+                    return Heading(plain(name), unit, None, plain(name))
+        return parts
 
 
 def side_of(quantity: str, positive: str | None) -> Side:

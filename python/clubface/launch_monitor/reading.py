@@ -14,28 +14,31 @@ import numpy as np
 from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError, UnknownNameError, shortened
 from clubface.launch_monitor.cells import FACE_TO_PATH
-from clubface.launch_monitor.detection import OWN, asked_for, detected, others
+from clubface.launch_monitor.detection import asked_for, detected, is_foreign, others
 from clubface.launch_monitor.formats import POINTS, Format
 from clubface.launch_monitor.mapping import Mapped, mapping_of
 from clubface.launch_monitor.registry import FORMATS
-from clubface.launch_monitor.rows import Session, SessionReader, Shot
-from clubface.recorded.file import read_shots, refuse_empty, without_emptied
+from clubface.launch_monitor.rows import Session, SessionReader
+from clubface.launch_monitor.tables import TABLE
 from clubface.recorded.possible import without_impossible
-from clubface.recorded.shots import SIDES, RecordedShots
+from clubface.recorded.shots import SIDES, RecordedShots, RejectedRow
 from clubface.recorded.signs import suspected_signs
 from clubface.simulation.quantities import inputs
 from clubface.support.checks import check_choice
-from clubface.tables.cells import uses_decimal_comma
+from clubface.tables.cells import quoted_cell, uses_decimal_comma
 from clubface.tables.csv_rows import DECIMAL_ROWS, CsvRows, Row
-from clubface.tables.headings import shot_words
-from clubface.tables.parquet import ENDINGS as PARQUET
+from clubface.tables.headings import check_units, listed
+from clubface.tables.parquet import ENDINGS as PARQUET, ParquetReader
 from clubface.tables.rows import Reject
-from clubface.units import unit
 
 HEAD_ROWS = 30
 """Rows among which the header must be."""
-TOLD = 10
+COUNTED = 10
 """Different values of a column that a note counts."""
+PARQUET_ROWS = 65536
+"""Rows of a Parquet file that are read at a time."""
+SHOWN = 3
+"""Reasons that an error names."""
 
 
 def read(
@@ -82,32 +85,73 @@ def read(
     """
     if hand is not None:
         check_choice("hand", hand, SIDES.values())
-    told_units = _units(units or {})
+    given_units = check_units(units or {})
     if format is not None and mapping is not None:
         raise InputError("format", format, "leave it out, since the mapping says how the file is laid out")
-    if format is not None and format not in (*FORMATS, OWN):
-        raise UnknownNameError("format", format, (*FORMATS, OWN))
-    source = Path(path)
+    if format is not None and format not in (*FORMATS, TABLE.name):
+        raise UnknownNameError("format", format, (*FORMATS, TABLE.name))
     mapped = mapping_of(mapping) if mapping is not None else None
-    _refuse_no_table(source)
-    if mapped is None and (format == OWN or source.suffix.lower() in PARQUET):
-        return _own(path, hand, told_units, club)
-    rows = CsvRows(source, any_encoding=True, head_lines=HEAD_ROWS, delimiter=mapped.delimiter if mapped else None)
+    shots = _read(Path(path), format, mapped, hand, given_units)
+    shots = replace(shots, notes=(*shots.notes, *suspected_signs(shots)))
+    if club is None:
+        return shots
+    from clubface.launch_monitor.reference_points import refer
+
+    return refer(shots, club)
+
+
+def read_shots(path: str | os.PathLike[str], *, units: Mapping[str, str] | None = None) -> RecordedShots:
+    """Read recorded shots from a CSV or Parquet file with the columns of clubface.
+
+    Columns are known by name and carry their unit, as for :func:`predict`: ``club_speed_mph``, ``attack [deg]``, and
+    of the launch ``ball_speed_mph``, ``launch_deg``, ``azimuth_deg``, ``backspin_rpm``, ``sidespin_rpm``,
+    ``total_spin_rpm``, ``spin_axis_deg``, ``carry_yd`` and so on; ``club`` names the club, ``player`` the player,
+    ``hand`` is right or left. An empty cell is a value not measured. ``units`` are those of columns that name none, by
+    quantity or dimension, such as ``{"speed": "mph"}``; without it, such columns are refused.
+
+    Raises
+    ------
+    FileError
+        A file that cannot be read, with the line: empty, without a column of a delivery or launch, columns without
+        unit or with one of another dimension, or without a single row that can be used.
+    """
+    return _read(Path(path), TABLE.name, None, None, check_units(units or {}))
+
+
+def _read(
+    path: Path, format: str | None, mapped: Mapped | None, hand: str | None, units: Mapping[str, str]
+) -> RecordedShots:
+    """Return the shots of a file as they stand in it, without what no shot can have."""
+    _refuse_no_table(path)
+    if path.suffix.lower() in PARQUET and mapped is None:
+        return _shots(_parquet_session(path, hand, units), str(path), TABLE)
+    rows = CsvRows(path, any_encoding=True, head_lines=HEAD_ROWS, delimiter=mapped.delimiter if mapped else None)
     try:
         every = _rows(rows)
         head = list(islice(every, HEAD_ROWS))
-        layout = mapped.layout if mapped else asked_for(FORMATS[format], head) if format else detected(str(path), head)
-        if layout is None:
-            return _own(path, hand, told_units, club)
-        session = _session(str(path), layout, mapped, hand, told_units, head, every, rows.delimiter)
+        if mapped:
+            layout = mapped.layout
+        elif format is not None:
+            layout = TABLE if format == TABLE.name else asked_for(FORMATS[format], head)
+        else:
+            layout = detected(str(path), head)
+        session = _session(str(path), layout, mapped, hand, units, head, every, rows.delimiter)
     finally:
         rows.close()
-    refuse_empty(str(path), len(session.shots), tuple(session.rejected))
-    shots = _laid_out(session, str(path), layout, rows.other_encoding)
+    shots = _shots(session, str(path), layout, rows.other_encoding)
     if format is not None and (other := others(layout, head)):
         note = f"read as {format}, as asked, though the columns are those of {' and '.join(other)}"
         shots = replace(shots, notes=(note, *shots.notes))
-    return _referred(shots, club)
+    return shots
+
+
+def _parquet_session(path: Path, hand: str | None, units: Mapping[str, str]) -> Session:
+    reader = ParquetReader(path)
+    try:
+        session = SessionReader(str(path), TABLE, _side(hand), units, decimal_comma=False)
+        return session.read_columns(reader.headings, reader.column_parts(PARQUET_ROWS))
+    finally:
+        reader.close()
 
 
 def is_monitors(path: str | os.PathLike[str]) -> bool:
@@ -118,7 +162,7 @@ def is_monitors(path: str | os.PathLike[str]) -> bool:
         return False
     rows = CsvRows(source, any_encoding=True, head_lines=HEAD_ROWS)
     try:
-        return detected(str(path), list(islice(_rows(rows), HEAD_ROWS))) is not None
+        return detected(str(path), list(islice(_rows(rows), HEAD_ROWS))) is not TABLE
     except FileError:
         return False
     finally:
@@ -132,21 +176,6 @@ def _refuse_no_table(path: Path) -> None:
         raise FileError(str(path), None, "this is motion capture; clubface capture read makes a table of it")
     if ending in (".xlsx", ".xls", ".ods", ".numbers"):
         raise FileError(str(path), None, "this is a spreadsheet; save it as CSV")
-
-
-def _own(path: str | os.PathLike[str], hand: str | None, units: Mapping[str, str], club: Any) -> RecordedShots:
-    """Return the shots of a table of clubface."""
-    return _referred(_with_hand(read_shots(path, units=units), hand), club)
-
-
-def _referred(shots: RecordedShots, club: Any) -> RecordedShots:
-    """Return the shots with notes on signs, referred to the points of a club where one is given."""
-    shots = replace(shots, notes=(*shots.notes, *suspected_signs(shots)))
-    if club is None:
-        return shots
-    from clubface.launch_monitor.reference_points import refer
-
-    return refer(shots, club)
 
 
 def _rows(rows: CsvRows) -> Iterator[Row | Reject]:
@@ -169,85 +198,112 @@ def _session(
     if comma is None:
         cells = [cell for row in sample if not isinstance(row, Reject) for cell in row[0]]
         comma = uses_decimal_comma(cells, delimiter)
-    side = float(HANDS[hand]) if hand is not None else float("nan")
-    reader = SessionReader(path, layout, side, units, comma, sample)
+    reader = SessionReader(path, layout, _side(hand), units, comma, sample, lambda row: is_foreign(layout, row))
     session = reader.read(chain(sample, rest))
-    if not reader.found_header:
+    if not reader.has_header:
         first = next((row for row in sample if not isinstance(row, Reject)), None)
         if first is None:
-            raise FileError(path, 1, "the file is empty")
+            raise _no_header(path, sample)
+        if layout is TABLE:
+            headings = listed([each.strip() for each in first[0]])
+            message = f"no column is of a delivery or a launch, such as ball_speed_mph; {headings}"
+            raise FileError(path, first[1], message)
         groups = " or ".join(", ".join(group) for group in layout.marks)
         raise FileError(path, None, f"this is no {layout.title} file: no row names the columns {groups}")
     return session
 
 
-def _laid_out(session: Session, path: str, layout: Format, other_encoding: bool) -> RecordedShots:
-    shots = session.shots
-    for shot in shots:
-        to_path = shot.values.pop(FACE_TO_PATH, None)
-        if to_path is not None and "path" in shot.values:
-            shot.values.setdefault("face", shot.values["path"] + to_path)
-    names = [name for name in (*inputs(), *shot_words().dimensions) if any(name in shot.values for shot in shots)]
-    columns = {name: np.array([shot.values.get(name, np.nan) for shot in shots]) for name in dict.fromkeys(names)}
-    found = without_impossible(columns)
+def _side(hand: str | None) -> float:
+    return float(HANDS[hand]) if hand is not None else float("nan")
+
+
+def _no_header(path: str, rows: Sequence[Row | Reject]) -> FileError:
+    """Return the error on a file without a row that can be read."""
+    reject = next((row for row in rows if isinstance(row, Reject)), None)
+    return FileError(path, reject.line, reject.reason) if reject else FileError(path, 1, "the file is empty")
+
+
+def _shots(session: Session, path: str, layout: Format, other_encoding: bool = False) -> RecordedShots:
+    """Return the shots of a session, without values that no shot can have."""
+    tables = session.tables
+    rejected = tuple(sorted(session.rejected, key=lambda each: each.line or 0))
+    refuse_empty(path, sum(len(each.lines) for each in tables), rejected)
+    columns = {
+        name: np.concatenate([each.values.get(name, np.full(len(each.lines), np.nan)) for each in tables])
+        for name in dict.fromkeys(name for each in tables for name in each.values)
+    }
+    to_path = columns.pop(FACE_TO_PATH, None)
+    if to_path is not None and "path" in columns:
+        face = columns["path"] + to_path
+        columns["face"] = np.where(np.isnan(columns["face"]), face, columns["face"]) if "face" in columns else face
+    columns = {name: values for name, values in columns.items() if not np.isnan(values).all()}
+    cleaned = without_impossible(columns)
+    clubs, players = (
+        np.array([text for each in tables for text in getattr(each, name)], dtype=object) if has else None
+        for name, has in (("clubs", session.names_clubs), ("players", session.names_players))
+    )
     every = RecordedShots(
-        deliveries={name: values for name, values in found.columns.items() if name in inputs()},
-        launches={name: values for name, values in found.columns.items() if name not in inputs()},
-        clubs=np.array([shot.club for shot in shots], dtype=object) if session.names_clubs else None,
-        players=np.array([shot.player for shot in shots], dtype=object) if session.names_players else None,
-        hand=_hands(shots),
-        rows=np.array([shot.line for shot in shots], dtype=np.int64),
+        deliveries={name: values for name, values in cleaned.columns.items() if name in inputs()},
+        launches={name: values for name, values in cleaned.columns.items() if name not in inputs()},
+        clubs=clubs,
+        players=players,
+        hand=_hands(np.concatenate([each.hands for each in tables])),
+        rows=np.array([line for each in tables for line in each.lines], dtype=np.int64),
         source=path,
         format=layout.name,
-        rejected=tuple(session.rejected),
-        notes=(*_notes(session, layout, other_encoding), *found.notes),
-        speed_at=layout.speed_at,
-        face_at=layout.face_at,
+        rejected=rejected,
+        notes=(*_notes(session, layout, set(columns), other_encoding), *cleaned.notes),
+        **{"speed_at": layout.speed_at, "face_at": layout.face_at, **session.points},
     )
-    return without_emptied(every, found.emptied)
+    return without_emptied(every, cleaned.emptied)
 
 
-def _hands(shots: Sequence[Shot]) -> Any:
-    if any(shot.hand != shot.hand for shot in shots):
-        return None
-    return np.array([SIDES[shot.hand] for shot in shots], dtype=object)
+def refuse_empty(path: str, shots: int, rejected: tuple[RejectedRow, ...]) -> None:
+    """Refuse a file without a single shot, saying why its rows could not be used."""
+    if not shots:
+        unit_of = "row" if path.lower().endswith(PARQUET) else "line"
+        reasons = "; ".join(f"{unit_of} {each.line}: {each.reason}" for each in rejected[:SHOWN])
+        more = f" (and {len(rejected) - SHOWN} more)" if len(rejected) > SHOWN else ""
+        raise FileError(path, None, f"not one shot can be used: {reasons}{more}" if rejected else "there are no shots")
 
 
-def _notes(session: Session, layout: Format, other_encoding: bool) -> Iterator[str]:
-    measured = {name for shot in session.shots for name in shot.values}
+def without_emptied(shots: RecordedShots, emptied: Any) -> RecordedShots:
+    """Reject shots of which nothing is left without the values that cannot be."""
+    if not emptied.any():
+        return shots
+    lost = [RejectedRow(int(row), "nothing was measured that a shot can have") for row in shots.rows[emptied]]
+    rejected = tuple(sorted((*shots.rejected, *lost), key=lambda each: each.line or 0))
+    refuse_empty(shots.source, len(shots) - len(lost), rejected)
+    return replace(shots.select(~emptied), rejected=rejected)
+
+
+def _hands(hands: Any) -> Any:
+    return None if np.isnan(hands).any() else np.array([SIDES[each] for each in hands], dtype=object)
+
+
+def _notes(session: Session, layout: Format, measured: set[str], other_encoding: bool) -> Iterator[str]:
     yield from (text for name, text in layout.notes.items() if name in measured)
-    if measured & {"speed", "attack", "path"}:
+    if measured & {"speed", "attack", "path"} and layout is not TABLE:
         yield f"club speed, attack angle and path were taken at {POINTS[layout.speed_at]}"
-    if measured & {"loft", "face"}:
+    if measured & {"loft", "face"} and layout is not TABLE:
         yield f"dynamic loft and face angle were taken at {POINTS[layout.face_at]}"
     if session.guessed_hand:
         yield "the file does not say the hand: taken as right-handed; give the hand, left, if the player is not"
     if session.assumed:
-        told = ", ".join(f"{name} in {symbol}" for name, symbol in session.assumed.items())
-        yield f"the file does not name these units, which were assumed: {told}"
+        units = ", ".join(f"{name} in {symbol}" for name, symbol in session.assumed.items())
+        yield f"the file does not name these units, which were assumed: {units}"
     if session.unused:
-        unused = ", ".join(shortened(each, 40) for each in islice(session.unused, TOLD))
+        unused = ", ".join(shortened(each, 40) for each in islice(session.unused, COUNTED))
         yield f"not used, since what is in brackets is no unit: {unused}"
-    for name, counts in session.told.items():
-        shown = [f"{count} {shortened(value, 40)}" for value, count in islice(counts.items(), TOLD)]
-        yield f"{shortened(name, 40)}: {', '.join(shown)}" + ", ..." * (len(counts) > TOLD)
+    for name, counts in session.counts.items():
+        shown = [f"{count} {shortened(value, 40)}" for value, count in islice(counts.items(), COUNTED)]
+        yield f"{shortened(name, 40)}: {', '.join(shown)}" + ", ..." * (len(counts) > COUNTED)
+    for name, (count, cell) in session.unreadable.items():
+        cells = "1 cell holds" if count == 1 else f"{count} cells hold"
+        yield f"{shortened(name, 40)}: {cells} no number, such as {quoted_cell(cell)}, and count as not measured"
     if session.summaries:
-        yield f"rows of averages and deviations that were passed over: {session.summaries}"
+        yield f"rows of averages and deviations, which are no shots and were left out: {session.summaries}"
     if session.without_club:
         yield f"shots without club data, for which the file holds no club speed that can be: {session.without_club}"
     if other_encoding:
         yield "the file is not UTF-8: read as Windows-1252"
-
-
-def _with_hand(shots: RecordedShots, hand: str | None) -> RecordedShots:
-    return shots if hand is None else replace(shots, hand=np.array([hand] * len(shots), dtype=object))
-
-
-def _units(units: Mapping[str, str]) -> dict[str, str]:
-    """Return units by quantity or dimension, each checked."""
-    dimensions = shot_words().dimensions
-    known = [*dict.fromkeys(dimensions.values()), *dimensions]
-    for name, symbol in units.items():
-        check_choice("quantity or dimension", name, known)
-        unit(symbol, name=f"the unit of {name}", dimension=dimensions.get(name, name))
-    return dict(units)

@@ -1,60 +1,70 @@
-"""The rows of a launch monitor's file: header, units, averages and shots, and the values of each shot."""
+"""The rows of a file of recorded shots: headers, units, summaries and shots, and the values of the shots by column."""
 
 from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from math import isclose, nan
+from math import isfinite, nan
+from typing import Any
 
-from clubface.launch_monitor.cells import MIRRORED, WORLD, CellError, heading, reading
+import numpy as np
+
+from clubface.errors import FileError, shortened
+from clubface.launch_monitor.cells import FACE_TO_PATH, MIRRORED, WORLD, CellError, reading
 from clubface.launch_monitor.columns import Columns, Used, columns_of, is_units_row
 from clubface.launch_monitor.formats import Format
+from clubface.launch_monitor.summary_rows import summary_rows
 from clubface.recorded.possible import can_be
 from clubface.recorded.shots import RejectedRow
 from clubface.simulation.quantities import inputs
-from clubface.tables.cells import hand_of, quoted_cell
+from clubface.support.arrays import Floats
+from clubface.tables.cells import hand_of, quoted_cell, ragged_reason
 from clubface.tables.csv_rows import Row
+from clubface.tables.headings import POINTS
 from clubface.tables.rows import Reject
-from clubface.tables.spelling import plain
-from clubface.units import to_si, unit
+from clubface.units import size, to_si, unit
 
-SUMMARIES = frozenset(
-    {
-        "average", "averages", "avg", "mean", "median", "std dev", "stddev", "std", "sd", "dev", "deviation",
-        "standard deviation", "consistency", "min", "max", "minimum", "maximum",
-        "durchschnitt", "mittelwert", "standardabweichung", "gemiddelde", "promedio", "moyenne",
-    }
-)  # fmt: skip
-"""What stands first in a row that sums up others."""
-COUNTING = ("shot", "no", "index", "shot number")
-"""Headings of a column that numbers the shots; in a row that sums them up it says so."""
-SAME = 1e-6
+COUNTING = frozenset({"shot", "no", "index", "shot number", "shot no", "shot id", "nr", "number", "id"})
+"""Headings of a column that numbers the shots."""
+DERIVED = frozenset(
+    {"smash", FACE_TO_PATH, "apex", "landing_angle", "landing_speed", "flight_time", "total", "total_side"}
+)
+"""What a monitor computes from what it measured: a cell of it that cannot be read costs itself and not the shot."""
+BLOCK_ROWS = 16384
+"""Rows that are made shots at a time."""
+HEADINGS = 2
+"""Headings of a layout that make a row below the first header another header, if none of its cells is a number."""
+SHOWN = 3
+"""Values that an error names."""
+SAME = 1e-9
 """Relative difference up to which two cells say the same."""
+_NUMERIC = frozenset("0123456789+-.,−")
+_PLAIN = re.compile(r"-?\d{1,15}(\.\d{0,20})?", re.ASCII)
 
 
 @dataclass
-class Shot:
-    """The values of one row, by quantity, in SI units; sides across the target line are in world terms.
+class Shots:
+    """Shots that stand below one another, SI; sides across the target line are in world terms.
 
     Attributes
     ----------
-    line
-        Line in which the row begins.
+    lines
+        Line in which the row of each begins.
     values
-        What was measured.
-    club, player
-        Name of the club and of the player, or "".
-    hand
+        What was measured, by quantity; NaN where it was not.
+    clubs, players
+        Names, or "".
+    hands
         +1 for right, -1 for left, or NaN if it is not known.
     """
 
-    line: int
-    values: dict[str, float]
-    club: str = ""
-    hand: float = nan
-    player: str = ""
+    lines: list[int]
+    values: dict[str, Floats]
+    clubs: list[str]
+    players: list[str]
+    hands: Floats
 
 
 @dataclass
@@ -63,40 +73,64 @@ class Session:
 
     Attributes
     ----------
-    shots
-        One a row.
+    tables
+        The shots of each part of the file.
     rejected
         The rows that give no shot.
     summaries
-        Rows of averages and the like that were passed over.
+        Rows of averages and the like, which are left out.
     without_club
         Shots for which the file says that the club was not measured.
-    told
-        How often each value of the columns to be told of is there, by heading.
+    counts
+        How often each value stands in the columns that a note counts, by heading.
     assumed
         Headings whose unit was assumed, with the unit.
     unused
         Headings that would give a quantity but for what is in their brackets.
+    unreadable
+        Cells of computed quantities that hold no number, by heading: how many, and one of them.
+    points
+        Where on the club data was taken, as columns of the file say.
     guessed_hand
-        Whether something told in terms of the club was read as a right-hander's because nothing tells the hand.
+        Whether something in terms of the club was read as a right-hander's because nothing names the hand.
     names_clubs, names_players
         Whether the file names clubs and players.
     """
 
-    shots: list[Shot] = field(default_factory=list)
+    tables: list[Shots] = field(default_factory=list)
     rejected: list[RejectedRow] = field(default_factory=list)
     summaries: int = 0
     without_club: int = 0
-    told: dict[str, Counter[str]] = field(default_factory=dict)
+    counts: dict[str, Counter[str]] = field(default_factory=dict)
     assumed: dict[str, str] = field(default_factory=dict)
     unused: dict[str, None] = field(default_factory=dict)
+    unreadable: dict[str, tuple[int, str]] = field(default_factory=dict)
+    points: dict[str, str] = field(default_factory=dict)
     guessed_hand: bool = False
     names_clubs: bool = False
     names_players: bool = False
 
 
 class SessionReader:
-    """Goes through the rows of a file of a known layout."""
+    """Goes through the rows of a file of a known layout.
+
+    Parameters
+    ----------
+    path
+        The file, for errors.
+    layout
+        Its layout.
+    hand
+        +1 or -1 for every shot, or NaN where the file may say it.
+    units
+        Units of columns that name none, by quantity or dimension.
+    decimal_comma
+        How numbers are written.
+    sample
+        The first rows, whose cells may name the units of their columns.
+    is_foreign
+        Whether the cells of a row are a header that this layout cannot read.
+    """
 
     def __init__(
         self,
@@ -106,6 +140,7 @@ class SessionReader:
         units: Mapping[str, str],
         decimal_comma: bool,
         sample: Sequence[Row | Reject] = (),
+        is_foreign: Callable[[Sequence[str]], bool] = lambda cells: False,
     ) -> None:
         self._path = path
         self._sample = [row for row in sample if not isinstance(row, Reject)]
@@ -113,16 +148,18 @@ class SessionReader:
         self._hand = hand
         self._units = units
         self._decimal_comma = decimal_comma
+        self._is_foreign = is_foreign
         self._columns: Columns | None = None
         self._header: Sequence[str] = ()
-        self._header_line = 0
-        self._counting: Sequence[int] = ()
+        self._header_line: int | None = 0
+        self._block: list[Sequence[str]] = []
+        self._lines: list[int] = []
         self._title = re.compile(layout.title_of_player) if layout.title_of_player else None
         self._player = ""
         self.session = Session()
 
     @property
-    def found_header(self) -> bool:
+    def has_header(self) -> bool:
         """Whether a row was the header of the layout."""
         return bool(self._header)
 
@@ -133,117 +170,322 @@ class SessionReader:
                 self._reject(row.line, row.reason)
                 continue
             cells, line, _ = row
-            if not any(cell.strip() for cell in cells):
-                continue
-            if self._may_be_header(cells) and self._layout.is_marked({heading(each).name for each in cells}):
-                self._header, self._header_line, self._columns = cells, line, None
-            elif self._title is not None and (found := self._title.fullmatch(cells[0].strip())):
-                self._player = found[1]
-                self.session.names_players = True
-            elif self._header:
-                self._body(cells, line)
+            columns = self._columns
+            # Most rows of most files are shots, which the first number tells.
+            if columns and len(cells) == columns.width and cells[columns.first].lstrip()[:1] in _NUMERIC:
+                self._block.append(cells)
+                self._lines.append(line)
+                if len(self._lines) >= BLOCK_ROWS:
+                    self._end_block()
+            elif any(cell.strip() for cell in cells):
+                self._read_other(cells, line)
+        self._end_block()
         return self.session
 
-    def _may_be_header(self, cells: Sequence[str]) -> bool:
-        """Tell whether a row is worth a closer look: tables after the first begin with the same heading."""
-        return not self._header or cells[0] == self._header[0]
+    def read_columns(self, headings: Sequence[str], parts: Iterable[tuple[Sequence[Any], Sequence[int]]]) -> Session:
+        """Return what a table says whose rows come by column, as texts or numbers, with the line of each row."""
+        self._begin_table(headings, None)
+        self._choose_columns(None, [])
+        for cells, lines in parts:
+            self._take(cells, list(lines))
+        return self.session
 
-    def _body(self, cells: Sequence[str], line: int) -> None:
+    def _texts(self, cells: Sequence[Any], place: int) -> Sequence[str]:
+        """Return the cells of a column of names, which a Parquet file may have as numbers."""
+        column = cells[place]
+        return ["" if each != each else f"{each:.15g}" for each in column] if _is_array(column) else column
+
+    def _read_other(self, cells: Sequence[str], line: int) -> None:
+        """Read a row that may be no shot."""
+        if not self._has_numbers(cells):
+            if self._is_header(cells):
+                self._begin_table(cells, line)
+                return
+            if self._header and self._is_foreign(cells):
+                message = "a table with columns of another kind begins here; save each table as a file of its own"
+                raise FileError(self._path, line, message)
+            if self._title is not None and (title := self._title.fullmatch(cells[0].strip())):
+                self._end_block()
+                self._player = title[1]
+                self.session.names_players = True
+                return
+        if not self._header:
+            return
         if self._columns is None:
-            units = cells if is_units_row(cells) else None
-            place = (self._path, self._header_line)
-            below = [each for each, at, _ in self._sample if at > self._header_line]
-            self._columns = columns_of(self._layout, self._header, units, self._units, place, below)
-            self._counting = [place for place, each in enumerate(self._header) if plain(each) in COUNTING]
-            self.session.assumed.update(self._columns.assumed)
-            self.session.unused.update(dict.fromkeys(self._columns.unused))
-            self.session.names_clubs |= bool(self._columns.club)
-            self.session.names_players |= self._columns.player is not None
-            if units is not None:
+            units_row = cells if is_units_row(cells) else None
+            below = [each for each, at, _ in self._sample if at > (self._header_line or 0)]
+            self._choose_columns(units_row, below)
+            if units_row is not None:
                 return
         columns = self._columns
-        if any(plain(cells[place]) in SUMMARIES for place in (0, *self._counting) if place < len(cells)):
-            self.session.summaries += 1
-            return
+        assert columns is not None
         beyond = [cell for cell in cells[columns.width :] if cell.strip()]
-        if len(cells) < columns.width or beyond:
-            reason = f"{len(cells)} cell{'s' * (len(cells) != 1)} where there are {columns.width} columns"
-            self._reject(line, reason)
+        if len(cells) < columns.needed or beyond:
+            self._reject(line, ragged_reason(cells, columns.width))
             return
-        try:
-            shot = self._shot(cells, line, columns)
-        except CellError as error:
-            self._reject(line, str(error))
-            return
-        self.session.shots.append(shot)
-        for place in columns.told:
-            if cells[place].strip():
-                self.session.told.setdefault(self._header[place].strip(), Counter())[cells[place].strip()] += 1
+        self._block.append([*cells, *[""] * columns.width][: columns.width])
+        self._lines.append(line)
+
+    def _is_header(self, cells: Sequence[str]) -> bool:
+        """Tell whether a row names the columns of a table."""
+        if self._layout.is_header(cells):
+            return True
+        known = self._layout.known({self._layout.heading(each).name for each in cells})
+        return bool(self._header) and known >= HEADINGS and not self._is_foreign(cells)
+
+    def _has_numbers(self, cells: Sequence[str]) -> bool:
+        """Tell whether a cell of a column that is used holds a number, so that the row is no header."""
+        if self._columns is None:
+            return False
+        places = (each.place for used in self._columns.used.values() for each in used)
+        return any(place < len(cells) and any(map(str.isdigit, cells[place])) for place in places)
+
+    def _begin_table(self, headings: Sequence[str], line: int | None) -> None:
+        self._end_block()
+        self._header, self._header_line, self._columns = headings, line, None
+
+    def _choose_columns(self, units_row: Sequence[str] | None, below: Sequence[Sequence[str]]) -> None:
+        place = (self._path, self._header_line)
+        self._columns = columns = columns_of(self._layout, self._header, units_row, self._units, place, below)
+        session = self.session
+        session.assumed.update(columns.assumed)
+        session.unused.update(dict.fromkeys(columns.unused))
+        session.names_clubs |= bool(columns.club)
+        session.names_players |= columns.player is not None
 
     def _reject(self, line: int, reason: str) -> None:
         self.session.rejected.append(RejectedRow(line, reason))
 
-    def _shot(self, cells: Sequence[str], line: int, columns: Columns) -> Shot:
-        hand = self._hand
-        if hand != hand and columns.hand is not None:
-            try:
-                hand = hand_of(cells[columns.hand])
-            except ValueError:
-                told = f"{self._header[columns.hand].strip()}: {quoted_cell(cells[columns.hand].strip())}"
-                raise CellError(f"{told} is not a hand") from None
-        values: dict[str, float] = {}
-        for quantity, used in columns.used.items():
-            found = [
-                (each, value) for each in used if (value := self._value(cells[each.place], each, hand)) is not None
-            ]
-            if not found:
-                continue
-            for each, value in found[1:]:
-                if not isclose(value, found[0][1], rel_tol=SAME):
-                    first, second = (cells[which.place].strip() for which in (found[0][0], each))
-                    message = f"{each.heading}: the columns {found[0][0].place + 1} and {each.place + 1} differ"
-                    raise CellError(f"{message}: {quoted_cell(first)} and {quoted_cell(second)}")
-            values[quantity] = found[0][1]
-        club = next((cells[place].strip() for place in columns.club if cells[place].strip()), "")
-        player = self._player if columns.player is None else cells[columns.player].strip()
-        return Shot(line, self._checked(values), club, hand, player)
+    def _end_block(self) -> None:
+        if self._lines:
+            block, lines = self._block, self._lines
+            self._block, self._lines = [], []
+            self._take(list(zip(*block, strict=True)), lines)
 
-    def _checked(self, values: dict[str, float]) -> dict[str, float]:
-        if values.get("ball_speed") == 0.0:
-            raise CellError("the ball speed is 0: no ball was measured")
-        speed = values.get("speed")
-        if not can_be("speed", speed) if speed is not None else self._writes_zeros(values):
-            self.session.without_club += 1
-            values = {name: value for name, value in values.items() if name not in inputs()}
-            if speed:
-                values["speed"] = speed  # which no club has; it is told with all such values
-        if not values:
-            raise CellError("nothing was measured: every cell of the club and the ball is empty")
+    def _take(self, cells: Sequence[Any], lines: list[int]) -> None:
+        """Add the shots of some rows below the same header, whose cells come by column."""
+        columns, session = self._columns, self.session
+        assert columns is not None
+        reasons: dict[int, str] = {}
+        hands = self._hands(cells, len(lines), reasons)
+        unreadable: dict[str, dict[int, str]] = {}
+        values = {
+            quantity: self._quantity(cells, used, hands, reasons, unreadable) for quantity, used in columns.used.items()
+        }
+        labels = {place: each for place, each in columns.labels.items() if not _is_array(cells[place])}
+        left_out = summary_rows(labels, cells, values)
+        session.summaries += len(left_out)
+        self._check(values, reasons)
+        for row in sorted(reasons.keys() - left_out):
+            self._reject(lines[row], reasons[row])
+        for heading, bad in unreadable.items():
+            if wrong := [cell for row, cell in bad.items() if row not in left_out and row not in reasons]:
+                count, first = session.unreadable.get(heading, (0, wrong[0]))
+                session.unreadable[heading] = (count + len(wrong), first)
+        kept = [row for row in range(len(lines)) if row not in reasons and row not in left_out]
+        if not kept:
+            return
+        self._leave_out_clubs(values, kept)
+        self._take_points(cells, kept)
+        for place in columns.counted:
+            texts = self._texts(cells, place)
+            shown = Counter(text for row in kept if (text := texts[row].strip()))
+            session.counts.setdefault(self._header[place].strip(), Counter()).update(shown)
+        clubs = [self._texts(cells, place) for place in columns.club]
+        players = None if columns.player is None else self._texts(cells, columns.player)
+        session.tables.append(
+            Shots(
+                [lines[row] for row in kept],
+                {name: each[kept] for name, each in values.items()},
+                [next((text for each in clubs if (text := each[row].strip())), "") for row in kept],
+                [self._player if players is None else players[row].strip() for row in kept],
+                hands[kept],
+            )
+        )
+
+    def _hands(self, cells: Sequence[Any], count: int, reasons: dict[int, str]) -> Floats:
+        assert self._columns is not None
+        place = self._columns.hand
+        hands = np.full(count, self._hand)
+        if self._hand == self._hand or place is None:
+            return hands
+        known: dict[str, float] = {}
+        for row, cell in enumerate(self._texts(cells, place)):
+            try:
+                hands[row] = known[cell] = known[cell] if cell in known else hand_of(cell)
+            except ValueError:
+                text = cell.strip()
+                what = f"{quoted_cell(text)} is not a hand" if text else "the cell is empty"
+                reasons.setdefault(row, f"{self._header[place].strip()}: {what}")
+        return hands
+
+    def _quantity(
+        self,
+        cells: Sequence[Any],
+        used: Sequence[Used],
+        hands: Floats,
+        reasons: dict[int, str],
+        unreadable: dict[str, dict[int, str]],
+    ) -> Floats:
+        """Return the values of a quantity; where several columns have it, of the one with the finest steps."""
+        values = self._numbers(cells[used[0].place], used[0], hands, reasons, unreadable)
+        if len(used) == 1:
+            return values
+        step = _steps(cells[used[0].place], used[0], self._decimal_comma)
+        for each in used[1:]:
+            other = self._numbers(cells[each.place], each, hands, reasons, unreadable)
+            other_step = _steps(cells[each.place], each, self._decimal_comma)
+            # In two units both are rounded; in the same, one is a rounding of the other.
+            coarser = np.where(step == other_step, 0.0, np.maximum(step, other_step))
+            rounding = coarser if each.unit == used[0].unit else step + other_step
+            apart = np.abs(values - other) > 0.5 * rounding * (1.0 + 1e-6) + SAME * np.abs(values)
+            for row in np.flatnonzero(apart):
+                pair = [quoted_cell(str(cells[of.place][row]).strip()) for of in (used[0], each)]
+                reasons.setdefault(int(row), f"{_both(used[0], each)}: {pair[0]} and {pair[1]}")
+            taken = np.isnan(values) | (other_step < step)
+            taken &= ~np.isnan(other)
+            values, step = np.where(taken, other, values), np.where(taken, other_step, step)
         return values
 
-    @staticmethod
-    def _writes_zeros(values: Mapping[str, float]) -> bool:
-        """Tell whether all that is said of the club is zeros, as by programs that write them for no measurement."""
-        said = [value for name, value in values.items() if name in inputs()]
-        return bool(said) and not any(said)
+    def _numbers(
+        self,
+        cells: Any,
+        column: Used,
+        hands: Floats,
+        reasons: dict[int, str],
+        unreadable: dict[str, dict[int, str]],
+    ) -> Floats:
+        """Return the SI values of a column with their signs here, NaN where nothing was measured."""
+        mirrored = np.sign(hands) if column.quantity in MIRRORED else None
+        quick = cells if _is_array(cells) else _floats(cells, self._decimal_comma)
+        if quick is not None:
+            for row in np.flatnonzero(np.isinf(quick)):
+                self._note_unreadable(int(row), f"{quick[row]}", "not a finite number", column, reasons, unreadable)
+            values = to_si(np.where(np.isinf(quick), nan, quick) * column.side.sign, column.unit)
+            if mirrored is not None and column.side.frame != WORLD:
+                self._guess_hands(hands, ~np.isnan(values))
+                values = np.where(mirrored < 0.0, -values, values)
+            return values
+        values = np.full(len(cells), nan)
+        other_units: dict[int, str] = {}
+        signs = np.full(len(cells), column.side.sign)
+        in_club_terms = np.full(len(cells), column.side.frame != WORLD)
+        for row, cell in enumerate(cells):
+            if not self._decimal_comma and _PLAIN.fullmatch(cell):
+                values[row] = float(cell)
+                continue
+            try:
+                content = reading(cell, column.quantity, self._decimal_comma)
+            except CellError as error:
+                self._note_unreadable(row, cell, str(error), column, reasons, unreadable)
+                continue
+            if content is None:
+                continue
+            if content.unit is not None and unit(content.unit).dimension != unit(column.unit).dimension:
+                what = f"not in {column.unit} or another such unit"
+                self._note_unreadable(row, cell, what, column, reasons, unreadable)
+                continue
+            if not isfinite(content.value):
+                self._note_unreadable(row, cell, "not a finite number", column, reasons, unreadable)
+                continue
+            values[row] = content.value
+            if content.side is not None:
+                signs[row], in_club_terms[row] = 1.0, content.side.frame != WORLD
+            if content.unit is not None:
+                other_units[row] = content.unit
+        values *= signs
+        if mirrored is not None and in_club_terms.any():
+            self._guess_hands(hands, in_club_terms & ~np.isnan(values))
+            values = np.where(in_club_terms & (mirrored < 0.0), -values, values)
+        in_si = to_si(values, column.unit)
+        for row, symbol in other_units.items():
+            in_si[row] = to_si(values[row], symbol)
+        return in_si
 
-    def _value(self, cell: str, column: Used, hand: float) -> float | None:
-        """Return the SI value of a cell with its sign here, None where nothing was measured."""
-        try:
-            found = reading(cell, column.quantity, self._decimal_comma)
-        except CellError as error:
-            raise CellError(f"{column.heading}: {quoted_cell(cell.strip())} is {error}") from None
-        if found is None:
-            return None
-        side = found.side or column.side
-        value = found.value if found.side else found.value * side.sign
-        if side.frame != WORLD and column.quantity in MIRRORED:
-            if hand < 0.0:
-                value = -value
-            self.session.guessed_hand |= hand != hand
-        if found.unit is None:
-            return to_si(value, column.unit)
-        if unit(found.unit).dimension != unit(column.unit).dimension:
-            told = f"{quoted_cell(cell.strip())} is not in {column.unit} or another such unit"
-            raise CellError(f"{column.heading}: {told}")
-        return to_si(value, found.unit)
+    def _guess_hands(self, hands: Floats, told: Any) -> None:
+        self.session.guessed_hand |= bool((np.isnan(hands) & told).any())
+
+    def _note_unreadable(
+        self,
+        row: int,
+        cell: str,
+        what: str,
+        column: Used,
+        reasons: dict[int, str],
+        unreadable: dict[str, dict[int, str]],
+    ) -> None:
+        """Note a cell that holds no number: of a computed quantity it costs the cell, otherwise the row."""
+        if column.quantity in DERIVED:
+            unreadable.setdefault(column.heading, {})[row] = cell.strip()
+        else:
+            reasons.setdefault(row, f"{column.heading}: {quoted_cell(cell.strip())} is {what}")
+
+    @staticmethod
+    def _check(values: Mapping[str, Floats], reasons: dict[int, str]) -> None:
+        """Reject rows of which no ball was measured, or nothing."""
+        for row in np.flatnonzero(values.get("ball_speed", np.empty(0)) == 0.0):
+            reasons.setdefault(int(row), "the ball speed is 0: no ball was measured")
+        for row in np.flatnonzero(np.all([np.isnan(each) for each in values.values()], axis=0)):
+            reasons.setdefault(int(row), "nothing was measured: every cell of a delivery or launch is empty")
+
+    def _leave_out_clubs(self, values: dict[str, Floats], kept: Sequence[int]) -> None:
+        """Leave out the club data of shots whose club was not measured, which a speed that cannot be tells."""
+        of_club = [name for name in values if name in inputs()]
+        if not of_club:
+            return
+        speed = values.get("speed", np.full_like(values[of_club[0]], nan))
+        table = np.array([values[name] for name in of_club])
+        measured = ~np.isnan(table)
+        # Programs write zeros for no measurement.
+        zeros = np.isnan(speed) & measured.any(axis=0) & ((table == 0.0) | ~measured).all(axis=0)
+        lacking = zeros | ~can_be("speed", speed)
+        if lacking.any():
+            self.session.without_club += int(lacking[kept].sum())
+            for name in of_club:
+                # A speed that no club has stays: it is named with all such values.
+                gone = lacking & (speed == 0.0) if name == "speed" else lacking
+                values[name] = np.where(gone, nan, values[name])
+
+    def _take_points(self, cells: Sequence[Any], kept: Sequence[int]) -> None:
+        """Take where club data was taken, which must be the same for all shots."""
+        assert self._columns is not None
+        for name, place in self._columns.points.items():
+            held = {str(cells[place][row]).strip() for row in kept}
+            held |= {self.session.points[name]} if name in self.session.points else set()
+            if len(held) > 1 or not held <= set(POINTS[name]):
+                shown = ", ".join(shortened(each, 40) for each in sorted(held)[:SHOWN])
+                allowed = f"one of {', '.join(POINTS[name])}, the same for all shots"
+                raise FileError(self._path, None, f"the column {name!r} holds {shown}; it must be {allowed}", name)
+            self.session.points[name] = held.pop()
+
+
+def _is_array(cells: Any) -> bool:
+    return isinstance(cells, np.ndarray)
+
+
+def _floats(cells: Sequence[str], decimal_comma: bool) -> Floats | None:
+    """Return the cells of a column as numbers where each is one, as for most columns of most files; else None."""
+    joined = "".join(cells)
+    if "_" in joined or (decimal_comma and "." in joined):
+        return None
+    try:
+        values = np.array([*map(float, [each.replace(",", ".") for each in cells] if decimal_comma else cells)])
+    except ValueError:
+        return None
+    return values if np.isfinite(values).all() else None
+
+
+def _steps(cells: Any, column: Used, decimal_comma: bool) -> Floats:
+    """Return the last place [SI] to which each cell of a column is written."""
+    if _is_array(cells):
+        return np.zeros(len(cells))
+    point = "," if decimal_comma else "."
+    found = [re.search(rf"\d+(?:{re.escape(point)}(\d*))?", cell.replace("'", "")) for cell in cells]
+    places = np.array([len(each[1] or "") if each else 0 for each in found])
+    return 10.0**-places * size(column.unit)
+
+
+def _both(one: Used, other: Used) -> str:
+    if one.heading == other.heading:
+        return f"{one.heading}: the column is there twice, and columns {one.place + 1} and {other.place + 1} differ"
+    return f"the columns {one.heading!r} and {other.heading!r} both give the {one.quantity} and differ"

@@ -16,13 +16,13 @@ import numpy as np
 from clubface.equipment.clubs import Club
 from clubface.errors import FileError
 from clubface.launch_monitor.reading import is_monitors, read
+from clubface.launch_monitor.tables import TABLE
 from clubface.measured.ready import ReadyShots, ready_shots
 from clubface.measured.shots import assumptions
-from clubface.recorded.file import CLUB_HEADINGS
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.quantities import inputs
 from clubface.support.fingerprint import fingerprint
-from clubface.tables.headings import POINTS, Column, Layout, layout, plain_name, require_speed
+from clubface.tables.headings import POINTS, Column, Layout, check_units, layout, plain_name, require_speed
 from clubface.tables.memory_reader import MemoryReader
 from clubface.tables.reader import open_table
 from clubface.tables.rows import Chunk, Reader, Reject
@@ -30,7 +30,8 @@ from clubface.tables.rows import Chunk, Reader, Reject
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-READING = ("format", "mapping", "units")
+LAID_OUT = ("format", "mapping")
+READING = (*LAID_OUT, "units")
 CHOICE = ("only", "where", "assume")
 """What may be said of a file of shots: how it is read, and which shots are meant and completed."""
 
@@ -74,20 +75,23 @@ def open_source(path: Path, club: Club, *, hand: str | None, mismatch: str, **sa
         As for :func:`clubface.measured.ready.ready_shots` and :func:`clubface.launch_monitor.read`: those of
         ``CHOICE`` and ``READING``.
     """
-    if any(said[name] for name in READING) or is_monitors(path):
+    units = check_units(said["units"] or {})
+    if any(said[name] for name in LAID_OUT) or is_monitors(path):
         recorded = read(path, hand=hand, **{name: said[name] for name in READING})
         ready = ready_shots(recorded, club=club, mismatch=mismatch, **{name: said[name] for name in CHOICE})
-        return _of_shots(_as_read(recorded, ready, path), recorded, ready)
+        reader = _as_read(recorded, ready, path)
+        return _of_shots(reader, layout(reader.headings, reader.path, reader.header_line), recorded, ready)
     reader = open_table(path)
     try:
-        columns = layout(reader.headings, reader.path, reader.header_line)
+        columns = layout(reader.headings, reader.path, reader.header_line, given_units=units)
         names = {plain_name(each) for each in columns.headings}
-        if names.isdisjoint((*CLUB_HEADINGS, *POINTS)) and not any(said[name] for name in CHOICE):
+        telling = {*map(plain_name, TABLE.club), *POINTS}
+        if names.isdisjoint(telling) and not any(said[name] for name in CHOICE):
             require_speed(columns, reader.path, reader.header_line)
             return Source(reader, columns, columns.used, columns.notes)
-        recorded = read(path)
+        recorded = read(path, units=units)
         ready = ready_shots(recorded, club=club, mismatch=mismatch, **{name: said[name] for name in CHOICE})
-        return _of_shots(reader, recorded, ready)
+        return _of_shots(reader, columns, recorded, ready)
     except BaseException:
         reader.close()
         raise
@@ -101,9 +105,8 @@ def _as_read(recorded: RecordedShots, ready: ReadyShots, path: Path) -> MemoryRe
     return MemoryReader(str(path), columns, shots.rows.tolist(), rejected)
 
 
-def _of_shots(reader: Reader, recorded: RecordedShots, ready: ReadyShots) -> Source:
+def _of_shots(reader: Reader, columns: Layout, recorded: RecordedShots, ready: ReadyShots) -> Source:
     """Return the rows of a table whose deliveries are those of recorded shots."""
-    columns = layout(reader.headings, reader.path, reader.header_line)
     deliveries = {name: values for name, values in ready.delivery().items() if np.isfinite(values).any()}
     if "speed" not in deliveries:
         raise FileError(reader.path, None, "the clubhead speed was measured for no shot", "speed")

@@ -28,6 +28,8 @@ THOUSANDS = {
     ".": re.compile(r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?"),
 }
 """Numbers whose thousands are separated by a sign, by that sign."""
+SHOWN = 3
+"""Cells beyond the columns that a reason shows."""
 _HANDS = {**HANDS, "r": 1, "l": -1, "rh": 1, "lh": -1, "right handed": 1, "left handed": -1, "1": 1, "+1": 1, "-1": -1}
 
 
@@ -123,3 +125,12 @@ def _in_unit(text: str, symbol: str, decimal_comma: bool) -> float:
 def quoted_cell(text: str) -> str:
     """Return a cell as an error shows it."""
     return repr(shortened(text, 40))
+
+
+def ragged_reason(cells: Sequence[str], width: int) -> str:
+    """Return what is wrong with a row that has too few or too many cells."""
+    reason = f"{len(cells)} cell{'s' * (len(cells) != 1)} where there are {width} columns"
+    if len(cells) > width:
+        beyond = cells[width : width + SHOWN]
+        reason += "; beyond them: " + ", ".join(map(quoted_cell, beyond)) + ", ..." * (len(cells) > width + SHOWN)
+    return reason

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from clubface.errors import FileError
-from clubface.tables.cells import parsed, quoted_cell, uses_decimal_comma
+from clubface.tables.cells import parsed, ragged_reason, uses_decimal_comma
 from clubface.tables.csv_rows import DECIMAL_ROWS, CsvRows, Row
 from clubface.tables.headings import Column
 from clubface.tables.rows import Reject
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
 LARGEST_CHUNK = 64_000_000
 """Characters of text after which a chunk ends early, so that long rows do not fill the memory."""
-SHOWN = 3
-"""Cells beyond the columns that a reason shows."""
 
 
 class CsvReader:
@@ -146,8 +144,4 @@ class CsvChunk:
 
 
 def _ragged(cells: list[str], line: int, width: int) -> Reject:
-    reason = f"{len(cells)} cell{'s' * (len(cells) != 1)} where there are {width} columns"
-    if len(cells) > width:
-        beyond = cells[width : width + SHOWN]
-        reason += "; beyond them: " + ", ".join(map(quoted_cell, beyond)) + ", ..." * (len(cells) > width + SHOWN)
-    return Reject(line, reason, (cells + [""] * width)[:width])
+    return Reject(line, ragged_reason(cells, width), (cells + [""] * width)[:width])

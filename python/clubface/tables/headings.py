@@ -10,6 +10,7 @@ from typing import NamedTuple
 from clubface import units
 from clubface.errors import FileError, shortened
 from clubface.simulation.quantities import flight_outputs, input_dimensions, inputs, outputs
+from clubface.support.checks import check_choice
 from clubface.tables.spelling import bracketed, plain, unit_of_column
 
 SYNONYMS = {
@@ -54,6 +55,8 @@ LAUNCH_SYNONYMS = {
 """The quantities of a launch and its flight that a table may hold, with other names of each."""
 
 HAND = "hand"
+MOST_NAMED = 12
+"""Columns that an error names."""
 
 
 class Vocabulary(NamedTuple):
@@ -140,14 +143,14 @@ def layout(
     path: str,
     line: int | None,
     words: Vocabulary | None = None,
-    told_units: Mapping[str, str] | None = None,
+    given_units: Mapping[str, str] | None = None,
 ) -> Layout:
     """Find the quantities among ``headings``; a unit that does not fit or a repeated column is an error.
 
-    Without ``words`` they are the inputs of an impact. ``told_units`` are the units, by quantity or dimension, of
-    columns that name none.
+    Without ``words`` they are the inputs of an impact. ``given_units`` are the units, by quantity or dimension, of
+    columns that name none; all columns that then have none are named in an error.
     """
-    told_units = told_units or {}
+    given_units = given_units or {}
     words = words or delivery_words()
     named = tuple(heading.strip() or f"column_{place + 1}" for place, heading in enumerate(headings))
     if len(set(named)) < len(named):
@@ -155,6 +158,7 @@ def layout(
         raise FileError(path, line, f"the column {heading!r} is there twice", heading)
     used: dict[str, Column] = {}
     passed, notes = [], []
+    without_unit: list[tuple[str, str]] = []
     for place, heading in enumerate(named):
         name, unit = split_heading(heading, words)
         quantity = words.names.get(name)
@@ -170,12 +174,68 @@ def layout(
         dimension = words.dimensions[quantity]
         if unit is not None:
             symbol = unit_of_column(unit, dimension, heading, (path, line))
-        elif (told := told_units.get(quantity) or told_units.get(dimension)) is not None:
-            symbol = told
-        elif (symbol := units.SI_UNITS[dimension]) != "1":
-            notes.append(f"the column {shortened(heading, 80)!r} names no unit and is taken in {symbol}")
-        used[quantity] = Column(place, heading, quantity, symbol)
+        else:
+            symbol = given_unit(given_units, quantity, dimension)
+            if symbol is None and dimension != units.DIMENSIONLESS:
+                without_unit.append((heading, quantity))
+        used[quantity] = Column(place, heading, quantity, symbol or "1")
+    if without_unit:
+        raise missing_units(without_unit, path, line, words.dimensions)
     return Layout(named, tuple(used.values()), tuple(passed), tuple(notes))
+
+
+SPIN = ("backspin", "sidespin", "total_spin")
+GROUPS = {"spin": ("angular rate", SPIN)}
+"""Names under which units may be given for several quantities of a dimension at once."""
+
+
+def given_unit(given: Mapping[str, str], quantity: str, dimension: str) -> str | None:
+    """Return the unit that was given for a quantity: by its name, its group or its dimension, the closest first."""
+    groups = (name for name, (_, members) in GROUPS.items() if quantity in members)
+    return next((given[name] for name in (quantity, *groups, dimension) if name in given), None)
+
+
+def check_units(given: Mapping[str, str], dimensions: Mapping[str, str] | None = None) -> dict[str, str]:
+    """Return units by quantity, group or dimension, each checked; ``dimensions`` are those of the quantities.
+
+    Raises
+    ------
+    UnknownNameError
+        A name is none of them.
+    UnitError
+        A unit is not known, or of another dimension.
+    """
+    dimensions = shot_words().dimensions if dimensions is None else dimensions
+    groups = {name: dimension for name, (dimension, members) in GROUPS.items() if set(members) & set(dimensions)}
+    known = {**{each: each for each in dimensions.values()}, **groups, **dimensions}
+    for name, symbol in given.items():
+        check_choice("quantity or dimension", name, known)
+        units.unit(symbol, name=f"the unit of {name}", dimension=known[name])
+    return dict(given)
+
+
+def missing_units(
+    columns: Sequence[tuple[str, str]], path: str, line: int | None, dimensions: Mapping[str, str]
+) -> FileError:
+    """Return the error on columns, by heading and quantity, whose unit nothing names: a number alone is no value."""
+    options = {}
+    for _, quantity in columns:
+        dimension = dimensions[quantity]
+        unit = heading_of(quantity, units.SI_UNITS[dimension])[1]
+        if quantity in SPIN:
+            options["spin"] = unit
+        elif options.setdefault(dimension, unit) != unit or " " in dimension:
+            options[quantity] = unit
+    options = {name: unit for name, unit in options.items() if " " not in name}
+    if (shown := [shortened(repr(heading), 40) for heading, _ in columns[:MOST_NAMED]]) and len(columns) > MOST_NAMED:
+        shown.append(f"and {len(columns) - MOST_NAMED} more")
+    one = len(columns) == 1
+    message = (
+        f"the column{'s' * (not one)} {', '.join(shown)} name{'s' * one} no unit: give {'it' if one else 'them'}, as "
+        f"in {' '.join(f'--unit {name}={unit}' for name, unit in options.items())} (in Python units={options!r}), with "
+        "the units in which the numbers were written"
+    )
+    return FileError(path, line, message, columns[0][0])
 
 
 def require_speed(found: Layout, path: str, line: int | None) -> None:

@@ -72,6 +72,11 @@ class ParquetReader:
         except (OSError, self._arrow.ArrowException) as error:
             raise FileError(self.path, None, f"cannot be read after row {self._read}: {error}") from None
 
+    def column_parts(self, rows: int) -> Iterator[tuple[list[Any], Sequence[int]]]:
+        """Yield the cells of some ``rows`` at a time by column, as an array of numbers or as texts, and the rows."""
+        for chunk in self.chunks(rows, 0):
+            yield [chunk.cells(place) for place in range(len(self.headings))], chunk.lines
+
     def progress(self) -> float:
         """Return which part of the file has been read, 0 to 1."""
         return self._read / self._rows if self._rows else 1.0
@@ -96,14 +101,13 @@ class ParquetChunk:
     def numbers(self, column: Column) -> tuple[Any, dict[int, str]]:
         """Return the numbers of a column in its unit, and for rows without one, why."""
         import numpy as np
-        import pyarrow
 
         values = self._batch.column(column.place)
-        kind = values.type
-        numeric = pyarrow.types.is_integer(kind) or pyarrow.types.is_floating(kind)
-        if not numeric or column.quantity == HAND:
+        numbers = self.cells(column.place)
+        if isinstance(numbers, list):
+            return parsed(numbers, column, False)
+        if column.quantity == HAND:
             return parsed(["" if each is None else _text(each) for each in values.to_pylist()], column, False)
-        numbers = values.cast(pyarrow.float64(), safe=False).to_numpy(zero_copy_only=False)
         bad = np.flatnonzero(~np.isfinite(numbers))
         missing = values.is_null()
         reasons = {
@@ -112,6 +116,15 @@ class ParquetChunk:
             for row in bad
         }
         return numbers, reasons
+
+    def cells(self, place: int) -> Any:
+        """Return the cells of a column: an array of numbers, NaN where there is none, or a list of texts."""
+        import pyarrow
+
+        values = self._batch.column(place)
+        if pyarrow.types.is_integer(values.type) or pyarrow.types.is_floating(values.type):
+            return values.cast(pyarrow.float64(), safe=False).to_numpy(zero_copy_only=False)
+        return ["" if each is None else _text(each) for each in values.to_pylist()]
 
     def texts(self, rows: Sequence[int] | None) -> list[list[str]]:
         """Return the cells of some rows (None: all) as text."""

@@ -20,8 +20,8 @@ _BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 
 
 def plain(text: str) -> str:
-    """Return the words of a text in lower case, without punctuation."""
-    return " ".join(re.findall(r"\w+", unicodedata.normalize("NFC", text).casefold()))
+    """Return the words of a text in lower case, without punctuation; an underscore parts words as a space does."""
+    return " ".join(re.findall(r"[^\W_]+", unicodedata.normalize("NFC", text).casefold()))
 
 
 def bracketed(text: str) -> tuple[str, str | None]:
