@@ -187,6 +187,10 @@ class RangeWarning(UserWarning):
     """A shot outside what a model or its parameters were made for; it is computed all the same."""
 
 
+class AssumptionWarning(UserWarning):
+    """A quantity that a computation needs was not given and does not follow; the warning says what was taken for it."""
+
+
 class ImplausibleWarning(UserWarning):
     """A value no real club has, most often a unit left out (``mass = 204`` means 204 kg)."""
 

@@ -114,6 +114,28 @@ def test_shots_of_a_table_are_sent_and_what_is_refused_is_told(clubface_):
     assert heard[3].launch["ball_speed"] == pytest.approx(111.5 * MPH, rel=1e-12)
 
 
+def test_a_backspin_and_its_axis_are_sent_as_the_whole_vector(clubface_, tmp_path, monkeypatch):
+    """2650 rpm at 40 degrees are 3459 rpm in all, 2224 rpm to the right."""
+    monkeypatch.setattr("clubface.support.warning._given", set())
+    (tmp_path / "shots.csv").write_text(
+        "club,ball_speed_mph,launch_deg,azimuth_deg,backspin_rpm,spin_axis_deg\ndriver,143.1,13.4,1.9,2650,40\n"
+        "driver,143.1,13.4,1.9,2650,\n"
+    )
+    heard = []
+    with Listener(0) as listener:
+        thread = threading.Thread(target=lambda: heard.extend(listener.messages()))
+        thread.start()
+        try:
+            ran = clubface_("monitor", "send", str(tmp_path / "shots.csv"), "--port", str(listener.port))
+        finally:
+            listener.stop()
+            thread.join(5)
+    assert ran.status == 0
+    spins = {name: value * 30 / np.pi for name, value in heard[0].launch.items() if name.endswith("spin")}
+    assert spins == pytest.approx({"total_spin": 3459.3, "sidespin": 2223.6, "backspin": 2650.0}, abs=0.1)
+    assert "sidespin is not known" in ran.err  # of the second shot: the message must hold a number for it
+
+
 def test_a_listening_process_keeps_every_shot_and_ends_on_an_interrupt(tmp_path):
     path = tmp_path / "live.csv"
     child = subprocess.Popen(
@@ -142,7 +164,7 @@ def test_a_listening_process_keeps_every_shot_and_ends_on_an_interrupt(tmp_path)
     assert np.isnan(shots.launches["total_spin"]).tolist() == [False, False, True, True]
     assert shots.hand.tolist() == ["left"] * 4
     assert child.returncode == 130
-    assert "clubface: shot 3: no shot can have total_spin of 95000 rpm: taken as not measured" in said
+    assert "clubface: shot 3: no shot can have total_spin of 95000 rpm" in said
     assert said.count(": no shot can have") == 1  # the next shot has the same value, which is not told again
     assert "total_spin in 2 of 4 shots, such as 95000 rpm" in said
     assert f"clubface: interrupted: 4 shots in {path}" in said

@@ -114,11 +114,16 @@ def test_one_number_alone_is_enough_to_ask():
     assert "face" in words.not_learned(one)
 
 
-def test_total_spin_and_axis_stand_for_back_and_sidespin():
+@pytest.mark.parametrize(
+    "names",
+    [("total_spin", "spin_axis"), ("backspin", "spin_axis"), ("sidespin", "spin_axis"), ("sidespin", "total_spin")],
+)
+def test_any_two_spins_stand_for_back_and_sidespin(names):
     total, axis = math.hypot(2900, 300), math.degrees(math.atan2(-300, 2900))
-    polar = {**DRIVE, "total_spin": f"{total!r} rpm", "spin_axis": f"{axis!r} deg"}
-    del polar["backspin"], polar["sidespin"]
-    one = infer(polar, club="driver", samples=10)
+    spins = {"total_spin": f"{total!r} rpm", "spin_axis": f"{360.0 + axis!r} deg", "backspin": "2900 rpm"}
+    spins["sidespin"] = "-300 rpm"
+    start = {name: value for name, value in DRIVE.items() if name not in spins}
+    one = infer({**start, **{name: spins[name] for name in names}}, club="driver", samples=10)
     assert one.launch["backspin"] == pytest.approx(2900 * RPM, rel=1e-12)
     assert one.launch["sidespin"] == pytest.approx(-300 * RPM, rel=1e-12)
 
@@ -211,7 +216,10 @@ def test_a_bad_file_is_told_with_its_line(write, old, new, words_of_error):
         ({"ball_speed": 70.0}, {"delivery": ["speed"]}, "delivery is .* a mapping"),
         ({"ball_speed": 70.0}, {"seed": -1}, "seed is -1; it must be a whole number from 0"),
         ({"ball_sped": 70.0}, {}, "did you mean ball_speed"),
-        ({"total_spin": 300.0}, {}, "give total_spin and spin_axis together"),
+        ({"total_spin": 300.0, "backspin": 299.0}, {}, "give it with spin_axis or sidespin"),
+        ({"total_spin": 200.0, "backspin": 299.0}, {}, "one vector"),
+        ({"spin_axis": "5 deg"}, {}, "give it with total_spin or backspin"),
+        ({"total_spin": 300.0}, {}, "give it with spin_axis or sidespin"),
         ({"ball_speed": "70 deg"}, {}, "ball_speed"),
         ({"ball_speed": 70.0}, {"noise": {"ball_speed": 0.0}}, "an exact measurement cannot be sampled"),
         ({"ball_speed": 70.0}, {"samples": 0}, "from 1 to"),

@@ -1,6 +1,7 @@
 """Recorded shots: one table of deliveries and launches, read, completed, selected and written."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -73,10 +74,35 @@ def test_backspin_and_sidespin_give_total_and_axis_and_measured_values_stay():
     found = shots().launches
     np.testing.assert_allclose(found["total_spin"], [math.hypot(300, 40), np.nan], rtol=1e-15)
     np.testing.assert_allclose(found["spin_axis"], [-math.atan(40 / 300), np.nan], rtol=1e-15)
-    given = {"backspin": [1.0, np.nan], "total_spin": [100.0, 100.0], "spin_axis": [0.1, -0.1]}
+    given = {"backspin": [99.45, np.nan], "total_spin": [100.0, 100.0], "spin_axis": [0.1, -0.1]}
     found = shots(launches=given).launches
-    np.testing.assert_allclose(found["backspin"], [1.0, 100 * math.cos(0.1)], rtol=1e-15)
-    np.testing.assert_allclose(found["sidespin"], [np.nan, -100 * math.sin(0.1)], rtol=1e-15)
+    np.testing.assert_allclose(found["backspin"], [99.45, 100 * math.cos(0.1)], rtol=1e-15)
+    np.testing.assert_allclose(found["sidespin"], [100 * math.sin(0.1), -100 * math.sin(0.1)], rtol=1e-15)
+
+
+def test_spins_that_contradict_each_other_are_said_with_line_and_values_and_only_once():
+    given = {
+        "backspin": [2650 * RPM, 2500 * RPM],
+        "sidespin": [1703 * RPM, 0.0],
+        "total_spin": [3000 * RPM, 2500 * RPM],
+    }
+    found = shots(launches=given)
+    (note,) = found.notes
+    for part in ("line 2", "2650 rpm", "1703 rpm", "3000 rpm", "kept: backspin and sidespin"):
+        assert part in note
+    np.testing.assert_allclose(found.launches["total_spin"][0], math.hypot(2650, 1703) * RPM, rtol=1e-12)
+    assert found.select([True, False]).notes == found.notes
+
+
+def test_a_changed_spin_changes_those_that_follow_from_it():
+    """Backspin was measured, total spin follows: a corrected backspin does not contradict the old total."""
+    found = shots()
+    launches = found.launches | {"backspin": 1.1 * found.launches["backspin"]}
+    corrected = replace(found, launches=launches)
+    assert corrected.notes == ()
+    np.testing.assert_allclose(corrected.launches["total_spin"], [math.hypot(330, 40), np.nan], rtol=1e-12)
+    assert set(corrected.derived) == {"backspin", "sidespin", "total_spin", "spin_axis"}
+    assert np.isnan(corrected.derived["backspin"]).all()
 
 
 def test_what_is_written_is_read_back(write, tmp_path):
@@ -104,6 +130,8 @@ def test_every_quantity_has_a_column_that_is_read_as_itself(tmp_path):
 
     deliveries = {name: [0.005 + place / 1000] for place, name in enumerate(inputs()) if name != "hand"}
     launches = {name: [0.25 + place / 100] for place, name in enumerate(LAUNCH_SYNONYMS)}
+    launches |= {"backspin": [300.0], "sidespin": [-40.0]}
+    launches |= {"total_spin": [math.hypot(300, 40)], "spin_axis": [math.atan2(-40, 300)]}  # one vector
     shots(deliveries=deliveries, launches=launches, rows=[1]).write(tmp_path / "all.csv")
     found = read_shots(tmp_path / "all.csv")
     for name, values in (deliveries | launches).items():

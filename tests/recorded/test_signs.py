@@ -49,7 +49,7 @@ def test_a_turned_column_of_the_launch_is_told_if_everything_runs_against_it():
     (note,) = suspected_signs(turned(some("7-iron"), "azimuth"))
     assert note == ("the sign of azimuth disagrees with face and path from shot to shot: is it turned in this file?")
     # Thirty drives do not tell it of the toe, so that face and path are suspected as much as the axis.
-    notes = suspected_signs(turned(some("driver", 30), "spin_axis"))
+    notes = suspected_signs(turned(some("driver", 30), "sidespin", "spin_axis"))
     assert notes
     assert all(each.endswith("with spin_axis from shot to shot: is one of them turned in this file?") for each in notes)
 

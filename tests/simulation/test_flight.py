@@ -1,13 +1,14 @@
 """Flight at the Python boundary: launches and launch monitors' numbers in, distances out."""
 
 import math
+import warnings
 
 import numpy as np
 import pytest
 
 import clubface
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.errors import InputError, ShotError, UnitError, UnknownNameError
+from clubface.errors import AssumptionWarning, InputError, ShotError, UnitError, UnknownNameError
 from clubface.simulation.launch_terms import vectors
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
@@ -46,6 +47,26 @@ def test_the_terms_of_a_launch_monitor_are_those_of_a_launch(azimuth):
     assert -w[1] == 40.0
     tilted = vectors({"ball_speed": 70.0, "launch": 0.2, "azimuth": azimuth, "total_spin": 300.0, "spin_axis": 0.1})
     assert -tilted["spin_y"] == pytest.approx(300.0 * math.sin(0.1), rel=1e-14)
+
+
+def test_any_spins_that_settle_the_others_fly_the_same_ball():
+    """2650 rpm of backspin at 40 degrees are 3459.33 rpm in all, 2223.61 rpm of them to the right."""
+    start = {"ball_speed": 64.0, "launch": 0.23}
+    spins = {"backspin": "2650 rpm", "spin_axis": "40 deg", "total_spin": "3459.3294 rpm", "sidespin": "2223.6140 rpm"}
+    carries = [
+        clubface.fly(start | {name: spins[name] for name in pair}).carry
+        for pair in (spins, ("backspin", "spin_axis"), ("total_spin", "spin_axis"), ("sidespin", "spin_axis"))
+    ]
+    assert carries == pytest.approx(carries[:1] * 4, rel=1e-6)
+
+
+def test_a_flight_says_which_spin_it_assumes(monkeypatch):
+    monkeypatch.setattr("clubface.support.warning._given", set())
+    with pytest.warns(AssumptionWarning, match="sidespin is not known"):
+        clubface.fly(TOUR_DRIVE)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        clubface.fly({**TOUR_DRIVE, "sidespin": 0.0})
 
 
 def test_spin_to_the_right_and_wind_to_the_right_take_the_ball_right():
@@ -131,7 +152,7 @@ def test_a_topped_ball_still_flies_or_rolls():
         ({"ball_speed": "70 deg", "launch": 0.1}, {}, UnitError, "ball_speed"),
         ({"ball_sped": 70.0}, {}, UnknownNameError, "did you mean ball_speed"),
         ({"ball_speed": 70.0, "launch": 0.1, "velocity_x": 3.0}, {}, InputError, "velocity_x"),
-        ({"ball_speed": 70.0, "launch": 0.1, "total_spin": 1.0, "backspin": 1.0}, {}, InputError, "total_spin"),
+        ({"ball_speed": 70.0, "launch": 0.1, "total_spin": 100.0, "backspin": 300.0}, {}, InputError, "total spin"),
         ({"ball_speed": 70.0, "launch": 0.1, "spin_axis": 1.0}, {}, InputError, "total_spin"),
         ({"ball_speed": math.nan, "launch": 0.1}, {}, InputError, "finite"),
         ({"ball_speed": 700.0, "launch": 0.1}, {}, ShotError, "velocity_x"),

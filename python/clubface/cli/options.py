@@ -88,9 +88,9 @@ DELIVERY: Group = _quantities(
 MEASURED_CLUB: Group = _quantities("Club data, as much of it as was measured", **_CLUB_DATA)
 _DIRECTION_AND_SPIN = {
     "azimuth": ("1 deg", "Azimuth: to the right is positive."),
-    "backspin": ("2700 rpm", "Backspin; or give the total spin and its axis."),
+    "backspin": ("2700 rpm", "Backspin; two of backspin, sidespin, total spin and spin axis give the others."),
     "sidespin": ("-200 rpm", "Sidespin: curving to the right is positive."),
-    "total_spin": ("2700 rpm", "Total spin, in place of backspin and sidespin."),
+    "total_spin": ("2700 rpm", "Total spin; it needs the axis or another of the spins with it."),
     "spin_axis": ("3 deg", "Axis of the spin: tilted to the right is positive."),
 }
 LAUNCH: Group = _quantities(

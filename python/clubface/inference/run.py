@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -13,7 +12,7 @@ from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
-from clubface.errors import InputError, RangeWarning
+from clubface.errors import InputError, RangeWarning, Told
 from clubface.evaluation.noise import MONITOR, standard_deviations
 from clubface.inference.drawing import drawn
 from clubface.inference.expectation import Expectation, unreachable
@@ -26,6 +25,17 @@ from clubface.simulation.delivery import OF_CLUB
 from clubface.simulation.impact import Parameters, impact
 from clubface.simulation.inputs import parameter_set
 from clubface.simulation.outside import Tally, warn_if_outside
+from clubface.simulation.spin import (
+    AXIS,
+    BACK,
+    DIMENSIONS as SPIN_DIMENSIONS,
+    SIDE,
+    SPINS,
+    TOTAL,
+    UNITS as SPIN_UNITS,
+    agreeing,
+    wrapped,
+)
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, check_count, check_names
 from clubface.support.warning import without_warnings
@@ -48,7 +58,6 @@ FARTHEST = 15.0
 deliveries means anything there, and the usual cause is another unit or club."""
 RETRIED = 5
 """How many times as many draws are tried where a sample becomes too small."""
-_POLAR = {"total_spin": "angular rate", "spin_axis": "angle"}
 _DIMENSIONS = {name: units.unit(unit).dimension for name, unit in QUANTITIES.items()}
 
 
@@ -79,7 +88,7 @@ def infer(
     ----------
     launch
         What was measured, as text with units or as SI numbers: some of ``ball_speed``, ``launch``, ``azimuth``,
-        ``backspin`` and ``sidespin``, or ``total_spin`` and ``spin_axis`` instead of the last two.
+        ``backspin`` and ``sidespin``. Of the last two, ``total_spin`` and ``spin_axis``, any two give both.
     delivery
         What was measured of the club, likewise: some of ``speed``, ``attack``, ``path``, ``loft``, ``face``, ...
     club, model, parameters, ball, accuracy, threads
@@ -247,25 +256,31 @@ class Inference:
 
 
 def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
-    """Return the measured quantities, SI, total spin and axis as backspin and sidespin."""
+    """Return the measured quantities, SI, all that was measured of the spin as backspin and sidespin."""
     if not isinstance(launch, Mapping):
         raise InputError("launch", launch, 'a mapping of what was measured, as in {"ball_speed": "160 mph"}')
-    dimensions = {**_DIMENSIONS, **_POLAR}
+    dimensions = {**_DIMENSIONS, **SPIN_DIMENSIONS}
     check_names("launch value", launch, dimensions)
     given = {
         name: units.parse(value, dimensions[name], name=name) for name, value in launch.items() if value is not None
     }
-    polar = [name for name in _POLAR if name in given]
-    if polar:
-        if len(polar) == 1 or "backspin" in given or "sidespin" in given:
-            raise InputError(
-                polar[0], given[polar[0]], "give total_spin and spin_axis together, or backspin and sidespin"
-            )
-        total, axis = given.pop("total_spin"), given.pop("spin_axis")
-        given |= {"backspin": total * math.cos(axis), "sidespin": total * math.sin(axis)}
+    if TOTAL in given or AXIS in given:
+        given |= _parts({name: given.pop(name) for name in SPINS if name in given})
+    if "azimuth" in given:
+        given["azimuth"] = float(wrapped(given["azimuth"]))
     if not given:
         raise InputError("launch", dict(launch), f"at least one of {', '.join(QUANTITIES)}")
     return {name: given[name] for name in QUANTITIES if name in given}
+
+
+def _parts(spins: dict[str, float]) -> dict[str, float]:
+    """Return backspin and sidespin by all that was measured of the spin."""
+    found = agreeing({name: np.array([value]) for name, value in spins.items()}).values
+    if BACK not in found or SIDE not in found:
+        name = TOTAL if TOTAL in spins else AXIS
+        needs = "give it with spin_axis or sidespin" if name == TOTAL else "give it with total_spin or backspin"
+        raise InputError(name, Told(units.show(spins[name], SPIN_UNITS[name])), needs)
+    return {name: float(found[name][0]) for name in (BACK, SIDE)}
 
 
 def _measured_club(delivery: Mapping[str, Any]) -> dict[str, float]:

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface.simulation.spin import wrapped
 from clubface.support.arrays import Floats
 from clubface.tables.headings import shot_words
 from clubface.units import SI_UNITS, display_unit, show, to_si
@@ -50,6 +51,8 @@ RANGES: Mapping[str, tuple[float, float]] = {
     "landing_speed": (0.0, _BALL_SPEED),
 }
 """The least and the greatest value [SI] that a shot can have of each quantity; others are not judged."""
+TURNING = ("azimuth", "spin_axis")
+"""Directions that some programs count through a whole turn: 352.5 degrees is -7.5."""
 
 
 def can_be(name: str, values: Any) -> Any:
@@ -58,6 +61,11 @@ def can_be(name: str, values: Any) -> Any:
     return (
         ~((values < low) | (values > high)) if isinstance(values, np.ndarray) else not (values < low or values > high)
     )
+
+
+def within_turn(name: str, values: Any) -> Any:
+    """Return values [SI] of a quantity; directions that programs count from 0 to 360 degrees from -180 to 180."""
+    return wrapped(values) if name in TURNING else values
 
 
 class Cleaned(NamedTuple):
@@ -80,6 +88,7 @@ class Cleaned(NamedTuple):
 
 def impossible(values: Mapping[str, float]) -> dict[str, float]:
     """Return which values [SI] of one shot cannot have been measured; see :func:`without_impossible`."""
+    values = {name: float(within_turn(name, value)) for name, value in values.items()}
     still = values.get("backspin") == 0.0 == values.get("sidespin")
     spins = ("backspin", "sidespin") if still else ()
     return {name: value for name, value in values.items() if name in spins or not can_be(name, value)}
@@ -104,6 +113,7 @@ def note_of(every: Iterable[str]) -> str:
 def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
     """Return columns of shots [SI] without values that no golf shot can have, which count as not measured."""
     kept, found = {}, []
+    columns = {name: within_turn(name, values) for name, values in columns.items()}
     wrong = {name: ~can_be(name, values) for name, values in columns.items()}
     if "backspin" in columns and "sidespin" in columns:
         still = (columns["backspin"] == 0.0) & (columns["sidespin"] == 0.0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
@@ -14,9 +14,11 @@ from numpy.typing import NDArray
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Told
 from clubface.simulation.quantities import inputs
+from clubface.simulation.spin import SPINS, complete, notes_of
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_names
 from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, POINTS, heading_of, shot_words
+from clubface.tables.parquet import ENDINGS as PARQUET
 from clubface.tables.writer import write_columns
 from clubface.units import SI_UNITS, from_si
 
@@ -56,8 +58,9 @@ class RecordedShots:
         ball as well where the file gives them.
     launches
         Quantities of the launch and flight by name: ``ball_speed``, ``launch``, ``azimuth``, ``backspin``,
-        ``sidespin``, ``total_spin``, ``spin_axis``, ``carry``, ... Where one pair of backspin, sidespin and total spin,
-        spin axis was measured, the other follows: backspin = total cos(axis), sidespin = total sin(axis).
+        ``sidespin``, ``total_spin``, ``spin_axis``, ``carry``, ... Spins that follow from others are filled in, and of
+        those that contradict each other some are left out, which a note says; see
+        :func:`clubface.simulation.spin.complete`.
     clubs
         Name of the club as in the file, or None where the file has none.
     players
@@ -79,6 +82,8 @@ class RecordedShots:
     face_at
         Where dynamic loft and face angle were taken: "face" (its centre), as models want it, "contact" or "unknown".
         :func:`clubface.launch_monitor.refer` refers both to where models want them.
+    derived
+        The spins among ``launches`` that were not measured but follow from others, by name; NaN elsewhere.
     """
 
     deliveries: dict[str, Floats]
@@ -93,6 +98,7 @@ class RecordedShots:
     notes: tuple[str, ...] = ()
     speed_at: str = POINTS["speed_at"][0]
     face_at: str = POINTS["face_at"][0]
+    derived: dict[str, Floats] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name, points in POINTS.items():
@@ -101,7 +107,16 @@ class RecordedShots:
         checked: dict[str, Any] = {"rows": np.asarray(self.rows, dtype=np.int64).reshape(count)}
         known_deliveries = [name for name in inputs() if name != HAND]
         checked["deliveries"] = _floats(self.deliveries, known_deliveries, count)
-        checked["launches"] = with_both_spins(_floats(self.launches, LAUNCH_SYNONYMS, count))
+        launches = _floats(self.launches, LAUNCH_SYNONYMS, count)
+        measured = {name: self._measured(name, launches[name]) for name in SPINS if name in launches}
+        spins = complete(measured)
+        checked["launches"] = {name: spins.values.get(name, values) for name, values in launches.items()} | spins.values
+        checked["derived"] = {
+            name: np.where(np.isnan(measured.get(name, np.nan)), values, np.nan)
+            for name, values in spins.values.items()
+        }
+        told = notes_of(spins, checked["rows"].tolist(), self.row_word)
+        checked["notes"] = tuple(dict.fromkeys((*told, *self.notes)))
         for name in ("clubs", "players", "hand"):
             given = getattr(self, name)
             if given is not None:
@@ -113,6 +128,16 @@ class RecordedShots:
 
     def __len__(self) -> int:
         return len(self.rows)
+
+    def _measured(self, name: str, values: Floats) -> Floats:
+        """Return values of a spin without those that were filled in from others, and are so again."""
+        derived = self.derived.get(name)
+        return values if derived is None else np.where(values == derived, np.nan, values)
+
+    @property
+    def row_word(self) -> str:
+        """What ``rows`` counts: lines of text, or the rows of a Parquet file."""
+        return "row" if self.source.lower().endswith(PARQUET) else "line"
 
     def __repr__(self) -> str:
         told = [f"{len(self)} shot{'s' * (len(self) != 1)} of {self.source} ({self.format})"]
@@ -133,6 +158,7 @@ class RecordedShots:
             self,
             deliveries={name: values[index] for name, values in self.deliveries.items()},
             launches={name: values[index] for name, values in self.launches.items()},
+            derived={name: values[index] for name, values in self.derived.items()},
             clubs=None if self.clubs is None else self.clubs[index],
             players=None if self.players is None else self.players[index],
             hand=None if self.hand is None else self.hand[index],
@@ -210,30 +236,6 @@ class RecordedShots:
         The file has its name only once it is complete. Rejected rows and notes are not in it.
         """
         write_columns(self.columns(), Path(path))
-
-
-def with_both_spins(launches: Mapping[str, Floats]) -> dict[str, Floats]:
-    """Return launches with backspin and sidespin where total spin and axis were measured, and the reverse.
-
-    A measured value stays as it is; only shots that lack both of a pair get it from the other.
-    """
-    found = dict(launches)
-
-    def fill(wanted: tuple[str, str], given: tuple[str, str], values: tuple[Any, Any]) -> None:
-        nothing = np.full_like(found[given[0]], np.nan)
-        pair = [found.get(name, nothing) for name in wanted]
-        lacking = np.isnan(pair[0]) & np.isnan(pair[1])
-        for name, old, new in zip(wanted, pair, values, strict=True):
-            found[name] = np.where(lacking, new, old)
-
-    parts, polar = ("backspin", "sidespin"), ("total_spin", "spin_axis")
-    if all(name in launches for name in polar):
-        total, axis = (launches[name] for name in polar)
-        fill(parts, polar, (total * np.cos(axis), total * np.sin(axis)))
-    if all(name in launches for name in parts):
-        back, side = (launches[name] for name in parts)
-        fill(polar, parts, (np.hypot(back, side), np.arctan2(side, back)))
-    return found
 
 
 def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, Floats]:

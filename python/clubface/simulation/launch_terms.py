@@ -7,13 +7,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from clubface import units
-from clubface.errors import InputError
+from clubface.errors import AssumptionWarning, InputError
 from clubface.simulation.inputs import common_shape
 from clubface.simulation.quantities import flight_inputs, outputs
+from clubface.simulation.spin import SPINS, parts
 from clubface.support.checks import check_names
 from clubface.support.memory import check_request
+from clubface.support.warning import warn_once
 
-MONITOR = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis")
+MONITOR = ("ball_speed", "launch", "azimuth", *SPINS)
 """What a launch monitor tells, under the names and with the signs of a launch."""
 
 
@@ -22,7 +24,8 @@ def vectors(values: Mapping[str, Any]) -> dict[str, Any]:
 
     Velocity is v (cos(launch) cos(azimuth), sin(launch), cos(launch) sin(azimuth)). Backspin turns about the
     horizontal axis to the right of the launch direction, (-sin(azimuth), 0, cos(azimuth)), sidespin about the
-    vertical pointing down; a launch monitor sees no spin about the launch direction, and there is none.
+    vertical pointing down; a launch monitor sees no spin about the launch direction, and there is none. Any two spins
+    that settle the others will do (:mod:`clubface.simulation.spin`); a warning says what is assumed where none do.
     """
     inputs = flight_inputs()
     known = [*MONITOR, *(name for name, each in inputs.items() if each.group in ("launch", "ball"))]
@@ -53,16 +56,10 @@ def _from_terms(terms: dict[str, Any]) -> dict[str, Any]:
     for name in ("ball_speed", "launch"):
         if name not in terms:
             raise InputError(name, None, "give it: a flight cannot start without")
-    if "total_spin" in terms or "spin_axis" in terms:
-        if "backspin" in terms or "sidespin" in terms:
-            raise InputError("total_spin", terms.get("total_spin"), "leave it out, since backspin or sidespin is given")
-        if "total_spin" not in terms:
-            raise InputError("total_spin", None, "give it together with spin_axis")
-        axis = terms.get("spin_axis", 0.0)
-        terms["backspin"] = terms["total_spin"] * np.cos(axis)
-        terms["sidespin"] = terms["total_spin"] * np.sin(axis)
     speed, launch, azimuth = terms["ball_speed"], terms["launch"], terms.get("azimuth", 0.0)
-    backspin, sidespin = terms.get("backspin", 0.0), terms.get("sidespin", 0.0)
+    backspin, sidespin, assumed = parts({name: terms[name] for name in SPINS if name in terms})
+    if assumed:
+        warn_once(assumed, AssumptionWarning)
     found = {
         "velocity_x": speed * np.cos(launch) * np.cos(azimuth),
         "velocity_y": speed * np.sin(launch),

@@ -204,6 +204,5 @@ def _compared(launches: list[Launch]) -> dict[str, Floats]:
 
 def _flown(rows: Iterable[Average]) -> Floats:
     """Return the carry from each published launch, taken as straight and with pure backspin."""
-    return np.array(
-        [fly({"ball_speed": each.ball_speed, "launch": each.launch, "backspin": each.spin}).carry for each in rows]
-    )
+    launches = ({"ball_speed": each.ball_speed, "launch": each.launch, "backspin": each.spin} for each in rows)
+    return np.array([fly({**each, "sidespin": 0.0}).carry for each in launches])

@@ -27,7 +27,11 @@ CLUB = {
 """The quantity and unit of each field; of the club, ``SpeedAtImpact`` is not used."""
 NEVER_ZERO = ("speed", "loft", "closure")
 """Quantities of the club that are zero only where they were not measured."""
-METRES = ("meters", "metres", "meter", "metre", "m")
+CARRY_UNITS = {
+    **dict.fromkeys(("yards", "yard", "yds", "yd"), "yd"),
+    **dict.fromkeys(("meters", "metres", "meter", "metre", "m"), "m"),
+}
+"""What ``Units`` may say, and the unit of the carry that it means."""
 LARGEST_NUMBER = 1e9
 """No number of a message comes near it, but for what stands for a value that was not measured."""
 LARGEST_VALUE = 1e39

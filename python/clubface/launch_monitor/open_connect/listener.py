@@ -46,8 +46,8 @@ class _Client:
         self.stream = ObjectStream()
         self.heard = self.spoke = time.monotonic()
         self.has_spoken = False
-        self.told: set[tuple[str, float]] = set()
-        """Values that no shot can have and that were told: a monitor without spin sends its zero with every shot."""
+        self.told: set[tuple[str, float] | str] = set()
+        """Values that were not taken and are told: a monitor without spin sends its zero with every shot."""
 
     def is_idle(self, now: float) -> bool:
         """Whether it has been silent for too long."""
@@ -196,6 +196,10 @@ class Listener:
             if new:
                 values = ", ".join(f"{name} of {text}" for (name, _), text in new.items())
                 self._tell(f"shot {message.shot_number}: no shot can have {values}: taken as not measured")
+            for note in message.notes:
+                if note not in client.told:
+                    client.told.add(note)
+                    self._tell(f"shot {message.shot_number}: {note}")
             if message.kind == "shot":
                 try:
                     self._keep(message)

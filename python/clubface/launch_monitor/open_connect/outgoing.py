@@ -6,11 +6,13 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from clubface.errors import InputError
+from clubface.errors import AssumptionWarning, InputError
 from clubface.launch_monitor.open_connect.fields import BALL, CLUB, HANDS, VERSION
 from clubface.simulation.launch import Launch
+from clubface.simulation.spin import AXIS, BACK, DIMENSIONS, SIDE, SPINS, TOTAL, parts
 from clubface.support.checks import check_choice
-from clubface.units import from_si, parse, to_si, unit
+from clubface.support.warning import warn_once
+from clubface.units import from_si, parse, unit
 
 
 def to_json(
@@ -26,7 +28,8 @@ def to_json(
     ----------
     launch
         A :class:`Launch` of a single shot, or a mapping of SI values or texts with units: ``ball_speed``, ``launch``,
-        and if known ``azimuth``, ``carry`` and ``total_spin`` with ``spin_axis`` or ``backspin`` with ``sidespin``.
+        and if known ``azimuth``, ``carry`` and two of ``backspin``, ``sidespin``, ``total_spin`` and ``spin_axis``. The
+        message must hold all four; a warning says what is assumed where they do not follow.
     delivery
         The same for the club. If left out: the delivery of a :class:`Launch`, or none.
     shot_number, device
@@ -34,18 +37,12 @@ def to_json(
     """
     if isinstance(launch, Launch):
         delivery = delivery if delivery is not None else launch.delivery
-        launch = {name: getattr(launch, name) for name, _ in BALL.values() if name != "carry"}
-    ball = _written(launch, BALL)
+        launch = {name: getattr(launch, name) for name in ("ball_speed", "launch", "azimuth", BACK, SIDE)}
+    ball = _written({**launch, **_spins(launch)}, BALL)
     if not ball.get("Speed", 0.0) > 0.0:
         raise InputError("ball_speed", launch.get("ball_speed"), "above 0 in a message to a simulator")
     if "VLA" not in ball:
         raise InputError("launch", None, "give the launch angle, which a message to a simulator needs")
-    back, side = ball.get("BackSpin", 0.0), ball.get("SideSpin", 0.0)
-    ball.setdefault("TotalSpin", math.hypot(back, side))
-    ball.setdefault("SpinAxis", from_si(math.atan2(side, back), "deg") if side or back else 0.0)
-    axis = to_si(ball["SpinAxis"], "deg")
-    ball.setdefault("BackSpin", ball["TotalSpin"] * math.cos(axis))
-    ball.setdefault("SideSpin", ball["TotalSpin"] * math.sin(axis))
     ball.setdefault("HLA", 0.0)
     club = _written(delivery or {}, CLUB)
     return {
@@ -91,6 +88,20 @@ def _options(*, ball: bool = False, club: bool = False, heartbeat: bool = False)
     }
 
 
+def _spins(launch: Mapping[str, Any]) -> dict[str, float]:
+    """Return all four spins of a launch [rad/s, rad]."""
+    given = {name: _number(launch[name], name, DIMENSIONS[name]) for name in SPINS if launch.get(name) is not None}
+    back, side, assumed = parts({name: value for name, value in given.items() if value == value})
+    if assumed:
+        warn_once(assumed, AssumptionWarning)
+    return {BACK: back, SIDE: side, TOTAL: math.hypot(back, side), AXIS: math.atan2(side, back)}
+
+
+def _number(value: Any, name: str, dimension: str) -> float:
+    """Return a number in SI; NaN is one, and means not measured."""
+    return value if isinstance(value, float) and value != value else parse(value, dimension, name=name)
+
+
 def _written(values: Mapping[str, Any], fields: Mapping[str, tuple[str, str]]) -> dict[str, float]:
     """Return the fields of a message, each in its unit; what is not a number is left out."""
     names = {quantity: name for name, (quantity, _) in fields.items()}
@@ -99,11 +110,7 @@ def _written(values: Mapping[str, Any], fields: Mapping[str, tuple[str, str]]) -
         if quantity not in names or value is None:
             continue
         symbol = fields[names[quantity]][1]
-        number = (
-            value
-            if isinstance(value, float) and value != value
-            else parse(value, unit(symbol).dimension, name=quantity)
-        )
+        number = _number(value, quantity, unit(symbol).dimension)
         if number == number:
             found[names[quantity]] = float(from_si(number, symbol))
     return found

@@ -1,0 +1,284 @@
+"""Spin as one vector: from whichever of backspin, sidespin, total spin and spin axis are known, those that follow.
+
+A launch monitor sees no spin about the direction of launch, so that the vector has two components:
+
+    total spin = sqrt(backspin^2 + sidespin^2),  spin axis = atan2(sidespin, backspin).
+
+Two of the four settle the others, but total spin with backspin says nothing of the side, and with sidespin it leaves a
+topped ball out. What does not follow stays unknown; nothing is taken as zero here.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.errors import InputError, Told
+from clubface.support.arrays import Floats
+from clubface.units import show, size
+
+SPINS = BACK, SIDE, TOTAL, AXIS = "backspin", "sidespin", "total_spin", "spin_axis"
+DIMENSIONS = {BACK: "angular rate", SIDE: "angular rate", TOTAL: "angular rate", AXIS: "angle"}
+UNITS = {BACK: "rpm", SIDE: "rpm", TOTAL: "rpm", AXIS: "deg"}
+"""The units in which monitors write them."""
+STEPS = {"rpm": (10.0, 1.0), "deg": (1.0, 0.1)}
+"""Steps to which monitors round, the coarsest first; a value that is on none is held to be rounded to the last."""
+WEAKEST = 0.25
+"""Relative error up to which a value follows from others: the sidespin of 30 rpm that a ball with an axis of 1 degree
+has says nothing of its backspin."""
+ALONG = 0.02
+"""Part by which a total spin may exceed backspin and sidespin: what turns about the direction of launch is in the total
+of whoever sees it, as in that of :class:`Launch`. Of drives that hit the face 20 mm off its centre it is up to 0.04."""
+CLEARLY = 0.5
+"""By which part of their rounding three spins must agree better than three others to decide about the fourth."""
+VECTOR = "total_spin^2 = backspin^2 + sidespin^2 and spin_axis = atan2(sidespin, backspin)"
+LISTED = 3
+"""Contradictions that a note lists."""
+ONE_SIDED = "where only total spin and sidespin are known, backspin is that of a ball that was not topped"
+NO_DIRECTION = (
+    "where total spin was measured without its axis, alone or with backspin, it does not say to which side the ball"
+    " curves: sidespin and spin axis stay unknown there"
+)
+
+
+class Contradiction(NamedTuple):
+    """Spins of one shot that cannot be those of one ball.
+
+    Attributes
+    ----------
+    place
+        The place of the shot, from 0.
+    given
+        What was given [rad/s, rad].
+    kept
+        The names of what is kept of it.
+    """
+
+    place: int
+    given: Mapping[str, float]
+    kept: tuple[str, ...]
+
+    @property
+    def spins(self) -> str:
+        """What was given, in words."""
+        return _listed([f"{_name(name)} {show(value, UNITS[name], 7)}" for name, value in self.given.items()])
+
+    def __str__(self) -> str:
+        kept = _listed([_name(name) for name in self.kept])
+        return f"{self.spins} contradict each other; {f'kept: {kept}' if kept else 'none of them is kept'}"
+
+
+class Spins(NamedTuple):
+    """Spins of some shots, completed.
+
+    Attributes
+    ----------
+    values
+        Each of the four that is known for a shot [rad/s, rad]; NaN where it is not.
+    contradictions
+        Those of the shots, in their order.
+    notes
+        What else a reader should know: where a topped ball was ruled out, and where the direction stays unknown.
+    """
+
+    values: dict[str, Floats]
+    contradictions: tuple[Contradiction, ...]
+    notes: tuple[str, ...]
+
+
+def wrapped(angle: Any) -> Any:
+    """Return angles of up to a whole turn [rad] within (-180, 180] degrees; greater ones, which are none, unchanged."""
+    turn = 2.0 * math.pi
+    beyond = np.where(angle > math.pi, angle - turn, np.where(angle <= -math.pi, angle + turn, angle))
+    return np.where(np.abs(angle) <= turn, beyond, angle)
+
+
+def complete(given: Mapping[str, Any]) -> Spins:
+    """Return all that follows from the spins that are given, an array each with an element for each shot.
+
+    Given values stay as they are, but for those that contradict others beyond their rounding. Where three of four agree
+    and clearly better than any other three, the fourth is dropped. Otherwise, and of three, total spin and spin axis
+    are kept where both are there, else backspin and sidespin, and what contradicts these is dropped. Of two that
+    contradict each other, such as a total spin below the backspin, none is kept, nor is a total spin below 0.
+
+    Parameters
+    ----------
+    given
+        Some of ``SPINS`` [rad/s, rad], of one length; NaN is not known.
+    """
+    arrays = {name: np.asarray(given[name], dtype=np.float64) for name in SPINS if name in given}
+    count = len(next(iter(arrays.values()))) if arrays else 0
+    found = {name: arrays[name].copy() if name in arrays else np.full(count, np.nan) for name in SPINS}
+    found[AXIS] = wrapped(found[AXIS])
+    contradictions = _settle(found)
+    lifting = _follow(found)
+    alone = ~np.isnan(found[TOTAL]) & np.isnan(found[AXIS])
+    notes = [text for text, where in ((ONE_SIDED, lifting), (NO_DIRECTION, alone)) if where.any()]
+    kept = {name: values for name, values in found.items() if name in given or not np.isnan(values).all()}
+    return Spins(kept, contradictions, tuple(notes))
+
+
+def agreeing(given: Mapping[str, Any]) -> Spins:
+    """Return spins completed as by :func:`complete`, but refuse those that contradict each other."""
+    spins = complete(given)
+    for first in spins.contradictions:
+        at = f"shot {first.place}: " if len(given[next(iter(first.given))]) > 1 else ""
+        raise InputError("spin", Told(f"{at}{first.spins}"), f"one vector, with {VECTOR}; give two of them that agree")
+    return spins
+
+
+def parts(given: Mapping[str, Any]) -> tuple[Any, Any, str]:
+    """Return backspin and sidespin for a computation that needs both, and in words what was assumed for it, or "".
+
+    Parameters
+    ----------
+    given
+        Some of ``SPINS`` [rad/s, rad], numbers or arrays of one shape; NaN stays NaN.
+
+    Raises
+    ------
+    InputError
+        Spins contradict each other, or they are an axis without a magnitude.
+    """
+    names = [name for name in SPINS if name in given]
+    if names == [BACK, SIDE]:
+        return given[BACK], given[SIDE], ""
+    whole = {name: np.asarray(given[name], dtype=np.float64) for name in names}
+    shape = np.broadcast_shapes(*(each.shape for each in whole.values()))
+    flat = {name: np.broadcast_to(each, shape).ravel() for name, each in whole.items()}
+    spins = agreeing(flat)
+    found = {name: values.reshape(shape) if shape else float(values[0]) for name, values in spins.values.items()}
+    assumed = "; ".join(note for note in spins.notes if note == ONE_SIDED)
+    if BACK in found and SIDE in found:
+        return found[BACK], found[SIDE], assumed
+    if AXIS in names:
+        needs = "give total_spin with it" if names == [AXIS] else "give total_spin too: the axis says too little of it"
+        raise InputError(AXIS, Told(show(float(flat[AXIS][0]), "deg")), needs)
+    if BACK in names:
+        return found[BACK], 0.0, "the sidespin is not known and taken as 0: the ball does not curve"
+    if TOTAL in names:
+        return found[TOTAL], 0.0, "the spin axis is not known and taken as level: the ball does not curve"
+    if SIDE in names:
+        return 0.0, found[SIDE], "the backspin is not known and taken as 0"
+    return 0.0, 0.0, "the spin is not known and taken as 0: the ball has no lift"
+
+
+def notes_of(spins: Spins, places: Iterable[Any], what: str = "line") -> tuple[str, ...]:
+    """Return what a reader of shots should know of their spins; ``places`` say where each shot stands."""
+    at = list(places)
+    listed = "; ".join(f"{what} {at[each.place]}: {each}" for each in spins.contradictions[:LISTED])
+    more = len(spins.contradictions) - LISTED
+    told = [f"{listed}; and {more} more such shots" if more > 0 else listed] if listed else []
+    return (*told, *spins.notes)
+
+
+def _listed(parts: Sequence[str]) -> str:
+    return " and ".join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))
+
+
+def _name(name: str) -> str:
+    return name.replace("_", " ")
+
+
+def _settle(of: dict[str, Floats]) -> tuple[Contradiction, ...]:
+    """Take what contradicts the rest out of ``of``, and return it."""
+    before = {name: values.copy() for name, values in of.items()}
+    has = {name: ~np.isnan(values) for name, values in of.items()}
+    strict, misfit = _misfits(of, 0.0), _misfits(of, ALONG)
+    polar, parts = has[TOTAL] & has[AXIS], has[BACK] & has[SIDE]
+    without_axis, without_total = misfit[BACK, SIDE, TOTAL], misfit[BACK, SIDE, AXIS]
+    with_back, with_side = misfit[BACK, TOTAL, AXIS], misfit[SIDE, TOTAL, AXIS]
+    with np.errstate(invalid="ignore"):
+        best = np.fmin(strict[BACK, SIDE, TOTAL], strict[BACK, SIDE, AXIS])
+        by_polar = np.fmin(strict[BACK, TOTAL, AXIS], strict[SIDE, TOTAL, AXIS])
+        by_parts = polar & parts & (best <= 1.0) & (by_polar > best + CLEARLY)
+        drop = {
+            BACK: (with_back > 1.0) & ~by_parts,
+            SIDE: (with_side > 1.0) & ~by_parts,
+            TOTAL: (without_axis > 1.0) & (by_parts | ~has[AXIS]) | (of[TOTAL] < 0.0),
+            AXIS: (without_total > 1.0) & (by_parts | ~has[TOTAL]),
+        }
+        for part, other_part in ((BACK, SIDE), (SIDE, BACK)):
+            for other, third in ((TOTAL, AXIS), (AXIS, TOTAL)):
+                wrong = (misfit[part, other] > 1.0) & ~has[other_part] & ~has[third]
+                drop[part], drop[other] = drop[part] | wrong, drop[other] | wrong
+    for name, where in drop.items():
+        of[name][where] = np.nan
+    return tuple(
+        Contradiction(
+            int(place),
+            {name: float(before[name][place]) for name in SPINS if has[name][place]},
+            tuple(name for name in SPINS if has[name][place] and not drop[name][place]),
+        )
+        for place in np.flatnonzero(np.any(list(drop.values()), axis=0))
+    )
+
+
+def _misfits(of: Mapping[str, Floats], along: float) -> dict[tuple[str, ...], Floats]:
+    """Return by how much spins, two or three together, miss being one vector, over what rounding explains.
+
+    ``along`` is the part by which the total spin may exceed what the others say.
+    """
+
+    def beyond(by_total: Floats, seen: Floats) -> Floats:
+        excess = np.abs(by_total) - np.abs(seen)
+        allowed = (by_total * seen >= 0.0) & (excess > 0.0)
+        return np.where(allowed, np.maximum(excess - along * np.abs(by_total), 0.0), np.abs(by_total - seen))
+
+    back, side, total, axis = (of[name] for name in SPINS)
+    error = {name: _rounding(values, UNITS[name]) for name, values in of.items()}
+    cos, sin = np.cos(axis), np.sin(axis)
+    both, parts = np.hypot(back, side), error[BACK] + error[SIDE]
+    turned = error[TOTAL] + np.abs(total) * error[AXIS]
+    across, forward = side * cos - back * sin, back * cos + side * sin
+    return {
+        (BACK, SIDE, TOTAL): beyond(total, both) / (parts + error[TOTAL]),
+        (BACK, SIDE, AXIS): np.where(forward < 0.0, both, np.abs(across)) / (parts + both * error[AXIS]),
+        (BACK, TOTAL, AXIS): beyond(total * cos, back) / (error[BACK] + turned),
+        (SIDE, TOTAL, AXIS): beyond(total * sin, side) / (error[SIDE] + turned),
+        (BACK, TOTAL): (np.abs(back) - total) / (error[BACK] + error[TOTAL]),
+        (SIDE, TOTAL): (np.abs(side) - total) / (error[SIDE] + error[TOTAL]),
+        (BACK, AXIS): -back * cos / (error[BACK] + np.abs(back) * error[AXIS]),
+        (SIDE, AXIS): -side * sin / (error[SIDE] + np.abs(side) * error[AXIS]),
+    }
+
+
+def _follow(of: dict[str, Floats]) -> NDArray[np.bool_]:
+    """Fill in what follows; return for which shots only as the ball is not topped."""
+    error = {name: _rounding(values, UNITS[name]) for name, values in of.items()}
+
+    def known(*names: str) -> NDArray[np.bool_]:
+        return ~np.any([np.isnan(of[name]) for name in names], axis=0)
+
+    def fill(where: NDArray[np.bool_], values: Mapping[str, Floats]) -> None:
+        for name, each in values.items():
+            of[name] = np.where(where & np.isnan(of[name]), each, of[name])
+
+    with np.errstate(invalid="ignore", divide="ignore"):
+        back, side, total, axis = (of[name] for name in SPINS)
+        fill(known(TOTAL, AXIS), {BACK: total * np.cos(axis), SIDE: total * np.sin(axis)})
+        tangent = np.abs(np.tan(axis))
+        sure = error[BACK] / np.abs(back) + error[AXIS] * tangent < WEAKEST
+        fill(known(BACK, AXIS) & sure, {SIDE: back * np.tan(axis)})
+        sure = error[SIDE] / np.abs(side) + error[AXIS] / tangent < WEAKEST
+        fill(known(SIDE, AXIS) & sure, {BACK: side / np.tan(axis)})
+        sure = total - np.abs(side) > error[TOTAL] + error[SIDE]
+        lifting = known(TOTAL, SIDE) & ~known(BACK) & sure
+        fill(lifting, {BACK: np.sqrt((total - side) * (total + side))})
+        back, side = of[BACK], of[SIDE]
+        fill(known(BACK, SIDE), {TOTAL: np.hypot(back, side), AXIS: np.arctan2(side, back)})
+    return lifting
+
+
+def _rounding(values: Floats, unit: str) -> Floats:
+    """Return by how much values [SI] may be off because they were rounded [SI]."""
+    numbers = values / size(unit)
+    steps = np.full(values.shape, STEPS[unit][-1])
+    for step in STEPS[unit][-2::-1]:
+        counted = numbers / step
+        steps = np.where(np.abs(counted - np.round(counted)) < 1e-6, step, steps)
+    return 0.5 * steps * size(unit)
