@@ -313,8 +313,8 @@ def test_rapsodo_is_a_table_a_club_with_rows_of_averages():
     assert [tuple(each) for each in shots.rejected] == [(11, "7 cells where there are 18 columns")]
     assert any("rows of averages" in note and note.endswith(": 4") for note in shots.notes)
     assert any("Carry Distance in yd" in note for note in shots.notes)
-    metric = launch_monitor.read(DATA / "rapsodo.csv", units={"speed": "ft/s", "carry": "m"})
-    assert (metric.deliveries["speed"][0], metric.launches["carry"][0]) == (pytest.approx(98 * 0.3048), 224.5)
+    metric = launch_monitor.read(DATA / "rapsodo.csv", units={"apex": "m", "carry": "m"})
+    assert (metric.launches["apex"][0], metric.launches["carry"][0]) == (101.5, 224.5)
 
 
 def test_flightscope_tells_left_and_right_after_the_number():

@@ -11,7 +11,6 @@ from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, un
 from clubface.launch_monitor.formats import Format, side_of
 from clubface.tables.headings import POINTS, given_unit, listed, missing_units, shot_words
 from clubface.tables.spelling import plain, unit_of_column, unit_symbol
-from clubface.units import DIMENSIONLESS
 
 _WORD = re.compile(r"[^\W\d_]|[°%]")
 """A unit has one; a number or a dash, which stands for nothing measured, has none."""
@@ -32,6 +31,8 @@ class Used(NamedTuple):
         The symbol of its unit.
     side
         The sign of a number without a side, and whether it is in world or club terms.
+    is_named
+        Whether the file names the unit.
     """
 
     place: int
@@ -39,6 +40,7 @@ class Used(NamedTuple):
     quantity: str
     unit: str
     side: Side
+    is_named: bool = True
 
 
 class Columns(NamedTuple):
@@ -120,9 +122,8 @@ def columns_of(
             continue
         quantity = layout.names[each.name][0]
         shown = headings[position].strip()
-        symbol = _named_unit(quantity, shown, each.unit, units_row, position, rows, place) or given_unit(
-            units, quantity, _dimension(quantity)
-        )
+        named = _named_unit(quantity, shown, each.unit, units_row, position, rows, place)
+        symbol = named or given_unit(units, quantity, _dimension(quantity))
         if symbol is None:
             symbol = layout.fields[quantity].unit
             if symbol is None:
@@ -130,7 +131,8 @@ def columns_of(
                 continue
             if not layout.needs_units and _dimension(quantity) in ("speed", "length"):
                 assumed.append((shown, symbol))
-        used.setdefault(quantity, []).append(Used(position, shown, quantity, symbol, _side(layout, quantity, each)))
+        side = _side(layout, quantity, each)
+        used.setdefault(quantity, []).append(Used(position, shown, quantity, symbol, side, named is not None))
     if without_unit:
         raise missing_units(without_unit, *place, {name: _dimension(name) for _, name in without_unit})
     if not used:
@@ -190,9 +192,7 @@ def _named_unit(
         named = units_row[position].strip().strip("[]()").strip() or None
     if named is None:
         named = next((symbol for row in rows if position < len(row) and (symbol := unit_in(row[position]))), None)
-    if named is not None:
-        return unit_of_column(named, dimension, shown, place)
-    return "1" if dimension == DIMENSIONLESS else None
+    return None if named is None else unit_of_column(named, dimension, shown, place)
 
 
 def _dimension(quantity: str) -> str:

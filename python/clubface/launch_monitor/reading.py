@@ -20,9 +20,10 @@ from clubface.launch_monitor.mapping import Mapped, mapping_of
 from clubface.launch_monitor.registry import FORMATS
 from clubface.launch_monitor.rows import Session, SessionReader
 from clubface.launch_monitor.tables import TABLE
-from clubface.recorded.possible import without_impossible
+from clubface.recorded.possible import without_contradictions, without_impossible
 from clubface.recorded.shots import SIDES, RecordedShots, RejectedRow
 from clubface.recorded.signs import suspected_signs
+from clubface.recorded.wrong_units import wrong_unit
 from clubface.simulation.quantities import inputs
 from clubface.support.checks import check_choice
 from clubface.tables.cells import quoted_cell, uses_decimal_comma
@@ -237,25 +238,31 @@ def _shots(session: Session, path: str, layout: Format, other_encoding: bool = F
         face = columns["path"] + to_path
         columns["face"] = np.where(np.isnan(columns["face"]), face, columns["face"]) if "face" in columns else face
     columns = {name: values for name, values in columns.items() if not np.isnan(values).all()}
-    cleaned = without_impossible(columns)
+    if (wrong := wrong_unit(columns, session.units)) is not None:
+        raise FileError(path, session.header_line, wrong)
     clubs, players = (
         np.array([text for each in tables for text in getattr(each, name)], dtype=object) if has else None
         for name, has in (("clubs", session.names_clubs), ("players", session.names_players))
     )
+    lines = [line for each in tables for line in each.lines]
+    agreeing, contradiction = without_contradictions(columns, clubs, lines)
+    cleaned = without_impossible(agreeing)
+    notes = [*_notes(session, layout, set(columns), other_encoding), *cleaned.notes]
     every = RecordedShots(
-        deliveries={name: values for name, values in cleaned.columns.items() if name in inputs()},
-        launches={name: values for name, values in cleaned.columns.items() if name not in inputs()},
+        deliveries={name: each for name, each in cleaned.columns.items() if name in inputs()},
+        launches={name: each for name, each in cleaned.columns.items() if name not in inputs()},
         clubs=clubs,
         players=players,
         hand=_hands(np.concatenate([each.hands for each in tables])),
-        rows=np.array([line for each in tables for line in each.lines], dtype=np.int64),
+        rows=np.array(lines, dtype=np.int64),
         source=path,
         format=layout.name,
         rejected=rejected,
-        notes=(*_notes(session, layout, set(columns), other_encoding), *cleaned.notes),
+        notes=(*notes, *([contradiction] if contradiction else [])),
         **{"speed_at": layout.speed_at, "face_at": layout.face_at, **session.points},
     )
-    return without_emptied(every, cleaned.emptied)
+    emptied = np.all([np.isnan(each) for each in cleaned.columns.values()], axis=0)
+    return without_emptied(every, emptied)
 
 
 def refuse_empty(path: str, shots: int, rejected: tuple[RejectedRow, ...]) -> None:

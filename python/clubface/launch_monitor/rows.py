@@ -18,6 +18,7 @@ from clubface.launch_monitor.formats import Format
 from clubface.launch_monitor.summary_rows import summary_rows
 from clubface.recorded.possible import can_be
 from clubface.recorded.shots import RejectedRow
+from clubface.recorded.wrong_units import Unit
 from clubface.simulation.quantities import inputs
 from clubface.support.arrays import Floats
 from clubface.tables.cells import hand_of, quoted_cell, ragged_reason
@@ -26,8 +27,6 @@ from clubface.tables.headings import POINTS
 from clubface.tables.rows import Reject
 from clubface.units import size, to_si, unit
 
-COUNTING = frozenset({"shot", "no", "index", "shot number", "shot no", "shot id", "nr", "number", "id"})
-"""Headings of a column that numbers the shots."""
 DERIVED = frozenset(
     {"smash", FACE_TO_PATH, "apex", "landing_angle", "landing_speed", "flight_time", "total", "total_side"}
 )
@@ -91,6 +90,10 @@ class Session:
         Cells of computed quantities that hold no number, by heading: how many, and one of them.
     points
         Where on the club data was taken, as columns of the file say.
+    units
+        The units of the first column of each quantity.
+    header_line
+        Where the first header stands.
     guessed_hand
         Whether something in terms of the club was read as a right-hander's because nothing names the hand.
     names_clubs, names_players
@@ -106,6 +109,8 @@ class Session:
     unused: dict[str, None] = field(default_factory=dict)
     unreadable: dict[str, tuple[int, str]] = field(default_factory=dict)
     points: dict[str, str] = field(default_factory=dict)
+    units: dict[str, Unit] = field(default_factory=dict)
+    header_line: int | None = None
     guessed_hand: bool = False
     names_clubs: bool = False
     names_players: bool = False
@@ -248,6 +253,10 @@ class SessionReader:
         place = (self._path, self._header_line)
         self._columns = columns = columns_of(self._layout, self._header, units_row, self._units, place, below)
         session = self.session
+        if not session.units:
+            session.header_line = self._header_line
+        for quantity, (first, *_) in columns.used.items():
+            session.units.setdefault(quantity, Unit(first.heading, first.unit, first.is_named))
         session.assumed.update(columns.assumed)
         session.unused.update(dict.fromkeys(columns.unused))
         session.names_clubs |= bool(columns.club)
@@ -273,7 +282,8 @@ class SessionReader:
             quantity: self._quantity(cells, used, hands, reasons, unreadable) for quantity, used in columns.used.items()
         }
         labels = {place: each for place, each in columns.labels.items() if not _is_array(cells[place])}
-        left_out = summary_rows(labels, cells, values)
+        doubtful = {*reasons, *(row for bad in unreadable.values() for row in bad)}
+        left_out = summary_rows(labels, cells, values, doubtful)
         session.summaries += len(left_out)
         self._check(values, reasons)
         for row in sorted(reasons.keys() - left_out):

@@ -8,12 +8,13 @@ are wide: they are no judgement of a player.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface.recorded.club_names import club_kind
 from clubface.simulation.spin import wrapped
 from clubface.support.arrays import Floats
 from clubface.tables.headings import shot_words
@@ -34,6 +35,9 @@ _RIGHT_ANGLE, _TURN = math.pi / 2, math.pi
 _SOME = 1e-6
 """More than nothing [SI]: a club that hits moves, the ball moves then, and no ball leaves without any spin at all."""
 
+NAMED = 3
+"""Shots that a note names."""
+
 RANGES: Mapping[str, tuple[float, float]] = {
     "speed": (_SOME, _SPEED),
     **dict.fromkeys(("attack", "path", "loft", "face", "lie", "launch", "azimuth"), (-_RIGHT_ANGLE, _RIGHT_ANGLE)),
@@ -53,6 +57,18 @@ RANGES: Mapping[str, tuple[float, float]] = {
 """The least and the greatest value [SI] that a shot can have of each quantity; others are not judged."""
 TURNING = ("azimuth", "spin_axis")
 """Directions that some programs count through a whole turn: 352.5 degrees is -7.5."""
+
+
+RATIOS: Mapping[str, float] = {"driver": 1.6, "wood": 1.6, "hybrid": 1.6, "iron": 1.55, "wedge": 1.4, "putter": 1.8}
+"""The most that ball speed over club speed can be, by kind of club.
+
+A head of mass M that is free sends a ball of mass m off at (1 + e) M / (M + m) cos(loft) times its own speed. A driver
+(200 g, e up to 0.86 with the tolerance of the rules) makes 1.51, a long iron 1.48, a wedge that delivers 38 degrees
+1.22, a putter (350 g, e 0.85) 1.64. On top come 5 to 10% for the errors of both speeds.
+"""
+MOST_RATIO, MOST_PUTTED = RATIOS["driver"], RATIOS["putter"]
+PUTTED = 12.0
+"""Ball speed [m/s] below which a club that is not named may be a putter."""
 
 
 def can_be(name: str, values: Any) -> Any:
@@ -94,8 +110,10 @@ def impossible(values: Mapping[str, float]) -> dict[str, float]:
     return {name: value for name, value in values.items() if name in spins or not can_be(name, value)}
 
 
-def shown(name: str, value: float) -> str:
-    """Return a value [SI] of a quantity as people read it."""
+def shown(name: str, value: float, unit: str | None = None) -> str:
+    """Return a value [SI] of a quantity as people read it, or in a unit."""
+    if unit is not None:
+        return show(value, unit)
     unit = display_unit(name, SI_UNITS[shot_words().dimensions[name]])
     return show(value, "mph" if unit == "m/s" else unit, 11)
 
@@ -124,3 +142,41 @@ def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
             found.append(told(name, int(wrong[name].sum()), values.size, float(values[wrong[name]][0])))
     had, has = (np.any([~np.isnan(each) for each in of.values()], axis=0) for of in (columns, kept))
     return Cleaned(kept, had & ~has, (note_of(found),) if found else ())
+
+
+def without_contradictions(
+    columns: Mapping[str, Floats], clubs: Any, lines: Sequence[int]
+) -> tuple[dict[str, Floats], str | None]:
+    """Return columns of shots [SI] without speeds that no club makes of each other, and a note on them.
+
+    Where the ball is faster than the club can send it, either speed may be wrong, so that neither is taken as measured,
+    and no smash factor.
+    """
+    if not {"speed", "ball_speed"} <= set(columns):
+        return dict(columns), None
+    speed, ball = columns["speed"], columns["ball_speed"]
+    most = np.where(ball < PUTTED, MOST_PUTTED, MOST_RATIO)
+    if clubs is not None:
+        names, places = np.unique(np.asarray(clubs, dtype=str), return_inverse=True)
+        kinds = [(club_kind(str(each)) or "").rpartition("-")[2] for each in names]
+        by_name = np.array([RATIOS.get(each, math.nan) for each in kinds])[places]
+        most = np.where(np.isnan(by_name), most, by_name)
+    possible = can_be("speed", speed) & can_be("ball_speed", ball)
+    wrong = np.flatnonzero(possible & (ball > most * speed))
+    if not wrong.size:
+        return dict(columns), None
+    kept = dict(columns)
+    for name in ("speed", "ball_speed", "smash"):
+        if name in kept:
+            kept[name] = kept[name].copy()
+            kept[name][wrong] = math.nan
+    pairs = [f"line {lines[each]}: {_mph(float(ball[each]))} from {_mph(float(speed[each]))}" for each in wrong[:NAMED]]
+    one = wrong.size == 1
+    return kept, (
+        f"the ball is faster than the club can send it in {wrong.size} of {speed.size} shots ({'; '.join(pairs)}"
+        f"{', ...' * (wrong.size > NAMED)}): both speeds of {'it' if one else 'them'} count as not measured"
+    )
+
+
+def _mph(value: float) -> str:
+    return show(value, "mph", 4)

@@ -222,6 +222,7 @@ def missing_units(
     for _, quantity in columns:
         dimension = dimensions[quantity]
         unit = heading_of(quantity, units.SI_UNITS[dimension])[1]
+        unit = "yd" if unit == "m" else unit
         if quantity in SPIN:
             options["spin"] = unit
         elif options.setdefault(dimension, unit) != unit or " " in dimension:

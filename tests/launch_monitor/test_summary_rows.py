@@ -1,0 +1,77 @@
+"""Averages, deviations and the like are no shots, whatever they are called and in whichever column it stands."""
+
+import pytest
+
+from clubface import launch_monitor
+
+MEANS = """Average|AVG|Avg.|Mean|Averages|Durchschnitt|Mittelwert|Moyenne|Promedio|Media|Gemiddelde|Medelvärde|Snitt
+|Gennemsnit|Gjennomsnitt|Média|平均|平均値|平均值|평균|Ø|Average (3 shots)|Driver Average|Avg Driver|Session Average"""
+DEVIATIONS = """Std Dev|St. Dev.|StdDev|Std. Deviation|Standard Deviation|Deviation|Consistency|Standardabweichung
+|Écart-type|Desviación estándar|Deviazione standard|Standaardafwijking|Standardavvikelse|Desvio padrão
+|標準偏差|标准差|표준편차"""
+SPEEDS = (100.0, 98.0, 103.0)
+ROWS = {"mean": (100.33, 147.0), "deviation": (2.52, 3.61), "max": (103.0, 151.0), "min": (98.0, 144.0)}
+
+
+def names(text):
+    return [each.strip() for each in text.replace("\n", "").split("|")]
+
+
+def session(label, kind, place, heads=("Date", "Club", "Player", "Shot No", "Note")):
+    """Return three drives and a row that sums them up, which says so in the column at ``place``."""
+    shots = [
+        ["2026-05-01", "Driver", "Ann", str(number + 1), "", str(speed), str(ball)]
+        for number, (speed, ball) in enumerate(zip(SPEEDS, (146.0, 144.0, 151.0), strict=True))
+    ]
+    summary = ["2026-05-01", "Driver", "Ann", "", "", *map(str, ROWS[kind])]
+    summary[place] = label
+    rows = [[*heads, "Club Speed (mph)", "Ball Speed (mph)"], *shots, summary]
+    return "\n".join(",".join(row) for row in rows) + "\n"
+
+
+def assert_left_out(shots, count=1):
+    assert len(shots) == 3
+    assert any(f"left out: {count}" in note for note in shots.notes)
+
+
+@pytest.mark.parametrize(
+    ("kind", "label"), [("mean", each) for each in names(MEANS)] + [("deviation", each) for each in names(DEVIATIONS)]
+)
+def test_a_row_of_averages_or_deviations_is_no_shot_in_any_language(write, kind, label):
+    for place in (1, 3):
+        assert_left_out(launch_monitor.read(write(session(label, kind, place))))
+
+
+@pytest.mark.parametrize("label", ["Max", "Maximum", "Best", "Total", "Median", "Average", "Std Dev"])
+@pytest.mark.parametrize("place", range(5))
+def test_a_row_that_sums_up_says_so_in_any_column_of_text(write, label, place):
+    kind = {"Median": "mean", "Average": "mean", "Total": "mean", "Std Dev": "deviation"}.get(label, "max")
+    assert_left_out(launch_monitor.read(write(session(label, kind, place))))
+
+
+def test_a_player_called_max_and_a_club_called_max_keep_their_shots(write):
+    head = "Club,Player,Club Speed (mph),Ball Speed (mph)\n"
+    mine = "Driver,Max,100,146\nMax,Max,98,144\n7 Iron,Min,85,112\nG430 Max,Dev,101,147\nDriver,Media,99,140\n"
+    shots = launch_monitor.read(write(head + mine))
+    assert shots.players.tolist() == ["Max", "Max", "Min", "Dev", "Media"]
+    assert not any("left out" in note for note in shots.notes)
+
+
+def test_how_good_a_shot_was_is_no_summary(write):
+    head = "Club,Quality,Club Speed (mph),Ball Speed (mph),Launch Angle (deg)\n"
+    rows = "Driver,Good,100,146,12\nDriver,Average,95,133,15\nDriver,Best,104,153,11\nDriver,Average,97,139,9\n"
+    shots = launch_monitor.read(write(head + rows))
+    assert len(shots) == 4
+
+
+def test_a_total_in_a_column_of_numbers_is_no_shot(write):
+    head = "Total (yd),Club Speed (mph),Ball Speed (mph)\n"
+    shots = launch_monitor.read(write(head + "250,100,146\n248,98,144\n262,103,151\nAverage,100.3,147\n"))
+    assert_left_out(shots)
+
+
+def test_rows_of_averages_of_each_club_are_left_out_of_the_tables_of_makers(write):
+    head = "Club,Club Speed,Ball Speed,Launch Direction,Dyn. Loft\n,[mph],[mph],[deg],[deg]\n"
+    text = "Driver,100,147,0.1,13\nDriver Average,100,147,0.1,13\n7 Iron,85,112,0.1,23\n7 Iron Average,85,112,0.1,23\n"
+    shots = launch_monitor.read(write(head + text))
+    assert (shots.format, shots.rows.tolist()) == ("trackman", [3, 5])
