@@ -203,6 +203,17 @@ def _parquet() -> list[bytes]:
     return found
 
 
+def _workbooks() -> list[bytes]:
+    from openpyxl import Workbook
+
+    book = Workbook()
+    for line in (MONITORS / "flightscope.csv").read_text().splitlines():
+        book.active.append(line.split(","))
+    file = io.BytesIO()
+    book.save(file)
+    return [file.getvalue()]
+
+
 def _predict(path: Path) -> None:
     predict(path, output=path.with_name("predicted.csv"), **PREDICT)
 
@@ -340,6 +351,7 @@ READERS = {
     "shots": Reader("csv", read_shots, _tables, 4),
     "shots-tsv": Reader("tsv", read_shots, _tables),
     "shots-parquet": Reader("parquet", read_shots, _parquet, 3),
+    "monitor-excel": Reader("xlsx", launch_monitor.read, _workbooks, 2),
     "monitor": Reader("csv", launch_monitor.read, _files(MONITORS, "*.csv"), 8),
     "predict": Reader("csv", _predict, _tables, 2),
     "predict-parquet": Reader("parquet", _predict, _parquet),

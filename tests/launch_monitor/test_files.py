@@ -407,7 +407,7 @@ def test_the_preferred_of_two_columns_for_a_quantity_is_taken(write):
         (b"Side Angle,Tilt Angle,Ball Speed\n,,-\n", "nothing was measured"),
         (b"Side Angle,Tilt Angle,Ball Speed\n1,2,1_0\n", "'1_0' is not a number"),
         (b'Side Angle,Tilt Angle,Ball Speed\n1,2,"10', "does not end"),
-        (b"\xff\xfea\x00", "UTF-16"),
+        (b"\xff\xfea\x00b", "this UTF-16 text is damaged"),
         (b"Side Angle,Tilt Angle,Handed\n1,2,up\n", "Handed: 'up' is not a hand"),
     ],
 )

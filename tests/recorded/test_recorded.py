@@ -197,7 +197,7 @@ def test_arrays_that_do_not_fit_are_refused_with_their_name():
         (b"ball_speed_rpm\n1\n", "is 'rpm'; it must be in m/s"),
         (b"launch_deg,launch_angle_deg\n1,2\n", "both give the launch"),
         (b"launch_deg,launch_deg\n1,2\n", "there twice"),
-        (b"\xff\xfes\x00", "UTF-16"),
+        (b"\xff\xfes\x00p", "this UTF-16 text is damaged"),
         (b'speed_mph\n"1', "does not end"),
     ],
 )

@@ -19,6 +19,7 @@ EXTRAS = {
     "pandas": "tables",
     "xarray": "tables",
     "pyarrow": "tables",
+    "openpyxl": "excel",
     "meshio": "fem",
     "ezc3d": "capture",
     "pymoo": "fit",

@@ -27,9 +27,10 @@ from clubface.recorded.wrong_units import wrong_unit
 from clubface.simulation.quantities import inputs
 from clubface.support.checks import check_choice
 from clubface.tables.cells import quoted_cell, uses_decimal_comma
-from clubface.tables.csv_rows import DECIMAL_ROWS, CsvRows, Row
+from clubface.tables.csv_rows import DECIMAL_ROWS, Row
 from clubface.tables.headings import check_units, listed
 from clubface.tables.parquet import ENDINGS as PARQUET, ParquetReader
+from clubface.tables.row_source import RowSource, open_rows
 from clubface.tables.rows import Reject
 
 HEAD_ROWS = 30
@@ -59,7 +60,7 @@ def read(
     Parameters
     ----------
     path
-        The file: CSV in UTF-8 or Windows-1252, with commas, semicolons or tabs; or a table with clubface's own columns.
+        The file: CSV with commas, semicolons or tabs, or an Excel workbook; or a table with clubface's own columns.
     format
         The name of a layout, see ``FORMATS``. If left out, it is recognised by its columns.
     hand
@@ -126,7 +127,7 @@ def _read(
     _refuse_no_table(path)
     if path.suffix.lower() in PARQUET and mapped is None:
         return _shots(_parquet_session(path, hand, units), str(path), TABLE)
-    rows = CsvRows(path, any_encoding=True, head_lines=HEAD_ROWS, delimiter=mapped.delimiter if mapped else None)
+    rows = open_rows(path, head_lines=HEAD_ROWS, delimiter=mapped.delimiter if mapped else None)
     try:
         every = _rows(rows)
         head = list(islice(every, HEAD_ROWS))
@@ -139,7 +140,7 @@ def _read(
         session = _session(str(path), layout, mapped, hand, units, head, every, rows.delimiter)
     finally:
         rows.close()
-    shots = _shots(session, str(path), layout, rows.other_encoding)
+    shots = _shots(session, str(path), layout, rows.notes)
     if format is not None and (other := others(layout, head)):
         note = f"read as {format}, as asked, though the columns are those of {' and '.join(other)}"
         shots = replace(shots, notes=(note, *shots.notes))
@@ -161,7 +162,7 @@ def is_monitors(path: str | os.PathLike[str]) -> bool:
     _refuse_no_table(source)
     if source.suffix.lower() in PARQUET:
         return False
-    rows = CsvRows(source, any_encoding=True, head_lines=HEAD_ROWS)
+    rows = open_rows(source, head_lines=HEAD_ROWS)
     try:
         return detected(str(path), list(islice(_rows(rows), HEAD_ROWS))) is not TABLE
     except FileError:
@@ -175,11 +176,9 @@ def _refuse_no_table(path: Path) -> None:
     ending = path.suffix.lower()
     if ending == ".c3d":
         raise FileError(str(path), None, "this is motion capture; clubface capture read makes a table of it")
-    if ending in (".xlsx", ".xls", ".ods", ".numbers"):
-        raise FileError(str(path), None, "this is a spreadsheet; save it as CSV")
 
 
-def _rows(rows: CsvRows) -> Iterator[Row | Reject]:
+def _rows(rows: RowSource) -> Iterator[Row | Reject]:
     while (row := rows.next()) is not None:
         yield row
 
@@ -224,7 +223,7 @@ def _no_header(path: str, rows: Sequence[Row | Reject]) -> FileError:
     return FileError(path, reject.line, reject.reason) if reject else FileError(path, 1, "the file is empty")
 
 
-def _shots(session: Session, path: str, layout: Format, other_encoding: bool = False) -> RecordedShots:
+def _shots(session: Session, path: str, layout: Format, of_file: Sequence[str] = ()) -> RecordedShots:
     """Return the shots of a session, without values that no shot can have."""
     tables = session.tables
     rejected = tuple(sorted(session.rejected, key=lambda each: each.line or 0))
@@ -247,7 +246,7 @@ def _shots(session: Session, path: str, layout: Format, other_encoding: bool = F
     lines = [line for each in tables for line in each.lines]
     agreeing, contradiction = without_contradictions(columns, clubs, lines)
     cleaned = without_impossible(agreeing)
-    notes = [*_notes(session, layout, set(columns), other_encoding), *cleaned.notes]
+    notes = [*_notes(session, layout, set(columns), of_file), *cleaned.notes]
     every = RecordedShots(
         deliveries={name: each for name, each in cleaned.columns.items() if name in inputs()},
         launches={name: each for name, each in cleaned.columns.items() if name not in inputs()},
@@ -288,7 +287,7 @@ def _hands(hands: Any) -> Any:
     return None if np.isnan(hands).any() else np.array([SIDES[each] for each in hands], dtype=object)
 
 
-def _notes(session: Session, layout: Format, measured: set[str], other_encoding: bool) -> Iterator[str]:
+def _notes(session: Session, layout: Format, measured: set[str], of_file: Sequence[str]) -> Iterator[str]:
     yield from (text for name, text in layout.notes.items() if name in measured)
     if measured & {"speed", "attack", "path"} and layout is not TABLE:
         yield f"club speed, attack angle and path were taken at {POINTS[layout.speed_at]}"
@@ -312,5 +311,4 @@ def _notes(session: Session, layout: Format, measured: set[str], other_encoding:
         yield f"rows of averages and deviations, which are no shots and were left out: {session.summaries}"
     if session.without_club:
         yield f"shots without club data, for which the file holds no club speed that can be: {session.without_club}"
-    if other_encoding:
-        yield "the file is not UTF-8: read as Windows-1252"
+    yield from of_file

@@ -129,8 +129,8 @@ def predict(
     Parameters
     ----------
     source
-        A file whose first row names the columns: CSV in UTF-8 (commas, semicolons or tabs; decimal commas where
-        the delimiter is another), or Parquet by its ending.
+        A file whose first row names the columns: CSV (commas, semicolons or tabs; decimal commas where the
+        delimiter is another), an Excel workbook, or Parquet by its ending.
     club, model, ball, parameters, hand, accuracy, threads
         As for :func:`impact`. A column named like an input wins over the club, ball or hand given here.
     carry
@@ -164,8 +164,8 @@ def predict(
     ------
     FileError
         A file cannot be read or written; the message names the line. It is empty, has no column for the speed or one
-        column twice, a unit has another dimension, or the text is not UTF-8. Another process is writing the output with
-        other settings, or what is to be resumed was begun with another source or other settings.
+        column twice, or a unit has another dimension. Another process is writing the output with other settings,
+        or what is to be resumed was begun with another source or other settings.
     KeyboardInterrupt
         Ctrl-C was pressed; the message says where the finished rows are.
     """

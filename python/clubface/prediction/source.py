@@ -88,7 +88,7 @@ def open_source(path: Path, club: Club, *, hand: str | None, mismatch: str, **sa
         telling = {*map(plain_name, TABLE.club), *POINTS}
         if names.isdisjoint(telling) and not any(said[name] for name in CHOICE):
             require_speed(columns, reader.path, reader.header_line)
-            return Source(reader, columns, columns.used, columns.notes)
+            return Source(reader, columns, columns.used, (*reader.notes, *columns.notes))
         recorded = read(path, units=units)
         ready = ready_shots(recorded, club=club, mismatch=mismatch, **{name: said[name] for name in CHOICE})
         return _of_shots(reader, columns, recorded, ready)
@@ -135,6 +135,11 @@ class _ReadyReader:
     def blank(self) -> int:
         """Blank lines passed over so far."""
         return self._base.blank
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of the rows should know of the file, as far as it is read."""
+        return self._base.notes
 
     def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
         """Yield the rows after the first ``skip`` that were chosen or rejected, some at a time."""

@@ -1,4 +1,4 @@
-"""CSV files a chunk at a time: every row with the line it begins at, whatever is in its cells."""
+"""CSV files and workbooks a chunk at a time: every row with the line it begins at, whatever is in its cells."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from clubface.errors import FileError
 from clubface.tables.cells import parsed, ragged_reason, uses_decimal_comma
-from clubface.tables.csv_rows import DECIMAL_ROWS, CsvRows, Row
+from clubface.tables.csv_rows import DECIMAL_ROWS, Row
 from clubface.tables.headings import Column
+from clubface.tables.row_source import open_rows
 from clubface.tables.rows import Reject
 
 if TYPE_CHECKING:
@@ -20,13 +21,13 @@ LARGEST_CHUNK = 64_000_000
 
 
 class CsvReader:
-    """A CSV file: UTF-8, with commas, semicolons or tabs between cells. See :class:`clubface.tables.rows.Reader`."""
+    """A CSV file, with commas, semicolons or tabs between cells, or a workbook. See :class:`rows.Reader`."""
 
     counts = "line"
 
     def __init__(self, path: Path) -> None:
         self.path = str(path)
-        self._rows = CsvRows(path)
+        self._rows = open_rows(path)
         self.delimiter = self._rows.delimiter
         try:
             self._read_header()
@@ -38,6 +39,11 @@ class CsvReader:
     def blank(self) -> int:
         """Blank lines passed over so far."""
         return self._rows.blank
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of the rows should know of the file, as far as it is read."""
+        return self._rows.notes
 
     def _read_header(self) -> None:
         row = self._rows.next()

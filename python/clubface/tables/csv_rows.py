@@ -8,6 +8,8 @@ from functools import partial
 from pathlib import Path
 
 from clubface.errors import FileError
+from clubface.tables.encodings import NAMES, SAMPLE, as_utf8, encoding_of, unicode_by_bytes
+from clubface.tables.file_kind import START, refuse_no_table
 from clubface.tables.rows import Reject
 
 LONGEST_LINE = 2_000_000
@@ -16,8 +18,6 @@ MOST_CELLS = 2000
 """Of a row; the widest exports have some hundred columns."""
 DECIMAL_ROWS = 200
 """Rows that tell how numbers are written."""
-FALLBACK = "cp1252"
-"""The encoding of spreadsheets that do not write UTF-8."""
 
 Row = tuple[list[str], int, str]
 """The cells of a row, the line it begins at, and its text."""
@@ -30,9 +30,6 @@ class CsvRows:
     ----------
     path
         The file.
-    any_encoding
-        Whether a line that is not UTF-8 is read as Windows-1252, which is then said in ``other_encoding``, instead
-        of being an error.
     head_lines
         How many lines tell the delimiter; with more than one, a first line such as ``sep=;`` names it.
     delimiter
@@ -41,20 +38,18 @@ class CsvRows:
     Attributes
     ----------
     delimiter
-        Between cells: the most frequent in one of the first lines that are not blank.
+        Between cells: what most of the first lines have that are not blank.
     blank
         Blank lines passed over so far.
-    other_encoding
-        Whether a line was not UTF-8.
+    encoding
+        What the text is instead of UTF-8, as far as it is read, as people call it; else None.
     """
 
-    def __init__(
-        self, path: Path, *, any_encoding: bool = False, head_lines: int = 1, delimiter: str | None = None
-    ) -> None:
+    def __init__(self, path: Path, *, head_lines: int = 1, delimiter: str | None = None) -> None:
         self.path = str(path)
         self.blank = 0
-        self.other_encoding = False
-        self._any_encoding = any_encoding
+        self.encoding: str | None = None
+        self._codec = ""
         self._line = 0
         try:
             self._size = path.stat().st_size
@@ -64,18 +59,27 @@ class CsvRows:
         try:
             if not self._file.seekable():
                 raise FileError(self.path, None, "a pipe cannot be read twice; save it as a file first")
-            self._start(head_lines, delimiter)
+            self._start(path, head_lines, delimiter)
         except BaseException:
             self._file.close()
             raise
 
-    def _start(self, head_lines: int, delimiter: str | None) -> None:
-        start = self._file.read(4)
-        if start.startswith((b"\xff\xfe", b"\xfe\xff")):
-            raise FileError(self.path, 1, "this is not UTF-8 text but UTF-16; save it as CSV UTF-8")
-        if start.startswith(b"PAR1"):
-            raise FileError(self.path, None, "this is a Parquet file; its name must end in .parquet")
-        self._file.seek(3 if start.startswith(b"\xef\xbb\xbf") else 0)
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of the rows should know, as far as they are read."""
+        return (f"the file is not UTF-8: read as {self.encoding}",) if self.encoding else ()
+
+    def _start(self, path: Path, head_lines: int, delimiter: str | None) -> None:
+        start = self._file.read(START)
+        refuse_no_table(path, start)
+        unicode, mark = unicode_by_bytes(start)
+        self._file.seek(mark)
+        if unicode != "utf-8":
+            with self._file as file:
+                self._file = as_utf8(file, unicode, self.path)
+            self._size = self._file.seek(0, 2)
+            self._file.seek(0)
+            self.encoding = NAMES[unicode]
         first, head = self._first_line()
         named = _separator(head) if head_lines > 1 else None
         if named:
@@ -107,7 +111,7 @@ class CsvRows:
         self._file.close()
 
     def _decoded(self, line: int) -> Iterator[str]:
-        """Yield the lines as text; what is not UTF-8 is an error with its line."""
+        """Yield the lines as text; what is not UTF-8 is in the encoding that makes words of it."""
         for raw in iter(partial(self._file.readline, LONGEST_LINE), b""):
             line += 1
             if len(raw) >= LONGEST_LINE:
@@ -117,13 +121,19 @@ class CsvRows:
             try:
                 text = raw.decode()
             except UnicodeDecodeError:
-                if not self._any_encoding:
-                    raise FileError(self.path, line, "this is not UTF-8 text; save it as CSV UTF-8") from None
-                self.other_encoding = True
-                text = raw.decode(FALLBACK, errors="replace")
+                text = raw.decode(self._codec or self._decide_codec(raw), errors="replace")
             self._raw.append(text)
             self._check_row(text)
             yield text
+
+    def _decide_codec(self, raw: bytes) -> str:
+        """Decide the encoding of a line that is not UTF-8, by it and the next lines, and return it."""
+        here = self._file.tell()
+        more = self._file.read(SAMPLE)
+        self._file.seek(here)
+        self._codec = encoding_of(raw + more[: more.rfind(b"\n") + 1])
+        self.encoding = NAMES[self._codec]
+        return self._codec
 
     def _check_row(self, text: str) -> None:
         """Refuse a row, as far as it is read, that no table of shots has: its cells would fill the memory."""
@@ -152,15 +162,24 @@ class CsvRows:
                     message = "lines end with a carriage return alone; save the file with usual line ends"
                     raise FileError(self.path, begins, message) from None
                 return Reject(begins, _explained(str(error)), ["".join(self._raw)])
-            if cells:
-                return cells, begins, "".join(self._raw)
+            if cells and not (len(cells) == 1 and not cells[0].strip("\x00")):  # zeros fill the end of a broken file
+                text = "".join(self._raw)
+                return (
+                    Reject(begins, "zero bytes: the file is damaged", [text])
+                    if "\x00" in text
+                    else (cells, begins, text)
+                )
             self.blank += 1
 
 
 def delimiter_of(lines: Sequence[str]) -> str:
-    """Return the delimiter that is most frequent in one of the lines, outside quotes."""
+    """Return the delimiter that most lines have, outside quotes, and of such the one most frequent in a line.
+
+    A decimal comma may be in every row, and more than once for each delimiter, but not in the header.
+    """
     plain = ["".join(line.split('"')[::2]) for line in lines]
-    return max(",;\t", key=lambda each: max(line.count(each) for line in plain))
+    counts = {each: [line.count(each) for line in plain] for each in ",;\t"}
+    return max(counts, key=lambda each: (sum(map(bool, counts[each])), max(counts[each])))
 
 
 def _explained(message: str) -> str:

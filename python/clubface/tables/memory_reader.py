@@ -22,6 +22,7 @@ class MemoryReader:
     """
 
     blank = 0
+    notes: tuple[str, ...] = ()
 
     def __init__(
         self, path: str, columns: Mapping[str, Any], lines: Sequence[int], rejected: Sequence[Reject] = ()

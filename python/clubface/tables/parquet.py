@@ -13,6 +13,7 @@ from typing import Any, BinaryIO
 
 from clubface.errors import FileError
 from clubface.tables.cells import parsed
+from clubface.tables.file_kind import START, refuse_no_table
 from clubface.tables.headings import HAND, Column
 from clubface.tables.rows import GONE, Chunk, Reject
 
@@ -47,11 +48,17 @@ class ParquetReader:
     delimiter = ","
     decimal_comma = False
     blank = 0
+    notes: tuple[str, ...] = ()
 
     def __init__(self, path: Path) -> None:
         self.path = str(path)
         self._arrow = pyarrow_for(path)
         try:
+            with path.open("rb") as file:
+                start = file.read(START)
+            if not start.startswith(b"PAR1"):
+                refuse_no_table(path, start)
+                raise FileError(self.path, None, "this is no Parquet file; the name of a text must end in .csv or .tsv")
             self._file = self._arrow.parquet.ParquetFile(path)
         except (OSError, ValueError, self._arrow.ArrowException) as error:
             reason = str(error).splitlines()[0] if str(error) else type(error).__name__

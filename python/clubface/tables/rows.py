@@ -93,6 +93,11 @@ class Reader(Protocol):
         """Blank lines passed over so far."""
         ...
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of the rows should know of the file, as far as it is read."""
+        ...
+
     def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
         """Yield the rows after the first ``skip``, some ``rows`` at a time."""
         ...

@@ -28,7 +28,7 @@ def read_deliveries(
         columns = layout(reader.headings, reader.path, reader.header_line)
         naming = [place for place, each in enumerate(columns.headings) if plain_name(each) in NAMES]
         if note is not None:
-            for text in columns.notes:
+            for text in (*reader.notes, *columns.notes):
                 note(text)
         found: dict[str, dict[str, float]] = {}
         for chunk in reader.chunks(most + 1, 0):
