@@ -223,7 +223,7 @@ def nearest_names(name: str, known: Iterable[str]) -> tuple[str, ...]:
 
 
 def in_a_line(text: str) -> str:
-    """Return a message on one line: quoted text and long words shortened, and what no terminal should get, escaped."""
+    """Return a message on one line: quoted text and long words shortened, and :func:`legible`."""
     if text.isprintable() and len(text) <= _LINE:
         return text
     import re
@@ -232,7 +232,35 @@ def in_a_line(text: str) -> str:
     long = rf"(?<!\w)'(?:[^'\\]|\\.){{{_LINE},}}'(?!\w)|(?<!\w)\"(?:[^\"\\]|\\.){{{_LINE},}}\"(?!\w)|\S{{{2 * _LINE},}}"
     text = re.sub(long, lambda found: shortened(found[0], _LINE), text, flags=re.DOTALL)
     text = shortened(text, _LONGEST)
-    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+    return legible(text)
+
+
+def legible(text: str, keep: str = "") -> str:
+    """Return a text whose every character is seen as it is: whatever leaves for a screen, a page or a table goes here.
+
+    Control characters, marks that turn the direction of a text round or have no width, and bytes of names that are no
+    text are written as escapes; ``keep`` are characters that may stay, such as ends of lines.
+    """
+    plain = text
+    for each in keep:
+        plain = plain.replace(each, "")
+    if plain.isprintable():
+        return text
+    return "".join(each if each.isprintable() or each in keep or each in _SPACES else _escape(each) for each in text)
+
+
+LINES = "\n\r\t"
+"""What parts the lines and columns of a text."""
+_SPACES = "\u00a0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200a\u202f\u205f\u3000"
+"""Spaces of other widths, as between thousands; all that is seen of them is a gap."""
+
+
+def _escape(character: str) -> str:
+    if "\udc80" <= character <= "\udcff":  # a byte of a name that is not UTF-8, as Python has it
+        return f"\\x{ord(character) - 0xDC00:02x}"
+    if character in "\n\r\t":
+        return repr(character)[1:-1]
+    return f"\\u{ord(character):04x}" if character <= "\uffff" else f"\\U{ord(character):08x}"
 
 
 def shortened(text: str, most: int) -> str:

@@ -28,7 +28,7 @@ def computed(folder, name, table, sweep, study=""):
     path = folder / "study.toml"
     path.write_text(f'[study]\nkind = "{name}"\n{study}\n[{name}]\n{table}\n[sweep]\n{sweep}\n')
     study = read_study(path)
-    found = study.kind.prepare(study).run(range(study.design.count))
+    found = study.task.run(range(study.design.count))
     return study.design.values(range(study.design.count)), found
 
 

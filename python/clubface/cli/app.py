@@ -14,7 +14,9 @@ from typer.core import TyperGroup
 
 from clubface.cli.failures import Interrupted, ReaderGone, as_typed, let_go_of_output, report, say, show_warnings
 from clubface.cli.invocation import remember
+from clubface.cli.output import legible_streams
 from clubface.errors import UnknownNameError
+from clubface.support.input_files import InputRecord
 from clubface.support.version import __version__
 
 COMMANDS = {
@@ -131,7 +133,8 @@ def run(arguments: Sequence[str]) -> int:
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # a terminal without a letter such as µ still gets its table
     try:
-        status = typer.main.get_command(app).main(list(arguments), prog_name="clubface", standalone_mode=False)
+        with InputRecord().active(), legible_streams():
+            status = typer.main.get_command(app).main(list(arguments), prog_name="clubface", standalone_mode=False)
         sys.stdout.flush()  # what the parser printed by itself, such as help
     except (ReaderGone, BrokenPipeError, SystemExit):  # Rich, which prints the help, takes a broken pipe for the end
         # A pager or head has seen enough: nothing is left to say.

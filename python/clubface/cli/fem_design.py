@@ -34,7 +34,7 @@ def design(
     as_json: options.Json = False,
 ) -> None:
     """Find the walls of a head: a fast model proposes them, finite elements judge ball speed, stress and limits."""
-    output.check_written_from(target, (".toml",), study)
+    output.check_target("--output", target, (".toml",), (study,))
     output.check_picture(picture, (study,))
     output.check_report(report, (study,))
     output.check_resume(resume, target)
@@ -42,6 +42,7 @@ def design(
     from clubface.design.shells import words
 
     asked = shells.read(study)
+    output.check_not_read(target)
     with progress_bar("designs") as progress:
         found = shells.improve(asked, output=target, resume=resume, workers=workers, progress=progress)
     if target is not None:

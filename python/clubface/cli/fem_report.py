@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from clubface.cli import reporting
+from clubface.support.input_files import read_input
 from clubface.units import fixed, from_si
 
 if TYPE_CHECKING:
@@ -48,8 +49,13 @@ def write_head(
     reporting.write(
         target, title=f"The head {of.name}: {'what it bears' if parts else 'mass and mesh'}",
         words=_head_words(of, told, parts, given), picture=picture, columns=columns, show=show, launches=(),
-        given={"head": of.name, "elements": str(of.elements), **given}, files={path.name: path.read_text()},
+        given={"head": of.name, "elements": str(of.elements), **given}, files=_texts(path),
     )  # fmt: skip
+
+
+def _texts(path: Path) -> dict[str, str]:
+    """Return the text of a description by the name of its file; one that is not shipped is in every report."""
+    return {path.name: read_input(path).decode("utf-8-sig", errors="replace")}
 
 
 def _head_words(
@@ -103,9 +109,10 @@ def write_run(target: str, found: Impact, case: Case, file: str, show: Callable[
         for name, value in case.settings.values().items()
         if value is not None
     }
-    files = {path.name: path.read_text()}
+    files = _texts(path)
     if case.ball.name in builtin_names("balls"):
-        files[f"ball {case.ball.name}.toml"] = builtin_path("ball", case.ball.name, "balls").read_text()
+        (text,) = _texts(builtin_path("ball", case.ball.name, "balls")).values()
+        files[f"ball {case.ball.name}.toml"] = text
     reporting.write(
         target, title=f"An impact by finite elements: {case.description or case.name}", words=_run_words(found, case),
         picture=picture, columns=columns,

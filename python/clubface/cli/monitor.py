@@ -50,12 +50,13 @@ def read(
     **texts: Any,
 ) -> None:
     """Read a launch monitor's file and write its shots in the units and signs of clubface."""
+    from clubface.support.input_files import same_file
     from clubface.tables.writer import KINDS
 
     read_files = [file, texts["mapping"]]
     output.check_target("--output", target, KINDS, read_files)
     output.check_target("--rejects", rejects, (".csv",), read_files)
-    if target is not None and rejects is not None and Path(target).resolve() == Path(rejects).resolve():
+    if target is not None and rejects is not None and same_file(target, rejects):
         raise InputError("--rejects", rejects, "another file than the output")
     shots = read_shots(file, texts | {"hand": hand}, _clubs(club or []), where=True)
     if target is not None:
@@ -171,9 +172,8 @@ def _layout(of: Any) -> dict[str, Any]:
 
 
 def _write_rejects(shots: RecordedShots, path: Path) -> None:
-    import csv
+    from clubface.support.whole_file import whole_file
+    from clubface.tables.writer import csv_lines
 
-    from clubface.support.whole_file import whole_text
-
-    with whole_text(path) as file:
-        csv.writer(file, lineterminator="\n").writerows([("line", "reason"), *shots.rejected])
+    with whole_file(path) as file:
+        file.write(csv_lines([("line", "reason"), *shots.rejected], ","))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import time
 from contextlib import closing, nullcontext
 from pathlib import Path
@@ -127,7 +126,7 @@ def _say_notes(got: list[Message]) -> None:
 def _tell_shot(message: Message, as_json: bool) -> None:
     if as_json:
         told = {"device": message.device, "shot": message.shot_number, **message.delivery, **message.launch}
-        print(json.dumps(told, ensure_ascii=False), flush=True)
+        print(output.json_text(told), flush=True)
         return
     launch = message.launch
     parts = [f"shot {message.shot_number}"]

@@ -31,7 +31,7 @@ def optimise(
     as_json: options.Json = False,
 ) -> None:
     """Find the club that is best for golfers within limits, or the parts that fit them."""
-    output.check_written_from(target, (".toml", ".csv"), study)
+    output.check_target("--output", target, (".toml", ".csv"), (study,))
     output.check_picture(picture, (study,))
     output.check_report(report, (study,))
     output.check_resume(resume, target)
@@ -39,6 +39,7 @@ def optimise(
     from clubface.design.optimisation.study_file import read
 
     asked = read(study)
+    output.check_not_read(target)
     if isinstance(asked, Fitting):
         output.check_target("--output", target, (".csv",))
         _fit(asked, target, picture, report, resume, as_json)

@@ -5,15 +5,16 @@ from __future__ import annotations
 import json
 import math
 import os
+import re
 import sys
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from contextvars import ContextVar
 from pathlib import Path
 from typing import Any
 
 from clubface.cli.failures import say
-from clubface.errors import ClubfaceError, InputError, in_a_line
+from clubface.errors import LINES, ClubfaceError, InputError, in_a_line, legible
 from clubface.support.folders import prepared_folder
 from clubface.support.plain_json import plain
 from clubface.support.whole_file import write_text
@@ -21,6 +22,34 @@ from clubface.support.whole_file import write_text
 REJECTED = 20
 """Rows without a shot that are printed."""
 _REPEATED: ContextVar[list[Any] | None] = ContextVar("repeated", default=None)
+
+
+class _Legible:
+    """A stream for people: whatever is written to it comes out as :func:`clubface.errors.legible` has it.
+
+    On a terminal, what sets the type of letters passes, or on the error stream what moves a bar: tables, notes and
+    messages, in which texts of others come, are legible before.
+    """
+
+    def __init__(self, stream: Any, own: str) -> None:
+        self._stream, self._own = stream, f"(\033\\[[0-9;?]*[{own}])"
+
+    def write(self, text: str) -> int:
+        """Write a text."""
+        own = self._own if "\033" in text and self._stream.isatty() else "(?!)"
+        parts = re.split(own, text)
+        self._stream.write("".join(part if place % 2 else legible(part, LINES) for place, part in enumerate(parts)))
+        return len(text)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+
+@contextmanager
+def legible_streams() -> Iterator[None]:
+    """Let nothing that a file holds reach the output as more than letters."""
+    with redirect_stdout(_Legible(sys.stdout, "m")), redirect_stderr(_Legible(sys.stderr, "A-Za-z")):  # pyright: ignore[reportArgumentType]
+        yield
 
 
 @contextmanager
@@ -78,13 +107,12 @@ def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: It
             raise InputError(name, target, "another file than those that are read")
 
 
-def check_written_from(target: str | None, kinds: Sequence[str], study: str) -> None:
-    """Refuse ``--output`` in the same way; what the file of a study names, such as a club, is an input, too."""
-    check_target("--output", target, kinds, (study,))
-    if target is not None:
-        from clubface.studies.referenced_files import files_of
+def check_not_read(target: str | None) -> None:
+    """Refuse ``--output`` that is a file which the command has read, such as a club that a study names."""
+    from clubface.support.input_files import place_of, recorded_files
 
-        check_target("--output", target, kinds, map(str, files_of(Path(study))))
+    if target is not None and place_of(target) in {each.place for each in recorded_files()}:
+        raise InputError("--output", target, "another file than those that are read")
 
 
 def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None:
@@ -127,9 +155,15 @@ def write_template(text: str, target: str | None, then: str) -> None:
     say(f"wrote {target}; {then}")
 
 
+def json_text(document: Any, *, indent: int | None = None) -> str:
+    """Return JSON in the letters of its texts; what no terminal should get, is escaped."""
+    text = json.dumps(document, indent=indent, allow_nan=False, ensure_ascii=False)
+    return "".join(each if each.isprintable() or each == "\n" else json.dumps(each)[1:-1] for each in text)
+
+
 def print_json(document: Any) -> None:
     """Print one JSON document; NaN and infinities, which JSON lacks, become null."""
-    print(json.dumps(plain(document), indent=2, allow_nan=False, ensure_ascii=False))
+    print(json_text(plain(document), indent=2))
 
 
 def number(value: float | None, digits: int = 1) -> str:
@@ -178,4 +212,4 @@ def print_paragraph(text: str) -> None:
     import textwrap
 
     _repeat_texts([text], bullets=False)
-    print(textwrap.fill(text, min(terminal_width() or 120, 120)))
+    print(textwrap.fill(legible(text, LINES), min(terminal_width() or 120, 120)))

@@ -9,6 +9,9 @@ from typing import Any
 
 from clubface.cli import invocation, output
 
+MOST_BYTES = 2**17
+"""Larger descriptions are told by their fingerprint alone, as tables are."""
+
 
 def write(
     target: str,
@@ -81,14 +84,19 @@ def flown(conditions: Mapping[str, Any] | None) -> dict[str, str]:
 def repeat(files: Mapping[str, str] | None = None) -> list[Any]:
     """Return the end of a report: the command that was typed, the files that it read, and other ``files`` by name."""
     from clubface.reports.blocks import Heading, Listing, Paragraph, Table
-    from clubface.support.fingerprint import fingerprint_of_file
+    from clubface.support.input_files import recorded_files, short_names
 
-    read = invocation.read_files()
+    read = [each for each in recorded_files() if not each.shipped]
+    names = short_names([each.path for each in read])
     blocks: list[Any] = [Heading(2, "To compute it again"), Listing("The command", invocation.command())]
     if read:
-        rows = [(each.name, str(each.stat().st_size), fingerprint_of_file(each)) for each in read]
+        rows = [(name, str(each.size), each.sha256) for name, each in zip(names, read, strict=True)]
         blocks += [Paragraph(("It reads these files.",)), Table(("file", "bytes", "SHA-256"), rows)]
-    texts = {each.name: each.read_text(errors="replace") for each in read if invocation.is_description(each)}
+    texts = {
+        name: each.content.decode("utf-8-sig", errors="replace")
+        for name, each in zip(names, read, strict=True)
+        if each.content is not None and each.size <= MOST_BYTES and name.lower().endswith(".toml")
+    }
     return blocks + [Listing(name, text) for name, text in {**(files or {}), **texts}.items()]
 
 

@@ -105,7 +105,7 @@ def join(
     """Put all parts together in the order of the tasks, and print the SHA-256 of every column."""
     from clubface.studies.joining import join as put_together
 
-    output.check_written_from(target, TABLES, study)
+    output.check_target("--output", target, TABLES, (study,))
     with progress_bar("parts") as progress:
         found = put_together(study, target, store=store, progress=progress)
     _tell(found.failed, found.remark)

@@ -8,6 +8,7 @@ import textwrap
 from collections.abc import Iterable, Sequence
 
 from clubface.cli.output import repeat_table, terminal_width
+from clubface.errors import legible
 
 
 def print_numbers(
@@ -26,7 +27,8 @@ def print_numbers(
     summary
         Whether the last row sums up the others and is set apart.
     """
-    body = [list(row) for row in rows]
+    body = [[legible(cell, "\n") for cell in row] for row in rows]
+    heads, title = [legible(head, "\n") for head in heads], legible(title)
     repeat_table(title, heads, body)
     available = terminal_width()
     widths = [
@@ -53,6 +55,7 @@ def print_numbers(
 
 def print_list(rows: Sequence[tuple[str, str, str]], *, title: str) -> None:
     """Print names with their numbers, one below the other, each with what follows it, such as its unit."""
+    rows, title = [(legible(name), number, legible(rest)) for name, number, rest in rows], legible(title)
     names, numbers = (max(len(row[column]) for row in rows) for column in (0, 1))
     lines = textwrap.wrap(title, terminal_width() or 120)
     for line in lines:
@@ -112,7 +115,9 @@ def print_words(heads: Sequence[str], rows: Iterable[Sequence[str]], *, numbers:
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), show_edge=False, header_style="bold")
     for index, head in enumerate(heads):
         right = index in numbers
-        table.add_column(head, justify="right" if right else "left", no_wrap=right or not index, overflow="fold")
+        table.add_column(
+            legible(head, "\n"), justify="right" if right else "left", no_wrap=right or not index, overflow="fold"
+        )
     for row in rows:
-        table.add_row(*row)
+        table.add_row(*(legible(cell, "\n") for cell in row))
     Screen(width=terminal_width() or 10_000, highlight=False, markup=False, emoji=False).print(table)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import os
 from collections.abc import Callable
 from functools import partial
@@ -13,8 +11,10 @@ from typing import Any, NamedTuple
 from clubface.errors import FileError, InputError
 from clubface.inference.rows import Rows
 from clubface.recorded.shots import RecordedShots
-from clubface.support.fingerprint import fingerprint_of_file
+from clubface.support.input_files import input_file
 from clubface.support.resuming import Store, unfinished
+from clubface.support.shipped import is_path
+from clubface.tables.writer import csv_lines
 
 
 class InferReport(NamedTuple):
@@ -85,7 +85,6 @@ def infer_shots(
         raise FileError(str(target), None, f"there is no folder {str(target.parent)!r}")
     rows = Rows(shots, **options)
     content = {
-        "source": _with_content(shots.source),
         "set of measured shots": [shots.rows, shots.launches, shots.deliveries, shots.hand],
         "point of measurement": [shots.speed_at, shots.face_at],
         "club, prior or option": {name: _with_content(value) for name, value in rows.options.items()},
@@ -102,9 +101,8 @@ def infer_shots(
             message = f"interrupted: {len(store)} finished shots are in {folder}; the same command goes on after them"
             raise KeyboardInterrupt(message) if len(store) else KeyboardInterrupt from None
         written = [store[str(place)] for place in range(len(shots))]
-        text = io.StringIO()
-        csv.writer(text, lineterminator="\n").writerows([rows.headings, *written])
-        store.write_result(target, lambda file: file.write(text.getvalue().encode()))
+        text = csv_lines([rows.headings, *written], ",")
+        store.write_result(target, lambda file: file.write(text))
         store.remove()
     without = sum(row[-2] == "" for row in written)
     warned = sum(bool(row[-1]) for row in written) - without
@@ -113,5 +111,4 @@ def infer_shots(
 
 def _with_content(value: Any) -> Any:
     """Return an option, and for the name of a file what the file holds."""
-    named = isinstance(value, (str, os.PathLike)) and os.path.isfile(value)
-    return fingerprint_of_file(value) if named else value
+    return input_file(value).sha256 if is_path(value) else value

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import os
 import struct
-from pathlib import Path
 from typing import NamedTuple
 
 from clubface.errors import FileError
+from clubface.support.input_files import read_input
 
 BLOCK = 512
 MAGIC = 0x50
@@ -56,13 +56,7 @@ class Layout(NamedTuple):
 def check_layout(path: str | os.PathLike[str]) -> Layout:
     """Return what a C3D file says it holds; one that is empty, cut short or damaged is a :class:`FileError`."""
     name = os.fspath(path)
-    if os.path.exists(name) and not os.path.isfile(name):
-        raise FileError(name, None, "cannot be read: this is not a file")
-    try:
-        content = Path(name).read_bytes()
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise FileError(name, None, f"cannot be read: {reason}") from None
+    content = read_input(path)
     if not content:
         raise FileError(name, None, "the file is empty")
     if len(content) < 2 or content[1] != MAGIC or content[0] < 2:

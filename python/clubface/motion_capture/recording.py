@@ -16,6 +16,7 @@ from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.motion_capture.c3d_layout import check_layout
 from clubface.motion_capture.rigid_body import visible
 from clubface.motion_capture.rotations import Array
+from clubface.support.input_files import as_local_file, input_file
 from clubface.support.isolated import IsolatedError, IsolatedProcess
 from clubface.support.whole_file import whole_file
 
@@ -107,13 +108,13 @@ def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Record
     """
     name = os.fspath(path)
     layout = check_layout(name)
-    size = os.path.getsize(name)
-    try:
-        found = LIBRARY.call(
-            "contents", os.path.abspath(name), memory=MEMORY * size, seconds=size / SPEED
-        )  # a crash of the library is an error of the file
-    except IsolatedError as error:
-        raise FileError(name, None, f"this C3D file cannot be read: {str(error).rstrip('.')}") from None
+    size = input_file(name).size
+    with as_local_file(name) as local:
+        try:  # a crash of the library is an error of the file
+            found = LIBRARY.call("contents", local, memory=MEMORY * size, seconds=size / SPEED)
+        except IsolatedError as error:
+            reason = str(error).replace(local, name).rstrip(".")
+            raise FileError(name, None, f"this C3D file cannot be read: {reason}") from None
     points, rate, texts = found["points"], found["rate"], found["texts"]
     if points.ndim != 3 or not points.shape[1] or not points.shape[2]:
         raise FileError(name, None, "the file holds no points")

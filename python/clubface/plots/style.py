@@ -12,9 +12,10 @@ from typing import Any, ParamSpec, TypeVar
 
 import matplotlib as mpl
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from clubface.equipment.models import models
-from clubface.errors import InputError
+from clubface.errors import LINES, InputError, legible
 from clubface.support.whole_file import whole_file
 
 P = ParamSpec("P")
@@ -119,14 +120,23 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     target = check_ending(path)
     dates = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}, ".png": {}}
     kind = target.suffix.lower()
+    _make_legible(figure)
     with whole_file(target) as file:
         figure.savefig(file, format=kind[1:], metadata=dates[kind])
     return target
 
 
+def _make_legible(figure: Figure) -> None:
+    """Write out the characters of names of files, clubs and players that no picture should get."""
+    for each in figure.findobj(Text):
+        if isinstance(each, Text) and (text := legible(each.get_text(), LINES)) != each.get_text():
+            each.set_text(text)
+
+
 @styled
 def svg(figure: Figure) -> str:
     """Return ``figure`` as the text of an SVG file; the same figure gives the same text."""
+    _make_legible(figure)
     kept = io.StringIO()
     figure.savefig(kept, format="svg", metadata={"Date": None})
     return kept.getvalue()

@@ -23,6 +23,7 @@ from clubface.simulation.inputs import equipped, hand_value
 from clubface.simulation.launch import computed_with
 from clubface.simulation.run_options import thread_count, tolerance
 from clubface.support.checks import check_count
+from clubface.support.input_files import recorded, same_file
 from clubface.tables.headings import Column
 from clubface.tables.writer import is_parquet
 
@@ -87,6 +88,7 @@ class PredictReport:
         return "\n".join(lines)
 
 
+@recorded
 def predict(
     source: str | os.PathLike[str],
     *,
@@ -235,11 +237,11 @@ def _by_quantity(columns: Iterable[Column]) -> dict[str, Column]:
 def _check_paths(source: Path, target: Path, aside: Path) -> None:
     is_parquet(target)
     for path, what in ((target, "output"), (aside, "rejects")):
-        if path.resolve() == source.resolve():
+        if same_file(path, source):
             raise FileError(str(path), None, f"the {what} must be another file than the one that is read")
         if not path.parent.is_dir():
             raise FileError(str(path), None, f"there is no folder {str(path.parent)!r}")
         if path.is_dir():
             raise FileError(str(path), None, f"the {what} is a folder; give the name of a file")
-    if aside.resolve() == target.resolve():
+    if same_file(aside, target):
         raise FileError(str(aside), None, "the rejects must go to another file than the output")

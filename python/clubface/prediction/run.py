@@ -16,7 +16,7 @@ from clubface.simulation.flight_inputs import conditions
 from clubface.simulation.impact import impact
 from clubface.simulation.outside import Tally
 from clubface.simulation.own_law import source_of
-from clubface.support.fingerprint import fingerprint_of_file
+from clubface.support.input_files import input_file
 from clubface.support.resuming import Store, unfinished
 from clubface.support.warning import without_warnings
 from clubface.tables.headings import HAND, Layout
@@ -94,7 +94,7 @@ class Task:
         # The club itself and not its inputs: a meshed one is more than the mass and inertia of its mesh.
         equipment = [shot["club"], ball.inputs() if isinstance(ball, Ball) else ball.values()]
         return {
-            "source": fingerprint_of_file(source),
+            "source": input_file(source).sha256,
             "choice of shots": self.content,
             "layout of columns": [self.columns, list(self.results.items())],
             "model": [shot["model"], dict(shot["parameters"].values), shot["parameters"].characteristic_time, law],

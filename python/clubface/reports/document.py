@@ -9,7 +9,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from clubface.errors import InputError
+from clubface.errors import LINES, InputError, legible
 from clubface.reports.blocks import Block, Bullets, Data, Heading, Listing, Paragraph, Table
 from clubface.support.whole_file import write_text
 
@@ -146,7 +146,7 @@ def _linked(text: str) -> str:
 
 
 def _in_the_page(text: str, kind: str) -> str:
-    return f"data:{kind};base64,{base64.b64encode(text.encode()).decode()}"
+    return f"data:{kind};base64,{base64.b64encode(legible(text, LINES).encode()).decode()}"
 
 
 def _link(address: str, name: str, what: str) -> str:

@@ -242,7 +242,7 @@ def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:
         for name in given:
             model(model_name).parameter(name)
         return _published(model_name, family).replace(**given)
-    if isinstance(given, os.PathLike) or (isinstance(given, str) and given.endswith(".toml")):
+    if is_path(given):
         return ParameterSet.from_toml(given, model=model_name, club=family)
     if isinstance(given, str):
         return ParameterSet.builtin(model_name, family, given)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 from clubface.errors import ClubfaceError, FileError
 from clubface.studies.kinds.kind import Task
 from clubface.studies.parts import Names, read_part, write_part
-from clubface.studies.store import OTHERWISE, StudyStore, open_store
+from clubface.studies.store import StudyStore, check_study, open_store
 from clubface.studies.study import StudyFile, read_study
-from clubface.support.fingerprint import check_same, fingerprints
+from clubface.support.input_files import InputRecord, given_files
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -36,7 +37,7 @@ class Chunks:
 
     def __init__(self, study: StudyFile, store: StudyStore) -> None:
         self._study, self._store = study, store
-        self._task: Task = study.kind.prepare(study)
+        self._task: Task = study.task
         self._axes = {each.name: each for each in study.design.axes}
         self._units = {name: each.unit for name, each in self._axes.items() if each.unit is not None}
         self._units |= {name: each.unit for name, each in self._task.columns.items()}
@@ -106,7 +107,7 @@ _opened: dict[tuple[str, str, str], Chunks] = {}
 _opening = threading.Lock()
 
 
-def ensure(study: str, folder: str, identity: str, chunk: int) -> dict[str, Any]:
+def ensure(study: str, folder: str, identity: str, files: Sequence[tuple[str, str, int]], chunk: int) -> dict[str, Any]:
     """See that a chunk is done, for a worker that knows the study by its file and its store alone.
 
     Parameters
@@ -115,6 +116,8 @@ def ensure(study: str, folder: str, identity: str, chunk: int) -> dict[str, Any]
         The file of the study and the folder of its store, as this machine sees them.
     identity
         Of the store.
+    files
+        Path, fingerprint and size of what the study has read; the store has the contents.
     chunk
         The number of the chunk.
 
@@ -131,8 +134,9 @@ def ensure(study: str, folder: str, identity: str, chunk: int) -> dict[str, Any]
     key = (study, folder, identity)
     with _opening:
         if key not in _opened:
-            store, read = open_store(Path(folder)), read_study(study)
-            check_same(store.folder, fingerprints(read.content()), store.record["content"], OTHERWISE)
+            store = open_store(Path(folder))
+            read = read_study(study, InputRecord(given_files(files, store.inputs)))
+            check_study(store, read)
             if store.identity != identity:
                 raise FileError(folder, None, "this store has become that of another study meanwhile")
             _opened.clear()

@@ -31,7 +31,7 @@ LOGGERS = ("distributed", "distributed.client", "distributed.comm", "distributed
 
 def work_on_cluster(
     address: str,
-    arguments: tuple[str, str, str],
+    arguments: tuple[Any, ...],
     chunks: Iterable[int],
     *,
     done: Callable[[int, Mapping[str, Any]], object],
@@ -89,7 +89,7 @@ def _check_scheduler(address: str) -> None:
 
 
 class _Cluster:
-    def __init__(self, client: Any, address: str, arguments: tuple[str, str, str], done: Any) -> None:
+    def __init__(self, client: Any, address: str, arguments: tuple[Any, ...], done: Any) -> None:
         self._client, self._address, self._arguments, self._done = client, address, arguments, done
         self._running: dict[Any, int] = {}
         self._again: deque[int] = deque()

@@ -18,7 +18,7 @@ from clubface.studies.chunks import COMPUTED, MENDED
 from clubface.studies.kinds.kind import Task
 from clubface.studies.pool import Pool
 from clubface.studies.shards import Shard, shard as shard_of
-from clubface.studies.store import StudyStore, begin, store_of
+from clubface.studies.store import StudyStore, arguments_of, begin, store_of
 from clubface.studies.study import StudyFile, read_study
 from clubface.support.checks import check_count
 from clubface.support.fingerprint import fingerprint
@@ -160,7 +160,7 @@ def _run(
     progress: Callable[[int, int], object] | None,
 ) -> Outcome:  # fmt: skip
     """Compute the chunks of a share by a pool or on a cluster."""
-    task = study.kind.prepare(study)
+    task = study.task
     fresh = not folder.exists()
     opened = begin(folder, study, lambda: _description(study, task))
     mine = share.of_all(opened.chunks)
@@ -180,7 +180,7 @@ def _run(
         if progress is not None:
             progress(done, whole)
 
-    arguments = (str(study.path.resolve()), str(folder.resolve()), opened.identity)
+    arguments = arguments_of(opened, study)
     try:
         if scheduler is not None:
             from clubface.studies.cluster import work_on_cluster

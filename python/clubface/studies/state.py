@@ -9,9 +9,8 @@ from pathlib import Path
 
 from clubface.errors import FileError
 from clubface.studies.chunks import checked_part
-from clubface.studies.store import OTHERWISE, StudyStore, open_store, store_of
+from clubface.studies.store import StudyStore, check_study, open_store, store_of
 from clubface.studies.study import read_study
-from clubface.support.fingerprint import check_same, fingerprints
 
 SHOWN = 20
 """Chunks that are told by their number."""
@@ -64,7 +63,7 @@ def opened(which: str | os.PathLike[str], store: str | os.PathLike[str] | None =
     if not folder.exists():
         raise FileError(str(folder), None, f"nothing of this study is done yet; clubface study run {path} begins it")
     found = open_store(folder)
-    check_same(folder, fingerprints(study.content()), found.record["content"], OTHERWISE)
+    check_study(found, study)
     return found
 
 

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from clubface.errors import FileError
 from clubface.studies.study import StudyFile
 from clubface.support.checked_json import read_checked, write_checked
-from clubface.support.fingerprint import check_same, fingerprint, fingerprints
+from clubface.support.fingerprint import check_same, fingerprint, fingerprints, first_difference
 from clubface.support.folders import prepared_folder
+from clubface.support.input_files import InputFile, absolute
 from clubface.support.part_store import PARTS, RECORD, PartStore
+from clubface.support.whole_file import whole_file
 
 ENDING = ".parquet"
+INPUTS = "inputs"
 A_FOLDER = 1000
 """Parts of a folder: file systems slow down with very many."""
 DAMAGED = "this record of a study is damaged; remove it: clubface study run makes it anew, and keeps the parts that fit"
@@ -56,6 +60,24 @@ class StudyStore(PartStore):
         """Return the file of a chunk."""
         return self.parts / f"{chunk // A_FOLDER:04d}" / f"{chunk:08d}{ENDING}"
 
+    @property
+    def inputs(self) -> Path:
+        """The folder of what the study has read, each file under its fingerprint: workers read nothing else."""
+        return self.folder / INPUTS
+
+    def keep_input(self, of: InputFile) -> None:
+        """Keep a file that the study has read; one too large to be kept is read in its own place."""
+        path = self.inputs / of.sha256
+        if of.content is not None and not path.exists():
+            with whole_file(self.prepare(path)) as file:
+                file.write(of.content)
+
+    def input(self, sum_: str) -> bytes | None:
+        """Return what was read under a fingerprint, None where it is not kept."""
+        with suppress(OSError):
+            return (self.inputs / sum_).read_bytes()
+        return None
+
     def present(self) -> bytearray:
         """Return for each chunk whether a part is there (1) or not (0); no part is read."""
         found = bytearray(self.chunks)
@@ -94,7 +116,7 @@ def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]
     """
     content = fingerprints(study.content())
     if not (folder / RECORD).exists():
-        if folder.exists() and (not folder.is_dir() or any(each.name != PARTS for each in _seen(folder))):
+        if folder.exists() and (not folder.is_dir() or any(each.name not in (PARTS, INPUTS) for each in _seen(folder))):
             raise FileError(str(folder), None, "this is no store of a study; give another folder with --store")
         record = {"content": content, "name": study.name, "count": study.design.count, **describe()}
         prepared_folder(folder)
@@ -104,8 +126,35 @@ def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]
             if not (folder / RECORD).exists():
                 raise
     found = open_store(folder)
-    check_same(folder, content, found.record["content"], OTHERWISE)
+    check_study(found, study)
+    for each in _handed_over(study):
+        found.keep_input(each)
     return found
+
+
+def check_study(store: StudyStore, study: StudyFile) -> None:
+    """Refuse a store of another study; of a file that has changed it is said where."""
+    before = store.record["provenance"]["files"]
+    now = {f"file {name}": sum_ for name, sum_ in study.files().items()}
+    contents = {each.sha256: each.content for each in _handed_over(study)}
+
+    def change(name: str) -> str:
+        key = name.removeprefix("file ")
+        if name not in now or key not in before:
+            return "" if name not in {*now, *(f"file {each}" for each in before)} else " (named in one of them alone)"
+        return first_difference(store.input(before[key]), contents.get(now[name]))
+
+    check_same(store.folder, fingerprints(study.content()), store.record["content"], OTHERWISE, change)
+
+
+def arguments_of(store: StudyStore, study: StudyFile) -> tuple[str, str, str, list[tuple[str, str, int]]]:
+    """Return what a worker is told: study, store, its identity, and path, fingerprint and size of all inputs."""
+    files = [(path, each.sha256, each.size) for path, each in study.inputs.by_path().items()]
+    return absolute(study.path), absolute(store.folder), store.identity, files
+
+
+def _handed_over(study: StudyFile) -> list[InputFile]:
+    return [each for each in study.inputs.files if not each.shipped]
 
 
 def _seen(folder: Path) -> list[Path]:

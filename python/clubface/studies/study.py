@@ -26,6 +26,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -33,11 +34,11 @@ from clubface import units
 from clubface.errors import ClubfaceError, FileError, InputError, Told, UnknownNameError
 from clubface.studies.axes import Axis, Swept, axis, inputs_named
 from clubface.studies.designs import DESIGNS, GRID, HYPERCUBE, SOBOL, TABLE, Design, Remembered, Rows, design
-from clubface.studies.kinds.kind import Kind
+from clubface.studies.kinds.kind import Column, Computed, Kind, Task
 from clubface.studies.kinds.registry import kind
-from clubface.studies.referenced_files import fingerprints_of
 from clubface.studies.table_rows import table_columns
 from clubface.support.checks import check_choice, check_name, is_count
+from clubface.support.input_files import InputRecord, absolute
 from clubface.support.strict_toml import Document
 
 KEYS = ("name", "kind", "design", "samples", "seed", "chunk", "seconds")
@@ -68,6 +69,9 @@ class StudyFile:
         Which inputs each task has.
     chunk
         Tasks of a chunk, or None where ``seconds`` tell how long one should take [s].
+    inputs
+        The files that the study reads, as they were when they were read: the study itself, those that it names, and
+        those that these name in turn, such as a mesh.
     """
 
     path: Path
@@ -81,6 +85,7 @@ class StudyFile:
     chunk: int | None
     seconds: float
     document: Document
+    inputs: InputRecord
 
     @property
     def folder(self) -> Path:
@@ -94,25 +99,64 @@ class StudyFile:
             f"[{self.kind.name}]": self.table,
             "[sweep]": [list(self.sweep.items())],
             "design": [self.method, self.design.count],
-            **{f"file {name}": sums for name, sums in self.files().items()},
+            **{f"file {name}": sum_ for name, sum_ in self.files().items()},
             **({"seed or version of SciPy": [self.seed, *_generators()]} if self.method in SAMPLED else {}),
             **({} if self.chunk is None else {"chunk": self.chunk}),
         }
 
-    def files(self) -> dict[str, list[str]]:
-        """Return fingerprints of the files that the study names, and of those that these name in turn, by name."""
-        found: dict[str, list[str]] = {}
-        for each in (*self.kind.files(self), *([self.folder / self.sweep["table"]] if self.method == TABLE else [])):
-            found.setdefault(each.name, []).extend(fingerprints_of(each))
-        return found
+    @cached_property
+    def task(self) -> Task:
+        """What is computed; all files are read with it, and none later.
+
+        Raises
+        ------
+        FileError
+            Something is wrong with the study or with a file that it names.
+        """
+        with self.inputs.active():
+            task = self.kind.prepare(self)
+        self.inputs.close()
+        return Loaded(task, self.inputs)
+
+    def files(self) -> dict[str, str]:
+        """Return fingerprints of the files that the study reads, by their names from its folder."""
+        _ = self.task
+        folder, own = os.path.join(absolute(self.folder), ""), absolute(self.path)
+        found = {path: each.sha256 for path, each in self.inputs.by_path().items() if path != own}
+        return {path.removeprefix(folder): sum_ for path, sum_ in sorted(found.items())}
 
     def wrap(self, error: ClubfaceError) -> FileError:
         """Return an error about a value of the kind's table with file and line."""
         return error if isinstance(error, FileError) else self.document.wrap(error, self.kind.name)
 
 
-def read_study(path: str | os.PathLike[str]) -> StudyFile:
-    """Read a study from its file; what is wrong in it is a :class:`FileError` with the line."""
+class Loaded:
+    """A task whose files are read. See :class:`clubface.studies.kinds.kind.Task`."""
+
+    columns: Mapping[str, Column]
+    depends_on: Mapping[str, str]
+
+    def __init__(self, task: Task, inputs: InputRecord) -> None:
+        self.task, self.inputs = task, inputs
+        self.columns, self.depends_on = task.columns, task.depends_on
+
+    def run(self, indices: range) -> Computed:
+        """Compute consecutive indices from the files as they were read."""
+        with self.inputs.active():
+            return self.task.run(indices)
+
+
+def read_study(path: str | os.PathLike[str], inputs: InputRecord | None = None) -> StudyFile:
+    """Read a study from its file; what is wrong in it is a :class:`FileError` with the line.
+
+    ``inputs`` are its files, where another process has read them.
+    """
+    record = InputRecord() if inputs is None else inputs
+    with record.active():
+        return _read(path, record)
+
+
+def _read(path: str | os.PathLike[str], inputs: InputRecord) -> StudyFile:
     document = Document.read(path)
     data = document.data
     head = _table(document, "study")
@@ -147,6 +191,7 @@ def read_study(path: str | os.PathLike[str]) -> StudyFile:
     return StudyFile(
         path=Path(path), name=name, kind=chosen, table=table, sweep=sweep, method=method, seed=seed,
         design=Remembered(made), chunk=chunk, seconds=seconds, document=document,
+        inputs=inputs,
     )  # fmt: skip
 
 

@@ -24,11 +24,11 @@ def main() -> None:
 
     with suppress(ClubfaceError):
         pyarrow_for("")
-    study, folder, identity = json.loads(sys.stdin.readline() or "[0, 0, 0]")
+    given: Any = json.loads(sys.stdin.readline() or "[]")
     for line in sys.stdin:
         answer: dict[str, Any] = {"chunk": int(line)}
         try:
-            answer |= ensure(study, folder, identity, int(line))
+            answer |= ensure(*given, chunk=int(line))
         except ClubfaceError as error:
             answer["mistake"] = str(error)
         except MemoryError:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass
 from enum import Enum
+from itertools import zip_longest
 from pathlib import Path, PurePath
 from typing import Any
 
-from clubface.errors import FileError
+from clubface.errors import FileError, shortened
 from clubface.support.strict_toml import Document
 from clubface.support.version import __version__
 
@@ -19,15 +19,6 @@ from clubface.support.version import __version__
 def fingerprint(content: Any) -> str:
     """Return a text that is the same only for the same content: what JSON has, arrays, data classes, and their like."""
     return hashlib.sha256(json.dumps(_told(content), sort_keys=True).encode()).hexdigest()
-
-
-def fingerprint_of_file(path: str | os.PathLike[str]) -> str:
-    """Return a text that is the same only for the same bytes in a file."""
-    try:
-        with open(path, "rb") as file:
-            return hashlib.file_digest(file, "sha256").hexdigest()
-    except OSError as error:
-        raise FileError(os.fspath(path), None, f"cannot be read: {error.strerror or error}") from None
 
 
 def _told(value: Any) -> Any:
@@ -61,8 +52,30 @@ def fingerprints(content: Mapping[str, Any]) -> dict[str, str]:
     return {name: fingerprint(each) for name, each in {**content, "version": __version__}.items()}
 
 
-def check_same(folder: Path, told: Mapping[str, str], begun: Mapping[str, str], otherwise: str) -> None:
-    """Refuse to go on with work in ``folder`` that was begun with other content; both as of :func:`fingerprints`."""
-    if other := [name for name in {**told, **begun} if told.get(name) != begun.get(name)]:
+def check_same(
+    folder: Path,
+    told: Mapping[str, str],
+    begun: Mapping[str, str],
+    otherwise: str,
+    change: Callable[[str], str] = lambda _: "",
+) -> None:
+    """Refuse to go on with work in ``folder`` that was begun with other content; both as of :func:`fingerprints`.
+
+    ``change`` says what is different in a part, by its name.
+    """
+    if other := [f"{name}{change(name)}" for name in {**told, **begun} if told.get(name) != begun.get(name)]:
         what = f"with another {', another '.join(other)}" if begun else "as other work, whose record is damaged"
         raise FileError(str(folder), None, f"this was begun {what}; {otherwise}")
+
+
+def first_difference(before: bytes | None, now: bytes | None) -> str:
+    """Return in brackets which line of a text is the first that has changed; nothing where that is not known."""
+    try:
+        both = [[] if each is None else each.decode().splitlines() for each in (before, now)]
+    except UnicodeDecodeError:
+        return ""
+    for number, (one, other) in enumerate(zip_longest(*both, fillvalue=""), 1):
+        if one != other and before is not None and now is not None:
+            shown = [shortened(each.strip(), 60) or "empty" for each in (one, other)]
+            return f" (line {number} was {shown[0]} and is {shown[1]})"
+    return ""

@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any, BinaryIO, Self
 
 from clubface.errors import FileError
 from clubface.support.checked_json import read_checked, write_checked
-from clubface.support.fingerprint import check_same, fingerprint, fingerprint_of_file, fingerprints
+from clubface.support.fingerprint import check_same, fingerprint, fingerprints
+from clubface.support.input_files import place_of, same_file
 from clubface.support.part_store import RECORD, PartStore
 from clubface.support.whole_file import unwritable, whole_file
 
@@ -36,7 +37,8 @@ def unfinished(path: Path, inputs: Iterable[str | os.PathLike[str]] = ()) -> Pat
     """Return the folder that keeps what is finished of a file until it is complete; no input may lie in it."""
     folder = path.with_name(path.name + ".unfinished")
     for each in inputs:
-        if folder.resolve() in (Path(each).resolve(), *Path(each).resolve().parents):
+        place = Path(place_of(each))
+        if Path(place_of(folder)) in (place, *place.parents):
             message = f"the finished parts of {path} go to {folder}; give another name for one of the files"
             raise FileError(os.fspath(each), None, message)
     return folder
@@ -189,10 +191,9 @@ class Store:
     def part(self, name: str, sum_: str) -> Path | None:
         """Return the file of a part with such a fingerprint; None if it is gone or damaged."""
         path = self._store.parts / name
-        try:
-            return path if fingerprint_of_file(path) == sum_ else None
-        except FileError:
-            return None
+        with suppress(OSError), open(path, "rb") as file:
+            return path if hashlib.file_digest(file, "sha256").hexdigest() == sum_ else None
+        return None
 
     def _write_part(self, name: str, content: bytes) -> None:
         with whole_file(self.file(name)) as file:
@@ -237,7 +238,7 @@ class Store:
         If another run of the same work has ended meanwhile and removed the parts, its result is there, and stays.
         """
         self.flush()
-        beside = path.resolve().parent == self.folder.resolve().parent
+        beside = same_file(path.parent, self.folder.parent)
 
         def whole() -> None:
             with whole_file(path, folder=self._store.folder if beside else None) as file:

@@ -6,7 +6,8 @@ import os
 from collections.abc import Collection, Iterable
 from typing import Any
 
-from clubface.errors import ClubfaceError, FileError, UnknownNameError
+from clubface.errors import ClubfaceError, FileError, UnknownNameError, legible
+from clubface.support.input_files import read_input
 
 MAXIMUM_SIZE = 1_000_000
 """Bytes; no club, ball or parameter file comes near it."""
@@ -60,17 +61,7 @@ class Document:
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Document:
         """Read the file at ``path``; one missing, too large or not UTF-8 is a :class:`FileError`."""
-        name = os.fspath(path)
-        try:
-            with open(name, "rb") as file:
-                content = file.read(MAXIMUM_SIZE + 1)
-        except (OSError, ValueError) as error:
-            reason = getattr(error, "strerror", None) or str(error)
-            raise FileError(name, None, f"cannot be read: {reason}") from None
-        if len(content) > MAXIMUM_SIZE:
-            raise FileError(
-                name, None, f"this file is larger than {MAXIMUM_SIZE // 1000} kB; it cannot be the right one"
-            )
+        name, content = os.fspath(path), read_input(path, most=MAXIMUM_SIZE)
         try:
             text = content.decode("utf-8-sig")  # editors of Windows begin with a byte order mark
         except UnicodeDecodeError as error:
@@ -224,7 +215,7 @@ def _flaw_of(value: Any) -> str:
 def quoted(text: str) -> str:
     """Write ``text`` as a TOML string, in quotes."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return '"' + "".join(c if c >= " " and c != "\x7f" else f"\\u{ord(c):04X}" for c in escaped) + '"'
+    return f'"{legible(escaped)}"'
 
 
 def _line_in(message: str) -> int | None:

@@ -10,7 +10,8 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO, TextIO
 
-from clubface.errors import FileError
+from clubface.errors import LINES, FileError, legible
+from clubface.support.input_files import recorded_files
 
 Name = str | os.PathLike[str]
 
@@ -41,9 +42,11 @@ def whole_file(path: Name, *, folder: Path | None = None, new: bool = False) -> 
     Raises
     ------
     FileError
-        The system refused to write.
+        The system refused to write, or the file is an input of the computation that writes it.
     """
     target = Path(os.path.realpath(path))
+    if os.fspath(target) in {each.place for each in recorded_files()}:
+        raise FileError(os.fspath(path), None, "this must be another file than those that are read")
     try:
         mode = _mode_of(target, new)
         fresh = (folder or target.parent) / f".{target.stem[:100]}-{os.urandom(6).hex()}{target.suffix}"
@@ -81,9 +84,9 @@ def whole_text(path: Name) -> Iterator[TextIO]:
 
 
 def write_text(path: Name, text: str, *, encoding: str = "utf-8", new: bool = False) -> Path:
-    """Write a file of text, whole or not at all; return its path."""
+    """Write a file of text, whole or not at all; return its path. What no page or table should get, is escaped."""
     with whole_file(path, new=new) as file:
-        file.write(text.encode(encoding))
+        file.write(legible(text, LINES).encode(encoding))
     return Path(path)
 
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
 from clubface.errors import FileError
+from clubface.support.input_files import open_input
 from clubface.tables.encodings import NAMES, SAMPLE, as_utf8, encoding_of, unicode_by_bytes
 from clubface.tables.file_kind import START, refuse_no_table
 from clubface.tables.rows import Reject
@@ -51,14 +53,9 @@ class CsvRows:
         self.encoding: str | None = None
         self._codec = ""
         self._line = 0
+        self._file = open_input(path)
+        self._size = self._file.seek(0, io.SEEK_END)
         try:
-            self._size = path.stat().st_size
-            self._file = path.open("rb")
-        except (OSError, ValueError) as error:
-            raise FileError(self.path, None, f"cannot be read: {getattr(error, 'strerror', None) or error}") from None
-        try:
-            if not self._file.seekable():
-                raise FileError(self.path, None, "a pipe cannot be read twice; save it as a file first")
             self._start(path, head_lines, delimiter)
         except BaseException:
             self._file.close()
@@ -70,6 +67,7 @@ class CsvRows:
         return (f"the file is not UTF-8: read as {self.encoding}",) if self.encoding else ()
 
     def _start(self, path: Path, head_lines: int, delimiter: str | None) -> None:
+        self._file.seek(0)
         start = self._file.read(START)
         refuse_no_table(path, start)
         unicode, mark = unicode_by_bytes(start)

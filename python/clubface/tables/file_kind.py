@@ -7,6 +7,7 @@ import zipfile
 from pathlib import Path
 
 from clubface.errors import FileError, shortened
+from clubface.support.input_files import open_input
 
 START = 4096
 """Bytes of a file that say what it is."""
@@ -49,9 +50,9 @@ _SPREADSHEETS = {".xls": _WORKBOOK, ".ods": _WORKBOOK, ".numbers": "export it as
 def is_workbook(path: Path) -> bool:
     """Tell whether a file is an Excel workbook (.xlsx), by what is in it and not by its name."""
     try:
-        with path.open("rb") as file:
+        with open_input(path) as file:
             return file.read(4) == b"PK\x03\x04" and "xl/workbook.xml" in _archived(path)
-    except (OSError, ValueError):
+    except FileError:
         return False
 
 
@@ -76,7 +77,7 @@ def refuse_no_table(path: Path, start: bytes) -> None:
 def _archived(path: Path) -> list[str]:
     """Return the names of the files in a ZIP archive, none where it is damaged."""
     try:
-        with zipfile.ZipFile(path) as archive:
+        with open_input(path) as file, zipfile.ZipFile(file) as archive:
             return archive.namelist()
     except (zipfile.BadZipFile, OSError, ValueError, NotImplementedError):
         return []

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from clubface.errors import FileError
+from clubface.support.input_files import open_input
 from clubface.tables.cells import parsed
 from clubface.tables.file_kind import START, refuse_no_table
 from clubface.tables.headings import HAND, Column
@@ -52,14 +53,14 @@ class ParquetReader:
 
     def __init__(self, path: Path) -> None:
         self.path = str(path)
-        self._arrow = pyarrow_for(path)
+        self._arrow, source = pyarrow_for(path), open_input(path)
         try:
-            with path.open("rb") as file:
-                start = file.read(START)
+            start = source.read(START)
             if not start.startswith(b"PAR1"):
                 refuse_no_table(path, start)
                 raise FileError(self.path, None, "this is no Parquet file; the name of a text must end in .csv or .tsv")
-            self._file = self._arrow.parquet.ParquetFile(path)
+            source.seek(0)
+            self._file = self._arrow.parquet.ParquetFile(source)
         except (OSError, ValueError, self._arrow.ArrowException) as error:
             reason = str(error).splitlines()[0] if str(error) else type(error).__name__
             raise FileError(self.path, None, f"cannot be read as Parquet: {reason}") from None

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface.errors import FileError, shortened
+from clubface.support.input_files import open_input
 from clubface.tables.csv_rows import MOST_CELLS, Row
 from clubface.tables.rows import Reject
 from clubface.tables.writer import csv_lines
@@ -43,7 +44,7 @@ class WorkbookRows:
         except ImportError:
             message = 'an Excel workbook needs openpyxl, pip install "clubface[excel]"; or save the sheet as CSV'
             raise FileError(self.path, None, message) from None
-        self._file = path.open("rb")
+        self._file = open_input(path)
         try:
             with zipfile.ZipFile(self._file) as archive:
                 sizes = {each.filename: each.file_size for each in archive.infolist()}

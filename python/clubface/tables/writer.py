@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
-from clubface.errors import FileError
+from clubface.errors import LINES, FileError, legible
 from clubface.support.whole_file import whole_file
 from clubface.tables.parquet import ENDINGS as PARQUET, write_parquet
 from clubface.tables.rows import GONE, Chunk, Reader, Reject
@@ -53,7 +53,7 @@ class CsvForm:
             found = [text.replace(".", ",") for text in found]
         rows_written = chunk.written(rows, self._delimiter)
         lines = (f"{text}{self._delimiter}{more}" for text, more in zip(rows_written, found, strict=True))
-        file.write("".join(lines).encode())
+        file.write(legible("".join(lines), LINES).encode())
 
     def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
         """Write the headings and all pieces."""
@@ -93,7 +93,7 @@ def csv_lines(rows: Iterable[Sequence[Any]], delimiter: str) -> bytes:
     """Return rows of cells as lines of a CSV file."""
     text = io.StringIO()
     csv.writer(text, delimiter=delimiter, lineterminator="\n").writerows(rows)
-    return text.getvalue().encode()
+    return legible(text.getvalue(), LINES).encode()
 
 
 def delimiter_of(path: Path) -> str:

@@ -42,7 +42,7 @@ from clubface.equipment.described import HANDS
 from clubface.errors import ClubfaceError, InputError
 from clubface.simulation.delivery import OF_CLUB
 from clubface.support.checks import check_choice
-from clubface.support.shipped import path_of
+from clubface.support.shipped import beside, path_of
 from clubface.support.strict_toml import Document, quoted
 from clubface.units import SI_UNITS
 
@@ -87,7 +87,7 @@ def from_document(document: Document, name: str) -> Golfer:
         return Golfer(
             name=name,
             title=data["title"],
-            club=data.get("club", "driver"),
+            club=os.fspath(beside(data.get("club", "driver"), Path(document.path).parent)),
             hand=HANDS[data.get("hand", "right")],
             variables=variables,
             mean=mean,

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from clubface.errors import FileError, in_a_line, shortened
 from clubface.fem.heads.mesh_lines import check_lines
+from clubface.support.input_files import as_local_file, input_file
 from clubface.support.isolated import IsolatedError, IsolatedProcess
 
 LIBRARY = IsolatedProcess(Path(__file__).with_name("meshio_library.py"))
@@ -48,14 +49,16 @@ def read_mesh(path: str) -> Mesh:
         There is no such file, or meshio cannot read it. What the readers of meshio print is left out, or part of the
         message. In text files of Gmsh and Abaqus, the line of a damaged node is named.
     """
-    if not os.path.isfile(path):
+    if not os.path.exists(path):
         raise FileError(path, None, "there is no such file")
+    size = input_file(path).size
     check_lines(path)
-    size = os.path.getsize(path)
-    try:
-        found = LIBRARY.call("contents", os.path.abspath(path), memory=MEMORY * size, seconds=size / SPEED)
-    except IsolatedError as error:
-        raise FileError(path, None, f"this mesh cannot be read: {shortened(str(error), 200)}") from None
+    with as_local_file(path) as local:
+        try:
+            found = LIBRARY.call("contents", local, memory=MEMORY * size, seconds=size / SPEED)
+        except IsolatedError as error:
+            reason = shortened(str(error).replace(local, path), 200)
+            raise FileError(path, None, f"this mesh cannot be read: {reason}") from None
     notes = found.pop("notes")
     if notes.strip():
         print(in_a_line(f"{path}: {shortened(' '.join(notes.split()), 200)}"), file=sys.stderr)

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from clubface.errors import FileError, shortened
+from clubface.support.input_files import read_input
 
 LARGEST_NUMBER = 10_000_000
 """Of a node; a head has thousands."""
@@ -24,7 +25,7 @@ def check_lines(path: str) -> None:
     ending = Path(path).suffix.lower()
     if ending not in (".msh", ".inp"):
         return
-    content = Path(path).read_bytes()
+    content = read_input(path)
     if b"\0" in content[:4096] and ending == ".msh":
         return  # binary
     lines = content.decode("latin-1").splitlines()

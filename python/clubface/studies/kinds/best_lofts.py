@@ -9,7 +9,7 @@ from clubface.errors import InputError
 from clubface.studies.axes import Swept
 from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns
 from clubface.studies.kinds.one_by_one import OneByOne, Values
-from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, files_of_shots, swept_shots
+from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
 
 COLUMNS = {
     "best_loft": Column("rad", "dynamic loft of the longest carry"),
@@ -44,4 +44,4 @@ def _task(study: Described) -> OneByOne:
     return OneByOne(study, chosen_columns(study.table, COLUMNS, tuple(COLUMNS)), compute)
 
 
-KIND = Kind(name="best-loft", keys=(*KEYS, "outputs"), swept=_swept, files=files_of_shots, task=_task)
+KIND = Kind(name="best-loft", keys=(*KEYS, "outputs"), swept=_swept, task=_task)

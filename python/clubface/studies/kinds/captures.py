@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
+from clubface.equipment.clubs import club as club_of
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError
 from clubface.motion_capture.estimators import ESTIMATORS, ROUGHNESS
@@ -19,9 +19,8 @@ from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.simulation.quantities import inputs
 from clubface.studies.axes import Swept, held_number
-from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, loaded
 from clubface.studies.kinds.one_by_one import OneByOne, Values
-from clubface.studies.kinds.shot_inputs import resolved
 from clubface.support.checks import MOST_SEED
 
 COUNTED = Swept("1", limits=(0, MOST_SEED))
@@ -46,10 +45,6 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
     return {**NUMBERS, **named}
 
 
-def _files(study: Described) -> list[Path]:
-    return files_named(study, "club")
-
-
 def _task(study: Described) -> OneByOne:
     table = study.table
     held: dict[str, Any] = {"seed": 1, "roughness": ROUGHNESS, "club": "driver", "hand": None}
@@ -59,9 +54,11 @@ def _task(study: Described) -> OneByOne:
     if "swing" not in {*held, *(each.name for each in study.design.axes)}:
         raise InputError("swing", None, "sweep it, as in swing = { from = 0, to = 199, step = 1 }")
 
+    clubs = loaded(study, "club", club_of, held["club"])
+
     @lru_cache(maxsize=len(ESTIMATORS))
     def reader(club: str, hand: str | None, cameras: Cameras, estimator: str, roughness: float) -> Any:
-        made = random_swing(0, club=resolved(club, study.folder), hand=hand).club
+        made = random_swing(0, club=clubs[club], hand=hand).club
         return made, prepare(positions_map(made, cameras), made, estimator=estimator, roughness=roughness)
 
     def compute(task: Values) -> dict[str, Any]:
@@ -84,4 +81,4 @@ def _task(study: Described) -> OneByOne:
     return OneByOne(study, chosen_columns(table, columns, usual), compute)
 
 
-KIND = Kind(name="capture", keys=(*NAMES, *NUMBERS, "outputs"), swept=_swept, files=_files, task=_task)
+KIND = Kind(name="capture", keys=(*NAMES, *NUMBERS, "outputs"), swept=_swept, task=_task)

@@ -15,7 +15,6 @@ from clubface.studies.kinds.kind import Column, Computed, Described, Kind
 from clubface.studies.kinds.shot_inputs import (
     KEYS,
     changed_table,
-    files_of_shots,
     is_parameter,
     replaced_by,
     swept_shots,
@@ -124,12 +123,4 @@ class Comparisons:
         return Computed(found, sorted(({**dict(second.failed), **dict(first.failed)}).items()), tally.counts())
 
 
-def _files(study: Described) -> list[Path]:
-    other = study.table.get(OTHER)
-    both = [study, OneShot(study, other, study.design)] if isinstance(other, Mapping) else [study]
-    return list(dict.fromkeys(path for each in both for path in files_of_shots(each)))
-
-
-KIND = Kind(
-    name="comparison", keys=(*IMPACT.keys, OTHER), swept=swept_shots, files=_files, task=Comparisons, apart=(OTHER,)
-)
+KIND = Kind(name="comparison", keys=(*IMPACT.keys, OTHER), swept=swept_shots, task=Comparisons, apart=(OTHER,))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 from clubface.errors import InputError
@@ -12,9 +11,9 @@ from clubface.simulation.delivery import DIMENSIONS
 from clubface.simulation.quantities import flight_outputs, outputs
 from clubface.studies.axes import Swept, held_number
 from clubface.studies.kinds.golfer_inputs import changed_golfer, changed_hole, swept_golfers
-from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, loaded
 from clubface.studies.kinds.one_by_one import OneByOne, Values
-from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, files_of_shots, resolved, swept_shots
+from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
 from clubface.support.checks import MOST_SEED, check_names, is_count
 
 PERCENTILES = (10, 50, 90)
@@ -59,11 +58,6 @@ def _of_golfer(name: str, value: Any) -> InputError:
     return InputError(name, value, "left out: the golfer says how the club is delivered")
 
 
-def files_of_golfers(study: Described) -> list[Path]:
-    """Return the files of golfers, clubs, balls and parameters."""
-    return [*files_named(study, "golfer"), *files_of_shots(study)]
-
-
 def _task(study: Described) -> OneByOne:
     from clubface.design.dispersion.sampling import COUNT, MOST, dispersion
     from clubface.design.golfer.golfers import golfer as golfer_of
@@ -86,8 +80,8 @@ def _task(study: Described) -> OneByOne:
     for name, value in table.get("held", {}).items():
         if name in DIMENSIONS:
             raise _of_golfer(name, value)
-    names = swept["golfer"].choices if "golfer" in swept else (table["golfer"],)
-    golfers = {each: golfer_of(resolved(each, study.folder)) for each in names}
+    golfers = loaded(study, "golfer", golfer_of)
+    clubs = {} if "club" in {*table, *swept} else {name: club_of(each.club) for name, each in golfers.items()}
     held = None
     if "hole" in table:
         if not isinstance(table["hole"], Mapping):
@@ -102,8 +96,9 @@ def _task(study: Described) -> OneByOne:
         raise InputError("hole", None, f'give it, as in hole = {{ length = "400 yd" }}, for {named[0]}')
 
     def compute(task: Values) -> dict[str, Any]:
-        golfer = changed_golfer(golfers[task.get("golfer", table.get("golfer"))], task)
-        options = shot_inputs.single(task, club_of(golfer.club).replace(hand=golfer.hand))
+        name = task.get("golfer", table.get("golfer"))
+        golfer, own = changed_golfer(golfers[name], task), clubs.get(name)
+        options = shot_inputs.single(task, None if own is None else own.replace(hand=golfer.hand))
         if delivery := options.pop("delivery"):
             raise _of_golfer(*next(iter(delivery.items())))
         found = dispersion(
@@ -124,5 +119,5 @@ def _task(study: Described) -> OneByOne:
 
 KIND = Kind(
     name="dispersion", keys=(*KEYS, "golfer", "shots", "seed", "hole", "percentiles", "ellipse", "outputs"),
-    swept=_swept, files=files_of_golfers, task=_task,
+    swept=_swept, task=_task,
 )  # fmt: skip

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 from clubface import units
@@ -47,10 +46,6 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
     return {"x": Swept("1")}
 
 
-def _files(study: Described) -> tuple[Path, ...]:
-    return ()
-
-
 def _task(study: Described) -> Empty:
     seconds = units.parse(study.table.get("seconds", 0.0), "time", name="seconds")
     if not 0.0 <= seconds <= 3600.0:
@@ -58,4 +53,4 @@ def _task(study: Described) -> Empty:
     return Empty(study, seconds)
 
 
-KIND = Kind(name="empty", keys=("seconds",), swept=_swept, files=_files, task=_task)
+KIND = Kind(name="empty", keys=("seconds",), swept=_swept, task=_task)

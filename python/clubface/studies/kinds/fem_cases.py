@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from pathlib import Path
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from clubface.equipment.clubs import club as club_of
@@ -13,9 +12,8 @@ from clubface.fem.case import HEADS, MESHED, PLANE, Case, case as case_of, deliv
 from clubface.fem.heads import head as head_of
 from clubface.simulation.quantities import inputs, outputs
 from clubface.studies.axes import Swept
-from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, loaded, resolved
 from clubface.studies.kinds.one_by_one import OneByOne, Values
-from clubface.studies.kinds.shot_inputs import resolved
 
 SETTINGS = {"duration": "s", "interval": "s", "safety": "1", "bulk_viscosity": "1"}
 """Units of the numbers among the settings."""
@@ -49,10 +47,6 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
     return {**delivered, **own, **{name: Swept(None) for name in NAMED}}
 
 
-def _files(study: Described) -> list[Path]:
-    return files_named(study, "case", *NAMED)
-
-
 def _task(study: Described) -> OneByOne:
     if not isinstance(study.table.get("case"), str):
         raise InputError("case", study.table.get("case"), 'a case of finite elements, as in case = "paper"')
@@ -60,8 +54,12 @@ def _task(study: Described) -> OneByOne:
     launched = {name: Column(each.unit, each.meaning) for name, each in outputs().items()}
     every = {**(THROWN if base.head == PLANE else launched), **CONTACT}
 
+    swept = {each.name for each in study.design.axes}
+    readers: dict[str, Callable[[Any], Any]] = {"ball": ball_of, "club": head_of if base.head == MESHED else club_of}
+    parts = {name: loaded(study, name, read) for name, read in readers.items() if name in swept}
+
     def compute(task: Values) -> dict[str, Any]:
-        found = _varied(base, task, study.folder).run()
+        found = _varied(base, {**task, **{name: each[task[name]] for name, each in parts.items()}}).run()
         if found.stopped:
             raise RunError(found.stopped)
         return {**{name: getattr(found, name) for name in CONTACT}, **found.outcome()}
@@ -70,15 +68,11 @@ def _task(study: Described) -> OneByOne:
     return OneByOne(study, columns, compute, elements=True)
 
 
-def _varied(base: Case, task: Values, folder: Path) -> Case:
-    """Return a case with what a task sweeps."""
-    changes = {name: each for name, each in task.items() if name not in (*SETTINGS, *NAMED)}
+def _varied(base: Case, task: Values) -> Case:
+    """Return a case with what a task sweeps, ball and club as such."""
+    changes = {name: each for name, each in task.items() if name not in SETTINGS}
     settings = {"threads": 1, **{name: task[name] for name in SETTINGS if name in task}}
-    if "ball" in task:
-        changes["ball"] = ball_of(resolved(task["ball"], folder))
-    if "club" in task:
-        changes["club"] = (head_of if base.head == MESHED else club_of)(resolved(task["club"], folder))
     return base.replace(settings=settings, **changes)
 
 
-KIND = Kind(name="fem", keys=("case", "outputs"), swept=_swept, files=_files, task=_task)
+KIND = Kind(name="fem", keys=("case", "outputs"), swept=_swept, task=_task)

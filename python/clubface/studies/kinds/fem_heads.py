@@ -6,20 +6,21 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
 from clubface.errors import InputError
 from clubface.fem import head_tests
+from clubface.fem.balls import ball as ball_of
 from clubface.fem.heads.driver import INERTIA, SHAPE, TARGETS, WALLS
 from clubface.fem.heads.iron import GROOVES, SHAPE as IRON_SHAPE
 from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.read import FOLDER, from_toml
+from clubface.fem.heads.user_mesh import MeshHead
 from clubface.fem.stress import BLOW, peak_stress
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, loaded
 from clubface.studies.kinds.one_by_one import OneByOne, Values
-from clubface.studies.kinds.shot_inputs import resolved
+from clubface.support.input_files import input_file
 from clubface.support.shipped import path_of
 
 PLACE = {"toe": "m", "high": "m", "speed": "m/s", "striker_speed": "m/s", "blow": "m/s", "friction": "1", "safety": "1"}
@@ -60,17 +61,16 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
     return {**numbers, "head": Swept(None), "ball": Swept(None)}
 
 
-def _files(study: Described) -> list[Path]:
-    return files_named(study, "head", "ball")
-
-
 def _task(study: Described) -> OneByOne:
     table, designed = study.table, _design_units()
     swept = {each.name for each in study.design.axes}
     if "head" not in swept and not isinstance(table.get("head"), str):
         raise InputError("head", table.get("head"), 'give it, as in head = "paper"')
-    names = next((each.choices for each in study.design.axes if each.name == "head"), (table.get("head"),))
-    designs = {each: from_toml(path_of("head", resolved(each, study.folder), FOLDER)) for each in names}
+    designs = loaded(study, "head", lambda each: from_toml(path_of("head", each, FOLDER)))
+    for each in designs.values():
+        if isinstance(each, MeshHead):
+            input_file(each.file)
+    balls = loaded(study, "ball", ball_of)
     held = {name: number(name, table[name], unit) for name, unit in PLACE.items() if name in table}
     columns = chosen_columns(table, COLUMNS, USUAL)
 
@@ -82,7 +82,7 @@ def _task(study: Described) -> OneByOne:
         how = {**held, **task}
         changes = tuple((name, each) for name, each in task.items() if name in designed)
         made = meshed(task.get("head", table.get("head")), changes)
-        ball = resolved(task.get("ball", table.get("ball")), study.folder)
+        ball = balls[task.get("ball", table.get("ball"))]
         place = {name: how[name] for name in ("toe", "high") if name in how}
         given = {name: how[name] for name in ("friction", "safety") if name in how}
         safety = {name: given[name] for name in ("safety",) if name in given}
@@ -121,4 +121,4 @@ def _changed(design: Any, changes: tuple[tuple[str, float], ...]) -> Any:
     return design
 
 
-KIND = Kind(name="head", keys=("head", "ball", *PLACE, "outputs"), swept=_swept, files=_files, task=_task)
+KIND = Kind(name="head", keys=("head", "ball", *PLACE, "outputs"), swept=_swept, task=_task)

@@ -11,7 +11,7 @@ from clubface.simulation.impact import impact
 from clubface.simulation.outside import Tally
 from clubface.simulation.quantities import flight_outputs, outputs
 from clubface.studies.kinds.kind import Column, Computed, Described, Kind, chosen_columns
-from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, files_of_shots, swept_shots
+from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
 from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
@@ -81,4 +81,4 @@ def _alike(codes: Mapping[str, NDArray[Any]], count: int) -> list[tuple[dict[str
     ]
 
 
-KIND = Kind(name="impact", keys=(*KEYS, "outputs"), swept=swept_shots, files=files_of_shots, task=Impacts)
+KIND = Kind(name="impact", keys=(*KEYS, "outputs"), swept=swept_shots, task=Impacts)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.studies.axes import Swept
@@ -20,6 +20,8 @@ from clubface.support.shipped import is_path
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+T = TypeVar("T")
 
 
 class Column(NamedTuple):
@@ -114,10 +116,9 @@ class Kind:
         The keys of that table.
     swept
         From the kind's table and [sweep], as the file has them, to the inputs that may be swept.
-    files
-        From a study to the files that its result depends on, without those that they name in turn.
     task
-        From a study to its task; what is wrong with the study is an error here, before any work.
+        From a study to its task; what is wrong with the study is an error here, before any work. It reads all files
+        that the tasks need, since none is read later.
     apart
         Those of the keys whose tables may hold what is swept, as the kind says what that means.
     """
@@ -125,7 +126,6 @@ class Kind:
     name: str
     keys: tuple[str, ...]
     swept: Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Swept]]
-    files: Callable[[Described], Sequence[Path]]
     task: Callable[[Described], Task]
     apart: tuple[str, ...] = ()
 
@@ -137,10 +137,18 @@ class Kind:
             raise study.wrap(error) from None
 
 
-def files_named(study: Described, *keys: str) -> list[Path]:
-    """Return the files that a study names under some keys of its kind's table, or sweeps there."""
-    names = [*(study.table.get(key) for key in keys), *(each for key in keys for each in study.sweep.get(key, ()))]
-    return [study.folder / each for each in names if isinstance(each, str) and is_path(each)]
+def loaded(study: Described, key: str, load: Callable[[Any], T], unless_given: str | None = None) -> dict[Any, T]:
+    """Return what a study names under a key of its kind's table, or sweeps there, by that name, each read now.
+
+    ``load`` takes a name, or the path of a file from the folder of the study.
+    """
+    swept = next((each.choices for each in study.design.axes if each.name == key), None)
+    return {each: load(resolved(each, study.folder)) for each in swept or [study.table.get(key, unless_given)]}
+
+
+def resolved(which: Any, folder: Path) -> Any:
+    """Return a name as it is, and the path of a file from the folder of the study."""
+    return folder / which if isinstance(which, str) and is_path(which) else which
 
 
 def chosen_columns(table: Mapping[str, Any], every: Mapping[str, Column], usual: Sequence[str]) -> dict[str, Column]:

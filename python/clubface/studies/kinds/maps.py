@@ -10,7 +10,7 @@ from clubface.errors import InputError, Told
 from clubface.studies.axes import Swept, number
 from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns
 from clubface.studies.kinds.one_by_one import OneByOne, Values
-from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, files_of_shots, swept_shots
+from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
 
 PLACE = {"spread_toe": "m", "spread_high": "m", "about_toe": "m", "about_high": "m", "share": "1"}
 """Unit of what says how impacts scatter, about which point, and which share of the best ball speed counts."""
@@ -83,4 +83,4 @@ def _task(study: Described) -> OneByOne:
     return OneByOne(study, columns, compute, elements=bool(shot_inputs.depends_on))
 
 
-KIND = Kind(name="map", keys=(*KEYS, *PLACE, "grid", "outputs"), swept=_swept, files=files_of_shots, task=_task)
+KIND = Kind(name="map", keys=(*KEYS, *PLACE, "grid", "outputs"), swept=_swept, task=_task)

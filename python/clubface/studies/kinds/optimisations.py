@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 from clubface import units
@@ -18,12 +17,14 @@ from clubface.equipment.clubs import club as club_of
 from clubface.errors import InputError
 from clubface.studies.axes import Swept
 from clubface.studies.kinds.golfer_inputs import changed_golfer, changed_hole, swept_golfers
-from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, files_named
+from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, loaded
 from clubface.studies.kinds.one_by_one import OneByOne, Values
-from clubface.studies.kinds.shot_inputs import BY_GROUP, resolved, swept_conditions
+from clubface.studies.kinds.shot_inputs import BY_GROUP, swept_conditions
 
 ENDS = ("least", "most")
-NAMED = ("golfer", "club", "ball", "model")
+READERS: Mapping[str, Callable[[Any], Any]] = {"golfer": golfer_of, "club": club_of, "ball": ball_of}
+"""What is named by a file or by a name, and what reads it."""
+NAMED = (*READERS, "model")
 COUNTED = ("shots", "seed", "starts")
 """Of the numbers of ``COUNTS``, those that may be swept."""
 
@@ -43,16 +44,14 @@ def _unit(dimension: str) -> str:
     return units.SI_UNITS[dimension]
 
 
-def _files(study: Described) -> list[Path]:
-    return files_named(study, "file", *NAMED)
-
-
 def _task(study: Described) -> OneByOne:
     if not isinstance(study.table.get("file"), str):
         raise InputError("file", study.table.get("file"), 'the file of an optimisation, as in file = "better.toml"')
     asked = read(study.folder / study.table["file"])
     if not isinstance(asked, DesignStudy):
         raise InputError("file", study.table["file"], "one with variables: a fitting chooses among parts")
+    swept = {each.name for each in study.design.axes}
+    parts = {name: loaded(study, name, read) for name, read in READERS.items() if name in swept}
     every = {
         name: Column(_unit(DIMENSIONS[name]), f"of the best club: {name.replace('_', ' ')}")
         for name in asked.variables.fields
@@ -68,7 +67,7 @@ def _task(study: Described) -> OneByOne:
     every["alike"] = Column("1", "share of the starts of the solver that end as well as the best")
 
     def compute(task: Values) -> dict[str, Any]:
-        found = optimise(changed_study(asked, task, study.folder))
+        found = optimise(changed_study(asked, {**task, **{name: each[task[name]] for name, each in parts.items()}}))
         figures = {**found.club, "alike": found.alike / found.starts}
         for name in asked.objectives:
             figures |= {f"{name}_{club}": found.fresh.value(club, name) for club in found.fresh.clubs}
@@ -78,8 +77,8 @@ def _task(study: Described) -> OneByOne:
     return OneByOne(study, chosen_columns(study.table, every, tuple(every)), compute)
 
 
-def changed_study(of: DesignStudy, task: Values, folder: Path) -> DesignStudy:
-    """Return an optimisation with what a task sweeps; golfers change all in the same way."""
+def changed_study(of: DesignStudy, task: Values) -> DesignStudy:
+    """Return an optimisation with what a task sweeps, those of ``READERS`` read; golfers change all in the same way."""
     ends = {"variables": dict(of.bounds), "limits": dict(of.limits)}
     for name, value in task.items():
         table, _, rest = name.partition("_")
@@ -97,17 +96,17 @@ def changed_study(of: DesignStudy, task: Values, folder: Path) -> DesignStudy:
         if head is None:
             raise InputError("discretionary_mass", task["discretionary_mass"], "left out, since the file has no [head]")
         head = replace(head, discretionary=task["discretionary_mass"])
-    golfers = of.golfers if "golfer" not in task else ((golfer_of(resolved(task["golfer"], folder)), 1.0),)
+    golfers = of.golfers if "golfer" not in task else ((task["golfer"], 1.0),)
     setting = replace(of.setting, threads=1)
     for group, known in BY_GROUP.items():
         if changes := {name: task[name] for name in known if name in task}:
             setting = replace(setting, **{group: {**_mapping(group, getattr(setting, group)), **changes}})
     if "ball" in task:
-        setting = replace(setting, ball=ball_of(resolved(task["ball"], folder)))
+        setting = replace(setting, ball=task["ball"])
     setting = replace(setting, **{name: task[name] for name in ("model", "speed_exponent") if name in task})
     return replace(
         of, bounds=ends["variables"], limits=ends["limits"], head=head, setting=setting,
-        club=club_of(resolved(task["club"], folder)) if "club" in task else of.club,
+        club=task.get("club", of.club),
         golfers=tuple((changed_golfer(each, task), weight) for each, weight in golfers),
         hole=changed_hole(of.hole, task),
         **{name: int(task[name]) for name in COUNTED if name in task},
@@ -120,4 +119,4 @@ def _mapping(group: str, given: Any) -> Mapping[str, Any]:
     return given or {}
 
 
-KIND = Kind(name="optimise", keys=("file", "outputs"), swept=_swept, files=_files, task=_task)
+KIND = Kind(name="optimise", keys=("file", "outputs"), swept=_swept, task=_task)

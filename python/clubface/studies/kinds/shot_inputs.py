@@ -11,7 +11,7 @@ from clubface.equipment.balls import RIGID, ball as ball_of
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.described import HANDS
 from clubface.equipment.models import DEFAULT_MODEL, model as model_of, models
-from clubface.equipment.parameters import ParameterSet
+from clubface.equipment.parameters import ParameterSet, read_sets
 from clubface.errors import InputError
 from clubface.simulation.air import Air
 from clubface.simulation.flight_inputs import LEVEL, check_conditions, conditions
@@ -20,10 +20,11 @@ from clubface.simulation.inputs import parameter_set
 from clubface.simulation.quantities import flight_inputs, inputs
 from clubface.simulation.run_options import tolerance
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds.kind import Described, files_named
+from clubface.studies.kinds.kind import Described, loaded, resolved
 from clubface.support.checks import check_choice, check_names
 from clubface.support.processors import vector_units
 from clubface.support.shipped import is_path
+from clubface.support.strict_toml import Document
 
 CHOSEN = ("model", "club", "ball", "hand")
 """What has names: one shot after the other cannot have its own, so that shots are computed by these."""
@@ -64,14 +65,6 @@ def swept_shots(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str,
 def is_parameter(name: str) -> bool:
     """Tell a parameter of a model from everything else of a shot that may be swept."""
     return name not in {*inputs(), *CHOSEN, *swept_conditions()}
-
-
-def files_of_shots(study: Described) -> list[Path]:
-    """Return the files of clubs, balls and parameters."""
-    given = study.table.get("parameters")
-    texts = [given] if isinstance(given, str) else given.values() if _is_by_model(given) else ()
-    parameters = [study.folder / each for each in texts if isinstance(each, str) and is_path(each)]
-    return [*files_named(study, "club", "ball"), *parameters]
 
 
 class Conditions:
@@ -121,17 +114,17 @@ class ShotInputs:
         self.choices = {name: axes[name].choices for name in CHOSEN if name in axes}
         # Files are read once: what they hold later is another study.
         named = self.choices.get
-        self._clubs = {each: club_of(resolved(each, self._folder)) for each in named("club") or _one(table, "club")}
-        self._balls = {
-            each: ball_of(path) if is_path(path := resolved(each, self._folder)) else each
-            for each in named("ball") or [table.get("ball")]
-        }
+        self._clubs = loaded(study, "club", club_of) if {"club"} & {*axes, *table} else {}
+        self._balls = loaded(study, "ball", lambda each: ball_of(each) if is_path(each) else each)
         self.conditions = Conditions(study)
         self._held = {name: number(name, each, inputs()[name].unit) for name, each in table.get("held", {}).items()}
         known = swept_shots(table, study.sweep)
         self._parameters = [name for name in axes if name in known and is_parameter(name)]
         self._accuracy = tolerance(table.get("accuracy"))
         names = named("model") or (table.get("model", DEFAULT_MODEL),)
+        for name in names:
+            if is_path(given := _given(table, name, self._folder)):
+                read_sets(Document.read(given))
         self.depends_on = {"processor": vector_units()} if any(name in MODULES for name in names) else {}
 
     def equipped(self, names: Mapping[str, str], values: Mapping[str, Any]) -> dict[str, Any]:
@@ -229,15 +222,6 @@ def _check(study: Described, needs: Sequence[str]) -> None:
     for name in needs:
         if name not in held and name not in swept and name not in table:
             raise InputError(name, None, WANTED[name])
-
-
-def _one(table: Mapping[str, Any], name: str) -> list[Any]:
-    return [table[name]] if name in table else []
-
-
-def resolved(which: Any, folder: Path) -> Any:
-    """Return a name as it is, and the path of a file from the folder of the study."""
-    return folder / which if isinstance(which, str) and is_path(which) else which
 
 
 def _is_by_model(given: Any) -> TypeGuard[Mapping[str, Any]]:

@@ -1,0 +1,352 @@
+"""Files that a computation reads: each is read once, where it is first needed, and recorded with its fingerprint.
+
+Every file of a person (clubs, balls, heads, meshes, parameters, golfers, mappings, shots, studies, recordings) is
+opened here and nowhere else. While a :class:`InputRecord` is active, it keeps what was read: a file that is edited
+meanwhile changes nothing, and what a result was computed from is known exactly, without any look at the texts of files.
+A worker is given what its command has read, and reads nothing else.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import os
+import stat
+import tempfile
+import threading
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import wraps
+from pathlib import Path
+from typing import BinaryIO, NamedTuple, ParamSpec, TypeVar
+
+from clubface.errors import FileError
+from clubface.support.shipped import DATA
+
+P = ParamSpec("P")
+R = TypeVar("R")
+LARGEST_KEPT = 32_000_000
+"""Bytes. The content of a larger file, such as a table of a million shots, is not kept: it is read as it goes, and
+refused if it changes meanwhile."""
+PIECE = 1_000_000
+"""Bytes read at a time."""
+CHANGED = "this file was changed while it was read; start again"
+NOT_A_FILE = "a pipe cannot be read twice, and a device has no end; save it as a file first"
+
+
+class InputFile(NamedTuple):
+    """A file that was read.
+
+    Attributes
+    ----------
+    path
+        Where it was looked for: as it was typed, or from the folder of the file that names it.
+    place
+        Where it lies, without links: the same for all paths to one file.
+    size
+        Its bytes.
+    sha256
+        Their fingerprint.
+    shipped
+        Whether it came with the package, whose version says what it holds.
+    content
+        The bytes; None of a file that is larger than ``LARGEST_KEPT``.
+    """
+
+    path: str
+    place: str
+    size: int
+    sha256: str
+    shipped: bool
+    content: bytes | None
+
+
+class InputRecord:
+    """The files that a computation reads, each as it was when it was first read.
+
+    While it is active, :func:`read_input` and :func:`open_input` serve what it holds, and add what it does not. One
+    that is made while another is active shares its files, and adds to both.
+
+    Parameters
+    ----------
+    given
+        Files by the path under which they are asked for. With them the record is closed: nothing else is read, except
+        what came with the package.
+    """
+
+    def __init__(self, given: Mapping[str, InputFile] | None = None) -> None:
+        self._files = dict(given or {})
+        self._closed = given is not None
+        self._around = None if self._closed else _ACTIVE.get()
+        self._lock = threading.RLock()
+
+    @property
+    def files(self) -> tuple[InputFile, ...]:
+        """The files in the order in which they were read, each once, whatever it was called."""
+        found: dict[str, InputFile] = {}
+        with self._lock:
+            for each in self._files.values():
+                found.setdefault(each.place, each)
+        return tuple(found.values())
+
+    def by_path(self) -> dict[str, InputFile]:
+        """Return the files by the path under which they were asked for, those that came with the package left out."""
+        with self._lock:
+            return {path: each for path, each in self._files.items() if not each.shipped}
+
+    def close(self) -> None:
+        """Read nothing more from now on: what was loaded at the start is all that a computation depends on."""
+        self._closed = True
+
+    @contextmanager
+    def active(self) -> Iterator[InputRecord]:
+        """Serve and record what is read within the block, on this thread and those that inherit its context."""
+        before = _ACTIVE.set(self)
+        try:
+            yield self
+        finally:
+            _ACTIVE.reset(before)
+
+    def file(self, path: str, most: int) -> InputFile:
+        """Return a file as it was first read; ``most`` are the bytes that it may have."""
+        key = absolute(path)
+        with self._lock:
+            if (found := self._files.get(key)) is None:
+                if self._closed and not _is_shipped(place_of(path)):
+                    raise FileError(path, None, "this file was not there, or not named, when the computation began")
+                found = _load(path, most) if self._around is None else self._around.file(path, most)
+                same = next((each for each in self._files.values() if each.place == found.place), None)
+                self._files[key] = found if same is None else same._replace(path=path)
+        return found._replace(path=path)
+
+
+_ACTIVE: ContextVar[InputRecord | None] = ContextVar("input_record", default=None)
+
+
+def recorded(compute: Callable[P, R]) -> Callable[P, R]:
+    """Let a computation read each of its files once, however many of its parts ask for it."""
+
+    @wraps(compute)
+    def wrapped(*args: P.args, **options: P.kwargs) -> R:
+        with InputRecord().active():
+            return compute(*args, **options)
+
+    return wrapped
+
+
+def recorded_files() -> tuple[InputFile, ...]:
+    """Return what the computation that is running has read so far; nothing where nothing is recorded."""
+    record = _ACTIVE.get()
+    return () if record is None else record.files
+
+
+def input_file(path: str | os.PathLike[str], *, most: int | None = None) -> InputFile:
+    """Return a file with its fingerprint, read now or, in a computation that has read it, as it was then.
+
+    Parameters
+    ----------
+    path
+        The file.
+    most
+        The bytes that it may have at most; any number unless given.
+
+    Raises
+    ------
+    FileError
+        It is not there, no file, too large, or may not be read.
+    """
+    name = os.fspath(path)
+    record = _ACTIVE.get()
+    limit = most if most is not None else 2**63
+    found = _load(name, limit) if record is None else record.file(name, limit)
+    if found.size > limit:
+        raise _too_large(name, limit)
+    return found
+
+
+def read_input(path: str | os.PathLike[str], *, most: int | None = None) -> bytes:
+    """Return the bytes of a file, as of :func:`input_file`."""
+    found = input_file(path, most=most)
+    if found.content is not None:
+        return found.content
+    with open_input(path) as file:
+        return file.read()
+
+
+def open_input(path: str | os.PathLike[str]) -> BinaryIO:
+    """Open a file for reading, as of :func:`input_file`; a large one is refused once it changes while it is read."""
+    found = input_file(path)
+    if found.content is not None:
+        return io.BytesIO(found.content)
+    raw = _Unchanging(found.path)
+    if _sum_of(raw) != found.sha256:
+        raise FileError(found.path, None, CHANGED)
+    raw.seek(0)
+    return io.BufferedReader(raw, PIECE)
+
+
+@contextmanager
+def as_local_file(path: str | os.PathLike[str]) -> Iterator[str]:
+    """Yield the name of a file with the bytes of :func:`read_input`, for libraries that open files themselves."""
+    content = read_input(path)
+    with tempfile.TemporaryDirectory(prefix="clubface-") as folder:
+        name = os.path.join(folder, f"input{os.path.splitext(os.fspath(path))[1]}")
+        Path(name).write_bytes(content)
+        yield name
+
+
+def short_names(paths: Sequence[str]) -> list[str]:
+    """Return the names of files without their folders, but for those that tell files of one name apart.
+
+    Of ``a/anna.toml``, ``b/anna.toml`` and ``a/my.toml`` these are ``a/anna.toml``, ``b/anna.toml`` and ``my.toml``.
+    """
+    parts = [Path(each).parts for each in paths]
+    found = []
+    for each in parts:
+        others = [other for other in parts if other != each]
+        length = 1
+        while length < len(each) and any(other[-length:] == each[-length:] for other in others):
+            length += 1
+        found.append("/".join(each[-length:]))
+    return found
+
+
+def absolute(path: str | os.PathLike[str]) -> str:
+    """Return a path from the root, links in it as they stand."""
+    return os.fspath(Path.cwd() / path)
+
+
+def same_file(one: str | os.PathLike[str], other: str | os.PathLike[str]) -> bool:
+    """Return whether two paths lead to the same file, whether or not it is there."""
+    return place_of(one) == place_of(other)
+
+
+def place_of(path: str | os.PathLike[str]) -> str:
+    """Return where a file lies, or would lie, without links."""
+    try:
+        return os.path.realpath(path)
+    except (OSError, ValueError):  # no file can have the name
+        return absolute(path)
+
+
+def _is_shipped(place: str) -> bool:
+    return place.startswith(_SHIPPED)
+
+
+_SHIPPED = os.path.join(os.path.realpath(DATA), "")
+
+
+def _load(name: str, most: int) -> InputFile:
+    """Read a file; what is no file is refused before it can keep anyone waiting."""
+    with _Unchanging(name) as file:
+        if file.size > most:
+            raise _too_large(name, most)
+        content = None
+        try:
+            if file.size > LARGEST_KEPT:
+                sum_ = _sum_of(file)
+            else:
+                content = _whole(file, min(most, LARGEST_KEPT))
+                sum_ = hashlib.sha256(content).hexdigest()
+        except OSError as error:
+            raise unreadable(name, error) from None
+    place = place_of(name)
+    size = file.size if content is None else len(content)
+    return InputFile(name, place, size, sum_, _is_shipped(place), content)
+
+
+def unreadable(name: str, error: Exception) -> FileError:
+    """Return what to tell where the system refuses to read a file."""
+    reason = getattr(error, "strerror", None) or str(error)
+    if isinstance(error, IsADirectoryError):
+        reason = "this is a folder"
+    elif "\0" in name:
+        reason = "no name of a file has the character \\u0000"
+    return FileError(name, None, f"cannot be read: {reason}")
+
+
+def _too_large(name: str, most: int) -> FileError:
+    return FileError(name, None, f"this file is larger than {most // 1000} kB; it cannot be the right one")
+
+
+def _whole(file: _Unchanging, most: int) -> bytes:
+    """Return the bytes of a file; one without an end, such as some of the system's, is refused."""
+    found = bytearray()
+    while piece := file.read(PIECE):
+        found += piece
+        if len(found) > most:
+            raise _too_large(str(file.name), most)
+    return bytes(found)
+
+
+def _sum_of(file: _Unchanging) -> str:
+    made = hashlib.sha256()
+    while piece := file.read(PIECE):
+        made.update(piece)
+    return made.hexdigest()
+
+
+class _Unchanging(io.FileIO):
+    """A file that is read as it was when it was opened, and refused if it changes meanwhile."""
+
+    def __init__(self, path: str) -> None:
+        self._path = path
+        try:
+            super().__init__(path, "rb", opener=_open_without_waiting)
+            state = os.fstat(self.fileno())
+        except (OSError, ValueError) as error:
+            raise unreadable(path, error) from None
+        if not stat.S_ISREG(state.st_mode):
+            self.close()
+            raise FileError(path, None, f"cannot be read: {NOT_A_FILE}")
+        self.size = state.st_size
+        self._state = (state.st_size, state.st_mtime_ns)
+
+    def readinto(self, buffer: bytearray | memoryview, /) -> int | None:  # pyright: ignore[reportIncompatibleMethodOverride]
+        """Read on."""
+        count = super().readinto(buffer)
+        self._check()
+        return count
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        """Read on."""
+        found = super().read(-1 if size is None else size)
+        self._check()
+        return found or b""
+
+    def readall(self) -> bytes:
+        """Read to the end."""
+        found = super().readall()
+        self._check()
+        return found or b""
+
+    def _check(self) -> None:
+        state = os.fstat(self.fileno())
+        if self.size > LARGEST_KEPT and (state.st_size, state.st_mtime_ns) != self._state:
+            raise FileError(self._path, None, CHANGED)
+
+
+def _open_without_waiting(path: str, flags: int) -> int:
+    """Open a file: a pipe into which nobody writes would otherwise keep anyone waiting who opens it."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
+def given_files(files: Iterable[tuple[str, str, int]], contents: Path) -> dict[str, InputFile]:
+    """Return files by path for a closed record: path, fingerprint and size of each, and the folder of their contents.
+
+    Raises
+    ------
+    FileError
+        A content is gone or damaged.
+    """
+    found = {}
+    for path, sum_, size in files:
+        content = None
+        if size <= LARGEST_KEPT:
+            kept = contents / sum_
+            content = _load(str(kept), LARGEST_KEPT).content
+            if content is None or hashlib.sha256(content).hexdigest() != sum_:
+                raise FileError(str(kept), None, "this copy of an input is damaged; remove it and start again")
+        found[path] = InputFile(path, os.path.realpath(path), size, sum_, False, content)
+    return found
