@@ -19,6 +19,7 @@ from clubface import fem, launch_monitor
 from clubface.design.comparison.rows import read_deliveries
 from clubface.design.golfer.golfers import golfer
 from clubface.design.optimisation import study_file
+from clubface.design.shells import study_file as shells_file
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import read_sets
@@ -36,6 +37,7 @@ from clubface.motion_capture import MarkerMap, read_c3d, read_swings, template
 from clubface.motion_capture.synthetic import synthesize
 from clubface.prediction.predict import predict
 from clubface.recorded.shots import RecordedShots
+from clubface.studies import study as studies
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
 from fem_meshes import HEAD, write_mesh
@@ -104,6 +106,88 @@ scale = 2
 mishits = "guessed"
 mean.speed = "measured"
 """
+SHELLS = b"""\
+title = "mine"
+head = "paper"
+objective = "ball_speed"
+golfer = "bogey-driver"
+ball = "modern"
+safety = 1.1
+rules = true
+designs = 30
+radius = 0.15
+neighbours = true
+[variables.thickness]
+face_centre = ["2.6 mm", "4.8 mm"]
+[variables.shape]
+loft = ["9 deg", "11 deg"]
+[delivery]
+points = [["0 mm", "0 mm"], ["12 mm", "4 mm"]]
+[hardest]
+speed = "110 mph"
+points = [["0 mm", "0 mm"]]
+[limits]
+wall_mass = ["none", "195 g"]
+[[metals]]
+name = "other"
+youngs = "114 GPa"
+poisson = 0.34
+density = "4430 kg/m3"
+yield = "910 MPa"
+source = "assumed"
+"""
+SHOT = """
+club = "driver"
+ball = "modern"
+hand = "left"
+model = "area"
+accuracy = 1e-6
+parameters = { friction = 0.3, area_damping = "12 N s/m2" }
+air = { temperature = "20 degC", altitude = "100 m", humidity = 0.4 }
+wind = { wind_speed = "3 m/s", wind_direction = "20 deg" }
+ground = { ground_tilt = "12 deg" }
+"""
+SWEPT = """
+[sweep]
+club_mass = { from = "190 g", to = "200 g", step = "10 g" }
+"""
+HELD = 'held = { speed = "100 mph", attack = "1 deg" }\n'
+SWEEPS_OF_KINDS = [
+    f"""
+[study]
+name = "mine"
+kind = "impact"
+design = "sobol"
+samples = 8
+seed = 3
+chunk = 4
+[impact]
+outputs = ["carry"]
+{SHOT}{HELD}
+[sweep]
+loft = {{ from = "9 deg", to = "12 deg" }}
+toe = ["0 mm", "4 mm"]
+""",
+    f'[study]\nkind = "comparison"\nseconds = "2 s"\n[comparison]\noutputs = ["carry"]\n{SHOT}{HELD}'
+    'other = { club = "3-wood", held = { toe = "1 mm" }, air = { temperature = "5 degC" } }\n'
+    '[sweep]\nloft = { from = "9 deg", to = "12 deg", count = 2 }\n',
+    f'[study]\nkind = "map"\n[map]\noutputs = ["area"]\ngrid = [5, 5]\nshare = 0.9\nspread_toe = "9 mm"\n'
+    f'spread_high = "5 mm"\nabout_toe = "1 mm"\nabout_high = "0 mm"\n{SHOT}{HELD}{SWEPT}',
+    '[study]\nkind = "dispersion"\n[dispersion]\ngolfer = "tour-driver"\nshots = 16\nseed = 1\npercentiles = [10]\n'
+    f'ellipse = 80\noutputs = ["strokes"]\nhole = {{ length = "400 yd", fairway = "30 yd" }}\n{SHOT}'
+    'held = { static_loft = "10 deg" }\n[sweep]\nmean.speed = ["100 mph"]\n',
+    f'[study]\nkind = "best-loft"\n[best-loft]\noutputs = ["carry"]\n{SHOT}{HELD}{SWEPT}',
+    '[study]\nkind = "optimise"\n[optimise]\nfile = "own.toml"\noutputs = ["loft"]\n'
+    '[sweep]\nvariables.loft.most = ["12 deg"]\n',
+    '[study]\nkind = "fem"\n[fem]\ncase = "paper"\noutputs = ["steps"]\n[sweep]\nspeed = ["30 m/s"]\n',
+    '[study]\nkind = "head"\n[head]\nhead = "paper"\nball = "reference"\ntoe = "0 mm"\nhigh = "0 mm"\n'
+    'speed = "40 m/s"\nstriker_speed = "3 m/s"\nblow = "50 m/s"\nfriction = 0.3\nsafety = 0.5\noutputs = ["mass"]\n'
+    '[sweep]\nthickness.face_centre = ["3 mm"]\n',
+    '[study]\nkind = "capture"\n[capture]\nclub = "driver"\nhand = "left"\nestimator = "linear"\nseed = 3\nrate = 360\n'
+    'noise = "0.5 mm"\ngaps = 0\ngap = 1\nroughness = 100\noutputs = ["speed_error"]\n'
+    "[sweep]\nswing = { from = 0, to = 3, step = 1 }\n",
+]
+"""A study of each kind, with all keys of its table."""
 MESSAGE = {
     "DeviceID": "radar", "Units": "Yards", "ShotNumber": 13, "APIversion": "1",
     "BallData": {"Speed": 147.5, "SpinAxis": -13.2, "TotalSpin": 3250.0, "HLA": 2.3, "VLA": 14.3},
@@ -238,6 +322,15 @@ def _mesh(path: Path) -> None:
     fem.head(own).club  # noqa: B018
 
 
+def _study(path: Path) -> None:
+    path.with_name("own.toml").write_bytes(STUDY)
+    asked = studies.read_study(path)
+    made = asked.kind.prepare(asked)
+    asked.content()
+    if asked.kind.name in ("impact", "comparison", "dispersion", "best-loft") and asked.design.count < 100:
+        made.run(range(1))
+
+
 def _parameters(path: Path) -> None:
     read_sets(Document.read(path))
 
@@ -363,6 +456,8 @@ READERS = {
     "parameters": Reader("toml", _parameters, _toml("parameters"), 2),
     "prior": Reader("toml", Prior.from_toml, lambda: [PRIOR]),
     "study": Reader("toml", study_file.read, lambda: [STUDY, FITTING]),
+    "sweep-study": Reader("toml", _study, lambda: [each.encode() for each in SWEEPS_OF_KINDS], 2),
+    "shells": Reader("toml", shells_file.read, lambda: [SHELLS]),
     "golfer": Reader("toml", golfer, lambda: [GOLFER]),
     "fem-ball": Reader("toml", fem.Ball.from_toml, _toml("balls")),
     "fem-head": Reader("toml", _head, lambda: [*_toml("fem_heads")(), HEAD.encode()]),

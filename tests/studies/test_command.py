@@ -100,7 +100,7 @@ def test_shares_and_damage_are_told(study, tmp_path):
         ('speed = "105 mph"', 'speed = "105 mph", loft = "9 deg"', ("loft is held and swept",)),
         ('speed = "105 mph"', 'speed = "105 deg"', ("speed", "not an angle")),
         ('speed = "105 mph"', 'sped = "105 mph"', ("unknown input 'sped'", "did you mean speed")),
-        ('"carry", "side"', '"carri"', ("unknown output 'carri'", "did you mean carry")),
+        ('"carry", "side"', '"carri"', ("'carri'", "did you mean carry")),
         ("loft =", "lofts =", (":9:", "unknown input 'lofts'", "did you mean loft")),
         ("count = 4", "count = 4.5", (":9:", "a whole number from 1")),
         ('"8 deg"', '"8 mph"', (":9:", "not a speed")),

@@ -260,7 +260,7 @@ def test_an_input_that_is_swept_too_far_to_both_sides_has_results_between(tmp_pa
 def test_a_mistake_that_only_a_task_shows_is_told_with_its_file_and_leaves_no_store(tmp_path):
     path = shots(tmp_path)
     path.write_text(path.read_text().replace("[sweep]", 'parameters = { friction = -1 }\nmodel = "area"\n[sweep]'))
-    with pytest.raises(FileError, match=r"shots\.toml: friction is"):
+    with pytest.raises(FileError, match=r"shots\.toml:8: friction is"):
         studies.run(path, workers=1)
     assert not (tmp_path / "shots.store").exists()
 

@@ -216,12 +216,9 @@ def _read(document: Document) -> dict[str, Any]:
     document.check_text(data, ("name", "description"))
     if "diameter" in data and "radius" in data:
         raise document.error("give the diameter or the radius, not both", "radius")
-    for key in ("sources", "parameters"):
-        if not isinstance(data.get(key, {}), dict):
-            raise document.error(f"{key} must be a table", key)
-    sources = data.get("sources", {})
-    document.check_keys(sources, (*BALL_PROPERTIES, "diameter", "friction", "pieces"), (), "sources")
-    document.check_text(sources, sources, "sources")
+    if not isinstance(data.get("parameters", {}), dict):
+        raise document.error("parameters must be a table", "parameters")
+    check_sources(document)
     try:
         radius = units.parse(data.pop(size), "length", name=size) / (2.0 if size == "diameter" else 1.0)
         found = {**{key: value for key, value in data.items() if key not in Construction.KEYS}, "radius": radius}
@@ -235,3 +232,12 @@ def _read(document: Document) -> dict[str, Any]:
     except ClubfaceError as error:
         raise document.wrap(error) from error
     return found
+
+
+def check_sources(document: Document) -> None:
+    """Refuse sources of a ball that are no table of texts."""
+    sources = document.data.get("sources", {})
+    if not isinstance(sources, dict):
+        raise document.error("sources must be a table of texts", "sources")
+    document.check_keys(sources, (*BALL_PROPERTIES, "diameter", "friction", "pieces"), (), "sources")
+    document.check_text(sources, sources, "sources")

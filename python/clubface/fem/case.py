@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
@@ -70,6 +70,9 @@ class Case:
         check_choice("kind of head", self.head, HEADS)
         known = delivery_keys(self.head)
         check_names("value of the delivery", self.delivery, known)
+        for name, value in self.delivery.items():
+            if isinstance(value, Sequence) and not isinstance(value, str):
+                raise InputError(name, value, "one value; use a sweep for several")
         if "speed" not in self.delivery:
             raise InputError("speed", None, 'give it, as in speed = "35 m/s"')
         object.__setattr__(self, "friction", friction_of(self.friction, self.ball))

@@ -10,6 +10,10 @@ MOST_THREADS = 1024
 """More than any machine has cores; a slip of the keyboard shall not start a million."""
 
 
+FINEST, COARSEST = 1e-13, 1e-2
+"""Tolerances of a step that the core takes."""
+
+
 def check_on_error(on_error: object) -> None:
     """Refuse a word that is not "raise" or "nan"."""
     check_choice("on_error", on_error, ("raise", "nan"))
@@ -26,5 +30,10 @@ def thread_count(threads: object) -> int:
 
 
 def tolerance(accuracy: object) -> float | None:
-    """Return the tolerance of a step, None for the fast setting; its range is checked by the core."""
-    return None if accuracy is None else units.parse(accuracy, units.DIMENSIONLESS, name="accuracy")
+    """Return the tolerance of a step, None for the fast setting."""
+    if accuracy is None:
+        return None
+    found = units.parse(accuracy, units.DIMENSIONLESS, name="accuracy")
+    if not FINEST <= found <= COARSEST:
+        raise InputError("accuracy", accuracy, "from 1e-13 to 1e-2; leave it out for the fast setting")
+    return found

@@ -263,6 +263,14 @@ def map_face(
     return FaceMap(toe, high, table, outline, surface, centre)
 
 
+def checked_grid(grid: Any) -> tuple[int, int]:
+    """Return how many points a grid has towards the toe and upwards."""
+    asked = tuple(grid) if isinstance(grid, Iterable) else ()
+    if len(asked) != 2 or not all(is_count(each, LEAST, MOST) for each in asked):
+        raise InputError("grid", grid, f"two whole numbers from {LEAST} to {MOST}, as in 101 by 101")
+    return int(asked[0]), int(asked[1])
+
+
 def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return the places towards the toe and upwards [m]."""
     if points is not None:
@@ -277,11 +285,7 @@ def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[ND
                 raise InputError("points", each, f"1 to {MOST} places one after the other, each rising")
         counts = (len(toe), len(high))
     else:
-        asked = (COARSE if long else GRID) if grid is None else grid
-        asked = tuple(asked) if isinstance(asked, Iterable) else ()
-        if len(asked) != 2 or not all(is_count(each, LEAST, MOST) for each in asked):
-            raise InputError("grid", grid, f"two whole numbers from {LEAST} to {MOST}, as in 101 by 101")
-        counts = (int(asked[0]), int(asked[1]))
+        counts = checked_grid((COARSE if long else GRID) if grid is None else grid)
         ends = zip(outline.least.tolist(), outline.greatest.tolist(), counts, strict=True)
         toe, high = (np.linspace(least, greatest, count) for least, greatest, count in ends)
     if long and counts[0] * counts[1] > MOST_LONG:

@@ -260,8 +260,8 @@ def _fitting(document: Document, common: dict[str, Any], folder: Path) -> Fittin
         for name in ("loft", "lie")
         if name in given
     }
-    settings = {}
-    for each in given.get("setting", []):
+    settings, described = {}, given.get("setting", [])
+    for each in described if isinstance(described, list) else [described]:
         if not isinstance(each, dict) or not isinstance(each.get("name"), str):
             raise InputError("fit.setting", str(each)[:60], 'tables [[fit.setting]], each with its name: name = "back"')
         check_names("change of a setting", [name for name in each if name != "name"], SETTINGS)

@@ -21,7 +21,7 @@ from clubface.simulation.quantities import inputs
 from clubface.studies.axes import Swept, held_number
 from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, loaded
 from clubface.studies.kinds.one_by_one import OneByOne, Values
-from clubface.support.checks import MOST_SEED
+from clubface.support.checks import MOST_SEED, check_choice
 
 COUNTED = Swept("1", limits=(0, MOST_SEED))
 UNITS = {"rate": "1", "noise": "m", "gaps": "1", "gap": "1", "roughness": "1"}
@@ -51,6 +51,9 @@ def _task(study: Described) -> OneByOne:
     held |= {"estimator": next(iter(ESTIMATORS))}
     held |= {name: held_number(name, table[name], each) for name, each in NUMBERS.items() if name in table}
     held |= {name: table[name] for name in NAMES if name in table}
+    check_choice("estimator", held["estimator"], ESTIMATORS)
+    if held["hand"] is not None:
+        check_choice("hand", held["hand"], HANDS)
     if "swing" not in {*held, *(each.name for each in study.design.axes)}:
         raise InputError("swing", None, "sweep it, as in swing = { from = 0, to = 199, step = 1 }")
 

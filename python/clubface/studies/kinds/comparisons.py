@@ -99,7 +99,7 @@ class Comparisons:
         try:
             self._both = (first, Impacts(_second(study)))
         except InputError as error:
-            if error.parameter in study.table.get(OTHER, ()):
+            if error.parameter in (study.table[OTHER] if isinstance(study.table.get(OTHER), Mapping) else ()):
                 raise InputError(f"{OTHER}.{error.parameter}", error.value, error.allowed) from None
             raise
         self._names = tuple(self._both[0].columns)

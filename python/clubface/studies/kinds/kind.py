@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.studies.axes import Swept
 from clubface.studies.designs import Design
-from clubface.support.checks import check_names
+from clubface.support.checks import check_choice
 from clubface.support.shipped import is_path
 
 if TYPE_CHECKING:
@@ -156,5 +156,6 @@ def chosen_columns(table: Mapping[str, Any], every: Mapping[str, Column], usual:
     names = table.get("outputs", usual)
     if not isinstance(names, list | tuple) or not names:
         raise InputError("outputs", names, f'a list of quantities, as in ["{usual[0]}"]')
-    check_names("output", names, every)
+    for place, name in enumerate(names):
+        check_choice(f"outputs[{place}]", name, every)
     return {name: every[name] for name in names}

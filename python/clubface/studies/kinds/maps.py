@@ -44,7 +44,7 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
 
 
 def _task(study: Described) -> OneByOne:
-    from clubface.design.face_map.face_map import SHARE, map_face
+    from clubface.design.face_map.face_map import SHARE, checked_grid, map_face
 
     shot_inputs, table = ShotInputs(study), study.table
     for name in ("toe", "high"):
@@ -59,7 +59,8 @@ def _task(study: Described) -> OneByOne:
         raise InputError("spread_toe", None, f'give it and spread_high, as in spread_toe = "10 mm", for {named[0]}')
     if not scatters and (idle := [each for each in PLACE if each != "share" and each in {*table, *study.sweep}]):
         raise InputError(idle[0], Told("given"), "left out unless both spread_toe and spread_high are given")
-    grid = table.get("grid")
+    if (grid := table.get("grid")) is not None:
+        grid = checked_grid(grid)
 
     def compute(task: Values) -> dict[str, Any]:
         place = {**held, **task}

@@ -12,7 +12,7 @@ from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.described import HANDS
 from clubface.equipment.models import DEFAULT_MODEL, model as model_of, models
 from clubface.equipment.parameters import ParameterSet, read_sets
-from clubface.errors import InputError
+from clubface.errors import InputError, UnknownNameError
 from clubface.simulation.air import Air
 from clubface.simulation.flight_inputs import LEVEL, check_conditions, conditions
 from clubface.simulation.grounds import ground_of
@@ -77,12 +77,14 @@ class Conditions:
             swept = [each.name for each in study.design.axes if each.name in known]
             if swept and not isinstance(held or {}, Mapping):
                 raise InputError(group, held, f"a table of {', '.join(known)}, since {swept[0]} is swept")
-        ground_of(self._held["ground"])
+            if isinstance(held, Mapping):
+                for name, value in held.items():
+                    if name in known:
+                        number(name, value, known[name])
         # What is swept may leave its range here and there; whether it goes with what is held is known now.
         first = self.at({name: float(each[0]) for name, each in study.design.values(range(1)).items()})
-        conditions(first["air"], first["wind"])
-        if first["wind"] == self._held["wind"]:
-            check_conditions(self._held["air"], self._held["wind"])
+        conditions(**first)
+        check_conditions(**{group: None if first[group] != held else held for group, held in self._held.items()})
 
     def at(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return air, wind and ground as a flight takes them, from what is swept; the rest of the values is left."""
@@ -115,7 +117,7 @@ class ShotInputs:
         # Files are read once: what they hold later is another study.
         named = self.choices.get
         self._clubs = loaded(study, "club", club_of) if {"club"} & {*axes, *table} else {}
-        self._balls = loaded(study, "ball", lambda each: ball_of(each) if is_path(each) else each)
+        self._balls = loaded(study, "ball", _ball)
         self.conditions = Conditions(study)
         self._held = {name: number(name, each, inputs()[name].unit) for name, each in table.get("held", {}).items()}
         known = swept_shots(table, study.sweep)
@@ -126,6 +128,17 @@ class ShotInputs:
             if is_path(given := _given(table, name, self._folder)):
                 read_sets(Document.read(given))
         self.depends_on = {"processor": vector_units()} if any(name in MODULES for name in names) else {}
+        for name in names:
+            given = _given(table, name, self._folder)
+            if isinstance(given, Mapping):
+                dimensions = {each.name: each.unit for each in model_of(name).parameters}
+                given = {key: number(key, each, dimensions.get(key, "1")) for key, each in given.items()}
+            if self._clubs or isinstance(given, Mapping):
+                try:
+                    parameter_set(name, next(iter(self._clubs.values()), None) or club_of("driver"), given)
+                except UnknownNameError as error:
+                    known_sets = not isinstance(given, Mapping)
+                    raise InputError("parameters", given, error.allowed) if known_sets else error from None
 
     def equipped(self, names: Mapping[str, str], values: Mapping[str, Any]) -> dict[str, Any]:
         """Return the options of :func:`clubface.impact` for what has names and for parameters that are swept."""
@@ -203,6 +216,12 @@ def _values(group: str, given: Any) -> Mapping[str, Any]:
     if group == "ground" and isinstance(given, str):
         return ground_of(given)
     return given if isinstance(given, Mapping) else {}
+
+
+def _ball(which: Any) -> Any:
+    """Return the ball of a file, and the name of any other: each backend has its own ball of that name."""
+    made = ball_of(which)
+    return made if is_path(which) else which
 
 
 def _check(study: Described, needs: Sequence[str]) -> None:
