@@ -91,7 +91,7 @@ def test_a_makers_table_in_a_workbook_has_its_units_row_its_dates_and_its_empty_
         ["Session of A. Player"],
         ["Date", "Club", "Club Speed", "Swing Direction", "Dyn. Loft", "Ball Speed", "Carry"],
         [None, None, "[mph]", "[deg]", "[deg]", "[mph]", "[yd]"],
-        [datetime.datetime(2026, 5, 1, 10, 0), "Driver", 100, 1.5, 0.1 + 0.2, 147, "1,250"],
+        [datetime.datetime(2026, 5, 1, 10, 0), "Driver", 100, 1.5, 0.1 + 0.2, 147, 250],
         [],
         [datetime.datetime(2026, 5, 1, 10, 1), "Driver", 101, 1.5, 12, 149, None],
     ]
