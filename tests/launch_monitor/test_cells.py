@@ -26,7 +26,71 @@ MPH, KMH, YD, RPM, DEG = (to_si(1.0, each) for each in ("mph", "km/h", "yd", "rp
 def test_a_number_stands_with_its_side_and_its_unit_in_any_order(cell, quantity, value, unit):
     found = reading(cell, quantity, decimal_comma=False)
     assert (found.value, found.unit) == (value, unit)
-    assert unit_in(cell) == unit
+    assert unit_in(cell, quantity) == unit
+
+
+@pytest.mark.parametrize(
+    ("cell", "quantity", "value"),
+    [
+        ("2.6 O", "face", 2.6), ("1.3 C", "face", -1.3), ("1.4 c", "face_to_path", -1.4), ("1.3C", "face", -1.3),
+        ("1.2 I-O", "path", 1.2), ("0.4 O-I", "path", -0.4), ("1.1 i/o", "path", 1.1), ("O-I 0.4", "path", -0.4),
+        ("In-Out 1.2", "path", 1.2), ("3.1° D", "attack", -3.1), ("1.8 U", "attack", 1.8), ("U1.8°", "attack", 1.8),
+        ("L1.2", "azimuth", -1.2), ("1.2 L", "azimuth", -1.2), ("1.2L", "azimuth", -1.2), ("1.2° L", "azimuth", -1.2),
+        ("1.2°L", "azimuth", -1.2), ("L 1.2º", "azimuth", -1.2), ("Left 1.2", "azimuth", -1.2),
+        ("1,2 links", "azimuth", -1.2), ("1.2 gauche", "azimuth", -1.2), ("1.2 D", "azimuth", 1.2),
+        ("droite 1.2", "side", 1.2), ("1.2 izquierda", "side", -1.2), ("右1.2", "side", 1.2), ("7 T", "toe", 7.0),
+        ("7 H", "toe", -7.0), ("mm 7 heel", "toe", -7.0), ("4 H", "high", 4.0), ("4 L", "high", -4.0),
+        ("R 422 rpm", "sidespin", 422.0), ("3.0 draw", "spin_axis", -3.0), ("2 toe down", "lie", -2.0),
+        ("-1.2 L", "azimuth", -1.2), ("+1.2 R", "azimuth", 1.2), ("-1.2 C", "face", -1.2), ("0.0 R", "path", 0.0),
+        ("0.0 N", "path", 0.0), ("0 S", "azimuth", 0.0), ("−1.5°", "attack", -1.5), ("- 1.5", "attack", -1.5),
+        ("–1.5 deg.", "attack", -1.5), ("1.5 Grad", "attack", 1.5), ("3 045", "total_spin", 3045.0),
+        ("3\u202f045 rpm", "total_spin", 3045.0), ("3\xa0045", "total_spin", 3045.0), ("3'045", "total_spin", 3045.0),
+        ("3’045 L", "sidespin", -3045.0), ("1 003 045", "total_spin", 1003045.0),
+    ],
+)  # fmt: skip
+def test_people_write_sides_units_and_thousands_in_many_ways(cell, quantity, value):
+    found = reading(cell, quantity, decimal_comma="," in cell)
+    assert found.value == value
+    assert found.side is None or abs(found.side.sign) == 1
+
+
+def test_a_sign_beside_a_letter_is_that_of_its_column():
+    """Garmin's sidespin is positive to the left: minus there is to the right."""
+    assert reading("-300 R", "sidespin", False, positive=-1.0).value == 300.0
+    with pytest.raises(CellError, match="contradict"):
+        reading("-300 L", "sidespin", False, positive=-1.0)
+
+
+@pytest.mark.parametrize("cell", ["", "---", "--.-", "–", "n/a", "#N/A", "Not measured", "?", " . "])
+def test_what_was_not_measured_is_written_in_many_ways(cell):
+    assert reading(cell, "face", decimal_comma=False) is None
+
+
+@pytest.mark.parametrize(
+    ("content", "spins"),
+    [
+        ("Spin Rate [rpm];Launch Angle [deg]\n2.845;12\n980;13\n", [2845, 980]),
+        ("Spin Rate [rpm];Launch Angle [deg]\n2,845;12\n980;13\n", [2845, 980]),
+        ("Spin Rate [rpm];Launch [deg];Smash\n2845;12;1,386\n3102;13;1,400\n", [2845, 3102]),
+        ("Spin Rate [rpm];Launch Angle [deg]\n2.845;12,5\n3.102;13,0\n", [2845, 3102]),
+        ("Spin Rate [rpm];Launch Angle [deg]\n2,845;12.5\n3,102;13.0\n", [2845, 3102]),
+        ("Spin Rate [rpm];Launch Angle [deg]\n2845,123;12\n3102,5;13\n", [2845.123, 3102.5]),
+    ],
+)
+def test_a_mark_before_three_digits_of_a_spin_separates_thousands(write, content, spins):
+    shots = launch_monitor.read(write(content))
+    np.testing.assert_allclose(shots.launches["total_spin"], np.array(spins) * RPM, rtol=1e-14)
+
+
+def test_a_spin_that_may_be_two_or_two_thousand_is_refused(write):
+    content = "Spin Rate [rpm];Launch Angle [deg]\n2.845;12.5\n3102;13.5\n4100;14.5\n"
+    shots = launch_monitor.read(write(content))
+    assert [(each.line, "2.845" in each.reason) for each in shots.rejected] == [(2, True)]
+
+
+def test_a_number_that_nothing_decides_is_said_to_be_one(write):
+    shots = launch_monitor.read(write("Spin Rate [rpm];Launch [deg];Altitude\n2845;12;1.200\n3102;13;1.300\n"))
+    assert any("1.200" in note for note in shots.notes)
 
 
 @pytest.mark.parametrize(
@@ -41,6 +105,7 @@ def test_a_heading_names_the_positive_side_first_or_last(text, positive):
 @pytest.mark.parametrize(
     ("cell", "quantity"),
     [("422 Q rpm", "sidespin"), ("422 R rpm L", "sidespin"), ("L 422 R", "sidespin"), ("-422 R rpm", "sidespin"),
+     ("+1.2 L", "azimuth"),
      ("5 furlongs", "carry"), ("3 rpm rpm", "total_spin")],
 )  # fmt: skip
 def test_words_that_are_neither_side_nor_unit_are_refused(cell, quantity):

@@ -403,7 +403,7 @@ def test_the_preferred_of_two_columns_for_a_quantity_is_taken(write):
         (b"Side Angle,Tilt Angle,Ball Speed\n", "there are no shots"),
         (b"Side Angle,Tilt Angle,Ball Speed\n1,2\n", "line 2: 2 cells where there are 3 columns"),
         (b"Side Angle,Tilt Angle,Ball Speed\n3 Q,2,100\n", "'3 Q' is not a number, or one with its side .l, left"),
-        (b"Side Angle,Tilt Angle,Ball Speed\n-3 L,2,100\n", "'-3 L' is a number with both a sign and a side"),
+        (b"Side Angle,Tilt Angle,Ball Speed\n-3 R,2,100\n", "'-3 R' is a number whose sign and side contradict"),
         (b"Side Angle,Tilt Angle,Ball Speed\n,,-\n", "nothing was measured"),
         (b"Side Angle,Tilt Angle,Ball Speed\n1,2,1_0\n", "'1_0' is not a number"),
         (b'Side Angle,Tilt Angle,Ball Speed\n1,2,"10', "does not end"),

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from itertools import islice
 from typing import NamedTuple
 
-from clubface.tables.cells import NUMBER, is_missing, number, without_thousands
+from clubface.tables.cells import NUMBER, is_missing, number
 from clubface.tables.spelling import bracketed, plain, unit_symbol
 
 WORLD, CLUB = "world", "club"
@@ -22,26 +23,64 @@ class Side(NamedTuple):
 
 _L, _R = Side(-1.0, WORLD), Side(1.0, WORLD)
 _MINUS, _PLUS = Side(-1.0, CLUB), Side(1.0, CLUB)
-_ACROSS = {
-    "l": _L, "left": _L, "r": _R, "right": _R,
-    "in out": _PLUS, "in to out": _PLUS, "out in": _MINUS, "out to in": _MINUS,
-    "open": _PLUS, "closed": _MINUS, "close": _MINUS,
-}  # fmt: skip
-_FACE = {"toe": _PLUS, "heel": _MINUS}
-_HEIGHT = {"high": _PLUS, "low": _MINUS, "up": _PLUS, "down": _MINUS}
-_LIE = {"toe up": _PLUS, "toe down": _MINUS, "up": _PLUS, "down": _MINUS}
+
+
+def _words(*sides: tuple[Side, str]) -> dict[str, Side]:
+    """Return the side that each word means; words of two have a ``+`` between them."""
+    return {word.replace("+", " "): side for side, words in sides for word in words.split()}
+
+
+_LEFT_RIGHT = _words(
+    (_L, "l left"),
+    (_R, "r right"),
+    (_L, "links linke gauche izquierda izq vänster venstre sinistra sx esquerda vasen 左 왼쪽 좌"),
+    (_R, "rechts rechte droite derecha der dcha höger høyre højre destra dx direita oikea 右 오른쪽 우"),
+)
+_FRENCH = _words((_L, "g"), (_R, "d"))
+_OPENING = _words(
+    (_PLUS, "in+out in+to+out"), (_MINUS, "out+in out+to+in"), (_PLUS, "open"), (_MINUS, "closed close"),
+    (_PLUS, "offen ouvert ouverte abierta abierto aperta aperto öppen åpen åben aberta 开 開"),
+    (_MINUS, "geschlossen zu fermé fermée cerrada cerrado chiusa chiuso stängd lukket fechada 闭 閉 关"),
+    (_PLUS, "inside+out io i+o i+to+o innen+außen"), (_MINUS, "outside+in oi o+i o+to+i außen+innen"),
+)  # fmt: skip
+_ACROSS = {**_LEFT_RIGHT, **_OPENING}
+_OF_FACE = _words((_PLUS, "o op"), (_MINUS, "c cl"))
+_CURVES = _words((_MINUS, "draw hook"), (_PLUS, "fade slice"))
+_STARTS = _words((_MINUS, "pull"), (_PLUS, "push"))
+_FACE = _words(
+    (_PLUS, "toe t"), (_MINUS, "heel h"), (_PLUS, "spitze pointe punta puntera tå teen"),
+    (_MINUS, "ferse hacke talon talón tacco häl hæl hiel"),
+)  # fmt: skip
+_HEIGHT = _words(
+    (_PLUS, "high up"), (_MINUS, "low down"), (_PLUS, "u h"), (_MINUS, "d l"),
+    (_PLUS, "auf hoch oben aufwärts haut montant arriba alto upp opp op omhoog 上 위"),
+    (_MINUS, "ab tief unten abwärts bas descendant abajo basso ned omlaag 下 아래"),
+    (_PLUS, "above ascending upward"), (_MINUS, "below descending downward"),
+)  # fmt: skip
+_LIE = _words((_PLUS, "toe+up"), (_MINUS, "toe+down"), (_PLUS, "up u upright tu"), (_MINUS, "down d flat td"))
 FACE_TO_PATH = "face_to_path"
 """Face angle less path: not a quantity of a shot, but with the path it gives the face angle."""
 SIDES: Mapping[str, Mapping[str, Side]] = {
-    **dict.fromkeys(("path", "face", FACE_TO_PATH, "azimuth", "sidespin", "spin_axis", "side", "total_side"), _ACROSS),
+    "path": {**_ACROSS, **_FRENCH},
+    "face": {**_ACROSS, **_OF_FACE, **_FRENCH},
+    FACE_TO_PATH: {**_ACROSS, **_OF_FACE, **_FRENCH},
+    "azimuth": {**_ACROSS, **_STARTS, **_FRENCH},
+    "sidespin": {**_ACROSS, **_CURVES},
+    "spin_axis": {**_ACROSS, **_CURVES},
+    "side": {**_ACROSS, **_FRENCH},
+    "total_side": {**_ACROSS, **_FRENCH},
     "toe": _FACE,
-    "high": _HEIGHT,
-    "attack": _HEIGHT,
+    **dict.fromkeys(("high", "attack", "launch"), _HEIGHT),
     "lie": _LIE,
 }
-"""The words for the sides of each quantity."""
-MIRRORED = tuple(name for name, words in SIDES.items() if words is _ACROSS)
-"""Quantities across the target line: told in terms of the club, a left-hander's change their sign."""
+"""The words for the sides of each quantity, the usual ones first. "D" is "droite" or "derecha" only where it cannot be
+a draw."""
+MIRRORED = tuple(name for name, words in SIDES.items() if "left" in words)
+"""Quantities across the target line: in terms of the club, a left-hander's change their sign."""
+_NO_SIDE = frozenset({"n", "neutral", "s", "straight", "square", "sq", "m", "middle", "c", "center", "centre"})
+"""Words that go with zero."""
+LISTED = 8
+"""Sides that an error lists."""
 
 _WORDS = "|".join(sorted({re.sub(" ", "[ -]", each) for words in SIDES.values() for each in words}, key=len)[::-1])
 _TWO_SIDES = re.compile(rf"(?:^|\s)({_WORDS})([-+])\s*/\s*({_WORDS})([-+])$", re.IGNORECASE)
@@ -100,50 +139,69 @@ class Reading(NamedTuple):
     unit: str | None = None
 
 
-def reading(cell: str, quantity: str, decimal_comma: bool) -> Reading | None:
+def reading(cell: str, quantity: str, decimal_comma: bool, positive: float = 1.0) -> Reading | None:
     """Return the content of a cell; None if nothing was measured.
 
-    A number may be followed by its side (``10.5 L``, ``3.1 In-Out``) or preceded by it (``L3.1``), and followed by its
-    unit, on either side of the side (``422 R rpm``, ``8.5 mm Toe``).
+    A number may stand with its side (``10.5 L``, ``L3.1``, ``3.1 In-Out``) and its unit (``422 R rpm``,
+    ``8.5 mm Toe``), before it and after it, in any order. A sign next to a side must say the same: where positive
+    numbers of the column are to the right (``positive`` is the sign of its positive side here), -1.2 L is 1.2 to the
+    left and -1.2 R is an error.
     """
     if not decimal_comma and _PLAIN.fullmatch(cell):
         return Reading(float(cell))  # as below, but for most cells of most files at a tenth of the cost
-    text = cell.replace("\xa0", " ").replace("−", "-").strip()
-    if is_missing(text):
+    if is_missing(cell):
         return None
-    found = NUMBER.fullmatch(text)
-    if not found:
-        raise CellError("not a number")
+    found, side, unit = _parts(cell, quantity)
     try:
-        value = number(without_thousands(found["number"], decimal_comma), decimal_comma)
+        value = number(found["number"], decimal_comma)
     except ValueError:
         raise CellError("not a number") from None
-    side, unit = _side_and_unit(found["before"] or "", found["rest"], quantity)
-    if side is not None and found["number"][0] in "-+":
-        raise CellError("a number with both a sign and a side")
-    return Reading(value if side is None else value * side.sign, side, unit)
+    if side is None:
+        return Reading(value, None, unit)
+    written = found["number"][0]
+    if value and written in "-+" and (positive if written == "+" else -positive) != side.sign:
+        raise CellError("a number whose sign and side contradict each other")
+    return Reading(abs(value) * side.sign, side, unit)
 
 
-def unit_in(cell: str) -> str | None:
-    """Return the symbol of the unit that a cell names after its number, or None."""
-    found = NUMBER.fullmatch(cell.strip())
-    words = found["rest"].split() if found else []
-    return next((symbol for each in (" ".join(words), *words[:1], *words[-1:]) if (symbol := unit_symbol(each))), None)
+def unit_in(cell: str, quantity: str = "") -> str | None:
+    """Return the symbol of the unit that a cell names next to its number, or None."""
+    try:
+        return _parts(cell, quantity)[2]
+    except CellError:
+        return None
 
 
-def _side_and_unit(before: str, rest: str, quantity: str) -> tuple[Side | None, str | None]:
-    """Return the side told before or after a number, and the unit told after it."""
+def _parts(cell: str, quantity: str) -> tuple[re.Match[str], Side | None, str | None]:
+    """Return the number of a cell, its side and its unit, each of which may stand before the number or after it."""
+    text = cell.replace("−", "-").strip()
+    found = NUMBER.fullmatch("-" + text[1:] if text[:1] == "–" else text)
+    if not found or not any(map(str.isdigit, found["number"])):
+        raise CellError("not a number")
     sides = SIDES.get(quantity, {})
-    words = rest.split()
+    before, after = (_side_and_unit(found[each], sides) for each in ("before", "rest"))
+    if before is None or after is None or any(map(all, zip(before, after, strict=True))):
+        if not found["number"].strip("+-0.,") and plain(found["before"] + found["rest"]) in _NO_SIDE:
+            return found, None, None
+        raise CellError(_no_number(sides))
+    return found, before[0] or after[0], before[1] or after[1]
+
+
+def _side_and_unit(text: str, sides: Mapping[str, Side]) -> tuple[Side | None, str | None] | None:
+    """Return the side and the unit that words next to a number name, in any order; None where they are others."""
+    words = re.sub(r"[°º](?!/)", r" ° ", text).split()
+    only_unit = None
     for place in range(len(words) + 1):
         parts = " ".join(words[:place]), " ".join(words[place:])
-        for told, other in (parts, parts[::-1]):
-            named = told or before
+        for named, other in (parts, parts[::-1]):
             side, symbol = sides.get(plain(named)), unit_symbol(other)
-            if not (told and before) and (side or not named) and (symbol or not other):
+            if side and (symbol or not other):
                 return side, symbol
-    raise CellError(_no_number(sides))
+            if not named and (symbol or not other):
+                only_unit = None, symbol  # "1.3 C" is closed where it can be, and degrees Celsius elsewhere
+    return only_unit
 
 
 def _no_number(sides: Mapping[str, Side]) -> str:
-    return "not a number" + (f", or one with its side ({', '.join(sides)})" if sides else "")
+    some = ", ".join(islice(sides, LISTED)) + ", ..." * (len(sides) > LISTED)
+    return "not a number" + (f", or one with its side ({some})" if sides else "")

@@ -191,7 +191,9 @@ def _named_unit(
     if named is None and units_row is not None and position < len(units_row):
         named = units_row[position].strip().strip("[]()").strip() or None
     if named is None:
-        named = next((symbol for row in rows if position < len(row) and (symbol := unit_in(row[position]))), None)
+        named = next(
+            (symbol for row in rows if position < len(row) and (symbol := unit_in(row[position], quantity))), None
+        )
     return None if named is None else unit_of_column(named, dimension, shown, place)
 
 

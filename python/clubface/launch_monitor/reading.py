@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import chain, islice
+from functools import partial
+from itertools import chain, islice, zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +27,7 @@ from clubface.recorded.signs import suspected_signs
 from clubface.recorded.wrong_units import wrong_unit
 from clubface.simulation.quantities import inputs
 from clubface.support.checks import check_choice
-from clubface.tables.cells import quoted_cell, uses_decimal_comma
+from clubface.tables.cells import Decimals, decimals_of, quoted_cell
 from clubface.tables.csv_rows import DECIMAL_ROWS, Row
 from clubface.tables.headings import check_units, listed
 from clubface.tables.parquet import ENDINGS as PARQUET, ParquetReader
@@ -194,12 +195,13 @@ def _session(
     delimiter: str,
 ) -> Session:
     sample = [*head, *islice(rest, DECIMAL_ROWS - len(head))]
-    comma = mapped.decimal_comma if mapped else None
-    if comma is None:
-        cells = [cell for row in sample if not isinstance(row, Reject) for cell in row[0]]
-        comma = uses_decimal_comma(cells, delimiter)
-    reader = SessionReader(path, layout, _side(hand), units, comma, sample, lambda row: is_foreign(layout, row))
+    decimals = decimals_of(_cells_with_quantities(layout, sample), delimiter)
+    if mapped and mapped.decimal_comma is not None:
+        decimals = Decimals(mapped.decimal_comma)
+    is_other = partial(is_foreign, layout)
+    reader = SessionReader(path, layout, _side(hand), units, decimals.comma, sample, is_other)
     session = reader.read(chain(sample, rest))
+    session.doubtful_number = decimals.doubtful
     if not reader.has_header:
         first = next((row for row in sample if not isinstance(row, Reject)), None)
         if first is None:
@@ -211,6 +213,18 @@ def _session(
         groups = " or ".join(", ".join(group) for group in layout.marks)
         raise FileError(path, None, f"this is no {layout.title} file: no row names the columns {groups}")
     return session
+
+
+def _cells_with_quantities(layout: Format, rows: Sequence[Row | Reject]) -> Iterator[tuple[str, str | None]]:
+    """Yield the cells of some rows, each with the quantity that its column gives, or None."""
+    quantities: list[str | None] = []
+    for row in rows:
+        if isinstance(row, Reject):
+            continue
+        cells = row[0]
+        if layout.is_header(cells):
+            quantities = [layout.names.get(layout.heading(each).name, (None, 0))[0] for each in cells]
+        yield from zip_longest(cells, quantities[: len(cells)])
 
 
 def _side(hand: str | None) -> float:
@@ -258,7 +272,8 @@ def _shots(session: Session, path: str, layout: Format, of_file: Sequence[str] =
         format=layout.name,
         rejected=rejected,
         notes=(*notes, *([contradiction] if contradiction else [])),
-        **{"speed_at": layout.speed_at, "face_at": layout.face_at, **session.points},
+        speed_at=session.points.get("speed_at", layout.speed_at),
+        face_at=session.points.get("face_at", layout.face_at),
     )
     emptied = np.all([np.isnan(each) for each in cleaned.columns.values()], axis=0)
     return without_emptied(every, emptied)
@@ -307,6 +322,9 @@ def _notes(session: Session, layout: Format, measured: set[str], of_file: Sequen
     for name, (count, cell) in session.unreadable.items():
         cells = "1 cell holds" if count == 1 else f"{count} cells hold"
         yield f"{shortened(name, 40)}: {cells} no number, such as {quoted_cell(cell)}, and count as not measured"
+    if session.doubtful_number:
+        cell, mark = quoted_cell(session.doubtful_number), "a comma" if "," in session.doubtful_number else "a point"
+        yield f"nothing says whether {mark} in {cell} and the like separates thousands or decimals: say it in a mapping"
     if session.summaries:
         yield f"rows of averages and deviations, which are no shots and were left out: {session.summaries}"
     if session.without_club:

@@ -21,7 +21,7 @@ from clubface.recorded.shots import RejectedRow
 from clubface.recorded.wrong_units import Unit
 from clubface.simulation.quantities import inputs
 from clubface.support.arrays import Floats
-from clubface.tables.cells import hand_of, quoted_cell, ragged_reason
+from clubface.tables.cells import LARGE, hand_of, may_be_thousands, quoted_cell, ragged_reason
 from clubface.tables.csv_rows import Row
 from clubface.tables.headings import POINTS
 from clubface.tables.rows import Reject
@@ -96,6 +96,8 @@ class Session:
         Where the first header stands.
     guessed_hand
         Whether something in terms of the club was read as a right-hander's because nothing names the hand.
+    doubtful_number
+        A number whose decimal mark may separate thousands, where nothing decides it; else "".
     names_clubs, names_players
         Whether the file names clubs and players.
     """
@@ -112,6 +114,7 @@ class Session:
     units: dict[str, Unit] = field(default_factory=dict)
     header_line: int | None = None
     guessed_hand: bool = False
+    doubtful_number: str = ""
     names_clubs: bool = False
     names_players: bool = False
 
@@ -367,6 +370,11 @@ class SessionReader:
     ) -> Floats:
         """Return the SI values of a column with their signs here, NaN where nothing was measured."""
         mirrored = np.sign(hands) if column.quantity in MIRRORED else None
+        if column.quantity in LARGE and not _is_array(cells):
+            for row, cell in enumerate(cells):
+                if may_be_thousands(cell, self._decimal_comma):
+                    what = "a number that may have thousands or decimals; other columns decide for decimals"
+                    self._note_unreadable(row, cell, what, column, reasons, unreadable)
         quick = cells if _is_array(cells) else _floats(cells, self._decimal_comma)
         if quick is not None:
             for row in np.flatnonzero(np.isinf(quick)):
@@ -385,7 +393,7 @@ class SessionReader:
                 values[row] = float(cell)
                 continue
             try:
-                content = reading(cell, column.quantity, self._decimal_comma)
+                content = reading(cell, column.quantity, self._decimal_comma, column.side.sign)
             except CellError as error:
                 self._note_unreadable(row, cell, str(error), column, reasons, unreadable)
                 continue

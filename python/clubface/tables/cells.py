@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface.equipment.described import HANDS
 from clubface.errors import shortened
@@ -16,18 +16,28 @@ from clubface.units import from_si, to_si, unit
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-MISSING = frozenset({"", "-", "--", "---", "–", "—", "n/a", "na", "nan", "null", "none"})
-"""Cells that say that nothing was measured, in lower case."""
+MISSING = frozenset({"", "n/a", "#n/a", "na", "n/m", "nan", "null", "none", "no data", "not measured"})
+"""Cells that say that nothing was measured, in lower case; so do those of nothing but dashes, points and the like."""
+_DASHES = "-–—−.,:_*?~ \xa0"
 NUMBER = re.compile(
-    r"(?:(?P<before>[LR])\s*+)?(?P<number>[-+]?[\d.,]++(?:e[-+]?\d++)?)\s*+(?P<rest>\D*+)", re.IGNORECASE
+    r"(?P<before>(?:[^\d.,+-]++(?:[-/]\s?(?=[^\W\d_])[^\d.,+-]++)*+)?+)"
+    r"(?P<number>(?:[-+]\s?)?+[\d.,]++(?:[\s'’ʼ]\d{3}(?!\d)[\d.,]*+)*+(?:e[-+]?\d++)?)"
+    r"\s*+(?P<rest>\D*+)",
+    re.IGNORECASE,
 )
-"""A number, which a side may precede or follow, and a unit follow. It gives nothing back (``++``): a cell of 40,000
-commas and a digit would be tried in a billion ways."""
+"""A number, whose thousands may stand apart, with words before and after it: its side and its unit.
+
+It gives nothing back (``++``): a cell of 40,000 commas and a digit would be tried in a billion ways.
+"""
+_APART = re.compile(r"[-+]?\d{1,3}(?:[\s'’ʼ]\d{3})+(?:[.,]\d*)?")
+"""A number whose thousands are separated by a space or an apostrophe, which separates nothing else."""
 THOUSANDS = {
     ",": re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?"),
     ".": re.compile(r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?"),
 }
 """Numbers whose thousands are separated by a sign, by that sign."""
+LARGE = frozenset({"total_spin", "backspin", "sidespin", "closure"})
+"""Quantities that have thousands in their usual units; of others, 1.386 and 147.512 are no thousands."""
 SHOWN = 3
 """Cells beyond the columns that a reason shows."""
 _HANDS = {**HANDS, "r": 1, "l": -1, "rh": 1, "lh": -1, "right handed": 1, "left handed": -1, "1": 1, "+1": 1, "-1": -1}
@@ -35,7 +45,7 @@ _HANDS = {**HANDS, "r": 1, "l": -1, "rh": 1, "lh": -1, "right handed": 1, "left 
 
 def is_missing(text: str) -> bool:
     """Tell whether a cell says that nothing was measured."""
-    return text.strip().lower() in MISSING
+    return text.strip().lower() in MISSING or not text.strip(_DASHES)
 
 
 def is_number(text: str) -> bool:
@@ -46,32 +56,76 @@ def is_number(text: str) -> bool:
         return False
 
 
-def uses_decimal_comma(cells: Iterable[str], delimiter: str) -> bool:
-    """Return whether numbers have a decimal comma: whether more cells are numbers that way than with a point.
+class Decimals(NamedTuple):
+    """How the numbers of a file are written.
 
-    If commas separate the cells, a comma inside a cell and before three digits separates thousands.
+    Attributes
+    ----------
+    comma
+        Whether their decimals follow a comma.
+    doubtful
+        A cell that may be read both ways, where nothing in the file decides it; else "".
     """
-    numbers = [found["number"] for cell in cells if (found := NUMBER.fullmatch(cell.strip()))]
-    commas = sum(
-        is_number(each.replace(",", ".")) and not (delimiter == "," and THOUSANDS[","].fullmatch(each))
-        for each in numbers
-        if each.count(",") == 1 and "." not in each
-    )
-    points = sum(is_number(each) for each in numbers if "." in each)
-    return commas > points
+
+    comma: bool
+    doubtful: str = ""
+
+
+def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Decimals:
+    """Return how numbers are written, by cells with the quantity of their column, None where it is not known.
+
+    "12,5" and "1.234,5" have a decimal comma, "12.5" and "1,234.5" a point. "2.845" is one or the other, which its
+    column decides: spins have thousands in rpm, and no other quantity reaches them. Most cells win; where there are
+    none but such of unknown columns, a comma between cells is no decimal comma, and a point is a decimal point.
+    """
+    votes = {",": 0, ".": 0}
+    doubtful = {",": "", ".": ""}
+    for cell, quantity in cells:
+        if "." not in cell and "," not in cell:
+            continue
+        found = NUMBER.fullmatch(cell.strip())
+        text = "".join(found["number"].split()) if found else ""
+        marks = {mark: text.count(mark) for mark in ",." if mark in text}
+        if not marks or not any(map(str.isdigit, text)):
+            continue
+        last = max(marks, key=text.rfind)
+        other = "," if last == "." else "."
+        if len(marks) == 2:
+            if marks[last] == 1 and THOUSANDS[other].fullmatch(text):
+                votes[last] += 1
+        elif not THOUSANDS[last].fullmatch(text):
+            if marks[last] == 1:
+                votes[last] += 1
+        elif marks[last] > 1 or quantity in LARGE:
+            votes[other] += 1
+        elif quantity is not None:
+            votes[last] += 1
+        else:
+            doubtful[last] = doubtful[last] or cell.strip()
+    if votes[","] != votes["."]:
+        return Decimals(votes[","] > votes["."])
+    comma = bool(doubtful[","]) and not doubtful["."] and delimiter != ","
+    return Decimals(comma, doubtful[","] or doubtful["."])
+
+
+def may_be_thousands(text: str, decimal_comma: bool) -> bool:
+    """Tell whether a number has its decimal mark where one that separates thousands would stand: 2.845."""
+    return THOUSANDS["," if decimal_comma else "."].fullmatch(text.strip()) is not None
 
 
 def number(text: str, decimal_comma: bool) -> float:
-    """Return the number that a text stands for; else a ``ValueError``."""
-    if "_" in text or (decimal_comma and "." in text):
+    """Return the number that a text stands for, with or without signs between its thousands; else a ``ValueError``."""
+    if "_" in text:
         raise ValueError
-    return float(text.replace(",", ".") if decimal_comma else text)
-
-
-def without_thousands(text: str, decimal_comma: bool) -> str:
-    """Return a number without the signs that separate its thousands, if there are any."""
-    group = "." if decimal_comma else ","
-    return text.replace(group, "") if THOUSANDS[group].fullmatch(text) else text
+    text = re.sub(r"^([-+])\s", r"\1", text.strip())
+    if _APART.fullmatch(text):
+        text = re.sub(r"[\s'’ʼ]", "", text)
+    mark, group = (",", ".") if decimal_comma else (".", ",")
+    if THOUSANDS[group].fullmatch(text):
+        text = text.replace(group, "")
+    if group in text:
+        raise ValueError
+    return float(text.replace(mark, "."))
 
 
 def hand_of(text: str) -> float:
@@ -115,11 +169,11 @@ def _in_unit(text: str, symbol: str, decimal_comma: bool) -> float:
     found = NUMBER.fullmatch(text)
     if found is None or found["before"] or not found["rest"]:
         return number(text, decimal_comma)
-    told = unit_symbol(found["rest"])
-    if told is None or unit(told).dimension != unit(symbol).dimension:
+    named = unit_symbol(found["rest"])
+    if named is None or unit(named).dimension != unit(symbol).dimension:
         raise ValueError
     value = number(found["number"], decimal_comma)
-    return value if told == symbol else from_si(to_si(value, told), symbol)
+    return value if named == symbol else from_si(to_si(value, named), symbol)
 
 
 def quoted_cell(text: str) -> str:

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from clubface.errors import FileError
-from clubface.tables.cells import parsed, ragged_reason, uses_decimal_comma
+from clubface.tables.cells import decimals_of, parsed, ragged_reason
 from clubface.tables.csv_rows import DECIMAL_ROWS, Row
-from clubface.tables.headings import Column
+from clubface.tables.headings import Column, shot_words, split_heading
 from clubface.tables.row_source import open_rows
 from clubface.tables.rows import Reject
 
@@ -61,8 +61,11 @@ class CsvReader:
         """Look at the first rows: a number such as "50,5" is one with a decimal comma."""
         while len(self._seen) < DECIMAL_ROWS and (row := self._rows.next()) is not None:
             self._seen.append(row)
-        cells = (cell for row in self._seen if not isinstance(row, Reject) for cell in row[0])
-        self.decimal_comma = uses_decimal_comma(cells, self.delimiter)
+        rows = [row[0] for row in self._seen if not isinstance(row, Reject)]
+        words = shot_words()
+        quantities = [words.names.get(split_heading(each, words)[0]) for each in self.headings]
+        cells = ((cell, quantity) for row in rows for cell, quantity in zip(row, quantities, strict=False))
+        self.decimal_comma = decimals_of(cells, self.delimiter).comma
 
     def chunks(self, rows: int, skip: int) -> Iterator[CsvChunk]:
         """Yield the rows after the first ``skip``, some ``rows`` at a time."""

@@ -12,9 +12,20 @@ _UNITS = {
     "yards": "yd", "yds": "yd", "yd": "yd", "feet": "ft", "inches": "in", "inch": "in", "meters": "m", "metres": "m",
     "meter": "m", "metre": "m", "deg/sec": "deg/s", "degrees/s": "deg/s", "dps": "deg/s", "°/sec": "deg/s",
     "degs": "deg", "grad": "deg", "graden": "deg", "grados": "deg", "km/u": "km/h", "km/hr": "km/h", "kmph": "km/h",
-    "u/min": "rpm", "1/min": "rpm", "tpm": "rpm", "omw/min": "rpm", "sek": "s", "sec.": "s",
+    "u/min": "rpm", "1/min": "rpm", "tpm": "rpm", "omw/min": "rpm", "sek": "s", "sec": "s",
+    **dict.fromkeys(("yard", "yrd", "yrds", "y", "yarda", "yardas", "ヤード", "码", "碼", "야드"), "yd"),
+    **dict.fromkeys(("foot", "pieds", "pies", "piedi", "fuß", "フィート", "英尺", "피트"), "ft"),
+    **dict.fromkeys(("zoll", "pouces", "pulgadas", "pollici", "インチ"), "in"),
+    **dict.fromkeys(("mtr", "mtrs", "mètres", "mètre", "metros", "metri", "メートル", "米", "미터"), "m"),
+    **dict.fromkeys(("º", "degré", "degrés", "gradi", "graus", "grader", "aste", "度", "도"), "deg"),
+    **dict.fromkeys(("º/s", "grad/s", "grados/s", "度/秒"), "deg/s"),
+    **dict.fromkeys(("m.p.h", "mi/h", "miles/h"), "mph"),
+    **dict.fromkeys(("km/t", "kph", "kmh", "公里/小时"), "km/h"),
+    **dict.fromkeys(("m/sec", "mps", "m/秒", "米/秒"), "m/s"),
+    **dict.fromkeys(("rev/min", "r/min", "tr/min", "giri/min", "upm", "v/min", "回転/分", "转/分", "轉/分"), "rpm"),
+    **dict.fromkeys(("seconds", "secs", "秒", "초"), "s"),
 }  # fmt: skip
-"""Further spellings of units in the files of launch monitors and spreadsheets."""
+"""Further spellings of units in the files of launch monitors and spreadsheets, without a point at the end."""
 
 _BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 
@@ -33,7 +44,8 @@ def bracketed(text: str) -> tuple[str, str | None]:
 def unit_symbol(text: str) -> str | None:
     """Return the symbol of the unit that a monitor writes as ``text``, or None for an unknown one."""
     spelled = text.strip().strip("[]()").strip()
-    for each in (spelled, spelled.lower(), _UNITS.get(spelled.lower(), "")):
+    lower = spelled.lower().removesuffix(".")
+    for each in (spelled, lower, _UNITS.get(lower, "")):
         try:
             if each:
                 return unit(each).symbol
