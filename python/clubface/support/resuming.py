@@ -6,7 +6,6 @@ import hashlib
 import os
 import re
 import shutil
-import socket
 import time
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import AbstractContextManager, nullcontext, suppress
@@ -18,6 +17,7 @@ from clubface.support.checked_json import read_checked, write_checked
 from clubface.support.fingerprint import check_same, fingerprint, fingerprints
 from clubface.support.input_files import place_of, same_file
 from clubface.support.part_store import RECORD, PartStore
+from clubface.support.process_identity import is_running, this_process
 from clubface.support.whole_file import unwritable, whole_file
 
 if TYPE_CHECKING:
@@ -106,7 +106,7 @@ class Store:
             raise FileError(str(self._of), None, f"there is no folder {str(folder.parent)!r}")
         self._settle_with_others(resume, otherwise)
         try:
-            self._write(lambda: None if self._process() == os.getpid() else self._begin())
+            self._write(lambda: None if _is_own(self._holder()) else self._begin())
         except BaseException:
             self._remove_if_empty()
             raise
@@ -136,26 +136,24 @@ class Store:
         record: dict[str, Any] = {"content": {}}
         with suppress(FileError):
             record = read_checked(other / RECORD, DAMAGED)
-        process = record.get("process", 0)
-        if record.get("machine") == socket.gethostname() and process != os.getpid() and _is_running(process):
-            message = f"process {process} is writing this with other options; wait until it ends, or give another name"
-            raise FileError(str(self._of), None, message)
+        if not _is_own(record) and is_running(record):
+            message = f"process {record['process']} is writing this with other options; wait until it ends, or give"
+            raise FileError(str(self._of), None, f"{message} another name")
         if resume:
             check_same(self.folder, self._told, record["content"], otherwise)
         PartStore(other, record).remove()
 
     def _begin(self) -> None:
         """Make the folder; its record is for people and other work, the name of the folder says what it is of."""
-        who = {"process": os.getpid(), "machine": socket.gethostname()}
         self._store.prepare(self._store.parts / "any")
         with suppress(FileError):
-            write_checked(self._store.folder / RECORD, {"content": self._told, **who})
+            write_checked(self._store.folder / RECORD, {"content": self._told, **this_process()})
 
-    def _process(self) -> int:
-        """Return which process has begun the store, or gone on with it, last; 0 where it is gone."""
+    def _holder(self) -> dict[str, Any]:
+        """Return the record of the process that has begun the store, or gone on with it, last; {} where it is gone."""
         with suppress(FileError):
-            return read_checked(self._store.folder / RECORD, DAMAGED).get("process", 0)
-        return 0
+            return read_checked(self._store.folder / RECORD, DAMAGED)
+        return {}
 
     def __enter__(self) -> Self:
         return self
@@ -261,7 +259,8 @@ class Store:
     def remove(self) -> None:
         """Remove it: the work is done. What a third run has begun after another one removed it is left alone."""
         self._fresh, self._values = {}, {}
-        if not (self._overtaken and self._process() not in (0, os.getpid())):
+        holder = self._holder()
+        if not (self._overtaken and holder and not _is_own(holder)):
             self._clear()
 
     def _remove_if_empty(self) -> None:
@@ -279,16 +278,9 @@ class Store:
             self.folder.rmdir()
 
 
-def _is_running(process: int) -> bool:
-    if os.name != "posix":  # elsewhere, this would end the process
-        return False
-    try:
-        os.kill(process, 0)
-    except PermissionError:
-        return True
-    except (OSError, TypeError, ValueError, OverflowError):
-        return False
-    return process > 0
+def _is_own(record: Mapping[str, Any]) -> bool:
+    """Tell whether this process has written a record."""
+    return all(record.get(name) == value for name, value in this_process().items())
 
 
 def _state(path: Path) -> tuple[int, int] | None:
