@@ -73,12 +73,17 @@ class Prior:
             raise InputError("deviation", list(self.deviation), f"for the same quantities: {', '.join(self.mean)}")
         for name in self.mean:
             check_choice("quantity of a delivery", name, OF_CLUB)
+        for part in ("mean", "deviation"):
+            values = {name: units.parse_one(each, OF_CLUB[name], name) for name, each in getattr(self, part).items()}
+            object.__setattr__(self, part, values)
+        for name in self.mean:
             if not (np.isfinite(self.mean[name]) and self.deviation[name] > 0.0):
                 raise InputError(name, self.deviation[name], "a positive standard deviation; leave out what is known")
         if "speed" not in self.mean:
             raise InputError("speed", None, "give it: it must be among the quantities of the prior")
         for pair, value in self.correlations.items():
             check_names("quantity of a correlation", pair, self.mean)
+            value = units.parse(value, units.DIMENSIONLESS, name=f"correlation of {' and '.join(pair)}")
             if len(set(pair)) != 2 or not -1.0 < value < 1.0:
                 raise InputError(f"correlation of {' and '.join(pair)}", value, "of two quantities, between -1 and 1")
         try:

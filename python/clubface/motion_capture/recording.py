@@ -12,13 +12,14 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.errors import FileError, InputError, Told, UnknownNameError
 from clubface.motion_capture.c3d_layout import check_layout
 from clubface.motion_capture.rigid_body import visible
 from clubface.motion_capture.rotations import Array
 from clubface.support.input_files import as_local_file, input_file
 from clubface.support.isolated import IsolatedError, IsolatedProcess
 from clubface.support.whole_file import whole_file
+from clubface.units import numbers
 
 LIBRARY = IsolatedProcess(Path(__file__).with_name("c3d_library.py"))
 MEMORY = 200
@@ -36,7 +37,8 @@ class Recording:
     labels
         Names of the markers.
     positions
-        Positions [m] in the axes of the laboratory, shape (frames, markers, 3); NaN where a marker was not seen.
+        Positions [m] in the axes of the laboratory, shape (frames, markers, 3); NaN, or masked when they are given,
+        where a marker was not seen.
     rate
         Frames a second [Hz].
     first_frame
@@ -50,6 +52,13 @@ class Recording:
     rate: float
     first_frame: int = 1
     path: str = "<recording>"
+
+    def __post_init__(self) -> None:
+        positions = numbers(self.positions, name="positions")
+        if positions.ndim != 3 or positions.shape[1:] != (len(self.labels), 3):
+            told = Told(f"an array of shape {positions.shape}")
+            raise InputError("positions", told, f"one of shape (frames, {len(self.labels)} markers, 3)")
+        object.__setattr__(self, "positions", positions)
 
     @property
     def times(self) -> Array:

@@ -20,7 +20,7 @@ from clubface.support.checks import check_choice, check_names
 from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, POINTS, heading_of, shot_words
 from clubface.tables.parquet import ENDINGS as PARQUET
 from clubface.tables.writer import write_columns
-from clubface.units import SI_UNITS, from_si
+from clubface.units import SI_UNITS, from_si, is_missing, parse_values
 
 if TYPE_CHECKING:
     import pandas
@@ -120,7 +120,7 @@ class RecordedShots:
         for name in ("clubs", "players", "hand"):
             given = getattr(self, name)
             if given is not None:
-                checked[name] = _of_length(np.asarray(given, dtype=object), name, count)
+                checked[name] = _of_length(_texts(given), name, count)
         if self.hand is not None and (wrong := set(checked["hand"]) - {"right", "left"}):
             raise InputError("hand", wrong.pop(), "right or left")
         for name, value in checked.items():
@@ -240,7 +240,19 @@ class RecordedShots:
 
 def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, Floats]:
     check_names("quantity", given, known)
-    return {name: _of_length(np.asarray(values, dtype=np.float64), name, count) for name, values in given.items()}
+    dimensions = shot_words().dimensions
+    read = {name: parse_values(values, dimensions[name], name=name) for name, values in given.items()}
+    return {name: _of_length(np.asarray(values), name, count) for name, values in read.items()}
+
+
+def _texts(given: Any) -> NDArray[Any]:
+    """Return names, "" where one is missing."""
+    missing = (
+        np.ma.getmaskarray(given) if isinstance(given, np.ma.MaskedArray) else np.zeros(np.shape(given), dtype=bool)
+    )
+    names = np.array(np.ma.getdata(given), dtype=object)
+    names[[bool(gone) or is_missing(each) for each, gone in zip(names, missing, strict=True)]] = ""
+    return names
 
 
 def _of_length(values: NDArray[Any], name: str, count: int) -> NDArray[Any]:

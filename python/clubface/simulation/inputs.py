@@ -23,7 +23,7 @@ from clubface.simulation.quantities import input_columns, input_dimensions, inpu
 from clubface.support.checks import check_choice
 from clubface.support.memory import check_request
 from clubface.support.shipped import is_path
-from clubface.units import parse, parse_values
+from clubface.units import parse_values
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -171,7 +171,7 @@ def _parsed(value: Any, name: str) -> Any:
 @lru_cache(maxsize=1024)
 def _parsed_text(value: str, name: str) -> float:
     flat = value == FLAT and name in ("bulge", "roll")
-    return math.inf if flat else parse(value, input_dimensions()[name], name=name)
+    return math.inf if flat else float(parse_values(value, input_dimensions()[name], name=name))
 
 
 def broadcast(of: Shots, parameters: list[Any], names: tuple[str, ...], outputs: int) -> tuple[Shots, list[Any]]:

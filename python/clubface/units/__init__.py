@@ -87,7 +87,7 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
         if symbol:
             found = _unit(symbol, dimension, name, value)
             number = number * found.numerator / found.denominator + found.offset
-    elif isinstance(value, bool) or not hasattr(value, "__float__"):
+    elif isinstance(value, bool) or not hasattr(value, "__float__") or _kind(value) not in "iuf":
         raise InputError(name, value, _wanted(dimension))
     else:
         try:
@@ -114,6 +114,11 @@ def parse_exactly(value: object, dimension: str, *, name: str = "value") -> tupl
     return Fraction(digits if float(digits) else 0), _unit(symbol, dimension, name, value) if symbol else si
 
 
+def _kind(value: object) -> str:
+    """Return the kind of a NumPy number, "f" of any other."""
+    return getattr(getattr(value, "dtype", None), "kind", "f")
+
+
 def dimension_of(value: object, *, name: str = "value") -> str:
     """Return the dimension of text with a unit: "force" of ``"12 kN"``; a bare number is dimensionless.
 
@@ -133,31 +138,99 @@ def _wanted(dimension: str) -> str:
 def parse_values(value: object, dimension: str, *, name: str = "value") -> float | NDArray[Any]:
     """Convert as :func:`parse`, but a list or array gives a float64 array of the same shape.
 
-    Elements that are NaN or infinite pass: a bad row of a batch is reported with the batch, not refused here.
-    Masked elements become NaN.
+    Elements that are NaN or infinite pass: a bad row of a batch is reported with the batch, not refused here. Missing
+    elements become NaN: those that are masked, None, NA and NaT of pandas and nulls of Arrow. Truth values, complex
+    numbers, objects and digits as text without a unit are refused.
     """
     if isinstance(value, str) or not hasattr(value, "__len__"):
-        return parse(value, dimension, name=name)
+        return parse_one(value, dimension, name)
     import numpy as np
 
     from clubface.support.memory import check_request
 
+    if isinstance(value, (list, tuple)) and not set(map(type, value)) <= {float, int}:
+        return _parse_list(value, dimension, name)
+    masked = isinstance(value, np.ma.MaskedArray)
     try:
-        given = np.asarray(value)
+        given = np.ma.getdata(value) if masked else np.asarray(value)
     except ValueError:
-        raise InputError(name, value, "a number or an array, whose rows are of one length") from None
+        raise InputError(name, value, _ONE_LENGTH) from None
     if given.ndim > MOST_DIMENSIONS:
-        raise InputError(name, Told(f"an array of {given.ndim} dimensions"), f"one of at most {MOST_DIMENSIONS}")
+        raise InputError(name, Told(f"an array of {given.ndim} dimensions"), _FEW_DIMENSIONS)
     check_request(given.size, 8)
-    if given.dtype.kind in "iuf" and hasattr(value, "filled"):
-        return value.astype(np.float64).filled(math.nan)  # pyright: ignore[reportAttributeAccessIssue]
+    if given.dtype.kind in "bcSV":
+        raise InputError(name, Told(f"an array of {given.dtype}"), _wanted(dimension))
+    missing = np.ma.getmaskarray(value) if masked else np.zeros(given.shape, dtype=bool)
     if given.dtype.kind in "iuf":
-        return given.astype(np.float64)
-    flat = [
-        each if isinstance(each, float) else parse(each, dimension, name=f"{name}[{index}]")
-        for index, each in enumerate(given.ravel().tolist())
-    ]
-    return np.array(flat, dtype=np.float64).reshape(given.shape)
+        found = given.astype(np.float64)
+    else:
+        names = (f"{name}[{index}]" if given.ndim else name for index in range(given.size))
+        flat = zip(given.ravel().tolist(), missing.ravel().tolist(), names, strict=True)
+        numbers = [
+            math.nan if gone or is_missing(each) else _parse_element(each, dimension, at) for each, gone, at in flat
+        ]
+        found = np.array(numbers, dtype=np.float64).reshape(given.shape)
+    return np.where(missing, math.nan, found) if missing.any() else found
+
+
+_ONE_LENGTH = "a number or an array, whose rows are of one length"
+_FEW_DIMENSIONS = f"one of at most {MOST_DIMENSIONS}"
+
+
+def _parse_list(values: list[Any] | tuple[Any, ...], dimension: str, name: str) -> NDArray[Any]:
+    """Return an array of a list that holds other things than plain numbers, each taken by itself."""
+    import numpy as np
+
+    depth, inner = name.count("["), values
+    while isinstance(inner, (list, tuple)) and inner and depth < 1000:
+        depth, inner = depth + 1, inner[0]
+    if depth > MOST_DIMENSIONS:
+        raise InputError(name.partition("[")[0], Told(f"an array of {depth} dimensions"), _FEW_DIMENSIONS)
+
+    def taken(each: Any, at: str) -> Any:
+        if hasattr(each, "__len__") and (isinstance(each, (list, tuple)) or hasattr(each, "__array__")):
+            return parse_values(each, dimension, name=at)
+        return math.nan if is_missing(each) else _parse_element(each, dimension, at)
+
+    parts = [taken(each, f"{name}[{index}]") for index, each in enumerate(values)]
+    if len({np.shape(each) for each in parts}) > 1:
+        raise InputError(name, values, _ONE_LENGTH)
+    return np.array(parts, dtype=np.float64)
+
+
+def _parse_element(value: Any, dimension: str, name: str) -> float:
+    """Convert one value of many; infinity passes, since its row is reported with the batch."""
+    return float(value) if isinstance(value, float) else parse_one(value, dimension, name)
+
+
+def parse_one(value: Any, dimension: str, name: str) -> float:
+    """Convert as :func:`parse` does, but refuse digits that come as text without a unit, as from a file."""
+    found = parse(value, dimension, name=name)
+    if isinstance(value, str) and found and SI_UNITS[dimension] != "1" and not _split(value)[1]:
+        raise InputError(name, value, f"a number, or text with its unit: {' or '.join(symbols(dimension))}")
+    return found
+
+
+def numbers(values: Any, *, name: str) -> NDArray[Any]:
+    """Return an array of numbers that have no unit of their own, or are SI; NaN where one is missing, no texts."""
+    import numpy as np
+
+    if type(values) is np.ndarray and values.dtype == np.float64:
+        return values
+    kind = getattr(getattr(values, "dtype", None), "kind", "O")
+    texts = () if kind in "iuf" else np.ravel(np.asarray(values, dtype=object))
+    for each in texts:
+        if isinstance(each, (str, bytes)):
+            raise InputError(name, each, "numbers, not text")
+    return np.asarray(parse_values(values, DIMENSIONLESS, name=name))
+
+
+def is_missing(value: Any) -> bool:
+    """Tell a value that stands for none: None, the NA and NaT of pandas, a null of Arrow, NaN."""
+    value = value.as_py() if hasattr(value, "as_py") else value
+    if value is None or type(value).__name__ in ("NAType", "NaTType"):
+        return True
+    return isinstance(value, float) and math.isnan(value)
 
 
 def to_si(value: Any, symbol: str) -> Any:

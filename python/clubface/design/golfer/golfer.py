@@ -185,10 +185,7 @@ class Golfer:
         """
         from scipy.special import ndtri
 
-        try:
-            given = np.asarray(uniform, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise InputError("uniform", uniform, f"numbers of shape (n, {self.dimensions})") from None
+        given = units.numbers(uniform, name="uniform")
         if given.ndim != 2 or given.shape[1] != self.dimensions:
             raise InputError("uniform", given.shape, f"of shape (n, {self.dimensions})")
         if not ((given > 0.0) & (given < 1.0)).all():
@@ -229,11 +226,9 @@ class Golfer:
 
 def _array(name: str, given: Any, shape: tuple[int, ...]) -> Floats:
     try:
-        found = np.array(given, dtype=np.float64) if not np.iscomplexobj(given) else None
-    except (TypeError, ValueError, OverflowError):
-        found = None
-    if found is None:
-        raise InputError(name, given, f"numbers of shape {shape}")
+        found = units.numbers(given, name=name).copy()
+    except InputError:
+        raise InputError(name, given, f"numbers of shape {shape}") from None
     if found.shape != shape:
         raise InputError(name, Told(f"numbers of shape {found.shape}"), f"numbers of shape {shape}")
     if not np.isfinite(found).all():
