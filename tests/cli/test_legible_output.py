@@ -42,7 +42,8 @@ def table(rows):
 def shots(write):
     """A table of shots whose every text is hostile."""
     heads = ["club", "player", f"notes {BAD}", "club_speed_mph", "attack_deg", "loft_deg", "path_deg", "face_deg",
-             "ball_speed_mph", "launch_deg", "azimuth_deg", "backspin_rpm", "sidespin_rpm", f"flex{BAD} [mph]"]  # fmt: skip
+             "ball_speed_mph", "launch_deg", "azimuth_deg", "backspin_rpm", "sidespin_rpm",
+             f"flex{BAD} [mph]"]  # fmt: skip
     rows = [
         [f"Driver{BAD}" if row == 9 else "Driver", f"Ann{BAD}", BAD, 100 + row * row % 7, row * row % 5 - 1, 13,
          row * row % 3, 1, 145 + row % 4, 12 + row % 2, row % 3, 2600, 100 * (row % 3), 1]

@@ -1,5 +1,7 @@
 """What a study reads is read when it begins: later edits change nothing, and other contents are another study."""
 
+import hashlib
+
 import pytest
 
 import clubface
@@ -94,3 +96,15 @@ def test_texts_that_quote_a_file_are_no_files_of_a_study(tmp_path):
     (tmp_path / "mine.toml").write_text(club.to_toml() + '\n# "private.toml"\n')
     path = described(tmp_path, "impact", 'club = "mine.toml"', 'speed = ["100 mph"]')
     assert list(read_study(path).files()) == ["mine.toml"]
+
+
+def test_a_report_of_a_store_lists_what_the_study_has_read(tmp_path, clubface_, in_this_process):
+    pytest.importorskip("matplotlib")
+    mine = tmp_path / "mine.toml"
+    mine.write_text(DRIVER.replace(name="mine").to_toml())
+    studies.run(described(tmp_path, "impact", 'club = "mine.toml"', 'speed = ["100 mph", "110 mph"]'))
+    sum_ = hashlib.sha256(mine.read_bytes()).hexdigest()
+    mine.unlink()
+    ran = clubface_("study", "summary", str(tmp_path / "study.store"), "--report", str(tmp_path / "report.html"))
+    assert ran.status == 0, ran.err
+    assert sum_ in (tmp_path / "report.html").read_text()

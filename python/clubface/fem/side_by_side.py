@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from contextvars import copy_context
 from typing import TypeVar
 
 from clubface.errors import InputError
@@ -58,7 +59,7 @@ def side_by_side(
                 while open_ and len(running) < count:
                     threads = max(cores // last, 1) if len(open_) <= last else 1
                     point = open_.pop(0)
-                    running[pool.submit(run, point, keep_going, threads)] = point
+                    running[pool.submit(copy_context().run, run, point, keep_going, threads)] = point
                 finished, _ = wait(running, timeout=0.05, return_when=FIRST_COMPLETED)
                 for future in finished:
                     ended(running.pop(future), future.result())

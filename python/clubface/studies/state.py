@@ -11,6 +11,7 @@ from clubface.errors import FileError
 from clubface.studies.chunks import checked_part
 from clubface.studies.store import StudyStore, check_study, open_store, store_of
 from clubface.studies.study import read_study
+from clubface.support.input_files import count_as_read
 
 SHOWN = 20
 """Chunks that are told by their number."""
@@ -57,7 +58,9 @@ def opened(which: str | os.PathLike[str], store: str | os.PathLike[str] | None =
     """
     path = Path(which)
     if path.is_dir():
-        return open_store(path)
+        found = open_store(path)
+        count_as_read(found.files_read())
+        return found
     study = read_study(path)
     folder = Path(store) if store is not None else store_of(path)
     if not folder.exists():

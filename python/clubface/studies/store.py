@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -77,6 +78,12 @@ class StudyStore(PartStore):
         with suppress(OSError):
             return (self.inputs / sum_).read_bytes()
         return None
+
+    def files_read(self) -> Iterator[InputFile]:
+        """Yield what the study has read, by the names that the files have from its folder; what is not kept is left."""
+        for name, sum_ in self.record["provenance"]["files"].items():
+            if (content := self.input(sum_)) is not None:
+                yield InputFile(name, os.fspath(self.inputs / sum_), len(content), sum_, False, content)
 
     def present(self) -> bytearray:
         """Return for each chunk whether a part is there (1) or not (0); no part is read."""

@@ -90,6 +90,12 @@ class InputRecord:
                 found.setdefault(each.place, each)
         return tuple(found.values())
 
+    def add(self, files: Iterable[InputFile]) -> None:
+        """Add files that were read before."""
+        with self._lock:
+            for each in files:
+                self._files.setdefault(absolute(each.path), each)
+
     def by_path(self) -> dict[str, InputFile]:
         """Return the files by the path under which they were asked for, those that came with the package left out."""
         with self._lock:
@@ -133,6 +139,12 @@ def recorded(compute: Callable[P, R]) -> Callable[P, R]:
             return compute(*args, **options)
 
     return wrapped
+
+
+def count_as_read(files: Iterable[InputFile]) -> None:
+    """Record files that an earlier run has read, whose results are those of the computation that is running."""
+    if (record := _ACTIVE.get()) is not None:
+        record.add(files)
 
 
 def recorded_files() -> tuple[InputFile, ...]:
